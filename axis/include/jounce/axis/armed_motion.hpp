@@ -9,7 +9,7 @@
 namespace jounce {
 
 /// The slot for the armed movement of an axis, with the condition of its start. The slot is empty,
-/// armed, or waiting: the start was accepted, but the movement has not begun.
+/// armed, or waiting. It waits when the start was accepted, but the movement has not begun.
 ///
 ///     ArmedMotion armed;
 ///     armed.arm(&movement, group);
@@ -19,12 +19,12 @@ namespace jounce {
 /// The slot does not own the movement. Unit m: the unit of the axis's master.
 class ArmedMotion {
  public:
-  /// Arms a movement in place of the previous one. `group`: number of its group (command::Arm); 0:
-  /// no group.
+  /// Arms a movement in place of the previous one. `group` is the number of its group
+  /// (command::Arm); 0: no group.
   void arm(Movement* movement, std::int64_t group) noexcept { *this = {movement, group}; }
-  /// Accepts the start of the armed movement. `now`: the present tick. `tick`: for StartAt::tick,
-  /// the tick of the start, `now` or later. `position`: for StartAt::master_position, the position
-  /// of the master, m.
+  /// Accepts the start of the armed movement. `now` is the present tick. `tick` is used for
+  /// StartAt::tick: the tick of the start, `now` or later. `position` is used for
+  /// StartAt::master_position: the position of the master, m.
   void accept(StartAt when, std::int64_t tick, double position, std::int64_t now) noexcept {
     waiting_ = true;
     when_ = when;
@@ -52,7 +52,7 @@ class ArmedMotion {
   [[nodiscard]] StartAt when() const noexcept { return when_; }
   /// Position of the master at which the movement starts, m; for StartAt::master_position.
   [[nodiscard]] double position() const noexcept { return position_; }
-  /// True if the armed movement follows a live master. Only for a slot that is not empty.
+  /// True if the armed movement follows a live master. Requires a slot that is not empty.
   [[nodiscard]] bool is_live() const noexcept { return movement_->course() == Course::live; }
   /// Returns the tick of the start for StartAt::tick, and `otherwise` for any other condition.
   [[nodiscard]] std::int64_t tick_or(std::int64_t otherwise) const noexcept {
@@ -68,7 +68,7 @@ class ArmedMotion {
   StartAt when_ = StartAt::tick;
   std::int64_t tick_ = 0;
   double position_ = 0;         // m
-  std::int64_t accepted_ = -1;  // tick
+  std::int64_t accepted_ = -1;  // tick in which the start was accepted
 };
 
 }  // namespace jounce

@@ -24,12 +24,12 @@
 
 namespace jounce {
 
-/// The group of an axis's armed movement, and its start. A group is a set of motions of several
-/// axes that start and stop together.
+/// The group of the movement that an axis has armed, and the start of this movement. A group is a
+/// set of motions of several axes that start and stop together.
 struct GroupStart {
   std::int64_t group = 0;  ///< number of the group; 0: no group
-  bool accepted = false;   ///< true if its start was accepted
-  std::int64_t tick = -1;  ///< tick of its start; -1: not started by a tick
+  bool accepted = false;   ///< true if the start of the movement was accepted
+  std::int64_t tick = -1;  ///< tick of the start; -1: no tick was given
 };
 
 /// The outputs of an axis in one tick. Units: u is the unit of the axis, m that of its master.
@@ -45,26 +45,28 @@ struct Tick {
   std::uint64_t job = 0;          ///< id of the motion that is played; 0: none
   std::uint64_t armed = 0;        ///< id of the armed motion; 0: none
   bool waiting = false;           ///< true if a start was accepted, but its motion has not begun
-  Progress progress = Progress::done;  ///< progress of the motion
+  Progress progress = Progress::done;  ///< progress of the motion that is played
   Cause fault = Cause::none;           ///< the latched fault; none: no fault
   std::int64_t skipped = 0;            ///< ticks skipped between the previous step and this one
   std::uint64_t finished = 0;          ///< number of motions that reached their end, so far
   std::uint64_t stopped = 0;           ///< number of motions that a stop brought to rest, so far
-  /// Why the last motion ended: its fault, stopped, halted, ...; none: at its end.
+  /// Why the last motion ended: a fault, stopped, halted, ...; none: the motion reached its end.
   Cause reason = Cause::none;
   double override_ = 1;    ///< override factor in effect, 0 to 2
   double rate = 1;         ///< present rate of path time: 1 is the original speed of the path
   bool held = false;       ///< true if the motion is held until the command resume
   bool homed = false;      ///< true after homing: the position refers to the home position
   bool power = false;      ///< request to the drive: follow the setpoints
-  std::int64_t group = 0;  ///< number of the group of the motion; 0: no group
+  std::int64_t group = 0;  ///< number of the group of the motion that is played; 0: no group
   GroupStart next{};       ///< group and start of the armed movement
-  /// Groups that this axis has broken; 0: none. A stop, a halt, a fault or a rejected start has
-  /// ended its motion early ([0]: the group of that motion), or its armed movement ([1]). A number
-  /// stays until the axis arms a movement of that group.
+  /// Groups that this axis has broken; 0: none. [0]: the group of its motion, [1]: the group of its
+  /// armed movement. An axis breaks a group if a stop, a halt, a fault or a rejected start ends the
+  /// motion or the armed movement early. A number stays until the axis arms a movement of that
+  /// group again.
   std::array<std::int64_t, 2> broken{};
-  bool frozen = false;  ///< the velocity fell to 0 at once in this tick, without braking; see fault
-  /// Sum of the set_position changes so far, u; position of the drive = position - offset.
+  bool frozen = false;  ///< true if the velocity fell to 0 at once in this tick, without braking;
+                        ///< see `fault`
+  /// Sum of all changes by set_position so far, u. The position of the drive is position - offset.
   double offset = 0;
   /// Position that the drive reports, in the coordinate of the axis, u; NaN: unknown.
   double actual_position = std::numeric_limits<double>::quiet_NaN();
@@ -72,7 +74,8 @@ struct Tick {
   double following_error = std::numeric_limits<double>::quiet_NaN();
   /// Share of the rated torque; NaN: unknown.
   double torque = std::numeric_limits<double>::quiet_NaN();
-  /// At rest, and the following error is within the window AxisConfig::in_position.
+  /// True if the axis is at rest and the following error is within the window
+  /// AxisConfig::in_position.
   bool in_position = false;
   SwitchStep switches{};  ///< outputs of the cam switches, with their edges since the previous tick
   /// Output of the position compare, with its edges since the previous tick.
@@ -84,8 +87,8 @@ struct Tick {
   std::array<const Movement*, 3> handed_back{};
 };
 
-/// True if the axis moves now, or will move later without a further command. It moves by a
-/// movement, by a move that it plans itself, or by braking in a fault. A held motion counts; a
+/// True if the axis moves now, or will move later without a further command. The motion may be a
+/// movement, a move that the axis plans itself, or braking in a fault. A held motion counts; a
 /// motion at rest after an underrun does not.
 bool in_motion(const Tick& tick);
 
@@ -99,40 +102,43 @@ bool in_motion(const Tick& tick);
 ///     Tick now = axis.step(3);                           // bit for bit job.at(0.001)
 ///
 /// **Time** is the number of the tick times the period, so rounding errors do not accumulate. The
-/// numbers of the ticks ascend. The motion follows time: if ticks are skipped, the motion skips the
-/// same time.
+/// numbers of the ticks must ascend. If ticks are skipped, the motion skips the same time.
 ///
 /// **Motion.** The axis plays either a movement, or a move that it plans itself from its last
-/// setpoint. A movement is a path, whose time may run slower, or a coupling to a live master. A
-/// superimposed move adds to either. Rules: command_table.hpp and docs/executor/axis.md.
+/// setpoint. A movement is a path (whose time the axis can slow down) or a coupling to a live
+/// master. A superimposed move is added to either. Rules: command_table.hpp and
+/// docs/executor/axis.md.
 ///
-/// **Slots.** The axis holds one movement that it plays and one that is armed, and owns neither. It
-/// returns each of them once (Tick::handed_back), in the last tick in which it reads it.
+/// **Slots.** The axis holds two movements, one that it plays and one that is armed. It owns
+/// neither. When it reads a movement for the last time, it returns the movement in
+/// Tick::handed_back, once.
 ///
 /// **Outputs** (cam switches, position compare) are computed from the state of each tick. A new
-/// position (set_position), or a new master at the start of a motion, may switch outputs, but does
-/// not count as an edge. Outputs work in every state, even if the axis is disabled or in a fault.
+/// coordinate (set_position), or a new master at the start of a motion, may switch outputs; such a
+/// change is not an edge. Outputs are computed in every state, even if the axis is disabled or in a
+/// fault.
 ///
 /// **Drives.** Feedback is in the coordinate of the drive. set_position changes the coordinate of
-/// the axis by `offset`, and does not move the drive. A disabled axis takes the position of the
-/// drive, if the drive reports one, so that enabling causes no motion.
+/// the axis by `offset`, and does not move the drive. While the axis is disabled, its setpoint is
+/// the position of the drive, if the drive reports a position; so enabling the axis causes no
+/// motion.
 ///
 /// **Homing** (homing.hpp) finds the home position of the machine from the switches and the index
 /// that the drive reports. During homing, the position range does not apply, and the axis may stand
 /// on a limit switch.
 ///
-/// **Safety.** Arming checks a movement against the limits of the axis, no matter who sent it.
-/// Before the axis outputs a setpoint in motion, it compares the setpoint with the previous one and
-/// with the limits. A fault stays until a reset. reaction_to() gives the reaction of the axis to
-/// each fault.
+/// **Safety.** When the axis arms a movement, it checks the movement against its limits, for every
+/// sender. Before the axis outputs a setpoint in motion, it compares the setpoint with the previous
+/// one and with the limits. A fault stays until a reset. reaction_to() returns the reaction of the
+/// axis to each fault.
 class MotionAxis {
  public:
   /// Throws InputError for an invalid configuration, invalid switches, or an invalid compare list.
   explicit MotionAxis(const AxisConfig& config, const AxisSwitches& switches = {},
                       const AxisCompare& compare = {});
 
-  /// Executes the command and returns the outputs of this tick. `tick` must be greater than in the
-  /// previous step.
+  /// Executes the command and returns the outputs of this tick. Call once a tick; `tick` must be
+  /// greater than in the previous call.
   Tick step(std::int64_t tick, const Command& command = {}, const Inputs& inputs = {});
 
   /// The configuration with its defaults filled in.
@@ -144,9 +150,9 @@ class MotionAxis {
   /// Reason to reject a command; nullopt: accepted.
   using Rejection = std::optional<Refusal>;
 
-  /// The player of the motion, below the superimposed move.
+  /// The player of the motion, without the superimposed move.
   enum class Base : std::uint8_t { rest, path, live, move };
-  /// table: the played movement ended at a velocity.
+  /// Reason for the present stop. table: the movement ended at a velocity.
   enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
 
   // axis.cpp: one tick
@@ -213,14 +219,14 @@ class MotionAxis {
   Rejection hold(bool on);
   Rejection replan();
 
-  // axis_homing.cpp: the search for its home position
+  // axis_homing.cpp: the search for the home position
   void seek();
   void find_home();
   [[nodiscard]] Homing::Seen seen() const;
   /// The limits in effect; during homing, without the position range.
   [[nodiscard]] const AxisConfig& rules() const { return homing_ ? unranged_ : config_; }
 
-  // axis_starts.cpp: its slots
+  // axis_starts.cpp: armed movements and their starts
   void disarm();
   void begin_due();
   [[nodiscard]] std::optional<Moment> begins_at();
@@ -234,7 +240,7 @@ class MotionAxis {
   [[nodiscard]] bool stands() const;
   [[nodiscard]] State playing_state() const;
 
-  // axis_path.cpp: along a path, and from one path to the next
+  // axis_path.cpp: motion along a path, and the change to another path
   Cause advance_path(Setpoint& next);
   bool replan_path();
   Rejection start_at_end();
@@ -244,7 +250,7 @@ class MotionAxis {
   void swap_at_master(double s);
   void swap(double boundary, MotionState end);
 
-  // axis_moves.cpp: moves of its own
+  // axis_moves.cpp: moves that the axis plans
   Rejection move_or_buffer(const BufferedMove& what);
   Rejection move(const BufferedMove& what);
   Rejection take_over(const Goal& goal);
@@ -259,7 +265,7 @@ class MotionAxis {
   void brake(double deceleration);
   void leave(Goal::Kind kind);
 
-  // axis_buffer.cpp: commands that wait for a tick, and moves that wait for this one
+  // axis_buffer.cpp: commands that wait for a tick, and moves that wait for the present motion
   Rejection postpone(const Command& command);
   void obey_due();
   void forget_later();
@@ -297,8 +303,8 @@ class MotionAxis {
   PathPlayer path_;
   LivePlayer live_;
   MovePlayer move_;
-  SuperimposedMove above_;        // adds to the motion
-  WaitingMoves next_;             // moves for the end of this motion
+  SuperimposedMove above_;        // superimposed on the motion
+  WaitingMoves next_;             // moves that wait for the end of the motion
   std::optional<Command> later_;  // the command that waits for its tick
 
   Ending ending_ = Ending::none;
@@ -306,11 +312,11 @@ class MotionAxis {
   bool held_ = false;
   std::int64_t begun_ = 0;  // tick at which the motion began
   TimedState bare_;         // the last output setpoint, without the superimposed move
-  bool joint_ = false;      // this tick joins one motion to another
+  bool joint_ = false;      // true if one motion continues another in this tick
 
-  std::optional<Homing> homing_;  // set until it is at rest, in success or failure
+  std::optional<Homing> homing_;  // the homing in progress, until the axis is at rest
 
-  bool has_master_ = false;  // since the start of a cam, until the next table without one
+  bool has_master_ = false;  // true from the start of a cam to the next table without a cam
   Outputs outputs_;
   Tick now_;
 };

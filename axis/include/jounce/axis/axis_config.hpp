@@ -8,41 +8,44 @@
 
 namespace jounce {
 
-/// Homing of an axis, with the objects of CiA 402. Zeros stand for defaults, which resolved() fills
-/// in. Unit u: the unit of the axis.
+/// Homing of an axis, with the objects of CiA 402. A value of 0 stands for the default that its
+/// comment states; resolved() fills in the defaults. u is the unit of the axis.
 struct HomingSpec {
-  int method = 37;  ///< homing method, object 6098h; default 37: home is the present position
+  int method = 37;  ///< homing method, object 6098h; 37: the present position becomes the home
+                    ///< position
   /// Velocity of the search for a switch, u/s (6099h:1); 0: a tenth of the limit.
   double search_velocity = 0;
-  /// Velocity for the edge and the index, u/s (6099h:2); 0: search_velocity / 4.
+  /// Velocity of the search for the edge and the index, u/s (6099h:2); 0: search_velocity / 4.
   double index_velocity = 0;
   double acceleration = 0;  ///< acceleration, u/s^2 (609Ah); 0: the limit of the axis
   double offset = 0;        ///< position value of the axis at the home position, u (607Ch)
   double timeout = 60;      ///< time limit of the whole homing, s, > 0
-  std::optional<double> distance = {};  ///< u, > 0: limit of each search
+  std::optional<double> distance = {};  ///< u, > 0: greatest length of each search; omitted: no
+                                        ///< limit
 };
 
 /// Configuration of an axis, fixed when the executor starts. A value of 0 switches a function off,
-/// unless its comment gives another meaning. Unit u: the unit of the axis.
+/// unless its comment gives another meaning. u is the unit of the axis.
 struct AxisConfig {
   std::int64_t period = 1'000'000;  ///< duration of a tick, ns, > 0
   Limits limits = {};               ///< limits of the axis; velocity and acceleration are required
   /// Deceleration of a stop, u/s^2, > limits.acceleration; 0: twice the limit.
   double stop_acceleration = 0;
-  /// Jerk of a stop, u/s^3, > limits.jerk; 0: twice the limit; unused if there is no jerk limit.
+  /// Jerk of a stop, u/s^3, > limits.jerk; 0: twice the limit. Not used without a jerk limit.
   double stop_jerk = 0;
   double position = 0;  ///< initial position of the axis, u
-  /// Greatest number of ticks by which a cycle may be late in motion; more: a fault.
+  /// Greatest number of ticks by which a cycle may be late in motion. A longer gap is a fault.
   std::int64_t longest_gap = 100;
 
   /// Deceleration of an abort, u/s^2; 0: the setpoint freezes at once.
   double abort_acceleration = 0;
   double limit_acceleration = 0;  ///< deceleration before a soft limit, u/s^2; 0: stop_acceleration
   double modulo = 0;              ///< length of one turn of a modulo axis, u; 0: a linear axis
-  /// Limit of the following error, u: if it is exceeded for following_time, the axis has a fault.
+  /// Limit of the following error, u. If the error exceeds it for following_time, the axis has a
+  /// fault.
   double following_error = 0;
   double following_time = 0;  ///< s; see following_error
-  /// Window of the following error, u: the axis is in position if the error stays inside for
+  /// Window of the following error, u. The axis is in position if the error stays in the window for
   /// in_position_time.
   double in_position = 0;
   double in_position_time = 0;  ///< s; see in_position
@@ -51,8 +54,8 @@ struct AxisConfig {
   bool require_home = false;  ///< reject motions to absolute positions until the axis is homed
 };
 
-/// Converts ns to s. The duration of n ticks is seconds(n * period), so rounding errors do not
-/// accumulate.
+/// Converts ns to s. Compute the duration of n ticks as seconds(n * period), so that rounding
+/// errors do not accumulate.
 inline double seconds(std::int64_t ns) noexcept {
   return static_cast<double>(ns) / 1e9;
 }

@@ -8,8 +8,8 @@
 #include "jounce/axis/movement.hpp"
 #include "jounce/command/commands.hpp"
 
-/// The commands that only the executor sends to an axis; each one carries out a message of a
-/// client.
+/// The commands that only the executor sends to an axis. The executor sends each of them to carry
+/// out a message of a client.
 namespace jounce::command {
 
 /// No command in this tick.
@@ -36,7 +36,7 @@ struct Start {
   double position = 0;
   std::int64_t group = 0;  ///< group of the armed movement
 };
-/// Brings the axis to rest, on its path if it has one, and disarms. Only a fault interrupts this.
+/// Brings the axis to rest, on its path if it has one, and disarms. Only a fault interrupts a stop.
 struct Stop {
   static constexpr auto kind = CommandKind::stop;
   MoveDynamics dynamics = {};  ///< deceleration and jerk
@@ -90,15 +90,15 @@ inline void set_movement(AxisCommand& command, Movement* movement) {
       command);
 }
 
-/// A command to an axis. An axis executes at most one in each tick: if several arrive for the same
-/// tick, only the last one takes effect.
+/// A command to an axis. An axis executes at most one command in each tick: of several commands for
+/// the same tick, only the last one takes effect.
 ///
 ///     axis.step(0, {command::Enable{}});
 ///     axis.step(1, {.what = command::MoveAbsolute{.position = 120}, .at = 50});
 struct Command {
   AxisCommand what = {};  ///< the command
   std::int64_t at = -1;   ///< tick of the execution; -1: at once. Arm, Start and Couple require -1
-  std::uint64_t id = 0;   ///< id that the sender gave to the command; returned with the answer
+  std::uint64_t id = 0;   ///< id that the sender gave to the command; the answer repeats it
 
   /// Kind of the command.
   [[nodiscard]] CommandKind kind() const { return kind_of(what); }

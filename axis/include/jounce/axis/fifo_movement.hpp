@@ -13,8 +13,8 @@
 namespace jounce {
 
 /// Options of a motion that arrives row by row while the axis plays it: a rolling stream, or the
-/// two FIFOs of a Googol controller. A rolling stream is for paths that are longer than the memory,
-/// or that are computed while they are played.
+/// two FIFOs of a Googol controller. Use a rolling stream for a path that is longer than the
+/// memory, or that is computed while it is played.
 ///
 ///     FifoPath path(1, {.each = 1000, .limits = row_limits(config)});  // communication thread
 ///     for (const SegmentRow& row : ...) path.fifos().push(0, row);     // the prefill: while space
@@ -24,36 +24,38 @@ namespace jounce {
 /// **Units.** x and times in s, positions in u, the unit of the axis.
 ///
 /// **Threads.** One thread fills fifos(), another one steps the axis
-/// (jounce/pvt/segment_fifos.hpp). If the axis returns the movement before its end, fifos().leave()
-/// makes it reusable.
+/// (jounce/pvt/segment_fifos.hpp). If the axis returns the movement before its end, call
+/// fifos().leave() before you reuse the movement.
 ///
-/// **Stream** (the default). The stream ends at a row that is marked `last`. If no more rows
-/// arrive, the axis stops on the path before the rest is shorter than its stopping distance, with
-/// the fault `underrun` (Movement::growing). After a reset and more rows, the stream resumes at its
-/// present point. If rows run out although the axis did not stop, the movement is `broken` by
-/// `underrun` in that tick and repeats its last setpoint.
+/// **Stream** (the default). The stream ends with a row that is marked `last`. If no more rows
+/// arrive, the axis stops on the path, with the fault `underrun`, before the remaining rows are
+/// shorter than its stopping distance (Movement::growing). After a reset and more rows, the stream
+/// resumes at its present point. If the rows run out although the axis did not stop, the movement
+/// becomes `broken` by `underrun` in that tick and repeats its last setpoint.
 ///
-/// **Tables** (`stream = false`; Googol calls them static). Each FIFO holds one table. The FIFO
-/// selected by choose() is played first, for `loops` passes. A switch to the other FIFO takes place
-/// at the end of a pass. A table that ends at a nonzero velocity is `broken` at its end.
+/// **Tables** (`stream = false`; Googol calls them static). Each FIFO holds one table. The axis
+/// begins with the FIFO that choose() selects, and plays it for `loops` passes. A switch to the
+/// other FIFO takes place at the end of a pass. A table that ends at a nonzero velocity is `broken`
+/// at its end.
 ///
-/// **Position.** With `origin`, rows are relative to this position. With `from`, rows are absolute
-/// positions. In these two cases, begin() rejects an axis that does not stand at the start
-/// position. With neither, rows are relative to the position of the axis at the start.
+/// **Position.** If `origin` is given, rows are relative to this position. If `from` is given, rows
+/// are absolute positions. In these two cases, begin() rejects an axis that does not stand at the
+/// start position. If neither is given, rows are relative to the position of the axis at the start.
 ///
-/// **Range.** `range` bounds the whole motion, relative to its start. admit() compares it with the
-/// limits of the axis, and push() rejects rows of a stream that leave it. The passes of a table may
-/// add up, so each pass is checked before it begins. A pass that would leave the range does not
-/// begin. During the pass before it, `bounded()` is false, and the axis supervises the position
-/// itself.
+/// **Range.** `range` bounds the whole motion, relative to its start. admit() compares the range
+/// with the limits of the axis, and push() rejects rows of a stream that leave the range. The
+/// travel of the passes of a table may add up, so each pass is checked before it begins, and a pass
+/// that would leave the range does not begin. During the pass before it, `bounded()` returns false,
+/// and the axis itself supervises the position.
 struct FifoSpec {
-  /// Rows in one FIFO, 1 to 1e6; Googol: 32 or 1024. A sender may send 2 * each rows ahead.
+  /// Rows in one FIFO, 1 to 1e6; Googol: 32 or 1024. A sender may send up to 2 * each rows ahead.
   std::size_t each = 32;
   bool stream = true;      ///< true: a rolling stream; false: tables
   std::int64_t loops = 1;  ///< passes of the first table; below 1: endless
-  /// x, s, and position, u, at the start of the first row; for a stream.
+  /// Start of the first row: x (s) and position (u); for a stream.
   std::optional<RowStart> from = {};
-  RowLimits limits = {};              ///< push() rejects a row that exceeds them
+  RowLimits limits = {};              ///< limits of the rows: push() rejects a row that exceeds
+                                      ///< them
   std::optional<double> origin = {};  ///< required start position, u; nullopt: any
   /// Lowest (<= 0) and highest (>= 0) position relative to the start, u.
   SegmentFifos::Reach range{-RowLimits::none, RowLimits::none};
@@ -61,16 +63,16 @@ struct FifoSpec {
 };
 
 /// Returns the limits of an axis for rows over time: its velocity, acceleration and jerk. The
-/// permitted velocity step is the change of velocity that its acceleration makes in one tick.
-/// `absolute`: the rows are positions (FifoSpec::from), so the position range of the axis applies,
-/// too.
+/// permitted step of the velocity is the change of velocity that the acceleration limit allows in
+/// one tick. `absolute` is true if the rows are absolute positions (FifoSpec::from): then the
+/// position range of the axis applies, too.
 RowLimits row_limits(const AxisConfig& config, bool absolute = false);
 
 /// A path over time that arrives row by row.
 class FifoPath final : public Movement {
  public:
-  /// Allocates. Throws InputError: "each" for 0 or more than 1e6, "from" for a number that is not
-  /// finite. `id`: id of the motion in Tick::job.
+  /// Allocates the FIFOs. `id` is the id of the motion in Tick::job. Throws InputError "each" for 0
+  /// or more than 1e6, and "from" for a number that is not finite.
   FifoPath(std::uint64_t id, const FifoSpec& spec);
 
   /// The FIFOs, for the thread that fills them.
@@ -102,7 +104,7 @@ class FifoPath final : public Movement {
 
   SegmentFifos fifos_;
   std::optional<double> origin_;
-  SegmentFifos::Reach range_;  // from the origin
+  SegmentFifos::Reach range_;  // relative to the origin
   double begun_at_ = 0;        // u
   bool bounded_ = true;
   std::atomic<int> first_{0};
@@ -113,8 +115,8 @@ class FifoPath final : public Movement {
 };
 
 /// Follow tables over the live master of the axis: rows over the travel of the master, in its unit.
-/// The motion starts at once, or when the master passes a position, in one direction or in both
-/// (Googol's follow mode, section 7.6 of its manual).
+/// The motion starts at once, or when the master passes a position. The axis follows the master in
+/// one direction or in both (Googol's follow mode, section 7.6 of the Googol manual).
 ///
 ///     FifoFollow follow(2, {.each = 16, .stream = false, .loops = 0}, {.event = pass});
 ///     for (const PtPoint& p : shear) push(follow.fifos(), 0, p);
@@ -122,9 +124,9 @@ class FifoPath final : public Movement {
 ///     for (const PtPoint& p : bridge) push(follow.fifos(), 1, p);
 ///     follow.fifos().queue_switch();              // at the end of the pass; then FIFO 0 is empty
 ///
-/// Progress: `waiting` until the event, then `running`, and `done` at the end of its table. At the
-/// end of a table with a nonzero ratio, the slave keeps this ratio for one tick; the axis then
-/// brakes within its limits, as after a cam. Progress is `broken` if the master is lost.
+/// Progress: `waiting` until the event, then `running`, and `done` at the end of the table. If the
+/// table ends at a nonzero ratio, the slave keeps this ratio for one tick; the axis then brakes
+/// within its limits, as after a cam. Progress is `broken` if the master is lost.
 class FifoFollow final : public Movement {
  public:
   /// Throws InputError like FifoPath, and for an event or a direction out of range
@@ -152,7 +154,7 @@ class FifoFollow final : public Movement {
 
   SegmentFifos fifos_;
   std::optional<double> origin_;
-  SegmentFifos::Reach range_;  // range from the origin: tolerance of the start
+  SegmentFifos::Reach range_;  // relative to the origin; gives the tolerance of the start
   FollowRun run_;
   std::atomic<int> first_{0};
   bool fresh_ = false;  // begun, and nothing played yet

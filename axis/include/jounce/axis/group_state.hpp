@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// The groups (machine.hpp) that an axis has broken; 0: none. A stop, a halt, a fault or a rejected
-/// start has ended its motion or its armed movement early.
+/// The groups (machine.hpp) that an axis has broken; 0: none. An axis breaks a group if a stop, a
+/// halt, a fault or a rejected start ends its motion or its armed movement early.
 ///
 ///     GroupState groups;
 ///     groups.join(42, tick);                   // a movement of this group is armed
@@ -30,8 +30,8 @@ class GroupState {
     broken_[1] = group;
     if (waiting) last_ = {group, tick};
   }
-  /// Clears the group: the axis arms a movement of it again. A break of the same tick stays, since
-  /// the other axes have not read it yet.
+  /// Removes the group from broken(): the axis arms a movement of the group again. If the group was
+  /// broken in the same tick, it stays, because the other axes have not read it yet.
   void join(std::int64_t group, std::int64_t tick) noexcept {
     if (last_.group == group && last_.tick == tick) return;
     std::replace(broken_.begin(), broken_.end(), group, std::int64_t{0});

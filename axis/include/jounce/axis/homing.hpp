@@ -11,41 +11,43 @@
 
 namespace jounce {
 
-/// One of the homing methods of CiA 402 (object 6098h): the home position and the search for it.
+/// A homing method of CiA 402 (object 6098h): the home position and the search for it.
 struct HomingMethod {
   Sensor Sensors::*sensor = nullptr;  ///< switch to search for; null: the method uses no switch
   int search = 0;                     ///< first direction of the search for the switch: -1 or 1
-  bool leaves = false;  ///< true: home is where the switch goes off; false: where it goes on
+  bool leaves = false;  ///< true: home is the place where the switch goes off; false: where it goes
+                        ///< on
   /// Direction in which the axis passes home, -1 or 1; 0: home is the present position.
   int last = 0;
   bool index = false;  ///< true: home is the first index after the edge, in the direction `last`
 };
 
-/// Returns the method with this number of CiA 402; nullopt if there is none. 1 to 14: switch and
-/// index; 17 to 30: the same switches without the index; 33 and 34: the next index; 35 and 37: the
-/// present position.
+/// Returns the method with this number of CiA 402; nullopt if the number has no method. Numbers: 1
+/// to 14, switch and index; 17 to 30, the same switches without the index; 33 and 34, the next
+/// index; 35 and 37, the present position.
 std::optional<HomingMethod> homing_method(int number) noexcept;
 
 /// True if the machine has the sensors that the method needs.
 bool has_sensors(const HomingMethod& method, const Sensors& sensors) noexcept;
 
-/// The search for a machine's home position. In each cycle, it computes the next velocity of the
-/// axis from the inputs of the drive. Positions are in u, the unit of the axis, in the coordinate
-/// of the drive.
+/// The search for the home position of a machine. Call step() once in each cycle: it computes the
+/// next velocity of the axis from the inputs of the drive. Positions are in u, the unit of the
+/// axis, in the coordinate of the drive.
 ///
 ///     Homing homing(*homing_method(23), spec, sensors);
 ///     homing.step({sensors, position, at_rest, dt});       // each cycle
 ///     go(homing.velocity());                               // within the axis's limits; 0: to rest
 ///     if (homing.done()) rename(homing.home());
 ///
-/// 1. It searches for the switch with search_velocity. At a limit switch it reverses, once only.
-/// 2. It moves to the side of the edge from which the method passes home: with index_velocity onto
-///    the switch, or with search_velocity off the switch.
-/// 3. It passes the edge, then the index if the method uses one, with index_velocity, and comes to
-///    rest.
+/// 1. The axis searches for the switch with search_velocity. At a limit switch it reverses, once
+///    only.
+/// 2. The axis moves to the side of the edge from which the method passes home: with index_velocity
+///    onto the switch, or with search_velocity off the switch.
+/// 3. The axis passes the edge with index_velocity, then the index if the method uses one, and
+///    comes to rest.
 ///
-/// It reverses only at rest, when the switch has been stable for the time `settle`, since contacts
-/// may bounce.
+/// The axis reverses only at rest, and only when the switch has been stable for the time `settle`,
+/// because contacts may bounce.
 class Homing {
  public:
   static constexpr double settle = 0.01;  ///< s; see above
@@ -54,15 +56,15 @@ class Homing {
   struct Seen {
     Sensors sensors = {};  ///< states of the sensors
     double position = 0;   ///< actual position, u
-    bool at_rest = false;  ///< true if the setpoint is at rest, as velocity() = 0 requires
+    bool at_rest = false;  ///< true if the setpoint has come to rest, as velocity() = 0 requests
     double dt = 0;         ///< time since the previous cycle, s
   };
 
-  /// `method`: one with a motion (last != 0). `spec`: one from resolved(). `now`: the inputs of the
-  /// present cycle.
+  /// Requires a method with a motion (last != 0), and a spec from resolved(). `now` has the inputs
+  /// of the present cycle.
   Homing(const HomingMethod& method, const HomingSpec& spec, const Seen& now) noexcept;
 
-  /// Computes one cycle.
+  /// Computes one cycle. Call once in each cycle.
   void step(const Seen& now) noexcept;
 
   /// Requested velocity, u/s, signed.
@@ -97,14 +99,14 @@ class Homing {
   double velocity_ = 0;
   double home_ = std::numeric_limits<double>::quiet_NaN();
   double elapsed_ = 0;            // s
-  double quiet_ = settle;         // s since the switch changed
-  double from_ = 0;               // u: start of the present motion
-  double position_ = 0;           // u: of the previous cycle
+  double quiet_ = settle;         // time since the last change of the switch, s
+  double from_ = 0;               // start of the present motion, u
+  double position_ = 0;           // position in the previous cycle, u
   int heading_ = 0;               // direction of the last motion
   bool on_ = false;               // state of the switch in the previous cycle
-  std::optional<double> change_;  // u: position of the switch's change in this cycle
+  std::optional<double> change_;  // position of a change of the switch in this cycle, u
   std::optional<int> side_;  // side of the switch: -1 below, 0 on it, 1 above; nullopt: unknown
-  bool turned_ = false;      // it has reversed at a limit switch
+  bool turned_ = false;      // true after a reversal at a limit switch
 };
 
 }  // namespace jounce

@@ -8,15 +8,15 @@
 
 namespace jounce {
 
-/// Greatest accepted magnitude of an input number. move_to() has the same bound.
+/// Greatest accepted magnitude of an input number; it is also the bound of move_to().
 inline constexpr double most_magnitude = 1e50;
 
 /// A switch or an index of the machine, as a drive reports it for one cycle.
 struct Sensor {
   bool wired = false;  ///< true if the machine has this sensor
   bool on = false;     ///< state at the end of the cycle; unused for an index
-  /// Position that the drive has latched, u, in the coordinate of the drive: for a switch, its
-  /// first change since the previous cycle; for an index, the mark. NaN: no change.
+  /// Position that the drive has latched, u, in the coordinate of the drive: for a switch, the
+  /// first change of its state since the previous cycle; for an index, the mark. NaN: no change.
   double edge = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -29,9 +29,10 @@ struct Sensors {
   Sensor index;     ///< index mark of the encoder
 };
 
-/// State of the other axes of a group (machine.hpp), before the start for which this axis waits.
+/// State of the other axes of a group (machine.hpp), for the start of the armed movement of this
+/// axis.
 enum class Peers : std::uint8_t {
-  ready,    ///< every other axis has a start accepted for the same tick, or there is no other axis
+  ready,    ///< the other axes, if any, each have an accepted start for the same tick
   missing,  ///< an axis has no start, or a start for another tick
   broken,   ///< an axis was stopped, has failed, or rejected its start
 };
@@ -50,26 +51,27 @@ struct Feedback {
 };
 
 /// Inputs of an axis in one cycle, besides commands. The axis stays within its limits for all
-/// inputs. The master is lost if one of its numbers is not finite or exceeds 1e50. The drive has
-/// failed (`drive_fault`) if it reports such a number, or a position that the axis could not reach
-/// in 2^40 ticks. Unit m: the unit of the master.
+/// inputs. The master counts as lost if one of its numbers is not finite or exceeds 1e50. The drive
+/// counts as failed (`drive_fault`) if it reports such a number, or a position that the axis could
+/// not reach in 2^40 ticks. m is the unit of the master.
 struct Inputs {
   /// The master: position, m, and its derivatives, m/s, m/s^2, m/s^3. NaN: no master, or a lost
   /// one.
   Jet master = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
-  /// Sum of the set_position changes of the master so far, m. An active coupling keeps the
+  /// Sum of all changes of the master by set_position so far, m. An active coupling uses the
   /// coordinate in which it was engaged.
   double master_offset = 0;
   Feedback feedback = {};  ///< feedback of the drive
-  /// True if the positive limit switch is active; the axis also uses feedback.sensors.
+  /// True if the positive limit switch is active. The axis also uses the switches in
+  /// feedback.sensors.
   bool positive_switch = false;
   bool negative_switch = false;  ///< true if the negative limit switch is active
-  /// Number of the last available row of the queues of the axis; the greatest value: all rows.
+  /// Number of the last available row in the queues of the axis; the greatest value means all rows.
   std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();
-  /// Another motion of the same group was stopped or failed: the axis stops.
+  /// True if another motion of the same group was stopped or failed: the axis stops.
   bool group_broken = false;
-  Peers peers = Peers::ready;  ///< permission for the armed movement to begin
-  bool watchdog = false;       ///< a heartbeat is missing: the axis stops
+  Peers peers = Peers::ready;  ///< state of the other axes, for the start of the armed movement
+  bool watchdog = false;       ///< true if a heartbeat is missing: the axis stops
 };
 
 }  // namespace jounce

@@ -15,20 +15,20 @@
 
 namespace jounce {
 
-/// A motion that is constructed and checked outside the cyclic thread. It is a table over time, or
-/// a cam over a virtual master whose position is a table over time.
+/// A motion that is made and checked outside the cyclic thread: a table over time, or a cam over a
+/// virtual master whose position is a table over time.
 ///
 ///     Job move(1, std::make_shared<Table>(pvt));
 ///     Job cam(2, std::make_shared<Table>(master), std::make_shared<Table>(cam_table));
 ///     if (auto refused = admit(cam, config, 0)) std::cerr << refused->text();
 ///
-/// The time of the job is 0 at its start. A table over time with the policy `wrap` is repeated
-/// until the axis stops; any other table ends after one run. A cam with the policy `wrap` is
-/// periodic in the master.
+/// The time of a job is 0 at its start. A table over time with the policy `wrap` repeats until the
+/// axis stops; any other table ends after one run. A cam with the policy `wrap` is periodic in the
+/// master.
 ///
 /// `coupling` couples the cam (jounce/cam/coupling/coupling.hpp) at time 0 to a slave at rest at
-/// `position`. With a ramp, the axis need not stand at the start of the cam. The job then lasts at
-/// least until the ramp ends. admit() rejects a ramp if the master table repeats, since the axis
+/// `position`. With a ramp, the axis need not stand at the start of the cam, and the job lasts at
+/// least until the ramp ends. If the master table repeats, admit() rejects a ramp, because the axis
 /// would not return to its start position.
 ///
 /// The constructor throws InputError if `time` is not over time, if `cam` is not over the position
@@ -36,9 +36,9 @@ namespace jounce {
 /// master.
 class Job final : public Movement {
  public:
-  /// `id`: id of the motion in Tick::job. `time`: the position over time, or that of the master if
-  /// there is a cam. `tick`: length of a tick, s: jumps within one tick count as one. `position`:
-  /// u, see above.
+  /// `id` is the id of the motion in Tick::job. `time` is the table over time: the position of the
+  /// axis or, with a cam, that of the master. `tick` is the length of a tick, s; several jumps
+  /// within one tick count as one. `position` is the start position of the slave, u.
   Job(std::uint64_t id, std::shared_ptr<const Table> time,
       std::shared_ptr<const Table> cam = nullptr, double tick = 1e-3,
       const CouplingSpec& coupling = {}, double position = 0);
@@ -67,13 +67,14 @@ class Job final : public Movement {
   [[nodiscard]] Setpoint at(double t) const;
 
   /// Extreme values over time of position, velocity, acceleration and jerk. For a table over time
-  /// they are exact. For a cam, each interval between two breaks is sampled at 16 points; peaks of
-  /// position, velocity and acceleration are then refined where the next derivative changes sign.
+  /// they are exact. For a cam, each interval between two breaks is sampled at 16 points; the peaks
+  /// of position, velocity and acceleration are then refined where the next derivative changes
+  /// sign.
   [[nodiscard]] const Ranges& ranges() const { return ranges_; }
 
   /// The largest jumps of position, velocity and acceleration during the run and, if the job
-  /// repeats, from its end to its start. The magnitudes of all jumps within one tick are added, and
-  /// the sum is given at the start of that tick.
+  /// repeats, from its end to its start. The magnitudes of all jumps within one tick are added;
+  /// `where` is then the start of that tick.
   [[nodiscard]] const std::array<Jump, 3>& steps() const { return steps_; }
 
   /// The first point.
@@ -81,12 +82,12 @@ class Job final : public Movement {
   /// The last point.
   [[nodiscard]] const Setpoint& last() const { return last_; }
 
-  /// Greatest distance of the master outside a cam that refuses positions outside, m, and its time.
-  /// 0: the master stays inside the cam.
+  /// Greatest distance (m) by which the master leaves a cam that refuses positions outside, and its
+  /// time. 0: the master stays inside the cam.
   [[nodiscard]] const Extremum& master_excess() const { return master_excess_; }
 
-  /// Reason why the coupling is not possible from this position; `ok` if it is, or if there is no
-  /// cam.
+  /// The reason why the coupling is not possible from this position; `ok` if it is possible, or if
+  /// the job has no cam.
   [[nodiscard]] CouplingStatus coupled() const { return coupled_; }
   /// True if a ramp couples the axis to the cam.
   [[nodiscard]] bool ramps() const { return !in_sync_ || *in_sync_ > start(); }
@@ -105,10 +106,10 @@ class Job final : public Movement {
 
   std::shared_ptr<const Table> time_;
   std::shared_ptr<const Table> cam_;
-  double least_ = 0;  // s of duration, for a ramp
+  double least_ = 0;  // least duration, for a ramp, s
   Engaged engaged_;
   CouplingStatus coupled_ = CouplingStatus::ok;
-  std::optional<double> in_sync_;  // in sync of the time table; without a cam its start
+  std::optional<double> in_sync_;  // path time from which the slave is in sync, s
   Setpoint first_;
   Setpoint last_;
   Ranges ranges_{};
@@ -119,13 +120,13 @@ class Job final : public Movement {
 };
 
 /// Checks a job against an axis in the state `from`: the start position, rest at both ends, the
-/// position range, velocity, acceleration, jerk, and jumps. When the job takes over from a previous
-/// motion, the velocity and acceleration of that motion replace the rest at the start. Returns
-/// nullopt, or the first violated rule. Never allocates.
+/// position range, velocity, acceleration, jerk, and jumps. If the job takes over from a previous
+/// motion, it must begin with the velocity and acceleration of this motion instead of at rest.
+/// Returns nullopt, or the first broken rule. Never allocates.
 ///
-/// A jump of the velocity counts as the acceleration that makes it within one tick. A table of
-/// straight lines is therefore admitted exactly if no tick exceeds the acceleration limit. With a
-/// jerk limit, a jump of the acceleration likewise counts as the jerk that makes it within one
+/// A jump of the velocity counts as the acceleration that causes this change within one tick. So a
+/// table of straight lines is admitted exactly if no tick exceeds the acceleration limit. With a
+/// jerk limit, a jump of the acceleration counts as the jerk that causes this change within one
 /// tick.
 std::optional<Refusal> admit(const Job& job, const AxisConfig& config, const MotionState& from);
 /// Checks a job against an axis at rest at `position`, u.

@@ -9,17 +9,17 @@
 
 namespace jounce {
 
-/// A gear on the live master of the axis (MC_GearIn). From any motion, the slave ramps to the ratio
-/// times the velocity of its master, then follows in step (jounce/gear/gear_in.hpp).
+/// A gear on the live master of the axis (MC_GearIn). From any motion, the slave ramps to the
+/// velocity of its master times the ratio, then follows in step (jounce/gear/gear_in.hpp).
 ///
 ///     LiveGear gear(3, {.numerator = 1, .denominator = 2, .acceleration = 20000});
 ///     axis.step(t, {command::Couple{&gear}}, inputs);
 ///
-/// Progress is `engaging` during the ramp, then `running` until the axis leaves the gear. It is
-/// `broken` if the master is lost.
+/// Progress is `engaging` during the ramp, then `running` until the axis leaves the gear. Progress
+/// is `broken` if the master is lost.
 class LiveGear final : public Movement {
  public:
-  /// Throws InputError like gear_in(). `id`: id of the motion in Tick::job.
+  /// `id` is the id of the motion in Tick::job. Throws InputError like gear_in().
   LiveGear(std::uint64_t id, const GearInSpec& spec);
 
   /// Returns none, or no_master_input if the master is not finite or exceeds 1e50.
@@ -42,20 +42,20 @@ class LiveGear final : public Movement {
 };
 
 /// A gear in position on the live master of the axis (MC_GearInPos). The slave rests until the
-/// master passes the start position, and is in step from the sync position on
+/// master passes the start position. From the sync position on, the slave is in step
 /// (jounce/gear/gear_in_pos.hpp). When the movement begins, the slave must stand at `slave_start`.
 ///
 /// Progress is `waiting`, `engaging`, then `running`. If the master turns back before the sync
-/// position, the slave moves back with it. This is neither a stop nor an error; master_reversed()
-/// reports it (PMC600 error 775).
+/// position, the slave moves back with the master. Progress then stays `engaging`, and
+/// master_reversed() returns true (PMC600 error 775).
 class LiveGearInPos final : public Movement {
  public:
-  /// Throws InputError like gear_in_pos(), and with the key "master_start_distance" if the gear
-  /// cannot engage. `id`: id of the motion in Tick::job.
+  /// `id` is the id of the motion in Tick::job. Throws InputError like gear_in_pos(), and with the
+  /// key "master_start_distance" if the gear cannot engage.
   LiveGearInPos(std::uint64_t id, const GearInPosSpec& spec);
 
-  /// Returns none, no_master_input, or start_position or start_velocity: the axis does not stand at
-  /// slave_start.
+  /// Returns none, no_master_input, start_position or start_velocity. The last two mean that the
+  /// axis does not stand at slave_start.
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }

@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// Plays a movement that follows a live master. The movement counts time from its start, and master
-/// positions in the coordinate of its start. The player converts between these and the present ones.
+/// Plays a movement that follows a live master. The movement counts time, and the coordinate of the
+/// master, from its own start. The player converts them from and to the present values of the axis.
 ///
 ///     LivePlayer player(config.period);
 ///     player.begin(movement, tick);
@@ -23,7 +23,7 @@ class LivePlayer {
   /// `period`: duration of a tick, ns.
   explicit LivePlayer(std::int64_t period) noexcept : period_(period) {}
 
-  /// Begins to play the movement in this tick: its time is 0 then. Call Movement::begin() before.
+  /// Begins to play the movement; its time is 0 in this tick. Call Movement::begin() first.
   void begin(Movement& movement, std::int64_t tick) noexcept {
     movement_ = &movement;
     origin_ = tick;
@@ -38,15 +38,15 @@ class LivePlayer {
   [[nodiscard]] Movement* movement() const noexcept { return movement_; }
   [[nodiscard]] Movement* operator->() const noexcept { return movement_; }
 
-  /// Returns the setpoint in this tick. `now.t`: s from the tick.
+  /// Returns the setpoint in this tick. `now.t` is in s from the tick. Call once a tick.
   Setpoint at(const Moment& now, std::int64_t tick) noexcept {
     Setpoint next = movement_->at(to_movement(now, tick));
     next.master += shift_;
     return next;
   }
 
-  /// Returns the instant at which a pass ends, after the previous instant and up to `now`; nullopt:
-  /// no pass ends. Both `t` are in s from this tick.
+  /// Returns the instant after the previous one and up to `now` at which a pass ends; nullopt if no
+  /// pass ends. The time `t` of argument and result is in s from this tick.
   [[nodiscard]] std::optional<Moment> pass_end(const Moment& now,
                                                std::int64_t tick) const noexcept {
     auto at = movement_->pass_end(to_movement(now, tick));
@@ -68,8 +68,8 @@ class LivePlayer {
 
   std::int64_t period_;
   Movement* movement_ = nullptr;
-  std::int64_t origin_ = 0;  // tick of its time 0
-  double shift_ = 0;         // m, of the master's coordinate since then
+  std::int64_t origin_ = 0;  // tick in which the time of the movement is 0
+  double shift_ = 0;         // change of the master's coordinate since that tick, m
 };
 
 }  // namespace jounce

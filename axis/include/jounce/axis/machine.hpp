@@ -52,32 +52,32 @@ struct AxisImage {
 ///     machine.step(0, images);                       // images[i].tick: outputs of axis i
 ///
 /// **Order.** An axis that follows the setpoint of another axis (its leader) uses the setpoint of
-/// the same tick. Leaders are therefore stepped first; the other axes are stepped in the order in
+/// the same tick. Therefore leaders are stepped first; the other axes are stepped in the order in
 /// which they are declared. Images, names and messages keep the declared order. The constructor
 /// rejects axes that follow each other in a ring.
 ///
-/// **Leaders.** A new position of a leader (set_position, home) does not move its followers. If a
-/// leader freezes (an abort, a disabled drive), it is lost to its followers in that tick. It is
-/// lost for as long as it is disabled, because its position is then that of its drive. Followers of
-/// a lost leader brake within their own limits.
+/// **Leaders.** A change of the coordinate of a leader (set_position, home) does not move its
+/// followers. If a leader freezes (an abort, a disabled drive), it is lost to its followers in that
+/// tick. It stays lost while it is disabled, because its position is then that of its drive.
+/// Followers of a lost leader brake within their own limits.
 ///
 /// **Groups** (Arm::group): the armed movements of a group begin in the same tick, or none of them
-/// begins. They begin in a tick if a start in that tick was accepted for each of them. If a start
-/// is rejected, or if an axis is stopped or halted, fails, or cannot begin, the group ends in that
-/// tick or the next: waiting starts are dropped, later ones are rejected, and all motions stop. An
-/// axis that has output only its first point stays there: it has not moved.
+/// begins. They begin in a tick for which the start of every one of them was accepted. The group
+/// ends in the same or the next tick if a start is rejected, or if an axis is stopped or halted,
+/// fails, or cannot begin. Then waiting starts are dropped, later starts are rejected, and all
+/// motions stop. An axis that has output only its first point has not moved, and stays there.
 ///
 /// **Masters** are inputs: one Jet for each master and tick, in m (the unit of the master), m/s,
-/// m/s^2, m/s^3. NaN: lost. If an axis is a master, m is the unit of that axis. The jerk of a
-/// setpoint counts as 0, and so do the acceleration and jerk of an actual position.
+/// m/s^2, m/s^3. NaN: lost. If an axis is a master, m is the unit of that axis. The jerk of an
+/// axis' setpoint counts as 0; the acceleration and jerk of an actual position count as 0.
 ///
 /// step() does not allocate, free, lock, log or throw.
 class Machine {
  public:
   static constexpr std::size_t most_axes = 64;  ///< greatest number of axes
 
-  /// `masters`: number of masters that step() receives. Throws InputError, with the name of the
-  /// axis, for no axis or more than 64 axes, a missing or duplicate name, different periods, an
+  /// `masters` is the number of masters that step() receives. Throws InputError, with the name of
+  /// the axis, for no axis or more than 64 axes, a missing or duplicate name, different periods, an
   /// invalid configuration, invalid switches, an index out of range, and axes that follow each
   /// other in a ring.
   explicit Machine(std::vector<MachineAxis> axes, std::size_t masters = 0);
@@ -89,8 +89,8 @@ class Machine {
   /// Returns the axis with this index, as declared.
   [[nodiscard]] const MachineAxis& axis(std::size_t i) const { return axes_[i]; }
 
-  /// Steps every axis. `images`: one for each axis, in the declared order. `tick`: greater than in
-  /// the previous step. `masters`: one for each master.
+  /// Steps every axis. Call once a tick; `tick` must be greater than in the previous call. `images`
+  /// has one entry for each axis, in the declared order; `masters` has one for each master.
   void step(std::int64_t tick, std::span<AxisImage> images, std::span<const Jet> masters = {});
 
  private:

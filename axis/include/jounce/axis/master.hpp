@@ -17,19 +17,19 @@
 
 namespace jounce {
 
-/// A measured position of a master, with its time by the clock of its sender. Unit m: the unit of
-/// the master.
+/// A measured position of a master, with the time of the measurement by the sender's clock. m is
+/// the unit of the master.
 struct MasterSample {
   std::int64_t stamp_ns = 0;  ///< time of the measurement by the clock of the sender, ns
-  /// Number of that clock; a new number means another clock, or a restarted one.
+  /// Number of the sender's clock. A new number means another clock, or a restarted one.
   std::int32_t clock = 0;
   double received = 0;  ///< time of arrival, s, by the clock of Master::at()
   double position = 0;  ///< position, m
   bool valid = true;    ///< false if the sender reports that its position is invalid
 };
 
-/// A position that axes follow, in each cycle. (A master may also be the setpoint of another axis;
-/// the machine in machine.hpp passes that setpoint on without this class.)
+/// A position that axes follow. (A master may also be the setpoint of another axis; the machine in
+/// machine.hpp passes such a setpoint to the follower without this class.)
 ///
 ///     ExternalMaster line({.velocity = 3, .acceleration = 20});    // m/s, m/s^2
 ///     line.receive({.stamp_ns = ..., .received = now, .position = 1.25});  // communication thread
@@ -43,13 +43,14 @@ class Master {
   Master& operator=(const Master&) = delete;
 
   /// Returns the position and its derivatives at `time`: m, m/s, m/s^2, m/s^3. The position is NaN
-  /// if the master is lost. `time`, s, must ascend from call to call. Does not allocate, wait or
-  /// throw.
+  /// if the master is lost. Call once in each cycle, with ascending times (s). Does not allocate,
+  /// wait or throw.
   virtual Jet at(double time) noexcept = 0;
   /// Returns the age of the measurement, s. NaN: no measurement yet. 0: the position is computed.
   [[nodiscard]] virtual double age(double /*time*/) const noexcept { return 0; }
-  /// The samples that the last at() used for the first time. If another object of the same class
-  /// receives the same samples before the same calls of at(), it returns exactly the same results.
+  /// The samples that the last at() used for the first time. A run can be repeated from them:
+  /// another object of the same class that receives the same samples before the same calls of at()
+  /// returns exactly the same results.
   [[nodiscard]] virtual std::span<const MasterSample> taken() const noexcept { return {}; }
 };
 
@@ -67,7 +68,7 @@ struct MasterSight {
 
 /// A virtual master: a table over time that begins at the time `start`, s. Before `start`, the
 /// master stands at the first point. After the end of the table, it stands at the last point or
-/// repeats, as the table defines.
+/// repeats, depending on the policy of the table.
 class TableMaster final : public Master {
  public:
   /// Throws InputError with the key "axis" for a table that is not over time.
@@ -83,13 +84,13 @@ class TableMaster final : public Master {
 /// (tracker.hpp).
 class EncoderMaster final : public Master {
  public:
-  /// Each at() calls `position`, which returns the position of the encoder, m; NaN: no reading.
-  /// `position` must not allocate, wait or throw. If it is omitted, call read() in each cycle.
-  /// After TrackerSpec::longest_age without a reading, the master is lost.
+  /// Each at() calls `position`, which returns the position of the encoder, m (NaN: no reading).
+  /// `position` must not allocate, wait or throw. If it is omitted, call read() in each cycle. The
+  /// master is lost after TrackerSpec::longest_age without a reading.
   explicit EncoderMaster(const TrackerSpec& spec, std::function<double()> position = {})
       : position_(std::move(position)), tracked_(spec) {}
-  /// Gives the reading of this cycle; call it before at(). `time`: s. `position`: m; NaN: no
-  /// reading.
+  /// Sets the reading of this cycle. Call before at(). `time` is in s, `position` in m (NaN: no
+  /// reading).
   void read(double time, double position) noexcept;
   Jet at(double time) noexcept override;
   [[nodiscard]] double age(double time) const noexcept override { return time - tracked_.seen(); }
@@ -104,22 +105,22 @@ class EncoderMaster final : public Master {
   std::function<double()> position_;
   Tracked tracked_;
   MasterSample reading_, taken_;
-  bool read_ = false;      // since the last at()
-  bool was_read_ = false;  // before the last at()
+  bool read_ = false;      // true if read() was called since the last at()
+  bool was_read_ = false;  // true if read() was called before the last at()
 };
 
 /// Estimate of the offset between the sender's clock and the local one, without a round trip. For
-/// each sample, received - stamp is this offset plus the transit time of the sample. Jitter can
-/// only increase the transit time, so the minimum over recent samples is the offset plus the least
+/// each sample, received - stamp is the offset plus the transit time of the sample. Jitter can only
+/// increase the transit time, so the minimum over recent samples is the offset plus the least
 /// delay:
 ///
-///     (1)  offset = least of received - stamp over window/2 to window
+///     (1)  offset = least of received - stamp over the last window/2 to window
 ///
-/// The estimate uses the minimum of each half of the window. It moves towards the smaller minimum
+/// The estimate uses the minimum of each half of the window. It moves towards the smaller minimum,
 /// by at most `slew`, so that the master does not jump. It is set at once at the first sample, and
-/// when the error exceeds `step`, which means that a clock was set.
+/// when the error exceeds `step`; such an error means that a clock was set.
 ///
-/// The least delay cannot be measured: if it is available from another source, set
+/// The least delay cannot be measured from the samples. If it is known from another source, set
 /// TrackerSpec::latency.
 struct ClockOffset {
   /// Window of the minimum, s: long enough to contain a fast sample, short against the drift of
@@ -129,11 +130,11 @@ struct ClockOffset {
   double slew = 1e-3;
   double step = 0.25;     ///< error beyond which the estimate is set at once, s
   double offset = 0;      ///< the estimate: received - (stamp - base), s
-  std::int64_t base = 0;  ///< the first stamp, ns; the others are relative to it
+  std::int64_t base = 0;  ///< the first stamp, ns; other stamps are relative to it
   bool known = false;     ///< true after the first sample
 
-  /// Adds a sample and returns its time by the local clock, s. Sets `same` to false if the estimate
-  /// was restarted.
+  /// Adds a sample and returns its time by the local clock, s. Sets `same` to false if the sample
+  /// restarted the estimate.
   double local(const MasterSample& sample, bool& same) noexcept;
 
   std::int32_t clock = 0;  ///< clock of the last sample (MasterSample::clock)
@@ -148,8 +149,8 @@ struct ClockOffset {
 class ExternalMaster final : public Master {
  public:
   explicit ExternalMaster(const TrackerSpec& spec) : tracked_(spec) {}
-  /// Adds a sample; called by the communication thread. Returns false and drops the sample if the
-  /// cycle has not yet taken the last 64.
+  /// Adds a sample; called by the communication thread. If at() has not yet taken the last 64
+  /// samples, drops the sample and returns false.
   bool receive(const MasterSample& sample) noexcept { return samples_.push(sample); }
   /// Called by the cyclic thread.
   Jet at(double time) noexcept override;
@@ -164,7 +165,7 @@ class ExternalMaster final : public Master {
   [[nodiscard]] const TrackerSpec& spec() const { return tracked_.spec(); }
 
  private:
-  static constexpr std::size_t most = 64;  // most samples in a cycle
+  static constexpr std::size_t most = 64;  // greatest number of samples in a cycle
   Ring<MasterSample, most> samples_;
   std::array<MasterSample, most> taken_{};
   std::size_t count_ = 0;

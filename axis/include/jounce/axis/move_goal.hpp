@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// The limits for the target of a move: those of the axis, and its limit switches.
+/// The limits that apply to the target of a move: those of the axis, and its limit switches.
 struct MoveRules {
   const AxisConfig& config;      ///< configuration of the axis
   bool positive_switch = false;  ///< true if the positive limit switch is active
@@ -30,7 +30,7 @@ std::optional<Refusal> goal_of(const command::MoveVelocity& what, const MotionSt
                                const MoveRules& rules, Goal& goal) noexcept;
 std::optional<Refusal> goal_of(const BufferedMove& what, const MotionState& from,
                                const MoveRules& rules, Goal& goal) noexcept;
-/// Sets the goal of an additive move, like the functions above. `start`: the position from which
+/// Sets the goal of an additive move, like the functions above. `start` is the position from which
 /// the distance counts, u.
 std::optional<Refusal> goal_of(const command::MoveAdditive& what, double start,
                                const MotionState& from, const MoveRules& rules,
@@ -42,10 +42,10 @@ std::optional<MotionState> end_of(const WaitingMoves& moves, std::optional<Motio
                                   const MoveRules& rules) noexcept;
 
 /// Returns the goal that brings an axis to rest at the end of its range, by the gentlest stop that
-/// is still possible from the state `from`. `limit`: positive_soft_limit or negative_soft_limit.
-/// `dt`: time until the next setpoint, s. Returns nullopt if the axis is outside the range, if it
-/// cannot stop inside the range, or if it would come to rest far from that end (farther than it
-/// moves in 10 ticks).
+/// is still possible from the state `from`. `limit` is positive_soft_limit or negative_soft_limit.
+/// `dt` is the time until the next setpoint, s. Returns nullopt if the axis is outside the range,
+/// if it cannot stop inside the range, or if it would come to rest far from the end of the range
+/// (farther than it moves in 10 ticks).
 std::optional<Goal> stop_at_limit(Cause limit, const MotionState& from, double dt,
                                   const AxisConfig& config) noexcept;
 

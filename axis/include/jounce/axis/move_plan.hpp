@@ -12,7 +12,8 @@
 
 namespace jounce {
 
-/// Goal and dynamics of a planned move. All moves of PLCopen map to it.
+/// Goal and dynamics of a move that the axis plans. The motion commands of PLCopen are converted to
+/// goals.
 struct Goal {
   enum class Kind : std::uint8_t {
     rest,      ///< MC_Stop, MC_Halt
@@ -26,9 +27,9 @@ struct Goal {
   double through = 0;
 };
 
-/// Sets missing values to the limits of the axis; the jerk becomes infinite if the axis has no jerk
-/// limit. Returns nullopt, or the reason to reject a value that is not greater than 0 or exceeds
-/// its limit (PMC600 errors 201, 226, 301).
+/// Sets missing values to the limits of the axis. If the axis has no jerk limit, a missing jerk
+/// becomes infinite. Returns nullopt, or the reason to reject a value that is not greater than 0 or
+/// exceeds its limit (PMC600 errors 201, 226, 301).
 std::optional<Refusal> fill(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 
 /// Like fill(), but deceleration and jerk may be as large as those of a stop
@@ -36,12 +37,12 @@ std::optional<Refusal> fill(MoveDynamics& dynamics, const AxisConfig& config) no
 std::optional<Refusal> fill_stop(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 
 /// Returns the fastest move to the goal from any state, within the dynamics and the position range,
-/// at `factor` times the goal's velocity. Returns nullopt if no such move exists, or none that a
-/// double can represent (such as a deceleration of 1e-12 after full speed).
+/// at `factor` times the goal's velocity. Returns nullopt if no such move exists, or if a double
+/// cannot represent it (for example a deceleration of 1e-12 after full speed).
 ///
-/// The move slows down with `deceleration`; an axis that must reverse brakes with `acceleration`. A
-/// move to rest reverses at the end of the range and returns into it, if necessary. Factor 0: the
-/// move goes to rest with the limits of the axis, independent of the dynamics of the goal.
+/// The move slows down with `deceleration`; an axis that must reverse brakes with `acceleration`.
+/// If necessary, a move to rest reverses at the end of the range and returns into the range. With
+/// factor 0 the move goes to rest with the limits of the axis, not with the dynamics of the goal.
 ///
 ///     Goal goal{Goal::Kind::position, 6000, dynamics};
 ///     if (const auto profile = plan(now, goal, 1, config)) ...
@@ -59,15 +60,15 @@ std::array<double, 2> positions(const Profile& profile) noexcept;
 Peaks peaks(const Profile& profile) noexcept;
 
 /// Returns the velocity at which a move may pass its target on the way to the target of the next
-/// move, u/s, signed, as the buffer mode defines; 0: the move comes to rest at its target. It is
-/// the greatest velocity, to 1e-6 of its value, with which neither move reverses and the axis can
-/// stop inside its range. It may exceed the velocity of the move.
+/// move, u/s, signed, as the buffer mode defines it. 0: the move comes to rest at its target. The
+/// result is the greatest velocity, to 1e-6 of its value, at which neither move reverses and the
+/// axis can stop inside its range. It may exceed the velocity of the move.
 double passing_velocity(const MotionState& from, const Goal& goal, const Goal& next,
                         BufferMode mode, double factor, const AxisConfig& config) noexcept;
 
-/// Returns the target of a move to `position` on this axis, u. On a modulo axis, it is the
-/// equivalent position in the requested direction from the present state. Returns nullopt if there
-/// is none.
+/// Returns the target of a move to `position` on this axis, u. On a modulo axis, the target is the
+/// equivalent position in the requested direction from the present state. Returns nullopt if no
+/// such target exists.
 std::optional<double> target_of(double position, Direction direction, const MotionState& from,
                                 const MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 

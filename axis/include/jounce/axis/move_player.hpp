@@ -17,23 +17,23 @@ struct TimedState {
   std::int64_t tick = 0;  ///< tick of the output
 };
 
-/// Plays a move that the axis plans itself. Its goal and its plan always match: if a move cannot be
-/// planned, the goal and the plan stay unchanged.
+/// Plays a move that the axis plans itself. The goal and the plan of the player always belong
+/// together: if a new move cannot be planned, both stay unchanged.
 ///
 ///     MovePlayer player(config.period);
 ///     if (!player.begin({last, tick}, goal, 1, config)) ...       // there is no such move
 ///     const Jet next = player.at(tick);                           // u, u/s, u/s^2, u/s^3
 ///     if (player.is_over(tick)) ...                               // it continues at its velocity
 ///
-/// A value type of fixed size; nothing allocates or throws.
+/// A value type of fixed size. Does not allocate or throw.
 class MovePlayer {
  public:
   /// `period`: duration of a tick, ns.
   explicit MovePlayer(std::int64_t period) noexcept : period_(period) {}
 
-  /// Plans the move to the goal at `factor` times its velocity, and begins it in the tick
-  /// `from.tick`. `ahead`: part of the move that is over in that tick, s. Returns false if no such
-  /// move exists.
+  /// Plans the move to the goal at `factor` times its velocity, and begins the move in the tick
+  /// `from.tick`. `ahead` is the part of the move that has passed at this tick, s. Returns false if
+  /// no such move exists.
   bool begin(const TimedState& from, const Goal& goal, double factor, const AxisConfig& config,
              double ahead = 0) noexcept;
   /// Plans a move to rest with the dynamics of the goal. A later begin() can resume the goal.
@@ -54,8 +54,8 @@ class MovePlayer {
   /// True if the move has ended.
   [[nodiscard]] bool is_over(std::int64_t tick) const noexcept { return beyond(tick) >= 0; }
 
-  /// Returns the greatest magnitudes of the move and of every replanned one with a factor up to
-  /// max(factor, 1).
+  /// Returns the greatest magnitudes of the move, and of every move that is planned again with a
+  /// factor up to max(factor, 1).
   [[nodiscard]] Peaks peaks_up_to(double factor) const noexcept;
 
  private:
@@ -67,7 +67,7 @@ class MovePlayer {
   Goal goal_;
   Profile plan_;
   std::int64_t origin_ = 0;  // tick of the start
-  double ahead_ = 0;         // s of the move that were over then
+  double ahead_ = 0;         // part of the move that was over in that tick, s
 };
 
 }  // namespace jounce

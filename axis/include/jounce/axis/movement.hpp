@@ -33,15 +33,15 @@ struct Moment {
   Jet master = {};  ///< live master of the axis: m, m/s, ...; NaN: no master, or lost
 };
 
-/// Independent variable of a movement. It determines how the axis holds, slows and stops the
+/// Independent variable of a movement. It determines how the axis holds, slows down and stops the
 /// movement.
 enum class Course : std::uint8_t {
-  /// The movement's own time: the movement is a path. The axis slows that time, down to standstill,
-  /// and the setpoint never leaves the path. `t` is path time; at full speed it is exactly ticks *
+  /// The movement's own time: the movement is a path. The axis can slow down this time, to
+  /// standstill, without leaving the path. `t` is path time; at full speed it is exactly ticks *
   /// period.
   path,
-  /// A master that moves freely. To stop, the axis leaves the movement by a move of its own from
-  /// its present state. `t` is the time since the movement began.
+  /// A master that moves freely. To stop, the axis leaves the movement and plans a move from its
+  /// present state. `t` is the time since the movement began.
   live,
 };
 
@@ -50,13 +50,12 @@ enum class Progress : std::uint8_t {
   waiting,   ///< waits for its master or an event: the slave is at rest
   engaging,  ///< approaches its coupled position: ramp, clutch
   running,   ///< a path is played, or a slave is in gear or in sync
-  starving,  ///< buffer underrun: the available path ends, and the axis stops
+  starving,  ///< buffer underrun: the available rows end, and the axis stops
   done,      ///< has ended; the last setpoint is at rest
-  broken,    ///< cannot continue, see cause(); repeats the last setpoint
+  broken,    ///< cannot continue (see Movement::cause()); repeats the last setpoint
 };
 
-/// The greatest magnitudes of a path: u/s, u/s^2, u/s^3. The stop on the path is computed from
-/// them.
+/// The greatest magnitudes of a path. The axis computes the stop on the path from them.
 struct Peaks {
   double velocity = 0;      ///< u/s
   double acceleration = 0;  ///< u/s^2
@@ -65,13 +64,13 @@ struct Peaks {
   double velocity_step = 0;
 };
 
-/// A motion that an axis plays. It is constructed and checked outside the cyclic thread; the cyclic
-/// thread steps it:
+/// A motion that an axis plays. It is made and checked outside the cyclic thread; the cyclic thread
+/// steps it:
 ///
 ///     if (const Cause no = movement.begin(state, now); no != Cause::none) refuse(no);
 ///     while (movement.progress() < Progress::done) setpoint = movement.at(now);
 ///
-/// begin() and at() do not allocate, free, lock, log or throw. Their moments ascend.
+/// begin() and at() do not allocate, free, lock, log or throw. Call them with ascending moments.
 class Movement {
  public:
   /// `id`: id of the motion in Tick::job.
@@ -85,10 +84,10 @@ class Movement {
   /// Independent variable of the movement.
   [[nodiscard]] Course course() const noexcept { return course_; }
 
-  /// Begins the movement at `now`, from the state `axis`. Returns none if it begins, otherwise the
-  /// reason why it cannot. After none, at() returns the first point.
+  /// Begins the movement at `now`, from the state `axis` of the axis. Returns none, or the reason
+  /// why the movement cannot begin. After none, at() returns the first point.
   virtual Cause begin(const MotionState& axis, const Moment& now) noexcept = 0;
-  /// Returns the setpoint at `now`.
+  /// Returns the setpoint at `now`. Call once a tick.
   virtual Setpoint at(const Moment& now) noexcept = 0;
 
   /// Progress after the last at().
@@ -96,15 +95,16 @@ class Movement {
   /// Reason for Progress::broken; otherwise none.
   [[nodiscard]] virtual Cause cause() const noexcept { return Cause::none; }
 
-  /// Gives the number of the last available row, for rows that arrive during play. The axis calls
-  /// it at the beginning of every tick (Inputs::rows).
+  /// Sets the number of the last available row, for rows that arrive during play. The axis calls
+  /// this function at the beginning of every tick (Inputs::rows).
   virtual void see(std::uint64_t /*number*/) noexcept {}
 
-  /// True if its positions are absolute; false if they are relative to the position of the axis.
+  /// True if the positions of the movement are absolute; false if they are relative to the position
+  /// of the axis at the start.
   [[nodiscard]] virtual bool absolute() const noexcept { return true; }
 
-  /// Checks the movement against an axis in the state `from`, when it is armed. Returns nullopt, or
-  /// the reason to reject it.
+  /// Checks the movement against an axis in the state `from`, when the axis arms the movement.
+  /// Returns nullopt, or the reason to reject the movement.
   [[nodiscard]] virtual std::optional<Refusal> admit(const AxisConfig& /*config*/,
                                                      const MotionState& /*from*/) const noexcept {
     return std::nullopt;
@@ -114,17 +114,16 @@ class Movement {
 
   /// For a path: its available length, s of path time; infinite if it repeats.
   [[nodiscard]] virtual double known() const noexcept { return 0; }
-  /// For a path: its peaks. For a live movement: the greatest magnitudes that an engagement at this
-  /// moment would add to the motion of its master.
+  /// For a path: its greatest magnitudes. For a live movement: the greatest magnitudes that an
+  /// engagement at this moment would add to the motion of its master.
   [[nodiscard]] virtual Peaks peaks() const noexcept { return {}; }
   /// For a path: the sign of its first motion, -1 or 1; 0: no motion, or unknown.
   [[nodiscard]] virtual int direction() const noexcept { return 0; }
-  /// For a path: true if more rows will arrive. The axis then stops on the path, with the fault
-  /// `underrun`, before the available part is shorter than its stopping distance.
+  /// For a path: true if more rows will arrive. Before the available part is shorter than its
+  /// stopping distance, the axis then stops on the path, with the fault `underrun`.
   [[nodiscard]] virtual bool growing() const noexcept { return false; }
-  /// For a path: true if its available part stays within the range that was checked when it was
-  /// armed. If false, the axis checks before every setpoint that it can still stop within its
-  /// limits.
+  /// For a path: true if its available part stays within the range that was checked at arming. If
+  /// false, the axis checks before every setpoint that it can still stop within its limits.
   [[nodiscard]] virtual bool bounded() const noexcept { return true; }
   /// After begin() returned start_position: the required position of the axis, u; NaN: unknown.
   [[nodiscard]] virtual double place() const noexcept {
@@ -133,10 +132,10 @@ class Movement {
   /// For a live movement: true if the axis keeps its velocity when the movement ends; false if it
   /// comes to rest.
   [[nodiscard]] virtual bool keeps_velocity() const noexcept { return false; }
-  /// For a live movement: true if it plays tables in passes (a pass is one run of a table).
+  /// For a live movement: true if it plays a table in passes (a pass is one run of a table).
   [[nodiscard]] virtual bool passes() const noexcept { return false; }
-  /// For a live movement: the instant, after its previous moment and up to `now`, at which a pass
-  /// ends; nullopt if none ends.
+  /// For a live movement: the instant, after the previous moment and up to `now`, at which a pass
+  /// ends; nullopt if no pass ends.
   [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
     return std::nullopt;
   }
@@ -144,7 +143,7 @@ class Movement {
   /// rows.
   [[nodiscard]] virtual double pass() const noexcept { return 0; }
   /// For a path: the state at the end of a pass, where another path can take over; nullopt if no
-  /// other path can take over there.
+  /// other path can take over.
   [[nodiscard]] virtual std::optional<MotionState> end() const noexcept { return std::nullopt; }
 
  private:

@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// The position compare of an axis: one list of positions, which starts again with each motion from
-/// rest.
+/// The position compare of an axis: one list of positions. The list starts again with each motion
+/// that begins from rest.
 struct AxisCompare {
   /// The compared position: setpoint (position) or actual position.
   SwitchesOf of = SwitchesOf::position;
@@ -45,12 +45,13 @@ class Outputs {
   /// of the master.
   Outputs(const AxisSwitches& switches, const AxisCompare& compare);
 
-  /// Announces that this position (of the axis or its master) will change without motion in the
-  /// next step, so that the change does not count as an edge.
+  /// Announces that the position `what` will change without motion in the next step, so that the
+  /// change is not an edge.
   void place(SwitchesOf what);
-  /// Starts the list of the position compare again: a motion begins from rest.
+  /// Starts the list of the position compare again. Call when a motion begins from rest.
   void begin();
-  /// Computes the outputs of one tick. `dt`: time since the previous step, s.
+  /// Computes the outputs of one tick. Call once a tick. `dt` is the time since the previous step,
+  /// s.
   void step(const OutputPlaces& places, double dt);
 
   /// Outputs of the cam switches, with their edges in the last step.

@@ -17,7 +17,7 @@ struct PathTime {
   double rate_curve = 0;  ///< d3s/dt3, 1/s^2
 };
 
-/// The clock of a path. With it, the axis can slow down, hold, stop and speed up without leaving
+/// The clock of a path. It allows the axis to slow down, hold, stop and speed up without leaving
 /// the path.
 ///
 ///     PathClock clock(1'000'000);                                // ns of a tick
@@ -28,35 +28,36 @@ struct PathTime {
 ///     clock.change(tick, 1, slope);                              // and on
 ///
 /// A change of the rate r is the fastest one with |r'| <= slope and |r''| <= 2 slope^2, from any
-/// state that a previous change has reached. r' has no jump, and r stays between its start and end
-/// values. Rounding errors do not accumulate: path time is a function of the tick and of the last
-/// change. PathClock is a value type; nothing allocates or throws.
+/// state of a previous change. r' does not jump, and r stays between its start and end values.
+/// Rounding errors do not accumulate, because path time is a function of the tick and of the last
+/// change. PathClock is a value type; it does not allocate or throw.
 class PathClock {
  public:
   /// `period`: duration of a tick, ns.
   explicit PathClock(std::int64_t period) noexcept : period_(period) {}
 
-  /// Sets path time to `s` (s) and the rate in that tick.
+  /// Sets path time to `s` (s) and the rate, in the given tick.
   void start(std::int64_t tick, double s, double rate) noexcept;
-  /// Changes the rate from that tick on, but not before the tick of the previous change. `slope`:
-  /// greatest |r'|, 1/s. Returns false and changes nothing unless rate >= 0 and slope > 0.
+  /// Changes the rate from the given tick on, but not before the tick of the previous change.
+  /// `slope` is the greatest |r'|, 1/s. If rate < 0 or slope <= 0, returns false and changes
+  /// nothing.
   bool change(std::int64_t tick, double rate, double slope) noexcept;
   /// Shifts the zero of path time: s becomes s - by.
   void shift(double by) noexcept { base_ -= by; }
 
-  /// Returns the path time and its derivatives in that tick.
+  /// Returns the path time and its derivatives in the given tick.
   [[nodiscard]] PathTime at(std::int64_t tick) const noexcept;
-  /// The rate after the change.
+  /// The rate after the present change.
   [[nodiscard]] double target() const noexcept { return change_.end().velocity; }
-  /// Returns an upper bound of the rate from that tick until the rate is constant.
+  /// Returns an upper bound of the rate from the given tick until the rate is constant.
   [[nodiscard]] double highest(std::int64_t tick) const noexcept;
-  /// True if the rate is constant from that tick on.
+  /// True if the rate is constant from the given tick on.
   [[nodiscard]] bool steady(std::int64_t tick) const noexcept;
-  /// Returns the path time that passes until rest, s: by the change in progress if it goes to rest,
-  /// otherwise by a change to 0 that begins in that tick with this slope.
+  /// Returns the path time that passes until rest, s. If the change in progress goes to rest, this
+  /// change is used; otherwise a change to 0 with the given slope, which begins in the given tick.
   [[nodiscard]] double way_to_rest(std::int64_t tick, double slope) const noexcept;
-  /// Returns the path time that passes, s, in a change to `rate`, then to full speed, then to rest,
-  /// each one directly after the previous one. Infinite unless slope > 0.
+  /// Returns the path time that passes (s) in three changes, each directly after the previous one:
+  /// to `rate`, to full speed, and to rest. Infinite unless slope > 0.
   [[nodiscard]] double way_by(std::int64_t tick, double rate, double slope) const noexcept;
 
  private:
@@ -65,21 +66,22 @@ class PathClock {
   std::int64_t period_;
   std::int64_t origin_ = 0;
   double base_ = 0;    // path time at origin_, s
-  Profile change_;     // change of path time from there: position s, velocity r
-  double top_ = 1;     // the highest requested rate since it was steady
+  Profile change_;     // present change, from origin_ on: position s, velocity r
+  double top_ = 1;     // highest requested rate since the rate was last constant
   double length_ = 0;  // length of the change, s
 };
 
-/// Returns the setpoint that the axis outputs at the path time `time.s` at that rate. `path`: the
-/// setpoint of the path at rate 1.
+/// Returns the setpoint that the axis outputs at the path time `time.s` and the rate `time.rate`.
+/// `path` is the setpoint of the path at rate 1.
 Setpoint at_rate(const Setpoint& path, const PathTime& time) noexcept;
 
-/// Returns the highest rate, from 1 to 2, at which an admitted path keeps the limits of the axis.
+/// Returns the highest rate, from 1 to 2, at which an admitted path stays within the limits of the
+/// axis.
 double highest_rate(const Peaks& peaks, const AxisConfig& config) noexcept;
 
 /// Returns the greatest slope of the rate, 1/s, for rates up to `highest`, with which the axis
-/// keeps its stop limits everywhere on the path. `added`: peaks of a superimposed move. The result
-/// is not greater than 0 if no slope is possible.
+/// stays within its stop limits everywhere on the path. `added` has the peaks of a superimposed
+/// move. The result is 0 or less if no slope is possible.
 double rate_slope(const Peaks& peaks, const AxisConfig& config, double highest,
                   const Peaks& added = {}) noexcept;
 

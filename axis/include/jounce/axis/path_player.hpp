@@ -33,19 +33,19 @@ struct PathRequest {
 ///     player.put_out(tick);                                             // that setpoint was output
 ///
 /// - Path time never runs backwards, and the setpoint never leaves the path.
-/// - The rate is at most 2, and at most the highest rate at which this path keeps the limits of the
-///   axis. After the start of another path was accepted, the rate keeps the limits on that path
+/// - The rate is at most 2, and at most the highest rate at which the path stays within the limits
+///   of the axis. After the start of another path was accepted, this applies to the other path,
 ///   too.
 /// - A growing path (one that still receives rows) can stop within its available part at every
 ///   tick. starves() reports the last tick in which it can.
 ///
-/// The player does not own the path. Nothing allocates, locks or throws. Path times are in s.
+/// The player does not own the path. It does not allocate, lock or throw. Path times are in s.
 class PathPlayer {
  public:
   explicit PathPlayer(const AxisConfig& config) : config_(config), clock_(config.period) {}
 
-  /// Plays the path from now on: it began `ahead` s before that tick. Its rate is the lower of
-  /// `rate` and the highest permitted rate.
+  /// Plays the path from now on. The path began `ahead` s before the given tick. Its rate is the
+  /// lower of `rate` and the highest permitted rate.
   void begin(Movement& path, std::int64_t tick, double rate, double ahead) noexcept;
   /// Continues with another path from its beginning, at the instant at which the present path
   /// reaches the path time `boundary`, s.
@@ -61,19 +61,20 @@ class PathPlayer {
 
   // ---- the rate
 
-  /// Changes to the requested rate, limited to the permitted one. Returns false and changes nothing
-  /// if that is not possible.
+  /// Changes to the requested rate, or to the highest permitted rate if that is lower. Returns
+  /// false and changes nothing if the change is not possible.
   bool follow(const PathRequest& request) noexcept;
   /// Stops within the available part of the path. Returns false if that is not possible.
   bool stop(const PathRequest& request) noexcept;
-  /// To be called once a tick; does nothing if the requested or the permitted rate is at most 1. On
-  /// a growing path, raises the rate toward the requested one as far as the available part permits,
-  /// with a margin, and returns to rate 1 when this part becomes too short. Any other path gets the
-  /// requested rate, as by follow().
+  /// Call once a tick. Has no effect if the requested or the permitted rate is at most 1. On a
+  /// growing path, raises the rate toward the requested one as far as the available part permits,
+  /// with a margin, and returns to rate 1 when this part becomes too short. On any other path, acts
+  /// like follow().
   void govern(const PathRequest& request) noexcept;
   /// True if the available part is shorter than a stop that begins in the next tick.
   [[nodiscard]] bool starves(const PathRequest& request) const noexcept;
-  /// Returns the highest permitted rate that is not greater than `rate`. `next`: see PathRequest.
+  /// Returns the highest permitted rate that is not greater than `rate`. For `next`, see
+  /// PathRequest.
   [[nodiscard]] double granted(double rate, const Movement* next) const noexcept;
   /// True if the rate is 0 in that tick.
   [[nodiscard]] bool rests(std::int64_t tick) const noexcept;
@@ -84,21 +85,23 @@ class PathPlayer {
 
   /// Returns the path time and rate in that tick.
   [[nodiscard]] PathTime time(std::int64_t tick) const noexcept { return clock_.at(tick); }
-  /// Returns the setpoint at this path time and rate. `now`: the present moment of the axis.
+  /// Returns the setpoint at this path time and rate. `now` is the present moment of the axis. Call
+  /// once a tick.
   Setpoint play(const PathTime& time, const Moment& now) noexcept;
-  /// Confirms that the setpoint of this tick was output: later changes of the rate begin after it.
+  /// Confirms that the setpoint of this tick was output, so that later changes of the rate begin
+  /// after this tick.
   void put_out(std::int64_t tick) noexcept;
   /// True if no more than the first point was played.
   [[nodiscard]] bool unplayed() const noexcept { return played_to_ == 0; }
-  /// Returns the path time, s, after the last played one and up to `to`, at which the master of the
-  /// path passes `position`, m (unit of the master). Returns nullopt if the master does not pass
-  /// it.
+  /// Returns the path time (s), after that of the last setpoint and up to `to`, at which the master
+  /// of the path passes `position` (m, the unit of the master). Returns nullopt if the master does
+  /// not pass the position.
   [[nodiscard]] std::optional<double> passing(double position, double to,
                                               const Moment& now) const noexcept;
 
   // ---- the boundary
 
-  /// Ends a repeating path at the end of its present pass: sets the boundary there.
+  /// Ends a repeating path at the end of its present pass: sets the boundary to this end.
   void finish_pass(std::int64_t tick) noexcept;
   /// Sets the boundary at which another path takes over: the end of the present pass, or of the
   /// path.
@@ -118,7 +121,7 @@ class PathPlayer {
   /// at rest with its last row, which may not have arrived yet.
   [[nodiscard]] bool open_ended() const noexcept { return path_ && path_->pass() <= 0; }
 
-  // ---- its greatest magnitudes
+  // ---- the greatest magnitudes
 
   /// The greatest magnitudes of the path at rate 1.
   [[nodiscard]] const Peaks& peaks() const noexcept { return peaks_; }
@@ -139,11 +142,11 @@ class PathPlayer {
   Movement* path_ = nullptr;
   Peaks peaks_;
   PathClock clock_;
-  PathClock shown_ = clock_;     // the clock at the last setpoint that went out
+  PathClock shown_ = clock_;     // the clock at the last setpoint that was output
   std::int64_t changeable_ = 0;  // the first tick in which the clock may still be changed
   double played_to_ = 0;         // path time of the last setpoint, s
   Boundary boundary_ = Boundary::none;
-  double boundary_at_ = 0;  // path time, s
+  double boundary_at_ = 0;  // path time of the boundary, s
 };
 
 }  // namespace jounce

@@ -8,15 +8,15 @@
 
 namespace jounce {
 
-/// A queue from one thread to another. One thread pushes, one pops, and neither waits.
+/// A queue from one thread to another. One thread pushes, the other pops, and neither waits.
 ///
 ///     Ring<Tick, 1024> ticks;
 ///     if (!ticks.push(tick)) ++lost;                   // the producer's thread
 ///     for (Tick tick; ticks.pop(tick);) log(tick);     // the consumer's thread
 ///
-/// The indices increase without end and are reduced modulo the capacity, a power of two. Each index
-/// has its own cache line, together with its thread's copy of the other index. The threads
-/// therefore share a cache line only when one of them refreshes its copy.
+/// The indices increase without end and are reduced modulo the capacity, which is a power of two.
+/// Each index has its own cache line, together with a copy of the other index for its thread. So
+/// the threads use the same cache line only when one of them refreshes its copy.
 template <class T, std::size_t Capacity>
 class Ring {
   static_assert(Capacity > 0 && (Capacity & (Capacity - 1)) == 0, "a power of two");

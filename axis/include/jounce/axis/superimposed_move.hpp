@@ -14,41 +14,42 @@
 namespace jounce {
 
 /// A move that is added to the motion of an axis (MC_MoveSuperimposed). It uses the part of the
-/// limits that the motion below it does not need. Their sum therefore keeps the limits, no
-/// matter when the move begins. Unit u: the unit of the axis.
+/// limits that the motion below does not need. So the sum of both stays within the limits, whenever
+/// the move begins. u is the unit of the axis.
 ///
 ///     SuperimposedMove above(config);
 ///     if (const auto no = above.begin(tick, 5, {.velocity = 20}, below, end)) ...    // rejected
 ///     above.add_to(setpoint, tick);    // every tick
 ///     above.clear();                   // another motion has taken over
 ///
-/// The distance of a finished move remains added until clear(). If another move begins during the
-/// present one, it begins from the present state. A value type of fixed size; nothing allocates or
-/// throws.
+/// The distance of a finished move remains added until clear(). A move that begins during another
+/// one begins from the present state of the other one. A value type of fixed size; does not
+/// allocate or throw.
 class SuperimposedMove {
  public:
   /// `config`: the configuration of the axis.
   explicit SuperimposedMove(const AxisConfig& config) : config_(config) {}
 
-  /// Begins the move in this tick. Returns nullopt, or the reason to reject it. `distance`: u.
-  /// `below`: greatest magnitudes of the motion below. `end`: end position of the motion below with
-  /// the superimposed moves so far, u; nullopt: unknown.
+  /// Begins the move in this tick. Returns nullopt, or the reason to reject the move. `distance` is
+  /// in u. `below` has the greatest magnitudes of the motion below. `end` is the end position (u)
+  /// of the motion below, including the superimposed moves so far; nullopt: unknown.
   std::optional<Refusal> begin(std::int64_t tick, double distance, MoveDynamics dynamics,
                                const Peaks& below, std::optional<double> end) noexcept;
-  /// Adds the state of the move in this tick to the setpoint of the motion below. Finishes the move
-  /// at its end.
+  /// Adds the state of the move in this tick to the setpoint of the motion below. Call once a tick.
+  /// Finishes the move at its end.
   void add_to(Setpoint& next, std::int64_t tick) noexcept;
 
-  /// `on` = true: brings the move to rest from that tick on; false: lets it continue. A tick before
-  /// the one in which the move began counts as that tick. Returns false and changes nothing if the
-  /// change is not possible.
+  /// Brings the move to rest from the given tick on (`on` = true), or lets it continue (false). A
+  /// tick before the beginning of the move counts as the tick of its beginning. Returns false and
+  /// changes nothing if the change is not possible.
   bool hold(bool on, std::int64_t tick) noexcept;
   /// True if the move is held.
   [[nodiscard]] bool held() const noexcept { return held_; }
 
-  /// Removes the move and the distance of finished ones: another motion has taken over.
+  /// Removes the move and the distance of finished moves. Call when another motion has taken over.
   void clear() noexcept;
-  /// Removes only the distance of finished moves: the motion below now includes it.
+  /// Removes only the distance of finished moves. Call when the motion below includes this
+  /// distance.
   void clear_finished() noexcept { finished_ = 0; }
 
   /// True if a move is in progress.
@@ -62,11 +63,12 @@ class SuperimposedMove {
   [[nodiscard]] double distance() const noexcept {
     return finished_ + (running_ ? goal_.value : 0);
   }
-  /// Returns the distance from that tick to the end of the move, u; 0 if none is in progress.
+  /// Returns the distance from the given tick to the end of the move, u; 0 if no move is in
+  /// progress.
   [[nodiscard]] double remaining(std::int64_t tick) const noexcept;
   /// Dynamics of the move, with their defaults filled in.
   [[nodiscard]] const MoveDynamics& dynamics() const noexcept { return goal_.dynamics; }
-  /// Greatest magnitudes that the move may add; 0 if none is in progress.
+  /// Greatest magnitudes that the move may add; 0 if no move is in progress.
   [[nodiscard]] Peaks peaks() const noexcept;
 
  private:
@@ -78,10 +80,10 @@ class SuperimposedMove {
   bool running_ = false;
   bool held_ = false;
   Profile profile_;
-  Goal goal_;                // u from the start of the first move in progress
-  Limits most_;              // limits left by the motion below
+  Goal goal_;                // goal, u, relative to the start of the first move in progress
+  Limits most_;              // limits that the motion of the axis leaves
   std::int64_t origin_ = 0;  // tick
-  double finished_ = 0;      // u
+  double finished_ = 0;      // distance of the finished moves, u
 };
 
 }  // namespace jounce

@@ -9,9 +9,9 @@ namespace jounce {
 
 /// The two windows of an axis around its setpoint: one for the following error (Googol
 /// GT_SetPosErr, Agito MaxPosErr, HMPL GetPosErr), one for in position (Googol GT_SetAxisBand,
-/// Agito InTargetTol). Call each function once a tick. A drive without position feedback (NaN)
-/// causes no fault and is never in position. `error`: following error, u (unit of the axis). `dt`:
-/// time since the previous step, s.
+/// Agito InTargetTol). Call too_far() and settled() once a tick. `error` is the following error, u
+/// (the unit of the axis). A drive without position feedback (error NaN) causes no fault and is
+/// never in position. `dt` is the time since the previous step, s.
 ///
 ///     Supervision windows;
 ///     const bool lost = windows.too_far(set - actual, dt, config);
@@ -27,16 +27,16 @@ class Supervision {
   void reset() noexcept { *this = {}; }
 
  private:
-  double outside_ = 0;  // s
-  double inside_ = 0;   // s
+  double outside_ = 0;  // time outside the window of the following error, s
+  double inside_ = 0;   // time inside the window of in position, s
 };
 
 /// Returns the greatest valid position of an axis, u: its travel in 2^40 ticks at its velocity
-/// limit. Beyond it, rounding could lose the travel of one tick.
+/// limit. At greater positions, rounding could lose the travel of one tick.
 double furthest(const AxisConfig& config) noexcept;
 
-/// Returns the inputs with impossible numbers replaced by NaN. The master is then lost, or the
-/// drive has failed.
+/// Returns the inputs with impossible numbers replaced by NaN. The NaN means that the master is
+/// lost, or that the drive has failed.
 Inputs sound(const Inputs& inputs, const AxisConfig& config) noexcept;
 
 /// Returns the fault that the drive or the watchdog reports for an enabled axis, or none.
@@ -44,10 +44,10 @@ Cause check_inputs(const Inputs& inputs) noexcept;
 
 /// Reaction of the axis to a fault.
 enum class Reaction : std::uint8_t {
-  freeze,        ///< keeps the setpoint at its present position, at once
-  brake,         ///< brakes by a separate move from the last good setpoint
+  freeze,        ///< stops at once: the setpoint keeps its present position
+  brake,         ///< brakes by a planned move from the last good setpoint
   stop_on_path,  ///< stops on the path; without a path, brakes
-  power_off,     ///< freezes the setpoint and disables the drive
+  power_off,     ///< stops at once and disables the drive
 };
 /// Returns the reaction of the axis to a fault.
 Reaction reaction_to(Cause fault) noexcept;

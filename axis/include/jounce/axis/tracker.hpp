@@ -16,9 +16,9 @@ struct TrackerSpec {
   /// Time constant, s, > 0: longer is smoother and slower; see docs/executor/masters.md.
   double time_constant = 5e-3;
   int order = 2;  ///< 2: no lag at constant velocity; 3: no lag at constant acceleration
-  /// Time in which the output reaches the estimate after a deviation, s, > 0.
+  /// Time in which the output returns to the estimate after a deviation, s, > 0.
   double settle = 10e-3;
-  /// Age of each measurement when it arrives, s: the output is extrapolated by it.
+  /// Age of each measurement when it arrives, s. The output is extrapolated by this time.
   double latency = 0;
   double longest_age = 0.1;  ///< time without a measurement after which the master is lost, s, > 0
   /// A measurement further than this from the output is a jump, m; 0: velocity * longest_age.
@@ -29,9 +29,9 @@ struct TrackerSpec {
 void require_valid(const TrackerSpec& spec);
 
 /// Estimate of position, velocity and acceleration from noisy measurements, by the fading-memory
-/// filter. This is a least-squares fit of a straight line (order 2) or a parabola (order 3). The
-/// weight of a measurement falls by the factor exp(-1) in half a time constant (equations (1) to
-/// (5) in tracker.cpp). A value type.
+/// filter: a least-squares fit of a straight line (order 2) or a parabola (order 3). The weight of
+/// a measurement falls by the factor exp(-1) in half a time constant (equations (1) to (5) in
+/// tracker.cpp). A value type.
 struct Estimate {
   double time = 0;             ///< time of the last measurement, s
   double x = 0, v = 0, a = 0;  ///< position, velocity and acceleration at that time: m, m/s, m/s^2
@@ -41,22 +41,22 @@ struct Estimate {
   [[nodiscard]] Jet at(double t) const;
 };
 
-/// Returns the estimate with one more measurement, `measured` (m) at `time` (s), later than the
-/// previous one.
+/// Returns the estimate after one more measurement: `measured` (m) at `time` (s), which must be
+/// later than the previous one.
 Estimate corrected(const Estimate& before, const TrackerSpec& spec, double time, double measured);
 
 /// A smooth master from measured positions. The output follows the estimate, extrapolated to the
-/// time of the cycle. Its velocity and acceleration are bounded, and its velocity has no jump, for
-/// all inputs.
+/// time of the cycle. For all inputs, its velocity and acceleration are bounded, and its velocity
+/// does not jump.
 ///
 ///     Tracked master({.velocity = 3, .acceleration = 20});
 ///     master.see(time, measured);               // as often as something is measured
 ///     const Jet x = master.at(time);            // each cycle; x[0] is NaN while it is lost
 ///
-/// The master is lost until there are two measurements (order 3: three), after `longest_age`
-/// without a measurement, and for one cycle after a jump of the measured position. In the last
-/// case, followers stop and do not follow the jump. When the master returns, the output begins at
-/// its new position.
+/// The master is lost until two measurements have arrived (order 3: three), after `longest_age`
+/// without a measurement, and for one cycle after a jump of the measured position. Followers stop
+/// in this cycle, so they do not follow the jump. When the master is valid again, the output begins
+/// at its new position.
 class Tracked {
  public:
   /// Throws InputError like require_valid().
@@ -65,10 +65,10 @@ class Tracked {
   /// Adds the measurement `position`, m, at `time`, s. Ignores values that are not finite, and
   /// times that are not later than the previous one.
   void see(double time, double position) noexcept;
-  /// Clears the filter: the source is invalid, or has changed.
+  /// Clears the filter. Call when the source is invalid, or has changed.
   void lose() noexcept;
-  /// Returns the master at `time`, s: m, m/s, m/s^2, m/s^3; x[0] is NaN if it is lost. `time` must
-  /// ascend.
+  /// Returns the master at `time`, s: m, m/s, m/s^2, m/s^3; x[0] is NaN if the master is lost. Call
+  /// once in each cycle, with ascending times.
   Jet at(double time) noexcept;
 
   /// The options.

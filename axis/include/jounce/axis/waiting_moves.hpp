@@ -18,7 +18,7 @@ inline BufferMode buffer_of(const BufferedMove& move) {
   return std::visit([](const auto& each) { return each.buffer; }, move);
 }
 
-/// Target (u), distance (u) or velocity (u/s) of the move; u is the unit of the axis.
+/// Returns the target (u), distance (u) or velocity (u/s) of the move; u is the unit of the axis.
 inline double value_of(const BufferedMove& move) {
   return std::visit(
       [](const auto& each) {
@@ -29,9 +29,9 @@ inline double value_of(const BufferedMove& move) {
       move);
 }
 
-/// The motion buffer of an axis: moves that each wait for the end of the previous one. (Section
-/// 2.4.2 of PLCopen Part 1 requires one place; motion controllers have several.) A value type of
-/// fixed size.
+/// The motion buffer of an axis: moves that each wait for the end of the previous move. (Section
+/// 2.4.2 of PLCopen Part 1 requires space for one move; motion controllers have space for several.)
+/// A value type of fixed size.
 ///
 ///     WaitingMoves moves;
 ///     if (!moves.full()) moves.push(command::MoveRelative{.distance = 3});
@@ -45,15 +45,15 @@ class WaitingMoves {
   [[nodiscard]] bool full() const { return size_ == most; }
   /// Number of moves.
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// The move that begins next. Only if the buffer is not empty.
+  /// The move that begins next. Requires a buffer that is not empty.
   [[nodiscard]] const BufferedMove& front() const { return moves_[0]; }
   /// Iterators over the moves, in the order of their execution.
   [[nodiscard]] const BufferedMove* begin() const { return moves_.data(); }
   [[nodiscard]] const BufferedMove* end() const { return moves_.data() + size_; }
 
-  /// Adds a move at the end. Only if the buffer is not full.
+  /// Adds a move at the end. Requires a buffer that is not full.
   void push(const BufferedMove& move) { moves_[size_++] = move; }
-  /// Removes the first move. Only if the buffer is not empty.
+  /// Removes the first move. Requires a buffer that is not empty.
   void pop() {
     for (std::size_t i = 1; i < size_; ++i) moves_[i - 1] = moves_[i];
     --size_;

@@ -8,7 +8,7 @@
 namespace jounce {
 
 /// Returns the values of one line of CSV: the texts between its commas. Quotes have no special
-/// meaning, since the files of Jounce need none.
+/// meaning, because the files of Jounce do not need them.
 std::vector<std::string_view> csv_cells(std::string_view line);
 
 /// Returns a value as a finite number; nullopt for any other text.

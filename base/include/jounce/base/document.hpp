@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// An input document, with the place of every key. Generators throw an InputError that contains
-/// only the key; located() adds file, line and column.
+/// An input document, with the place of every key. A generator throws an InputError that contains
+/// only the key; located() adds the file, line and column.
 struct Document {
   /// Line and column of a key, from 1; 0: unknown.
   struct Place {
@@ -22,19 +22,20 @@ struct Document {
   std::string text;                     ///< the whole text
   Sha256 hash{};                        ///< SHA-256 of the text
   std::map<std::string, Place> places;  ///< place of each key, by its full name ("move.to")
-  /// Unit of each plain number that was read, by key.
+  /// Unit of each number that was read and whose text has no unit, by key.
   std::map<std::string, std::string> units = {};
-  std::map<std::string, std::string> given = {};  ///< unit of every number whose text names one
+  std::map<std::string, std::string> given = {};  ///< unit of each number whose text has a unit
 
-  /// Returns the unit in which the text gives the number under `key`; `otherwise` for a plain
-  /// number, and for a missing one.
+  /// Returns the unit that the text gives for the number under `key`. For a number without a unit,
+  /// and for a missing number, returns `otherwise`.
   [[nodiscard]] std::string given_unit(const std::string& key, const std::string& otherwise) const;
 
-  /// Returns the error with file, line and column of its key. If the key has no place, the place of
-  /// the nearest enclosing key is used.
+  /// Returns the error with file, line and column of its key. If the key has no place, the error
+  /// has the place of the nearest enclosing key.
   [[nodiscard]] InputError located(const InputError& error) const;
-  /// Returns the error about a file `file` that this document names under `key`. If the file cannot
-  /// be read at all, the error gets the place of the key; otherwise it is returned unchanged.
+  /// Returns an error about the file `file`, which this document names under `key`. If the file
+  /// cannot be read at all, the error gets the place of the key in this document; otherwise it is
+  /// returned unchanged.
   [[nodiscard]] InputError naming(const std::string& key, const std::string& file,
                                   const InputError& error) const;
 };

@@ -12,8 +12,8 @@ namespace jounce {
 /// UTF-16 and for a compressed file.
 std::string read_file(const std::string& path);
 
-/// Records the files that read_file() reads during its lifetime. write_files() then refuses to
-/// replace one of them, so that an output never overwrites an input. At most one object exists at a
+/// Records the files that read_file() reads as long as the object exists. write_files() then does
+/// not replace any of them, so an output never overwrites an input. At most one object exists at a
 /// time.
 class KeptInputs {
  public:
@@ -29,7 +29,7 @@ class KeptInputs {
   friend std::string read_file(const std::string& path);
 };
 
-/// Throws InputError, with `option` as its key, for a file that KeptInputs has recorded.
+/// Throws InputError, with `option` as its key, if KeptInputs has recorded the file.
 void require_not_read(const std::string& path, const std::string& option);
 
 /// A file to be written.
@@ -38,8 +38,8 @@ struct Output {
   std::string bytes;  ///< the whole content
 };
 
-/// Writes all files or none: first under temporary names in their folders, then it renames them. An
-/// existing file that is not regular (a device, a pipe) is written directly. Throws
+/// Writes all files or none: writes them under temporary names in their folders, then renames them.
+/// An existing file that is not regular (a device, a pipe) is written directly. Throws
 /// std::system_error if the system reports an error (no folder, no space), and InputError like
 /// require_not_read().
 void write_files(const std::vector<Output>& files);

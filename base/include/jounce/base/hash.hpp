@@ -29,14 +29,14 @@ Sha256 sha256(std::string_view bytes);
 /// Returns the hash as 64 lower-case hexadecimal digits.
 std::string hex(const Sha256& hash);
 
-/// Returns the identity of a table. This is the SHA-256 over the schema, the kind of axis, the
-/// interpolation rule, the policy outside its range, the units, the number of knots, and the
-/// SHA-256 of each column as little-endian IEEE doubles. Provenance and file format are not
-/// included: the same table has the same hash in CSV, in JSON and on the wire.
+/// Returns the identity of a table: the SHA-256 over the schema, the variable of the table, the
+/// interpolation rule, the policy outside, the units, the number of knots, and the SHA-256 of each
+/// column as little-endian IEEE doubles. Provenance and file format are not included: the same
+/// table has the same hash in CSV, in JSON and on the wire.
 Sha256 content_hash(const Table& table, const Units& units);
 
-/// Computes content_hash() of columns that arrive in pieces, each in order from its beginning. A
-/// receiver can therefore hash a table while it arrives.
+/// Computes content_hash() of columns that arrive in pieces; the pieces of a column must be in
+/// order. So a receiver can hash a table while it arrives.
 ///
 ///     ContentHasher hasher;
 ///     hasher.add({x, p, v, {}});         // repeat for each block of knots
@@ -50,9 +50,10 @@ class ContentHasher {
   ContentHasher(ContentHasher&&) noexcept;
   ContentHasher& operator=(ContentHasher&&) noexcept;
 
-  /// Adds the next knots of x, p, v and a; empty for a column that the table does not have.
+  /// Adds the next knots: their x, p, v and a. For a column that the table does not have, pass an
+  /// empty span.
   void add(const std::array<std::span<const double>, 4>& columns);
-  /// Returns the hash; call it once, at the end. `knots`: total number of knots.
+  /// Returns the hash. Call once, at the end. `knots` is the total number of knots.
   [[nodiscard]] Sha256 result(Domain axis, Interpolation rule, Extrapolation outside,
                               const Units& units, std::size_t knots);
 

@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// All errors of one document. Used as an InputError, it is the first of them in the order of
-/// reading, for callers that report only one.
+/// All errors of one document. For callers that report only one error, the object is also an
+/// InputError: the first error in the order of reading.
 class InputErrors : public InputError {
  public:
   /// `all`: at least one error, in the order of reading.

@@ -5,8 +5,8 @@
 
 namespace jounce {
 
-/// Prints a line to standard error. If the terminal takes no text, or is closed, the line is
-/// dropped; the program neither waits nor ends.
+/// Prints a line to standard error. If the terminal accepts no text, or is closed, the line is
+/// dropped; the function neither waits nor ends the program.
 void print_notice(const std::string& notice);
 
 }  // namespace jounce

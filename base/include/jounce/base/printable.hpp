@@ -14,9 +14,9 @@ namespace jounce {
 ///   U+200E, U+200F, U+202A to U+202E, U+2066 to U+2069.
 bool is_printable(std::string_view text);
 
-/// Returns the text with `?` for each such character and for each byte that is not valid UTF-8. The
-/// result is safe for a terminal and for the head of a file. A printable text is returned
-/// unchanged.
+/// Returns the text with `?` in place of each unsafe character and of each byte that is not valid
+/// UTF-8. The result is safe for a terminal and for the head of a file. A printable text is
+/// returned unchanged.
 std::string printable(std::string_view text);
 
 /// Like printable(), but keeps line feeds and tabs: for a message of several lines.

@@ -8,32 +8,36 @@ namespace jounce {
 
 /// Units of measure as people write them: "mm", "deg", "pulse/s", "kg cm^2", "1/s", "N m s/rad".
 /// These units can be multiplied, divided and raised to powers:
-/// - length m, mm, um, cm, in; angle rad, deg, arcmin, arcsec, rev; pulses pulse (also count, inc);
-/// - time s, ms, us, ns, min, h; frequency Hz, kHz, MHz;
-/// - kg, g, N, J, W, A, V, ohm.
+/// - length: m, mm, um, cm, in;
+/// - angle: rad, deg, arcmin, arcsec, rev;
+/// - pulses: pulse (also count, inc);
+/// - time: s, ms, us, ns, min, h;
+/// - frequency: Hz, kHz, MHz;
+/// - other quantities: kg, g, N, J, W, A, V, ohm.
 ///
-/// Lengths, angles and pulses are different dimensions: none converts into another.
+/// Lengths, angles and pulses are different dimensions: a unit of one does not convert to a unit of
+/// another.
 
 /// True if the text is a unit. The empty text is not a unit.
 bool is_unit(std::string_view text);
 
-/// True if the two texts are units of one quantity: "mm/s" and "m/min".
+/// True if the two texts are units of the same quantity: "mm/s" and "m/min".
 bool is_convertible(std::string_view unit, std::string_view other);
 
-/// True for a unit of a position: of length or of angle, or pulses.
+/// True for a unit of position: a length, an angle, or pulses.
 bool is_position_unit(std::string_view unit);
 /// Returns the factor from the unit `from` to the unit `to`. Throws InputError (key "unit") if one
-/// of them is not a unit, or if they have different dimensions.
+/// of the texts is not a unit, or if the units have different dimensions.
 double conversion(std::string_view from, std::string_view to);
 
-/// Returns a number that has a unit or not ("12.5", "12.5 mm/s", "-3e2 deg"), converted to `unit`.
+/// Returns a number with or without a unit ("12.5", "12.5 mm/s", "-3e2 deg"), converted to `unit`.
 /// A number without a unit is already in `unit`. Throws InputError for text that is not a number, a
 /// number that is not finite, an unknown unit, or a unit of another dimension. The error has no
-/// key; its rule names the error and the expected unit.
+/// key; its rule states the error and the expected unit.
 double quantity(std::string_view text, std::string_view unit);
 
-/// Returns the unit that the text of such a number names: "mm/s". Empty if it names none, or begins
-/// with no number.
+/// Returns the unit in a text like that of quantity(): "mm/s". Empty if the text has no unit, or
+/// does not begin with a number.
 std::string_view quantity_unit(std::string_view text);
 /// Returns the unit position / x^order, as people write it: "mm", "mm/deg", "mm/deg^2". With an
 /// empty `position`, the numerator is a pure number: "1/s". With an empty `x`, returns `position`.

@@ -8,8 +8,8 @@
 namespace jounce {
 
 /// Reason why an axis is in the state error_stop, rejected a command, did not admit a table, or
-/// ended its last motion. meaning() gives a sentence for each; docs/reference/messages.md lists all
-/// of them. The numbers are part of the wire format: append new ones to their block.
+/// ended its last motion. meaning() returns a sentence for each cause; docs/reference/messages.md
+/// lists all causes. The numbers are part of the wire format: append new numbers to their block.
 enum class Cause : std::uint8_t {
   none = 0,
 
@@ -98,19 +98,18 @@ const char* name(Cause cause);
 /// Returns one sentence that states what happened.
 const char* meaning(Cause cause);
 
-/// True if it is a fault, which stays latched until a reset.
+/// True if the cause is a fault, which stays latched until a reset.
 constexpr bool is_fault(Cause cause) {
   return (cause >= Cause::aborted && cause <= Cause::master_reversed) ||
          (cause >= Cause::home_timeout && cause <= Cause::both_switches);
 }
 
-/// The reason why a command is rejected or a movement is not admitted, with numbers in the units of
-/// the axis.
+/// The reason for rejecting a command or a movement, with numbers in the units of the axis.
 struct Refusal {
   Cause cause = Cause::none;  ///< the reason
   double value = 0;           ///< the number that breaks the rule
   double limit = 0;           ///< the bound that it exceeds
-  /// Time of the movement at which it exceeds the bound, s; NaN: no particular time.
+  /// Time of the movement at which the value exceeds the bound, s; NaN: no particular time.
   double where = std::numeric_limits<double>::quiet_NaN();
 
   /// Returns a sentence: "velocity_limit: The motion exceeds the velocity limit of the axis: 678.45

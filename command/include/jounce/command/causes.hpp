@@ -12,7 +12,7 @@ struct CauseInfo {
   Cause cause;          ///< the cause
   const char* name;     ///< "following_error": the word in logs and messages
   const char* meaning;  ///< one sentence: what happened
-  const char* remedy;   ///< one or two sentences: the next step of the operator
+  const char* remedy;   ///< one or two sentences: what the operator should do next
 };
 
 /// Returns one entry for each Cause, in the order of their numbers.

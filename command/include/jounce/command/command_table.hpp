@@ -15,12 +15,13 @@ namespace jounce {
 
 /// Permitted sender of a command.
 enum class CommandSender : std::uint8_t {
-  executor,  ///< only the executor, when it carries out a message of another type
-  owner,     ///< the client that owns the axis in its session, such as a streamer
-  anyone,  ///< even an operator without a session: the command only changes the timing of a motion
+  executor,  ///< only the executor, to carry out a message of another type
+  owner,     ///< the client that owns the axis during its session, such as a streamer
+  anyone,  ///< even an operator who does not own the axis: the command only changes the timing of a
+           ///< motion
 };
 
-/// Everything about a command except its effect: the codec, `jounce order`, the live page, the
+/// Everything about a command except its effect. The codec, `jounce order`, the live page, the
 /// checks of the receiver and of the axis, and the tables in the documentation use this
 /// description.
 struct CommandInfo {
@@ -30,8 +31,8 @@ struct CommandInfo {
   const char* word = "";     ///< word of `jounce order`; "": none
   const char* plcopen = "";  ///< function block of PLCopen; "": none
   CommandSender sender = CommandSender::executor;  ///< permitted sender
-  bool moves = false;  ///< true if it sets the axis in motion for the client that sends it
-  /// For each State, the reason to reject it; none: accepted.
+  bool moves = false;  ///< true if the command can set the axis in motion
+  /// For each State, the reason to reject the command; none: the state permits it.
   std::array<Cause, states> by_state{};
   Fields fields = {};  ///< fields, in the order of the wire
 };
@@ -44,7 +45,7 @@ const CommandInfo& info(CommandKind kind);
 /// Returns the name of a command: "move_absolute", ...
 const char* name(CommandKind kind);
 
-/// Returns the command with this number on the wire; nullopt if there is none.
+/// Returns the command with this number on the wire; nullopt if no command has the number.
 std::optional<CommandKind> kind_of_number(int number);
 
 /// Returns the reason to reject a command in a state, or none if the state permits it. Further

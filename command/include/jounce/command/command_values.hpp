@@ -10,22 +10,22 @@
 namespace jounce {
 
 /// The fields of a command as numbers, in the order of the wire and of the record of a run. A flag
-/// is 0 or 1, an enumerator is its number. Numbers after the last field are 0.
+/// is 0 or 1; an enumeration value is its number. Entries after the last field are 0.
 using CommandValues = std::array<double, most_fields>;
 
 /// Returns the fields of a command.
 CommandValues values_of(const ClientCommand& command);
 
-/// Returns the error in the values of a command, as a sentence that names the field; "" if there is
-/// none.
+/// Returns the first error in the values of a command, as a sentence with the name of the field; ""
+/// if the values are valid.
 std::string contradiction(CommandKind kind, const CommandValues& values);
 std::string contradiction(const ClientCommand& command);
 
-/// Returns the command with these values, for which contradiction() must return "".
+/// Returns the command with these values. Requires that contradiction() returns "".
 ClientCommand command_of(CommandKind kind, const CommandValues& values);
 
-/// Returns the command with the defaults of its fields. Throws InputError for a kind that no client
-/// sends.
+/// Returns the command of this kind with the defaults of its fields. Throws InputError for a kind
+/// that clients do not send.
 ClientCommand command_of(CommandKind kind);
 
 /// Returns the range of a field in words, for the documentation: "0 or 1"; "" for any finite

@@ -14,9 +14,9 @@
 #include "jounce/profiles/curve/modulo.hpp"
 #include "jounce/profiles/sequences/queue.hpp"
 
-/// The commands of an axis, after the function blocks of PLCopen. Each command is one struct, used
-/// both by the program that sends it and by the axis that executes it. command_table.hpp describes
-/// the commands. Units: u is the unit of the axis, m that of its master.
+/// The commands of an axis, modeled on the function blocks of PLCopen. Each command is one struct,
+/// which both the client that sends it and the axis that executes it use. command_table.hpp
+/// describes the commands. u is the unit of the axis, m that of its master.
 namespace jounce {
 
 /// Value of a field that is not given (NaN): the axis uses its configured value.
@@ -35,7 +35,8 @@ struct MoveDynamics {
 /// Start condition of an armed motion. The numbers are part of the wire format.
 enum class StartAt : std::uint8_t {
   tick = 0,  ///< at a given tick
-  /// When the played table, or its present pass, ends; the axis does not stop in between.
+  /// At the end of the present table, or of its present pass if it repeats. The axis does not stop
+  /// in between.
   end_of_table = 1,
   master_position = 2,  ///< when the master passes a given position
 };
@@ -142,8 +143,8 @@ constexpr void each_field(C& c, F f) {
     c.relative);
 }
 
-/// Searches for the home position. Values that are not given (NaN, and method 0) are those of
-/// HomingSpec.
+/// Searches for the home position. For a value that is not given (NaN, and method 0), the axis uses
+/// that of HomingSpec.
 struct Home {
   static constexpr auto kind = CommandKind::home;
   double offset = as_configured;           ///< position value of the axis at the home position, u
@@ -177,7 +178,7 @@ constexpr void each_field(C& c, F f) {
     c.distance);
 }
 
-/// Brings a path or a planned move to rest, until Resume.
+/// Brings a path or a planned move to rest until the command Resume.
 struct Hold {
   static constexpr auto kind = CommandKind::hold;
 };
@@ -198,9 +199,11 @@ constexpr void each_field(C& c, F f) {
 /// Moves to a position.
 struct MoveAbsolute {
   static constexpr auto kind = CommandKind::move_absolute;
-  double position = 0;                        ///< target, u
-  MoveDynamics dynamics = {};                 ///< limits of the move
-  Direction direction = Direction::shortest;  ///< direction on a modulo axis
+  double position = 0;  ///< target, u
+  /// Velocity, acceleration, deceleration and jerk of the move.
+  MoveDynamics dynamics = {};
+  /// Direction on a modulo axis: shortest, positive or negative.
+  Direction direction = Direction::shortest;
   /// When the move begins, relative to the previous motion.
   BufferMode buffer = BufferMode::aborting;
 };
@@ -266,7 +269,7 @@ constexpr void each_field(C& c, F f) {
 struct MoveVelocity {
   static constexpr auto kind = CommandKind::move_velocity;
   double velocity = 0;         ///< u/s, signed; 0: to rest
-  MoveDynamics dynamics = {};  ///< without velocity
+  MoveDynamics dynamics = {};  ///< the member `velocity` is not used
   BufferMode buffer = BufferMode::aborting;
   bool hold_to_run = false;  ///< true: the axis stops if the sender sends no heartbeat for 0.2 s
 };
@@ -281,7 +284,7 @@ constexpr void each_field(C& c, F f) {
     c.hold_to_run);
 }
 
-/// Brings the axis to rest. Unlike Stop, it can be interrupted by any other motion at once.
+/// Brings the axis to rest. Any other motion can interrupt a halt at once, unlike a stop.
 struct Halt {
   static constexpr auto kind = CommandKind::halt;
   MoveDynamics dynamics = {};  ///< deceleration and jerk
@@ -296,7 +299,7 @@ struct GearIn {
   static constexpr auto kind = CommandKind::gear_in;
   std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
   std::int32_t denominator = 0;
-  MoveDynamics dynamics = {};  ///< without velocity
+  MoveDynamics dynamics = {};  ///< the member `velocity` is not used
 };
 template <Of<GearIn> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -305,15 +308,15 @@ constexpr void each_field(C& c, F f) {
   each_field_of_ramp(c.dynamics, f);
 }
 
-/// Couples the axis to its live master at a ratio. The axis is in step from a given pair of
-/// positions on: one of the master, and one of the axis.
+/// Couples the axis to its live master at a ratio, so that the axis is in step from the sync
+/// positions of master and axis on.
 struct GearInPos {
   static constexpr auto kind = CommandKind::gear_in_pos;
   std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
   std::int32_t denominator = 0;
-  double master_sync_position = 0;  ///< master position from which the axis is in step, m
+  double master_sync_position = 0;  ///< master position at which the axis is in step, m
   double slave_sync_position = 0;   ///< position of the axis at this master position, u
-  /// Travel of the master before the sync position, in which the axis engages, m.
+  /// Travel of the master before the sync position, m; the axis engages during this travel.
   double master_start_distance = 0;
   bool avoid_reversal = false;  ///< true: reject a motion against the direction of the gear
 };
@@ -344,7 +347,7 @@ struct CamOut {
   static constexpr auto kind = CommandKind::cam_out;
 };
 
-/// Continues with the other bank of a static queue (tables in two banks) at the end of the present
+/// Continues a static queue (tables in two banks) with the other bank, at the end of the present
 /// bank.
 struct QueueSwitch {
   static constexpr auto kind = CommandKind::queue_switch;
@@ -371,7 +374,7 @@ constexpr void each_field(C& c, F f) {
   f(Field{"seq", Quantity::none, FieldRange::count}, c.seq);
 }
 
-/// Ends a rolling stream at its last row: no more rows will follow.
+/// Ends a rolling stream at its last row: the sender will send no more rows.
 struct QueueEnd {
   static constexpr auto kind = CommandKind::queue_end;
   std::uint32_t queue = 0;  ///< number of the queue

@@ -19,11 +19,11 @@ enum class Quantity : std::uint8_t {
   time,          ///< s
 };
 
-/// Permitted values of a field. words() in command_values.hpp describes each in words.
+/// Permitted values of a field. words() in command_values.hpp returns a description of each range.
 enum class FieldRange : std::uint8_t {
   finite,         ///< any finite number
-  given,          ///< any finite number, or NaN: as configured
-  positive,       ///< > 0, or NaN: as configured
+  given,          ///< any finite number; NaN: as configured
+  positive,       ///< > 0; NaN: as configured
   flag,           ///< 0 or 1
   direction,      ///< -1, 0 or 1
   factor,         ///< 0 to 2

@@ -18,8 +18,8 @@ struct GearRatio {
   std::int64_t master_slope = 0;  ///< masterSlope: master travel of the clutch, pulses, >= 0, not 1
 };
 
-/// Returns the gear. Throws InputError with the key "masterEven" or "masterSlope" for a value that
-/// the manual excludes.
+/// Returns the gear without its clutch. Throws InputError with the key "masterEven" or
+/// "masterSlope" for a value that the manual excludes.
 Gear gear(const GearRatio& ratio);
 
 /// Returns the change of the ratio from `from` (0: after GT_GearStart) to `ratio`, over the master
@@ -36,8 +36,8 @@ DirectionMask prf_gear(int dir);
 namespace jounce::agito {
 
 /// Returns the gear of MasterFact: 65536 is 1 : 1, 131072 is 2 : 1. Any whole number is permitted,
-/// even a negative one. There is no clutch: a program stops the axis, sets MasterFact, and begins
-/// again.
+/// even a negative one. The controller has no clutch: to change the ratio, a program stops the
+/// axis, sets MasterFact, and begins again.
 Gear gear(std::int64_t master_fact);
 
 }  // namespace jounce::agito

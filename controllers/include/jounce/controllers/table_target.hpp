@@ -27,11 +27,11 @@ struct ControllerTable {
   bool quadratic = false;  ///< true if the velocity is linear between knots (Target::quadratic)
 };
 
-/// Returns all of them: hmpl_pvt, sew, and googol_pt, googol_pt_1024, googol_follow,
-/// googol_follow_512 (all four with segments of the type NORMAL).
+/// Returns all controller tables: hmpl_pvt, sew, googol_pt, googol_pt_1024, googol_follow and
+/// googol_follow_512. The four of Googol have segments of the type NORMAL.
 std::span<const ControllerTable> controller_tables();
 
-/// Returns the table with this name; null if there is none.
+/// Returns the controller table with this name; null if no table has the name.
 const ControllerTable* controller_table(const std::string& name);
 
 /// Returns the target for reduced() in these units. `x_step`: size of one unit of the controller in
@@ -41,12 +41,12 @@ const ControllerTable* controller_table(const std::string& name);
 Target target_of(const ControllerTable& controller, const Units& units,
                  std::optional<double> x_step = {}, const std::string& key = "x_step");
 
-/// Returns the key in a spec for a member of Target. For a cam, velocities are "geo_velocity...";
-/// x_step is "time_resolution" or "master_resolution".
+/// Returns the key in a spec for a member of Target. For a cam, the velocities have keys
+/// "geo_velocity..."; x_step has the key "time_resolution" or "master_resolution".
 std::string spec_key(Domain axis, const std::string& member);
 
-/// A Target as texts: each quantity with or without its unit. An empty text is a quantity that is
-/// not given.
+/// A Target as texts. Each text is a quantity with or without its unit; an empty text means that
+/// the quantity is not given.
 struct TargetTexts {
   std::string controller = {};  ///< name of a ControllerTable
   std::string tolerance = {};
@@ -60,7 +60,7 @@ struct TargetTexts {
   [[nodiscard]] bool any() const;
 };
 
-/// The name of a member in a message; the member's own by default.
+/// Returns the name of a member for messages; by default, the name in TargetTexts.
 using MemberName = std::function<std::string(const std::string& member)>;
 
 /// Returns the target of the texts in these units, within the limits of the controller; ignores a

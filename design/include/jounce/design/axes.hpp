@@ -6,7 +6,7 @@
 
 #include "jounce/design/input.hpp"
 
-/// Functions that select an axis of a file. `path` is the name of the file for messages; "-" is
+/// Functions that select axes of a file. `path` is the name of the file for messages; "-" is
 /// standard input.
 
 namespace jounce {

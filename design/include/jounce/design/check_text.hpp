@@ -8,8 +8,8 @@
 namespace jounce {
 
 /// Returns the output of `jounce check` for one axis: the verdict, the exact extrema of each
-/// segment, the findings, the rises of a cam with their characteristic values, the fastest master,
-/// and the cam switches.
+/// segment, and the findings; for a cam also its rises with their characteristic values, the
+/// fastest master, and the cam switches.
 std::string check_text(const Report& report, const Input& input);
 
 /// Returns the contents of check_text() as a JSON object; numbers have all their digits.

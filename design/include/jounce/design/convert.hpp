@@ -15,40 +15,41 @@ namespace jounce {
 /// Requirements for a converted table.
 struct Conversion {
   Interpolation rule = Interpolation::cubic_hermite;  ///< interpolation of the result
-  /// New knots, as few as the target permits; its rule is `rule` above.
+  /// Requirements for new knots, as few as possible. The rule of the target is `rule` above.
   std::optional<Target> target = {};
   std::size_t intervals = 0;  ///< number of equal intervals of new knots; 0: not requested
-  Units units = {};  ///< units of the result, or units that the file does not state; "": unchanged
-  bool periodic = false;  ///< true: the motion repeats, although the file does not state it
+  Units units = {};  ///< units of the result, or units that the file does not give; "": unchanged
+  bool periodic = false;  ///< true: the motion repeats, although the file does not define this
   const CamFormat* format = nullptr;  ///< format of a controller; null: CSV or JSON of Jounce
 };
 
 /// A converted table, and its difference from the input.
 struct Converted {
   TableFile file;  ///< the table, with its units and names
-  /// In the units of the input; nullopt: the knots of the input, bit for bit.
+  /// Error in the units of the input; nullopt: the result has the knots of the input, bit for bit.
   std::optional<SampleError> error;
 };
 
 /// Returns the table of an input with other knots, another interpolation, or other units. The knots
 /// stay, unless the rule or the target requires others. If the controller joins the knots by a
-/// spline (KnotJoin), the error is that of this spline, with the numbers rounded as in the file,
-/// and a tolerance applies to it. If the ends of the spline are not documented, they count as
-/// natural, or as periodic if the cam repeats. Throws InputError with the name of a member of
-/// Target ("tolerance", "x_step", ...), or "master_unit", "position_unit" for a unit that is
+/// spline (KnotJoin), the error and its tolerance are those of this spline, with the numbers
+/// rounded as in the file. If the end conditions of the spline are not documented, they are assumed
+/// to be natural, or periodic if the cam repeats. Throws InputError with the name of a member of
+/// Target ("tolerance", "x_step", ...), or with "master_unit" or "position_unit" for a unit that is
 /// unknown or of another quantity.
 Converted converted(const Input& input, const Conversion& conversion);
 
 /// Returns the parts of the input that a file in this format does not contain, one phrase for each.
 std::vector<std::string> losses(const Input& input, const CamFormat* format, const Table& made);
 
-/// Returns the certified error of a conversion as a sentence. Without an error, it states that the
-/// numbers are unchanged, or only converted to other units.
+/// Returns the certified error of a conversion as a sentence. If the conversion has no error, the
+/// sentence states that the numbers are unchanged, or only converted to other units.
 std::string error_text(const Converted& made, const Labels& labels);
 
-/// The form of a file.
+/// The format of an output file.
 struct TableForm {
-  /// "csv", "json", "points" (CSV of segments with types), or the name of `format`.
+  /// "csv", "json", "points" (CSV of segments with types), or the name of the controller's
+  /// `format`.
   std::string name = "csv";
   const CamFormat* format = nullptr;  ///< format of a controller; null for the other forms
 };
@@ -61,14 +62,15 @@ TableForm table_form(const std::string& name, const std::string& path);
 /// points_text().
 std::string form_text(const TableForm& form, const TableFile& file);
 
-/// Returns everything of an input that a file in this form does not contain: unread parts of its
-/// own file, and losses() of the format. `sampled`: the file has samples of the table.
+/// Returns everything of an input that a file in this form does not contain: the unread parts of
+/// the input file, and losses() of the format. `sampled` is true if the file has samples of the
+/// table.
 std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
                                     bool sampled = false);
 
-/// The endings by which table_form() recognizes a form: ".csv, .json, .st, ...".
+/// Returns the endings by which table_form() recognizes a form: ".csv, .json, .st, ...".
 std::string known_endings();
-/// True if a path has one of these endings, or is "-".
+/// True if a path has one of the known endings, or is "-".
 bool has_known_ending(const std::string& path);
 /// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss.
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,

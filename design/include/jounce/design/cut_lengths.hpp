@@ -12,32 +12,33 @@
 
 namespace jounce {
 
-/// A spec of cuts as a function of its cut length; all other values are fixed. Lengths are in the
-/// master unit.
+/// A spec of cuts as a function of its cut length; all other values of the spec are fixed. Lengths
+/// are in the master unit.
 ///
-/// The cam of a rotary knife does not depend on the line speed. The run-up and the return of a
-/// shear do, so its cam is made again for each speed.
+/// The cam of a rotary knife does not depend on the line speed. The cam of a shear does, because
+/// its run-up and its return depend on the speed; so the cam is made again for each speed.
 struct CutLengths {
-  /// Returns the fastest line for a length. If such a cut is impossible, the speed is 0, and the
-  /// limit is "length" or "reversal".
+  /// Returns the fastest line for a length. If the cut is impossible, the speed is 0, and the limit
+  /// is "length" or "reversal".
   std::function<CutSpeed(double length, const CutLimits&)> fastest;
-  /// Returns the shortest cut that is possible at a speed, if there is one. For a knife, only cuts
-  /// up to the synchronous length count.
+  /// Returns the shortest cut that is possible at a speed; nullopt if no cut is possible. For a
+  /// knife, only cuts up to the synchronous length are considered.
   std::function<std::optional<double>(double speed, const CutLimits&)> shortest;
   /// A length with a special meaning.
   struct Mark {
     double length = 0;      ///< master unit
     std::string name = {};  ///< "synchronous", "longest without a stop"
   };
-  std::vector<Mark> marks = {};  ///< all such lengths, ascending
+  std::vector<Mark> marks = {};  ///< all lengths with a special meaning, ascending
   /// Cuts above this length need a dwell that the spec does not permit.
   double turns_back = std::numeric_limits<double>::infinity();
-  double from = 0;  ///< start of a range that contains all these lengths
+  double from = 0;  ///< start of a range that contains all `marks`
   double to = 0;    ///< end of this range
 };
 
-/// Throws InputError, with the place in the document, for a kind without a cut length, and for a
-/// shear whose sync follows from the stroke, because the sync would be 0 at its fastest line speed.
+/// Throws InputError, with the place in the document, for a kind of spec without a cut length, and
+/// for a shear whose stroke determines the sync, because the sync would be 0 at its fastest line
+/// speed.
 CutLengths cut_lengths(const Spec& spec);
 
 }  // namespace jounce

@@ -19,8 +19,9 @@ struct CutMap {
   std::vector<CutSpeed> speeds;  ///< in ascending order of the length
   /// Lengths at which another limit begins to determine the speed.
   std::vector<LimitChange> changes;
-  double running = 0;  ///< speed of the line: that of [master], otherwise its greatest
-  /// Shortest cut at the speed `running`, master unit; nullopt if there is none.
+  double running = 0;  ///< speed of the line: that of [master], otherwise the greatest speed of the
+                       ///< line
+  /// Shortest cut at the speed `running`, master unit; nullopt if no cut is possible.
   std::optional<double> shortest;
   double per_minute = 60;  ///< cuts per minute for one cut per unit of time
 
@@ -28,16 +29,17 @@ struct CutMap {
   [[nodiscard]] std::string speed_unit() const;
 };
 
-/// Returns the limits of the cuts: [limits.slave], and the greatest speed of the line. The latter
-/// is `line_speed`, otherwise the speed of [master], otherwise infinite. Throws InputError, with
-/// the place in the document, if nothing would limit the speed.
+/// Returns the limits of the cuts: [limits.slave], and the greatest speed of the line. The greatest
+/// speed is `line_speed` if given, otherwise the speed of [master], otherwise infinite. Throws
+/// InputError, with the place in the document, if nothing would limit the speed.
 CutLimits cut_limits(const Spec& spec, const std::optional<double>& line_speed);
 
-/// Returns the map at `steps` >= 2 lengths from `from` to `to` (master unit), both included.
+/// Returns the map at `steps` >= 2 equally spaced lengths from `from` to `to` (master unit), both
+/// included.
 CutMap cut_map(Spec spec, CutLengths cuts, const CutLimits& limits, double from, double to,
                std::size_t steps);
 
-/// Returns the name of a limit in tables and legends; "none" for "".
+/// Returns the name of a limit for tables and legends; "none" for "".
 std::string limit_word(const std::string& limit);
 
 /// Name of the range in which cuts need a dwell that the spec does not permit.

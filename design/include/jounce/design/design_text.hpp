@@ -7,9 +7,9 @@
 
 namespace jounce {
 
-/// Returns the output of `jounce design` for one axis: number of knots, error against the exact
-/// curve, residual vibration, the worst finding of `report` (which check_all() and
-/// add_not_limited() make), and the hash of the table.
+/// Returns the output of `jounce design` for one axis: number of knots, error of the table against
+/// the exact curve, residual vibration, the worst finding of `report`, and the hash of the table.
+/// Requires a report of check_all() and add_not_limited().
 std::string design_text(const Input& input, const Report& report);
 
 /// Returns the contents of design_text() as a JSON object; numbers have all their digits. `file` is

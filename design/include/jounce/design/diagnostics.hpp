@@ -9,10 +9,10 @@
 
 namespace jounce {
 
-/// Returns the findings of an input with their places in its file. A finding of a segment is placed
-/// at the TOML table of the segment, any other finding at the key of its limit or at the section of
-/// its rule. A finding in a G-code program is placed at its line. If the input is a table, there
-/// are no places. `file` is the name of the file.
+/// Returns the findings of an input with their places in the file `file`. The place of a finding on
+/// a segment is the TOML table of the segment. The place of any other finding is the key of its
+/// limit or the section of its rule. In a G-code program, the place is the line. If the input is a
+/// table, the findings have no places.
 std::vector<Diagnostic> diagnostics_of(const Report& report, const Input& input,
                                        const std::string& file);
 /// Returns the diagnostics for a spec that does not describe a motion.

@@ -10,14 +10,14 @@
 namespace jounce {
 
 /// Makes the disc of a spec with [disc], in the spec's units. Throws InputError, with the place in
-/// the document, also if the spec has no [disc].
+/// the document, for an invalid disc, and for a spec without [disc].
 Disc make_disc(const Spec& spec, const Cam& cam);
 
-/// check() of the disc; the findings have their units.
+/// Returns check() of the disc, with the units of its findings.
 Report check_disc(const Spec& spec, const Cam& cam);
 
-/// True if the report of check_disc() shows that the contour cannot be cut: the contour crosses
-/// itself, or the cutter does not reach a part of it.
+/// True if the report of check_disc() shows that the disc cannot be cut: the contour crosses
+/// itself, or the cutter does not reach a part of the contour.
 bool cannot_be_cut(const Report& report);
 
 /// Returns lines with the extremes of the pressure angle (deg) and the least radii of the profile,
@@ -47,13 +47,13 @@ std::string contour_dxf(const DiscDrawing& drawing);
 /// Returns the drawing as an SVG document that prints at scale 1:1.
 std::string contour_svg(const DiscDrawing& drawing);
 
-/// Returns the profile as points, for a controller without arcs: CSV with the master position
+/// Returns the profile as points, for a controller without arcs. The CSV has the master position
 /// (spec's unit), x and y (mm). The last point equals the first. Straight lines between the points
-/// keep the spec's tolerance.
+/// are within the tolerance of the spec.
 std::string contour_csv(const Spec& spec, const Disc& disc);
 
-/// Returns the drawing in the format of the ending of a path: .dxf, .svg or .csv. Throws InputError
-/// (key "output") for any other.
+/// Returns the drawing as the contents of a file; the ending of the path selects the format: .dxf,
+/// .svg or .csv. Throws InputError (key "output") for any other ending.
 std::string contour_file(const std::string& path, const Spec& spec, const Disc& disc);
 
 }  // namespace jounce

@@ -8,9 +8,10 @@
 
 namespace jounce {
 
-/// Simulates the input's table with the [drive] of its spec, which must exist. In each finding,
-/// `axis` is "drive", `where` is a time in s, and `unit` and `where_unit` are set. `samples`:
-/// number of points of the result; 0: none. Throws InputError if a cam has no [master].
+/// Simulates the input's table with the [drive] of its spec. Requires a spec with [drive]. In each
+/// finding, `axis` is "drive", `where` is a time in s, and `unit` and `where_unit` are set.
+/// `samples` is the number of points of the result; 0: none. Throws InputError if a cam has no
+/// [master].
 DriveResult driven(const Input& input, std::size_t samples = 0);
 
 }  // namespace jounce

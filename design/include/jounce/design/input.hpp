@@ -16,17 +16,19 @@ namespace jounce {
 /// The input of a command: one axis of a spec with its curve and table, or a table from a file.
 struct Input {
   std::optional<Spec> spec;  ///< the spec; nullopt for a table
-  LazyCurve curve;           ///< the exact curve; of a table from a file: its own
+  LazyCurve curve;           ///< the exact curve; for a table from a file, the curve of this table
   TableFile table;           ///< the table with its units
   std::optional<SampleError>
-      error;         ///< error of the table against the curve; none if there is no other curve
-  Limits limits;     ///< limits of the spec; none for a table
+      error;         ///< error of the table against the curve; nullopt if the curve is that of the
+                     ///< table
+  Limits limits;     ///< limits of the spec; no limits for a table
   Labels labels;     ///< names and units for reports
-  std::string name;  ///< name of the spec, with that of the axis; or name of the file
+  std::string name;  ///< name of the spec with the name of the axis, or name of the file
   std::string axis;  ///< name of the axis if there are several; otherwise ""
   TableOptions options = {};             ///< options with which the table was made
   std::optional<DriveSpec> drive = {};   ///< [drive] of the spec
-  std::vector<Residual> residuals = {};  ///< residual vibration of each mode of an operator
+  std::vector<Residual> residuals = {};  ///< residual vibration of each mode that an operator
+                                         ///< suppresses
   std::vector<SyncZone> zones = {};      ///< sync zones
   /// For a table of fewest knots: the requirement that determines their number.
   std::optional<Binding> binding = {};
@@ -34,29 +36,29 @@ struct Input {
   std::shared_ptr<const Plan> plan = {};  ///< for kind "path": the plan, shared by its axes
   /// For kind "path" with overlapping lines: their motion, instead of a plan.
   std::shared_ptr<const Overlapped> overlap = {};
-  /// Units for velocity, acceleration and jerk in pictures; "": unit_of() of the labels.
+  /// Units for velocity, acceleration and jerk in figures; "": unit_of() of the labels.
   std::array<std::string, 3> rate_units = {};
 };
 
-/// Calls `act` with the input's curve, or with its table if the curve is that of the table: the
-/// table needs less time and memory.
+/// Calls `act` with the motion of an input: its curve or, if the curve is that of the table, its
+/// table, which needs less time and memory.
 template <class Act>
 auto of_motion(const Input& input, const Act& act) {
   return input.error ? std::visit(act, *input.curve) : act(input.table.table);
 }
 
-/// Positions of slave and master when a coupling engages. Omitted: the slave rests at the first
-/// value of the cam, and the master is at the start of the cam with the velocity of [master] (0 if
-/// there is none). u is the slave's unit, m the master's.
+/// Positions of slave and master when a coupling engages. Defaults: the slave rests at the first
+/// value of the cam, and the master is at the start of the cam with the velocity of [master] (0
+/// without [master]). u is the slave's unit, m the master's.
 struct EngageState {
   std::optional<double> slave = {};            ///< u
   std::optional<double> master = {};           ///< m
   std::optional<double> master_velocity = {};  ///< m/s
 };
 
-/// Checks everything that needs no integration: limits and joints of the curve, the error of the
-/// table, limits that only the table breaks, the engagement of a coupling in the state `at`, and
-/// the stability of the loop of a [drive].
+/// Checks everything that needs no integration: the limits and joints of the curve, the error of
+/// the table, limits that only the table breaks, the engagement of a coupling in the state `at`,
+/// and the stability of the loop of a [drive].
 Report check_all(const Input& input, int continuity = 1, const EngageState& at = {});
 
 /// Adds a note (`unlimited/velocity`, ...) with the peak of each derivative that has no limit in
@@ -67,24 +69,25 @@ void add_not_limited(Report& report, const Input& input);
 /// machine.
 void add_no_limits(Report& report);
 
-/// Returns the greatest permitted error of the table, in the unit of the position: the requested
-/// tolerance; for a requested number of intervals, a millionth of the stroke; for a requested
-/// number of knots, the actual error. nullopt if the curve is that of the table.
+/// Returns the greatest permitted error of the table, in the unit of the position. It is the
+/// requested tolerance; for a requested number of intervals, a millionth of the stroke; for a
+/// requested number of knots, the actual error. Returns nullopt if the curve is that of the table.
 std::optional<double> table_tolerance(const Input& input);
 
 /// Returns the content of a table file as an input.
 Input input_of(TableFile file, const std::string& path);
-/// Makes the motion of a spec: one input for each axis. `path` names it if the spec has no name.
+/// Makes the motion of a spec: one input for each axis. If the spec has no name, `path` is used as
+/// its name.
 std::vector<Input> inputs_of(const Spec& spec, const std::string& path);
 
 /// Reads a spec, a table file, or a table in the format of a controller (exchange.hpp); the content
-/// decides which. "-" is standard input. Returns one input for each axis of a spec, or for each cam
-/// of a file. `decimal_comma`: reads 0,5 as 0.5 in a controller's table. Throws InputError with
-/// file, line, key, value and rule.
+/// determines the kind. "-" is standard input. Returns one input for each axis of a spec, or for
+/// each cam of a file. If `decimal_comma` is true, 0,5 is read as 0.5 in a controller's table.
+/// Throws InputError with file, line, key, value and rule.
 std::vector<Input> read_inputs(const std::string& path, bool decimal_comma = false);
 /// True if the text is a table of Jounce or of a controller.
 bool is_finished_table(const std::string& text);
-/// read_inputs() for the text of such a table.
+/// Like read_inputs(), for the text of a table of Jounce or of a controller.
 std::vector<Input> table_inputs(const std::string& text, const std::string& path,
                                 bool decimal_comma = false);
 

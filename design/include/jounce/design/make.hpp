@@ -15,16 +15,16 @@
 
 namespace jounce {
 
-/// Predicted residual vibration of a mode at the end of the motion, in the unit of the position.
-/// There is one for each mode for which the spec has an operator.
+/// Predicted residual vibration of a mode at the end of the motion, in the unit of the position. A
+/// spec has one for each mode that an operator suppresses.
 struct Residual {
   Mode mode;          ///< the mode, frequency in Hz
   double before = 0;  ///< vibration of the motion without its operators
   double after = 0;   ///< vibration of the finished motion
 };
 
-/// The result of a spec for one axis: the exact curve, and the table for a controller with its
-/// error.
+/// The result of a spec for one axis: the exact curve, and the table for a controller with the
+/// error of the table.
 struct Made {
   AxisPart part;    ///< the axis
   LazyCurve curve;  ///< the exact curve
@@ -45,29 +45,29 @@ std::vector<Made> make_axes(const Spec& spec);
 /// Makes the motion of a spec of one axis. Throws InputError if the spec has several axes.
 Made make(const Spec& spec);
 
-/// Returns warnings for a valid time table (kinds "pt" and "pvt", without operators): steps,
-/// oscillation and overshoot. For a polydyne cam: steps of its acceleration. Empty for all other
-/// specs.
+/// Returns warnings of a valid spec. For a time table (kinds "pt" and "pvt", without operators):
+/// steps, oscillation and overshoot. For a polydyne cam: steps of its acceleration. Empty for all
+/// other specs.
 Report table_warnings(const Spec& spec);
 
-/// Returns the motion of a cam's master over time in *seconds*. Throws InputError, which names the
-/// section to add, if there is no [master].
+/// Returns the motion of a cam's master over time in *seconds*. If the spec has no [master], throws
+/// InputError with the section to add.
 Trajectory make_master(const Spec& spec);
 
 /// Returns the length of the spec's unit of time, s.
 double seconds_per_unit(const Spec& spec);
 
-/// [limits.slave] converted to limits per master unit, for a master at full speed. Throws
-/// InputError (`limits.slave.velocity`, ...) if there is such a limit but no [master].
+/// Returns [limits.slave] converted to limits per master unit, for a master at full speed. Throws
+/// InputError (`limits.slave.velocity`, ...) if the spec has such a limit but no [master].
 Limits slave_limits_by_master(const Spec& spec);
 
 /// Returns the optimization problem of a cam spec, with [limits], and with [limits.slave] at full
-/// speed. Throws InputError, with the place in the document, unless it is well posed.
+/// speed. Throws InputError, with the place in the document, unless the problem is valid.
 CamProblem make_problem(const Spec& spec);
 
-/// Makes the problem of a spec with free shapes (spec.optimize.shape). A figure of a drive has no
-/// function until the drive is known (jounce/spec/drive_figures.hpp); such a figure throws, unless
-/// `against_a_drive`.
+/// Returns the problem of a spec with free shapes (spec.optimize.shape). A figure of a drive cannot
+/// be computed before the drive is given (jounce/spec/drive_figures.hpp); unless `against_a_drive`
+/// is true, such a figure throws InputError.
 CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive = false);
 
 }  // namespace jounce

@@ -13,26 +13,27 @@ struct OutputEvent {
   double time = 0;     ///< time of the change
   std::string output;  ///< "compare", "output 16", "track 1", "line 12", "M3"
   bool on = false;     ///< true: the output goes on
-  /// At that time, the position of the axis to which the output belongs, or the length along the
+  /// At this time: the position of the axis to which the output belongs, or the length along the
   /// path.
   double position = 0;
 };
 
 /// The changes of all outputs of a spec during its motion.
 struct OutputEvents {
-  std::vector<OutputEvent> all;  ///< for each kind of output in order of time
+  std::vector<OutputEvent> all;  ///< for each kind of output, in order of time
   std::string time, position;    ///< units of time and position
   Report report;                 ///< broken if a point does not fire, or if the device is too slow
   Labels labels;                 ///< names and units for the report
 };
 
-/// Returns the edges of [compare], or those of a cam's [[switch]] while its [master] moves, at
-/// exact times. For a path without [compare], it returns the starts of its lines, and the words of
-/// a G-code program that do not move axes. `axes` are all inputs of one spec (inputs_of()). Throws
-/// InputError for a table, and for a spec without any of these.
+/// Returns the edges of the outputs of a spec, at exact times. With [compare], they are its edges.
+/// For a cam, they are those of [[switch]] while its [master] moves. For a path without [compare],
+/// they are the starts of its lines, and the words of a G-code program that do not move axes.
+/// `axes` are all inputs of one spec (inputs_of()). Throws InputError for a table, and for a spec
+/// without outputs.
 OutputEvents output_events(const std::vector<Input>& axes);
 
-/// Returns the edges as CSV, one line for each, and as JSON.
+/// Return the edges as CSV (one line for each), and as JSON.
 std::string to_csv(const OutputEvents& events);
 std::string to_json(const OutputEvents& events);
 

@@ -6,9 +6,9 @@
 namespace jounce {
 
 /// Returns the slave of a cam as a motion over the spec's unit of time, for the [master] of the
-/// spec. It has [limits.slave], and the sync zones at the times at which the master passes them.
-/// Exact, or within 1e-9 of the stroke. Throws InputError for a motion over time, for a table, and
-/// for a spec without [master].
+/// spec. Its limits are [limits.slave]; its sync zones are the times at which the master passes
+/// those of the cam. Exact, or within 1e-9 of the stroke. Throws InputError for a motion over time,
+/// for a table, and for a spec without [master].
 Input over_time(const Input& input);
 
 }  // namespace jounce

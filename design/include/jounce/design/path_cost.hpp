@@ -24,8 +24,8 @@ enum class LossCause : std::uint8_t {
 constexpr std::size_t loss_causes = 7;  ///< number of causes
 const char* name(LossCause cause);      ///< the cause as a word
 
-/// A place where a plan is slower than full speed, and the time that it loses there. u is the unit
-/// of length of the program, q the position on the path.
+/// A place where a plan is slower than full speed, and the time that this costs. u is the unit of
+/// length of the program, q the path parameter.
 struct SpeedLoss {
   LossCause cause = LossCause::start;
   std::int32_t line = 0;                   ///< source line
@@ -36,11 +36,11 @@ struct SpeedLoss {
   std::optional<std::size_t> corner = {};  ///< index of the corner in Plan::corners()
 };
 
-/// The duration of a plan as a sum: at_full_speed + the losses.
+/// The duration of a plan as a sum: at_full_speed plus the losses.
 ///
 /// **Full speed** of a piece is the least of its feed, the path's limit of velocity, and the speed
 /// at which one of its axes reaches its limit of velocity. **A loss** belongs to a local minimum of
-/// the speed; it extends from the local maximum of the speed before it to the one after it.
+/// the speed. It extends from the local maximum before the minimum to the local maximum after it.
 struct PathCost {
   double at_full_speed = 0;       ///< s, duration at full speed
   std::vector<SpeedLoss> losses;  ///< in the order of the path
@@ -49,7 +49,7 @@ struct PathCost {
   [[nodiscard]] double of(LossCause cause) const;
 };
 
-/// Computes the sum. `corners`: plan.corners().
+/// Returns the sum for a plan. Requires corners of plan.corners().
 PathCost cost_of(const Plan& plan, std::span<const CornerRecord> corners);
 
 }  // namespace jounce

@@ -17,7 +17,8 @@ namespace jounce {
 struct EventPlace {
   GcodeEvent event;
   double where = 0;  ///< q of the place
-  double time = 0;   ///< s, time at which the axes reach the place and preceding dwells have ended
+  double time = 0;   ///< s, time at which the axes have reached the place and the preceding dwells
+                     ///< have ended
   Point position{};  ///< position of the axes
 };
 
@@ -33,21 +34,21 @@ struct PathSummary {
   std::vector<CornerRecord> corners;  ///< one for each joint of the plan with a corner or a note
   std::vector<EventPlace> events;     ///< places of the words of a G-code program
   Report along;                       ///< result of path_report()
-  std::optional<MapFit> fit = {};     ///< for joints: distance of their motion from the kinematics
+  std::optional<MapFit> fit = {};     ///< for joints of the machine: distance of their motion from
+                                      ///< the kinematics
 };
 
 /// Checks the motion along the path, with the override of the spec, against [path.limits] and the
 /// limits of the commands; see check_along().
 Report path_report(const Spec& spec, const Plan& played);
 
-/// Returns the places of events, which are in the order of the program. The place of an event is
-/// the start of the first command in or after its line. Its time includes the dwells before this
+/// Returns the places of events. Requires events in the order of the program. The place of an event
+/// is the start of the first command in or after its line. Its time includes the dwells before this
 /// line.
 std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan,
                                   std::span<const GcodeEvent> events);
 
-/// Returns, for each line of the program with a command, the place where the axes begin the
-/// command.
+/// Returns the place at which each command begins, for each line of the program with a command.
 std::vector<EventPlace> places_of_lines(const PathSpec& path, const Plan& plan);
 
 /// Returns the results for a plan of a spec of kind "path". All numbers, and the places of events,
@@ -63,10 +64,10 @@ std::string path_json(const Spec& spec, const PathSummary& summary);
 /// Returns one line with the durations and lengths of two plans, and their differences.
 std::string path_difference(const Spec& spec, const Plan& before, const Plan& after);
 
-/// Returns the proven lower bound of the duration of a plan, and the duration as a multiple of it:
-/// a line for people.
+/// Returns one line of text: the proven lower bound of the duration of a plan, and the duration as
+/// a multiple of the bound.
 std::string path_bound(const Spec& spec, const Plan& plan);
-/// Returns the result of overlapping lines as text and as JSON: the duration, and overlap and
+/// Return the result of overlapping lines as text and as JSON: the duration, and the overlap and
 /// deviation of each corner.
 std::string overlap_text(const Spec& spec, const Overlapped& motion);
 std::string overlap_json(const Spec& spec, const Overlapped& motion);

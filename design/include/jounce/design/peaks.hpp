@@ -9,29 +9,30 @@
 
 namespace jounce {
 
-/// The peak of a derivative of an axis, or another figure, in two versions of a spec.
+/// The peak of a derivative of an axis, or another figure, in a given and an optimized spec.
 struct PeakChange {
   std::string name;  ///< "geo_jerk"; with several axes "x jerk"
   std::string unit;
-  std::optional<double> given;  ///< peak in the given spec; nullopt if that spec makes no curve
+  std::optional<double> given;  ///< peak in the given spec; nullopt if this spec makes no curve
   double optimized = 0;         ///< peak in the optimized spec
   std::optional<double> limit;  ///< limit, if the spec has one
 };
 
-/// Returns the peaks of all derivatives of all axes of an optimized spec. They show the cost of an
-/// optimum: without them, a lower peak acceleration may hide a higher jerk that has no limit.
+/// Returns the peaks of all derivatives of all axes, before and after an optimization. They show
+/// the cost of an optimum: without them, a lower peak acceleration may hide a higher jerk that has
+/// no limit.
 std::vector<PeakChange> peak_changes(const Spec& given, const Spec& optimized);
 
 /// Returns the other figures that differ between the two specs by more than 0.1 %: duration, rms
 /// values, the peaks of a cam's slave over time, the fastest master, and those of a [drive], which
-/// is simulated. Names as in key_figures.hpp, units as the optimized spec gives its limits and its
-/// master. Empty if one of the specs cannot be assessed.
+/// is simulated. The names are those of key_figures.hpp; the units are those of the limits and of
+/// the master in the optimized spec. Empty if one of the specs cannot be assessed.
 std::vector<PeakChange> other_changes(const Spec& given, const Spec& optimized);
-/// Returns the peaks as a text table, and as a JSON list with null for a missing number.
+/// Return the peaks as a text table, and as a JSON list with null for a missing number.
 std::string peaks_text(const std::vector<PeakChange>& peaks);
 std::string peaks_json(const std::vector<PeakChange>& peaks);
 
-/// Returns a table of other_changes() below that of the peaks; "" if there are none.
+/// Returns other_changes() as a table, to follow the table of peaks; "" for an empty list.
 std::string others_text(const std::vector<PeakChange>& others);
 
 }  // namespace jounce

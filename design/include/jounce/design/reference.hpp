@@ -18,14 +18,15 @@ Reference exact_reference(const Input& input);
 /// Returns the motion of the interpolated table, as the executor plays it.
 Reference table_reference(const Input& input);
 
-/// Returns the motion of the master of a cam over seconds. Throws InputError if it is not given.
+/// Returns the motion of the master of a cam over seconds. Throws InputError if the spec has no
+/// [master].
 Trajectory master_of(const Input& input);
 
 /// Returns the slave's exact motion over the spec's unit of time: the trajectory, or the curve of a
 /// cam behind its master. Exact, or within 1e-9 of the stroke (see composed_within()).
 Trajectory motion_over_time(const Input& input);
 
-/// Returns a view, the duration (s), and the motion at t (s) of a reference.
+/// Return, for a reference: a view of it, its duration (s), and its motion at t (s).
 SignalView view(const Reference& reference);
 double duration(const Reference& reference);
 Motion at(const Reference& reference, double t);

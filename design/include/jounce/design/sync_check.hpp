@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// Returns the findings of the generator of a synchronous slave, with their units; they do not
-/// depend on its limits. Empty for all other kinds of spec.
+/// Returns the findings of the generator of a synchronous slave, with their units. The findings do
+/// not depend on the limits of the slave. Empty for all other kinds of spec.
 Report check_sync(const Spec& spec);
 
 /// A figure of a synchronous slave for a report.
@@ -23,11 +23,11 @@ struct SyncFigure {
 /// Returns the figures of a synchronous slave.
 std::vector<SyncFigure> sync_figures(const Spec& spec);
 
-/// True if the slave's cam is made for one speed of the master, as for a shear. Another speed needs
-/// another cam.
+/// True if the slave's cam is made for one speed of the master, as that of a shear. Another speed
+/// needs another cam.
 bool is_made_for_a_speed(const Spec& spec);
 
-/// True if the slave stays in gear beyond the end of its table, behind a live master.
+/// True if the slave of a live master stays in gear beyond the end of its table.
 bool stays_in_gear(const Spec& spec);
 
 }  // namespace jounce

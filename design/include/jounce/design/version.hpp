@@ -10,13 +10,13 @@
 
 namespace jounce {
 
-/// Returns an input as a version for compare(), with the segments of its spec as knots. `path`
-/// names it, because two versions of a cam often have the same name.
+/// Returns an input as a version for compare(). Its knots are the segments of the spec. `path` is
+/// the name of the version, because two versions of a cam often have the same name.
 Version version_of(const Input& input, const std::string& path);
 
-/// Pairs the axes of two files: the only axis of each, or axes of the same name. Throws InputError
-/// (key "axis") if an axis has no partner; `before_path` and `after_path` name the files in
-/// messages.
+/// Pairs the axes of two files: axes of the same name or, if each file has only one axis, these
+/// two. Throws InputError (key "axis") if an axis has no partner. `before_path` and `after_path`
+/// are the names of the files in messages.
 std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
                                                  std::vector<Input> after,
                                                  const std::string& before_path,

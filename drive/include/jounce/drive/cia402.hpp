@@ -7,8 +7,8 @@
 namespace jounce {
 
 /// CiA 402 (IEC 61800-7-201 and -301) in the mode cyclic synchronous position, as functions of
-/// process data. This is the part of a bus adapter between an axis and its drive; it does not
-/// depend on the bus.
+/// process data. These functions are the part of a bus adapter that is between an axis and its
+/// drive; they do not depend on the bus.
 ///
 ///     const Cia402Status s = status_of(inputs.statusword);
 ///     outputs.controlword = controlword(s.state, {.operate = true});     // one step nearer
@@ -38,23 +38,23 @@ struct Cia402Status {
   bool following_error = false;  ///< bit 13: the following error exceeds the drive's own window
 };
 
-/// Returns the content of a statusword; nullopt if its bits belong to no state.
+/// Returns the content of a statusword; nullopt if its bits do not correspond to a state.
 std::optional<Cia402Status> status_of(std::uint16_t statusword);
-/// Returns the statusword with this content. Its other bits are those of a drive that has its
+/// Returns the statusword with this content. The other bits are those of a drive that has its
 /// supply voltage and permits remote control.
 std::uint16_t statusword(const Cia402Status& status);
 
 /// Request of the controller to the drive.
 struct Cia402Wish {
   bool operate = false;    ///< true: to operation enabled; false: stop, then power off
-  bool hold_back = false;  ///< true: do not go beyond the state switched on yet
+  bool hold_back = false;  ///< true: do not go beyond the state `switched on`
   bool reset = false;      ///< true: reset the fault (rising edge of the bit)
-  bool standing = false;   ///< true if the axis is at rest: a quick stop may end
+  bool standing = false;   ///< true: the axis is at rest, so a quick stop may end
 };
 
 /// Returns the controlword, object 0x6040, that brings the drive from this state one transition
-/// nearer to the request. To leave operation, the drive stops by its quick stop (transition 11),
-/// and its power is switched off at rest.
+/// nearer to the request. To leave the state operation enabled, the drive stops by its quick stop
+/// (transition 11); at rest, its power is switched off.
 std::uint16_t controlword(Cia402State state, const Cia402Wish& wish);
 
 /// Events inside a drive. Numbers are the transitions of CiA 402.
@@ -65,23 +65,23 @@ struct Cia402Events {
   bool stopped = false;        ///< the quick stop has come to rest (12)
 };
 
-/// Steps the state machine on the side of the drive: returns the state after a controlword.
-/// `before`: the previous controlword. It makes the transitions 0 to 15 of the standard. It omits
-/// transition 16, from quick stop back to operation, as the standard recommends.
+/// Returns the state of a drive after a controlword: steps the state machine of the drive. `before`
+/// is the previous controlword. The transitions are 0 to 15 of the standard. Transition 16, from
+/// quick stop back to operation, is omitted, as the standard recommends.
 Cia402State next(Cia402State state, std::uint16_t controlword, std::uint16_t before,
                  const Cia402Events& events);
 
-/// Converts between positions in u, the unit of the axis, and the increments of a drive, which are
-/// integers and wrap at 32 bits.
+/// Converts between positions in u, the unit of the axis, and the increments of a drive. Increments
+/// are integers, and wrap at 32 bits.
 class Increments {
  public:
-  /// One turn has `per_rev` increments and `position_per_rev` u. `reversed`: the drive counts in
-  /// the opposite direction. Throws InputError unless both are > 0 and `per_rev` is an integer
-  /// below 2^31.
+  /// Sets the scale: one turn has `per_rev` increments and `position_per_rev` u. If `reversed` is
+  /// true, the drive counts in the opposite direction. Throws InputError unless both numbers are >
+  /// 0 and `per_rev` is an integer below 2^31.
   Increments(double per_rev, double position_per_rev, bool reversed = false);
 
-  /// Returns the nearest integer number of increments, with ties away from 0. It is rounded once,
-  /// from the exact quotient. Returns nullopt if the number exceeds 2^52, or if the position is
+  /// Returns the nearest integer number of increments; ties are rounded away from 0. The exact
+  /// quotient is rounded once. Returns nullopt if the number exceeds 2^52, or if the position is
   /// NaN.
   [[nodiscard]] std::optional<std::int64_t> of(double position) const noexcept;
   /// Returns the position of this number of increments, u.
@@ -89,7 +89,7 @@ class Increments {
     return increments * position_per_rev_ / per_rev_;
   }
 
-  /// Returns the value of object 0x607A: the low 32 bits.
+  /// Returns the value for object 0x607A: the low 32 bits.
   static std::int32_t wrapped(std::int64_t increments) noexcept {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(increments));
   }

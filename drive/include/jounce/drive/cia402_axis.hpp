@@ -29,28 +29,29 @@ struct Cia402Config {
   double increments_per_rev = 0;  ///< increments in one turn of the motor, an integer > 0
   double position_per_rev = 0;    ///< travel of the axis in one turn of the motor, u, > 0
   bool reversed = false;          ///< true if the drive counts in the opposite direction
-  /// Window around the drive's position, u, >= 0: the drive does not go to operation enabled while
-  /// its setpoint is outside. 0: a hundredth of a turn.
+  /// Window around the drive's position, u, >= 0; 0: a hundredth of a turn. While the setpoint is
+  /// outside the window, the drive does not go to operation enabled.
   double window = 0;
 };
 
-/// Connects an axis to a drive in the mode cyclic synchronous position, as process data. A bus
-/// adapter only has to transmit these data.
+/// Connects an axis to a drive in the mode cyclic synchronous position, by means of process data. A
+/// bus adapter only has to transmit these data.
 ///
 ///     Cia402Axis axis({.increments_per_rev = 131072, .position_per_rev = 10});
 ///     feedback = axis.feedback(inputs);                  // first
 ///     outputs = axis.command(setpoint, inputs);          // of the same cycle
 ///
 /// **States.** In each cycle, the drive makes at most one transition towards the request
-/// (controlword()). Until it is in operation, its target is its present position, so that nothing
-/// jumps at the transition. It waits in the state switched on while the setpoint is outside the
-/// window. If the setpoint is NaN, or exceeds the range of increments, the target stays unchanged.
+/// (controlword()). Before the drive is in operation enabled, its target is its present position,
+/// so that it does not jump at the transition. While the setpoint is outside the window, the drive
+/// waits in the state switched on. If the setpoint is NaN, or exceeds the range of increments, the
+/// target stays unchanged.
 ///
-/// **Feedback.** `ready`: the drive is in operation enabled, in mode 8, and follows the target (bit
-/// 12). `fault`: the drive is in a fault or in the reaction to it. The position is the drive's
-/// counter, extended beyond 32 bits from its first value on.
+/// **Feedback.** `ready` means that the drive is in operation enabled, in mode 8, and follows the
+/// target (bit 12). `fault` means that the drive is in a fault or in its reaction to a fault. The
+/// position is the drive's counter, extended beyond 32 bits from its first value on.
 ///
-/// **Reset.** A reset keeps bit 7 set until the drive has left its fault, for at most
+/// **Reset.** A reset keeps bit 7 set until the drive has left the fault, for at most
 /// `reset_cycles` cycles.
 class Cia402Axis {
  public:
@@ -59,9 +60,9 @@ class Cia402Axis {
   /// Throws InputError like Increments, and for an invalid window.
   explicit Cia402Axis(const Cia402Config& config);
 
-  /// Returns the feedback of this cycle from the inputs. Call it before command().
+  /// Returns the feedback of this cycle from the inputs. Call before command(), once in each cycle.
   [[nodiscard]] Feedback feedback(const Cia402Inputs& inputs) noexcept;
-  /// Returns the outputs of this cycle for a setpoint.
+  /// Returns the outputs of this cycle for a setpoint. Call once in each cycle.
   [[nodiscard]] Cia402Outputs command(const DriveSetpoint& setpoint,
                                       const Cia402Inputs& inputs) noexcept;
 

@@ -15,14 +15,14 @@ struct DriveSetpoint {
   double position = 0;      ///< commanded position, u, in the coordinate of the drive
   double velocity = 0;      ///< commanded velocity, u/s, for a feed-forward
   double acceleration = 0;  ///< commanded acceleration, u/s^2, for a feed-forward
-  /// True: follow the setpoints; false: stop by the drive's own means, then disable.
+  /// True: follow the setpoints. False: stop with the drive's own quick stop, then disable.
   bool enable = false;
   bool reset = false;  ///< true for one tick: clear the fault
 };
 
-/// Returns the request of a tick to the drive. `command`: the command of the tick, which was
-/// accepted. A new coordinate of the axis (set_position, home) does not affect the drive, because
-/// Tick::offset is subtracted from the position.
+/// Returns the request of a tick to the drive. `command` is the command that the axis accepted in
+/// this tick. A change of the axis' coordinate (set_position, home) does not affect the drive,
+/// because Tick::offset is subtracted from the position.
 DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 
 /// The drive of an axis: a servo drive on a bus, a simulated one, or none. In each cycle, the
@@ -32,13 +32,13 @@ DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 ///     const Tick tick = axis.step(k, command, inputs);
 ///     drive.command(drive_setpoint(tick, command));
 ///
-/// The feedback in cycle k + 1 is therefore the answer to the setpoint of cycle k: a drive without
-/// any error then has that position. Units are those of the axis. Positions are in the coordinate
-/// of the drive: position of the axis minus Tick::offset.
+/// So the feedback in cycle k + 1 is the answer to the setpoint of cycle k: an ideal drive then has
+/// the position of this setpoint. Units are those of the axis. Positions are in the coordinate of
+/// the drive: position of the axis minus Tick::offset.
 ///
-/// The cyclic thread calls both functions. They do not allocate, free, lock, log, throw or wait. A
-/// bus driver only accesses memory here, and transfers the data over the bus in another thread
-/// (docs/executor/drives.md).
+/// The cyclic thread calls both functions, once in each cycle. They must not allocate, free, lock,
+/// log, throw or wait. A bus driver should only access memory in these functions, and transfer the
+/// data over the bus in another thread (docs/executor/drives.md).
 class AxisDrive {
  public:
   AxisDrive() = default;
@@ -52,8 +52,8 @@ class AxisDrive {
   [[nodiscard]] virtual Feedback feedback() noexcept = 0;
 };
 
-/// A drive without error: it reaches each setpoint exactly by the next cycle. It is always ready,
-/// never in a fault, and reports no torque.
+/// An ideal drive: it reaches each setpoint exactly by the next cycle. It is always ready, never in
+/// a fault, and reports no torque.
 class NullDrive final : public AxisDrive {
  public:
   /// `position`: initial position, u.

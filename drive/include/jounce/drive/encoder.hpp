@@ -11,7 +11,7 @@ namespace jounce {
 
 /// Errors of a simulated encoder. Unit u: the unit of the position.
 struct EncoderErrors {
-  /// Size of one count, u; positions are rounded down to a count; 0: not rounded.
+  /// Size of one count, u: positions are rounded down to a whole number of counts. 0: not rounded.
   double resolution = 0;
   /// Standard deviation of white normal noise, u, added before rounding; 0: none.
   double noise = 0;
@@ -37,8 +37,8 @@ class EncoderReading {
   std::uint64_t state_;
 };
 
-/// Makes the actual position of a drive available to another reader, such as an axis that follows
-/// it. The cycle reads the drive once, so the axis and the other reader get the same value.
+/// Makes the actual position of a drive available to a second reader, such as an axis that follows
+/// the position. The cycle reads the drive once, so both readers get the same value.
 ///
 ///     auto observed = std::make_shared<ObservedDrive>(drive);   // the drive of the axis
 ///     observed->position();                                     // after feedback() in this cycle
@@ -59,7 +59,8 @@ class ObservedDrive final : public AxisDrive {
   double position_ = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Returns the actual position in a feedback; NaN: not available, or the drive has failed.
+/// Returns the actual position in a feedback; NaN: the position is not available, or the drive has
+/// failed.
 double told_position(const Feedback& feedback);
 
 }  // namespace jounce

@@ -10,15 +10,15 @@
 
 namespace jounce {
 
-/// A switch of a simulated machine, cycle by cycle. Unit u: the unit of the axis.
+/// A switch of a simulated machine, computed cycle by cycle. u is the unit of the axis.
 class SimulatedSwitch {
  public:
   /// Throws InputError with the key "position", "width" or "bounce" for an invalid value.
   explicit SimulatedSwitch(const MachineSwitch& spec);
 
   /// Computes one cycle of `dt` s, in which the machine moves linearly between two positions, u.
-  /// The edge is the exact position of the first change; a change by a bounce is latched at the end
-  /// of its cycle.
+  /// Sensor::edge is the exact position of the first change; a change by a bounce is latched at the
+  /// end of its cycle.
   Sensor step(double from, double to, double dt) noexcept;
 
  private:
@@ -29,11 +29,12 @@ class SimulatedSwitch {
   bool flipped_ = false;  // inverted by a bounce
 };
 
-/// Returns the position of the first index between two positions, u; NaN if there is none.
+/// Returns the position of the first index pulse between two positions, u; NaN if there is no
+/// pulse.
 double index_between(const MachineIndex& index, double from, double to) noexcept;
 
 /// A drive on a simulated machine with switches and an index. It reports them as a real drive does:
-/// their states, and the positions of the encoder latched at their edges.
+/// the states of the switches, and the positions that the encoder latched at their edges.
 ///
 ///     DriveOnMachine drive(servo, {.home = MachineSwitch{.position = 0, .width = 12}}, 0.001);
 ///     drive.feedback().sensors.home.on;

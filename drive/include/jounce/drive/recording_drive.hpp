@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// Records the last setpoints for a drive, and passes them on to the drive:
+/// Records the last setpoints for a drive, and passes all setpoints on to the drive:
 ///
 ///     NullDrive drive;
 ///     RecordingDrive recording(drive, 2000);

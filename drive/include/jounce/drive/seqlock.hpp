@@ -11,15 +11,16 @@
 
 namespace jounce {
 
-/// Passes the newest value from one writer to readers. Neither side waits for the other. It works
-/// in memory that two processes share; memory of zeros is a valid state with a value of zeros.
+/// Passes the newest value from one writer to readers; neither side waits for the other. The class
+/// works in memory that two processes share. Memory that contains only zeros is a valid state, with
+/// a value of zeros.
 ///
 ///     lock.write(outputs);                     // the writer
 ///     if (auto now = lock.read()) use(*now);   // nullopt: a write was in progress each time
 ///
 /// Source: H.-J. Boehm, "Can seqlocks get along with programming language memory models?" (MSPC
-/// 2012). The value is stored in atomics, and their memory order replaces fences: if a reader has
-/// read a word of the next value, it also reads the odd sequence number of the write in progress.
+/// 2012). The words of the value are atomics, and their memory order replaces fences: a reader that
+/// has read a word of the next value also reads the odd sequence number of the write in progress.
 template <class T>
 class Seqlock {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -28,7 +29,7 @@ class Seqlock {
  public:
   static constexpr int tries = 16;  ///< attempts of a read
 
-  /// Stores the value; called by one thread only.
+  /// Stores the value. Call from one thread only.
   void write(const T& value) noexcept {
     Words words{};
     std::memcpy(words.data(), &value, sizeof value);

@@ -10,9 +10,9 @@
 
 namespace jounce {
 
-/// Content of the shared memory `/dev/shm/NAME` between an executor and another process, which
-/// simulates a drive or communicates with a real one. Each side writes its own half as a whole,
-/// together with the number of its cycle.
+/// Content of the shared memory `/dev/shm/NAME` between an executor and another process. The other
+/// process simulates a drive or communicates with a real one. Each side writes its own half as a
+/// whole, together with the number of its cycle.
 struct SharedProcessData {
   static constexpr std::uint64_t magic_number = 0x3145'4349'5244'4a4a;  ///< "JJDRICE1"
 
@@ -23,7 +23,8 @@ struct SharedProcessData {
     T data{};                 ///< the data
   };
 
-  std::atomic<std::uint64_t> magic;         ///< magic_number; the executor writes it last
+  /// The executor writes magic_number last, when the memory is complete.
+  std::atomic<std::uint64_t> magic;
   Seqlock<Counted<Cia402Outputs>> outputs;  ///< written by the executor
   Seqlock<Counted<Cia402Inputs>> inputs;    ///< written by the process of the drive
 };
@@ -32,14 +33,15 @@ struct SharedProcessData {
 class SharedMemory {
  public:
   enum class Side {
-    /// Creates the memory, or takes over that of an ended executor; removes it at the end.
+    /// Creates the memory, or takes over the memory of an executor that has ended; removes it at
+    /// the end.
     executor,
     drive,  ///< opens the memory that an executor has created
   };
-  /// `name`: 1 to 64 characters, each a letter A-Z a-z, a digit, `_` or `-`. Throws InputError for
-  /// an invalid name, and for one that another running executor uses (it holds a lock). Throws
-  /// std::system_error if the system reports an error, or if no executor has created the memory
-  /// yet.
+  /// `name` has 1 to 64 characters, each a letter A-Z a-z, a digit, `_` or `-`. Throws InputError
+  /// for an invalid name, and for a name that another running executor uses (it holds a lock).
+  /// Throws std::system_error if the system reports an error, or if no executor has created the
+  /// memory yet.
   SharedMemory(const std::string& name, Side side);
   ~SharedMemory();
   SharedMemory(const SharedMemory&) = delete;
@@ -55,17 +57,18 @@ class SharedMemory {
   SharedProcessData* data_ = nullptr;
 };
 
-/// A CiA 402 drive behind shared memory, as an example of an adapter. `examples/drive-shm` is the
-/// other side. An adapter for a field bus has the same structure, with the process image of the bus
-/// in place of the shared memory.
+/// A CiA 402 drive behind shared memory, and an example of an adapter. `examples/drive-shm` is the
+/// other process. An adapter for a field bus has the same structure, with the process image of the
+/// bus in place of the shared memory.
 ///
 ///     SharedDrive drive("feeder", {.increments_per_rev = 131072, .position_per_rev = 10});
 ///
-/// Before the first write of the process, the drive is not ready. If the process writes nothing
-/// during `silent_cycles` calls of feedback(), the drive reports a fault.
+/// Before the first write of the other process, the drive is not ready. If the other process writes
+/// nothing during `silent_cycles` calls of feedback(), the drive reports a fault.
 class SharedDrive final : public AxisDrive {
  public:
-  /// `name`: see SharedMemory. `silent_cycles`: >= 1. Throws like SharedMemory and Cia402Axis.
+  /// For `name`, see SharedMemory. Requires silent_cycles >= 1. Throws like SharedMemory and
+  /// Cia402Axis.
   SharedDrive(const std::string& name, const Cia402Config& config, int silent_cycles = 50);
 
   void command(const DriveSetpoint& setpoint) noexcept override;

@@ -6,19 +6,19 @@
 
 namespace jounce {
 
-/// A drive model of the module validate as the drive of an axis. It reports the position, velocity
-/// and torque of the model, with its following error and its torque limit.
+/// A drive model of the module validate, as the drive of an axis. It reports the position, velocity
+/// and torque of the model. The model has a following error and a torque limit, like a real drive.
 ///
 ///     SimulatedDrive drive(servo_400w(), 0.001, config.position);
 ///     drive.command(drive_setpoint(tick, command));
 ///     drive.feedback().torque;                         // share of the rated torque
 ///
-/// It follows setpoints from the cycle in which it is enabled. While it is disabled, a brake holds
-/// it at its position at once; it is then not ready, and its torque is 0. The torque is relative to
-/// the rated torque of the motor, or to the torque limit if the model has no rated torque. The
+/// The drive follows setpoints from the cycle in which it is enabled. While it is disabled, a brake
+/// holds it at its position; it is then not ready, and its torque is 0. The torque is relative to
+/// the rated torque of the motor or, if the model has no rated torque, to the torque limit. The
 /// drive never reports a fault, because the axis supervises the following error.
 ///
-/// If setpoints are missing, it interpolates like DriveStepper, over at most 1000 cycles.
+/// If setpoints are missing, the drive interpolates like DriveStepper, over at most 1000 cycles.
 class SimulatedDrive final : public AxisDrive {
  public:
   /// `period`: duration of a cycle of the axis, s. `position`: initial position, u (the unit of the
@@ -28,7 +28,7 @@ class SimulatedDrive final : public AxisDrive {
   void command(const DriveSetpoint& setpoint) noexcept override;
   [[nodiscard]] Feedback feedback() noexcept override;
 
-  /// All signals of the model, for a plot. Their time counts from the cycle in which it was
+  /// All signals of the model, for a plot. Their time counts from the cycle in which the drive was
   /// enabled.
   [[nodiscard]] const DriveSample& now() const noexcept { return stepper_.now(); }
 

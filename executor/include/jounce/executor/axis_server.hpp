@@ -21,12 +21,12 @@
 
 namespace jounce {
 
-/// The part of the communication thread that serves one axis. It passes requests of the stream to
-/// the axis and returns the answers, keeps the movements of the axis, writes its tick log and
+/// The part of the communication thread that serves one axis. It passes the requests of streamers
+/// to the axis and returns the answers, owns the movements of the axis, writes its tick log and
 /// reports its status. If the log cannot be written, the log ends and the motion continues.
 ///
-/// A latched fault is reset when a streamer arms a motion in a later session. In the session of the
-/// fault, the streamer must reset the fault by a command.
+/// When a streamer arms a motion in a later session, a latched fault is reset. In the session of
+/// the fault, the streamer must reset the fault by a command.
 class AxisServer {
  public:
   /// All references must outlive the server. `axis`: index of the axis in the machine. Throws
@@ -34,13 +34,14 @@ class AxisServer {
   AxisServer(ExecutorOptions options, Receiver& receiver, MachineExchange& exchange,
              std::size_t axis, Worker& worker);
 
-  /// One iteration: handles the requests from the receiver, the answers of the axis, and its ticks.
+  /// Executes one iteration: processes the requests from the receiver, the answers of the axis, and
+  /// its ticks.
   void turn();
 
   /// Stops the axis, as a stop by an operator does, and rejects every later arm.
   void retire();
 
-  /// Handles all remaining items, and closes the log.
+  /// Processes all remaining items, and closes the log.
   void close();
 
   /// The newest tick of the axis.
@@ -51,9 +52,9 @@ class AxisServer {
   [[nodiscard]] bool settled() const { return !moving() && !busy(); }
   /// True if a command is in transit: its answer arrives after one of the next cycles.
   [[nodiscard]] bool busy() const { return !commands_.idle(); }
-  /// True if the axis has a session: a streamer owns it.
+  /// True if a streamer owns the axis in a session.
   [[nodiscard]] bool owned() const { return receiver_.session() != 0; }
-  /// True if the log ended before the run, because it could not be written.
+  /// True if the log ended before the end of the run, because it could not be written.
   [[nodiscard]] bool log_truncated() const { return log_truncated_; }
   /// The options of the axis.
   [[nodiscard]] const ExecutorOptions& options() const { return options_; }

@@ -12,8 +12,8 @@
 
 namespace jounce {
 
-/// The commands in transit from the communication thread to one axis, which executes one in each
-/// tick, and the requests that wait for the answers of the axis.
+/// The commands in transit from the communication thread to one axis, and the requests that wait
+/// for the answers of the axis. The axis executes one command in each tick.
 class CommandQueue {
  public:
   /// The request of a client to which a command belongs.
@@ -34,18 +34,18 @@ class CommandQueue {
   void send(Command command);
   /// Sends a command for which a request waits.
   void send(const Command& command, const Request& request);
-  /// Removes all commands that have not reached the axis, before a stop is sent. An abort and a
-  /// disable remain, since they do more than a stop. Returns the ids of the movements that will not
-  /// begin.
+  /// Removes all commands that have not reached the axis. Call before you send a stop. An abort and
+  /// a disable remain, because they do more than a stop. Returns the ids of the movements that will
+  /// not begin.
   [[nodiscard]] std::vector<std::uint64_t> clear();
   /// Passes commands on, as many as the axis can take.
   void flush();
-  /// Returns the next answer of the axis; nullopt if there is none.
+  /// Returns the next answer of the axis; nullopt: none.
   [[nodiscard]] std::optional<Reply> take_answer();
 
   /// True if no command waits or is in transit.
   [[nodiscard]] bool idle() const { return waiting_.empty() && under_way_ == 0; }
-  /// True if so many commands wait that further ones must be rejected.
+  /// True if so many commands wait that the caller must reject further ones.
   [[nodiscard]] bool full() const { return waiting_.size() >= most_waiting; }
   /// Kind of the last waiting command; none if no command waits.
   [[nodiscard]] CommandKind last() const {

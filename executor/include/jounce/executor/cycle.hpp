@@ -34,17 +34,18 @@ class Pacer {
 };
 
 /// The system clock CLOCK_MONOTONIC, with absolute deadlines. Relative waits would accumulate
-/// delay, and other system clocks jump when the time is set.
+/// delay, and other clocks of the system jump when the time is set.
 class MonotonicPacer final : public Pacer {
  public:
   [[nodiscard]] std::int64_t now() override;
   void sleep_until(std::int64_t instant) override;
 };
 
-/// Answer of an axis in one tick: the result of a command, and the movements that it returned.
+/// Answer of an axis in one tick: the result of a command, and the movements that the axis
+/// returned.
 struct Answer {
   std::uint64_t id = 0;              ///< id of the command (Command::id); 0: no command
-  std::optional<Refusal> refused{};  ///< reason why it was rejected; nullopt: accepted
+  std::optional<Refusal> refused{};  ///< reason for rejecting the command; nullopt: accepted
   /// Movements that the axis no longer reads.
   decltype(Tick::handed_back) handed_back{};
 };
@@ -53,8 +54,8 @@ struct Answer {
 /// communication thread does not read ticks for about two thousand cycles, ticks are lost. Answers
 /// are not lost, because at most `most_commands` commands with an id may be unanswered.
 struct AxisExchange {
-  static constexpr std::size_t most_commands = 8;  ///< commands in transit
-  static constexpr std::size_t most_ticks = 2048;  ///< ticks that are kept
+  static constexpr std::size_t most_commands = 8;  ///< greatest number of commands in transit
+  static constexpr std::size_t most_ticks = 2048;  ///< greatest number of ticks that wait
   Ring<Command, most_commands> commands;           ///< from the communication thread
   Ring<Answer, 4 * most_commands> answers;         ///< from the cyclic thread
   Ring<Tick, most_ticks> ticks;                    ///< from the cyclic thread
@@ -75,7 +76,7 @@ struct CycleStatus {
 
 /// The exchange of a whole machine between its two threads.
 struct MachineExchange {
-  /// Numbers of axes and of masters.
+  /// Arguments: the numbers of axes and of masters.
   explicit MachineExchange(std::size_t of_axes, std::size_t of_masters = 0)
       : axes(of_axes), masters(of_masters) {
     for (auto& one : axes) one = std::make_unique<AxisExchange>();
@@ -93,7 +94,7 @@ struct MachineExchange {
 struct CycleCounts {
   std::int64_t ticks = 0;        ///< number of steps
   std::int64_t late = 0;         ///< steps that began a period or more too late
-  std::int64_t skipped = 0;      ///< ticks that were skipped for this reason
+  std::int64_t skipped = 0;      ///< ticks that were skipped because of late steps
   std::int64_t latest_ns = 0;    ///< greatest delay of a step, ns
   std::int64_t computed_ns = 0;  ///< longest computation of a step, ns
   /// Ticks that were dropped because the ring to the communication thread was full.
@@ -104,28 +105,30 @@ class RecordBuffer;
 
 /// Parts of a cycle in addition to the machine. All of them must outlive the cycle.
 struct CycleOptions {
-  /// One for each axis; null: no drive; an empty list: no drives at all.
+  /// One for each axis, null for an axis without a drive. An empty list: no axis has a drive.
   std::vector<AxisDrive*> drives = {};
   std::vector<Master*> masters = {};  ///< all masters of the machine, in its order
-  std::int64_t patience = 0;          ///< limit of the watchdog, cycles, see Cycle; 0: no watchdog
+  std::int64_t patience = 0;          ///< limit of the watchdog in cycles (see Cycle); 0: no
+                                      ///< watchdog
   RecordBuffer* record = nullptr;     ///< receives the record of the run; null: no record
 };
 
 /// The real-time loop of a machine. In each tick it waits for the instant of the tick, reads
-/// commands and feedback, computes the masters (their time is in s from tick 0), steps the machine
-/// once, sends the setpoints to the drives, and passes the outputs to the communication thread.
+/// commands and feedback, computes the masters (their time is in s from tick 0), and steps the
+/// machine once. Then it sends the setpoints to the drives, and passes the outputs to the
+/// communication thread.
 ///
 ///     MachineExchange exchange(machine.size());
 ///     Cycle cycle(machine, pacer, exchange);
 ///     while (!quit) cycle.once();
 ///
 /// The instant of tick k is start + k * period. A cycle that wakes up too late continues with the
-/// tick of the present time, and the axes skip the ticks before it. Steps are therefore never
-/// repeated in a burst. Each axis executes at most one command in a tick.
+/// tick of the present time, and the axes skip the ticks before this tick. So late steps are never
+/// made up in a burst. Each axis executes at most one command in a tick.
 ///
 /// **Watchdog.** If the communication thread sends no heartbeat for `patience` cycles, each axis
-/// receives Inputs::watchdog, because no client could stop it any more. The watchdog counts cycles,
-/// not time, so a pause of the whole computer does not trigger it.
+/// receives Inputs::watchdog and stops, because no client could stop it any more. The watchdog
+/// counts cycles, not time, so a pause of the whole computer does not trigger it.
 ///
 /// once() does not allocate, lock, log or wait for another thread.
 class Cycle {
@@ -133,7 +136,7 @@ class Cycle {
   /// All arguments must outlive the cycle, and have as many axes and masters as the machine.
   Cycle(Machine& machine, Pacer& pacer, MachineExchange& exchange, CycleOptions options = {});
 
-  /// Waits for the next tick and computes it.
+  /// Waits for the next tick and computes it. Call in a loop.
   void once();
   /// Timing statistics so far.
   [[nodiscard]] const CycleCounts& counts() const { return counts_; }
@@ -153,9 +156,9 @@ class Cycle {
   std::vector<MasterSight> sights_;
   std::vector<Jet> masters_;      // values of the masters
   std::uint64_t alive_ = 0;       // the last heartbeat seen
-  std::int64_t since_alive_ = 0;  // cycles
+  std::int64_t since_alive_ = 0;  // cycles since the last new heartbeat
   std::int64_t start_;
-  std::int64_t next_ = 0;  // tick
+  std::int64_t next_ = 0;  // number of the next tick
   CycleCounts counts_;
 };
 

@@ -15,7 +15,7 @@
 
 namespace jounce {
 
-/// The communication thread of an executor. It passes requests from one link to all axes of a
+/// The communication thread of an executor. It passes requests from one link to the axes of a
 /// machine, and returns their answers. Each axis has its own name, its own sessions and its own
 /// AxisServer.
 ///
@@ -24,17 +24,17 @@ namespace jounce {
 ///     dispatcher.close();
 class Dispatcher {
  public:
-  /// `axes`: in the order of the machine. `link` and `exchange` must outlive the dispatcher.
-  /// `clock`: the clock of the cycle's Pacer. `masters`: the masters of the machine. `claim`: the
-  /// claim to the names of the axes, which the dispatcher maintains; nullopt: other executors of
-  /// the same name are not detected. Throws InputError, and std::system_error if a log cannot be
-  /// created.
+  /// `axes` is in the order of the machine. `link` and `exchange` must outlive the dispatcher.
+  /// `clock` is the clock of the cycle's Pacer. `masters` are the masters of the machine. `claim`
+  /// is the claim to the names of the axes, which the dispatcher maintains; without it, other
+  /// executors of the same name are not detected. Throws InputError, and std::system_error if a log
+  /// cannot be created.
   Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, MachineExchange& exchange,
              Clock clock = steady_now, std::vector<MachineMaster> masters = {},
              std::optional<Claim> claim = {});
 
-  /// One iteration: waits for messages for at most `timeout`, does all pending work, and sends a
-  /// heartbeat to the cycle.
+  /// Executes one iteration: waits for messages for at most `timeout`, does all pending work, and
+  /// sends a heartbeat to the cycle.
   void turn(Nanos timeout);
 
   /// Stops all axes, as a stop by an operator does, and rejects every later arm.
@@ -54,8 +54,8 @@ class Dispatcher {
   [[nodiscard]] bool moving() const;   ///< true if any axis moves
   [[nodiscard]] bool settled() const;  ///< true if all axes are settled, see AxisServer
   [[nodiscard]] bool owned() const;    ///< true if any axis has a session
-  /// A name of this executor that another executor also owns, so that this one must end; "" if
-  /// there is none.
+  /// A name of this executor that another executor also owns; this executor must then end. "" if no
+  /// name is lost.
   [[nodiscard]] std::string lost_name() const;
 
  private:
@@ -64,7 +64,7 @@ class Dispatcher {
   void announce(const wire::Event& event, std::size_t axis);
 
   CycleStatus& cycle_;
-  Nanos a_while_;  // a fraction of a cycle: the longest wait while an axis's answer is pending
+  Nanos a_while_;  // longest wait while the answer of an axis is pending: a fraction of a cycle
   Clock clock_;
   std::optional<Claim> claim_;
   ReceiverPump pump_;
@@ -73,7 +73,7 @@ class Dispatcher {
   Recorder* recorder_;
   std::vector<Nanos> published_;                            // time of each axis's last status
   std::vector<std::pair<std::size_t, wire::Event>> again_;  // events to send again, by axis
-  Worker worker_;  // last: its work must end before the rest is destroyed
+  Worker worker_;  // declared last: its work must end before other members are destroyed
 };
 
 /// Returns the axes in the form that Machine needs, each with the name of its receiver.

@@ -26,13 +26,15 @@ struct ExecutorOptions {
   std::shared_ptr<AxisDrive> drive = {};  ///< drive that receives the setpoints; null: no drive
   Units units{};  ///< units of the axis; tables in other units are rejected; empty: not checked
   ReceiverOptions receiver{};  ///< options of its receiver, with the name of the axis
-  bool enable = true;          ///< true: enabled at the start; false: a command must enable it
-  std::optional<StoredTable> table = {};  ///< table over time that StartTable plays; nullopt: none
+  bool enable = true;          ///< true: the axis is enabled at the start; false: a command must
+                               ///< enable it
+  std::optional<StoredTable> table = {};  ///< table over time that the command StartTable plays;
+                                          ///< nullopt: none
   /// True: at standstill, arming a table sets the position of the axis to the start of the table.
   bool adopt_start = false;
   bool stop_when_silent = true;  ///< true: stop a motion if its session times out
   /// Tables with more knots than this are prepared in a separate thread, so that a stop need not
-  /// wait for them.
+  /// wait for the preparation.
   std::size_t build_apart = std::size_t{1} << 62U;
   Nanos status_period = std::chrono::milliseconds(50);      ///< time between two status messages
   std::optional<std::filesystem::path> log{};               ///< tick log, a CSV file; nullopt: none

@@ -8,9 +8,9 @@
 
 namespace jounce {
 
-/// A histogram of durations in bins of powers of two. Bin 0 is below 1 us, bin k is [2^(k-1), 2^k)
-/// us, the last bin begins at 2^14 us (16.4 ms). One thread adds, any thread reads, and neither
-/// waits.
+/// A histogram of durations in bins of powers of two. Bin 0 counts durations below 1 us, bin k
+/// those in [2^(k-1), 2^k) us; the last bin begins at 2^14 us (16.4 ms). One thread adds durations,
+/// any thread reads the counts, and neither waits.
 ///
 ///     Histogram lateness;
 ///     lateness.add(woken - due);                        // ns, the cyclic thread
@@ -21,8 +21,8 @@ class Histogram {
   static constexpr std::size_t bins = 16;  ///< number of bins
   using Counts = std::array<std::int32_t, bins>;
 
-  /// Adds a duration, ns. A negative one counts as 0. The count of a bin does not overflow: it
-  /// stays at its maximum.
+  /// Adds a duration, ns. A negative duration counts as 0. A count does not overflow: it stays at
+  /// its maximum.
   void add(std::int64_t ns) noexcept;
   /// The counts of all bins.
   [[nodiscard]] Counts counts() const noexcept;
@@ -31,8 +31,8 @@ class Histogram {
   std::array<std::atomic<std::int32_t>, bins> counts_{};
 };
 
-/// Returns the upper end of the bin, us, up to which the given share (0 to 1) of all durations
-/// lies. Returns infinity for the last bin, and 0 for an empty histogram.
+/// Returns a duration (us) below which at least the given share (0 to 1) of all durations lies: the
+/// upper end of a bin. Returns infinity for the last bin, and 0 for an empty histogram.
 double upper_bound(const Histogram::Counts& counts, double share);
 
 }  // namespace jounce

@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// The last start that a client requested, and its outcome, which follows from the answer and the
-/// ticks of the axis.
+/// The last start that a client requested, and its outcome. The answer and the ticks of the axis
+/// determine the outcome.
 ///
 ///     LastStart start;
 ///     start.request(session, command, movement);

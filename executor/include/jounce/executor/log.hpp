@@ -11,8 +11,8 @@
 
 namespace jounce {
 
-/// The tick log of an axis: a CSV file with one line for each tick. Numbers have the shortest form
-/// that is read back exactly. The first line contains the names and units of the columns.
+/// The tick log of an axis: a CSV file with one line for each tick. The first line contains the
+/// names and units of the columns. Numbers have the shortest form that reads back exactly.
 ///
 ///     TickLog log("run.csv", {.x = "deg", .position = "mm"});
 ///     log.add(tick);
@@ -20,10 +20,11 @@ namespace jounce {
 ///
 /// The log is written under a temporary name. close() renames it, so a file with the final name is
 /// complete. The destructor removes a log that was not closed. If writing fails (a full disk), the
-/// complete lines remain in run.csv.truncated, and the motion continues.
+/// complete lines remain in a file with the ending .truncated, such as run.csv.truncated, and the
+/// motion continues.
 class TickLog {
  public:
-  /// Throws std::system_error if the file cannot be created. `units`: those of the master and of
+  /// Throws std::system_error if the file cannot be created. `units` are those of the master and of
   /// the position.
   TickLog(std::filesystem::path path, const Units& units);
   ~TickLog();
@@ -35,7 +36,7 @@ class TickLog {
   /// Completes the file and renames it.
   void close();
 
-  /// Reason why the log ended before the run; "" if it did not.
+  /// Reason why the log ended before the end of the run; "" if the log is complete so far.
   [[nodiscard]] const std::string& truncated() const { return truncated_; }
 
  private:

@@ -11,9 +11,9 @@
 
 namespace jounce {
 
-/// The parts from which a movement was made, for the record.
+/// The parts of a movement, for the record of the run.
 struct MadeFrom {
-  RecordedJob job;                      ///< arguments of its constructor
+  RecordedJob job;                      ///< arguments of the movement's constructor
   StoredTable time;                     ///< table over time; for a cam on a live master, the cam
   std::optional<StoredTable> cam = {};  ///< cam over a virtual master; nullopt: none
 };
@@ -26,9 +26,10 @@ struct MadeMovement {
   std::optional<MadeFrom> source = {};      ///< parts of the movement
 };
 
-/// Makes the movement for an arm request. `id`: id of the movement. `period`: tick of the axis, ns.
-/// `position`: position of the axis at the start, u. The result has no movement if the tables do
-/// not fit together. The duration of the call is proportional to the size of the tables.
+/// Makes the movement for an arm request. `id` is the id of the movement, `period` the tick of the
+/// axis in ns, and `position` the position of the axis at the start, u. If the tables do not fit
+/// together, the result has no movement. The duration of the call is proportional to the size of
+/// the tables.
 MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t period,
                          double position);
 

@@ -16,11 +16,12 @@
 
 namespace jounce {
 
-/// A master of a machine, in the options of an executor. Follow::index is its index in the list of
+/// A master of a machine, in the options of an executor. Follow::index is an index into the list of
 /// masters.
 struct MachineMaster {
-  std::string name;                ///< name; an ExternalMaster receives the channel of this name
-  std::string unit;                ///< unit of its position
+  std::string name;                ///< name of the master; an ExternalMaster receives the channel
+                                   ///< of this name
+  std::string unit;                ///< unit of the position
   std::shared_ptr<Master> source;  ///< computes the position
 };
 
@@ -36,7 +37,8 @@ class MasterServer {
   /// Options of the masters of a machine.
   struct Options {
     std::vector<MachineMaster> masters = {};  ///< the masters of the machine
-    /// For each axis, the master that it follows; its status reports that master.
+    /// For each axis, the master that it follows; the status of the axis includes that of this
+    /// master.
     std::vector<Follow> follows = {};
     bool keyed = false;  ///< true: samples must be authenticated, see MasterIntake
     std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
@@ -63,13 +65,13 @@ class MasterServer {
  private:
   struct One {
     MachineMaster master;
-    std::optional<MasterIntake> intake = {};  // intake of an external one
+    std::optional<MasterIntake> intake = {};  // for an external master
     MasterSight last = {};
     bool was_there = false;
     bool told_unit = false;
-    std::optional<std::int32_t> epoch = {};       // the newest received
-    std::optional<std::int32_t> told_epoch = {};  // the epoch of the last notice about an older one
-    std::vector<bool> said_by = {};               // axes
+    std::optional<std::int32_t> epoch = {};       // newest epoch that was received
+    std::optional<std::int32_t> told_epoch = {};  // newest epoch at the last notice
+    std::vector<bool> said_by = {};               // axes that send the status of the master
   };
 
   void hear(One& one, ExternalMaster& master);

@@ -12,8 +12,9 @@
 
 namespace jounce {
 
-/// Makes the movements for arm requests: a small one at once, a large one in the thread of a
-/// worker. One is made at a time. A request that arrives meanwhile waits; a later one replaces it.
+/// Makes the movements for arm requests: a small movement at once, a large one in the thread of a
+/// worker. It makes one movement at a time. A request that arrives in the meantime waits; a later
+/// request replaces the waiting one.
 ///
 ///     MovementBuilder builder(worker, most_knots);
 ///     if (builder.busy()) builder.wait(arm);
@@ -29,7 +30,8 @@ class MovementBuilder {
   /// The end of a build in the thread of the worker.
   struct Done {
     std::optional<Built> built;        ///< the movement; nullopt: the build was canceled
-    std::optional<ArmRequested> next;  ///< the request that has waited for the end; nullopt: none
+    std::optional<ArmRequested> next;  ///< the request that waited for the end of the build;
+                                       ///< nullopt: none
   };
 
   /// `most_knots`: tables with more knots are built in the thread of the worker. `worker` must
@@ -39,13 +41,13 @@ class MovementBuilder {
 
   /// True if a build is in progress.
   [[nodiscard]] bool busy() const { return building_.has_value(); }
-  /// Builds the movement of a request; see movement_of(). Returns nullopt if it is built in the
-  /// thread of the worker. Only if the builder is not busy.
+  /// Builds the movement of a request; see movement_of(). Returns nullopt if the worker builds the
+  /// movement. Requires a builder that is not busy.
   [[nodiscard]] std::optional<Built> build(const ArmRequested& arm, std::uint64_t id,
                                            std::int64_t period, double position);
   /// Keeps a request until the present build ends.
   void wait(const ArmRequested& arm) { next_ = arm; }
-  /// Returns the result of a build that has ended; nullopt if none has.
+  /// Returns the result of a build that has ended; nullopt: none.
   [[nodiscard]] std::optional<Done> take();
   /// Cancels the present build, and drops the waiting request.
   void cancel();

@@ -19,8 +19,8 @@
 
 namespace jounce {
 
-/// A change of the FIFOs of a queue. It has a number: the axis sees the change in all ticks in
-/// which Inputs::rows is not below this number.
+/// A change of the FIFOs of a queue. Each change has a number: the change is visible to the axis in
+/// all ticks in which Inputs::rows is at least this number.
 struct HandedOver {
   static constexpr std::size_t most_rows = 32;  ///< greatest number of rows in one change
   /// Kind of a change.
@@ -50,7 +50,7 @@ class QueueMovement {
   [[nodiscard]] SegmentFifos& fifos() const { return *fifos_; }
   /// Selects the bank with which the movement begins.
   void choose(int bank) const { choose_(bank); }
-  /// Repeats a recorded change. Returns false if the FIFOs do not accept it.
+  /// Applies a recorded change again. Returns false if the FIFOs do not accept it.
   [[nodiscard]] bool take(const HandedOver& what) const;
 
  private:
@@ -61,18 +61,18 @@ class QueueMovement {
 
 /// The queues of rows that the owner of an axis has opened (see "Queues" in
 /// docs/stream-protocol.md). Rows that arrive are put into the FIFOs of a movement, while the axis
-/// plays the movement; rows that were played free their space.
+/// plays the movement. Rows that were played free their space.
 ///
-/// Each change of the FIFOs has a number, and the axis sees the whole change from the next tick on.
-/// Its motion depends only on the changes and on the numbers in its ticks. From a record of these,
-/// a replay is therefore identical to the last bit.
+/// Each change of the FIFOs has a number, and the whole change is visible to the axis from the next
+/// tick on. So the motion depends only on the changes and on the numbers in the ticks, and a replay
+/// of a record with both is identical to the last bit.
 class Queues {
  public:
   /// Receives each change for the record.
   using Record = std::function<void(const HandedOver&)>;
 
-  /// `last`: number of the last change, which the cycle reads; it must outlive the queues. `record`
-  /// is called before `last` is set.
+  /// `last` receives the number of the last change, for the cycle; it must outlive the queues.
+  /// `record` is called before `last` is set.
   explicit Queues(std::atomic<std::uint64_t>& last, Record record = {})
       : last_(last), record_(std::move(record)) {}
 
@@ -83,12 +83,14 @@ class Queues {
   void take(const RowsArrived& arrived, Receiver& receiver);
   /// Returns the movement of a queue; null if the queue is not open.
   [[nodiscard]] std::shared_ptr<Movement> movement(std::uint32_t queue) const;
-  /// Returns the required position of the axis at the start, u (unit of the axis); nullopt if rows
-  /// are relative to its position.
+  /// Returns the position at which the axis must stand at the start, u (unit of the axis); nullopt
+  /// if rows are relative to the position of the axis.
   [[nodiscard]] std::optional<double> origin(std::uint32_t queue) const;
-  /// Selects the bank with which a queue begins. Only while the axis does not have its movement.
+  /// Selects the bank with which a queue begins. Requires that the axis does not have the movement
+  /// of the queue.
   void begin_with(std::uint32_t queue, int bank);
-  /// Drops the rows of this movement that were not played: the axis no longer reads the movement.
+  /// Drops the rows of this movement that were not played. Call when the axis no longer reads the
+  /// movement.
   void handed_back(std::uint64_t movement) const;
   /// Sends the progress of each queue.
   void report(const Tick& last, Receiver& receiver) const;
@@ -99,11 +101,12 @@ class Queues {
   bool clear(std::uint32_t queue, int bank);
   /// Marks a stream as complete. Returns false if it has no rows, or does not end at rest.
   bool end(std::uint32_t queue);
-  /// Closes all queues: their session has ended. The queue that is played continues with its rows.
+  /// Closes all queues. Call when their session has ended. A queue that is being played continues
+  /// with its rows.
   void close() { open_.clear(); }
 
   /// Returns the number of waiting rows and the capacity of the queue with this movement; 0, 0 if
-  /// there is none.
+  /// no queue has the movement.
   [[nodiscard]] std::array<std::uint32_t, 2> fill(std::uint64_t movement) const;
 
  private:

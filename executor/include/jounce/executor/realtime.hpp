@@ -14,10 +14,11 @@ struct Realtime {
   [[nodiscard]] bool asked() const { return priority > 0 || cpu >= 0; }
 };
 
-/// Applies the requests to the calling thread. With a priority, all memory of the process is
-/// locked. In any case, the stack is touched in advance, so that no page fault occurs later, and
-/// the timer slack is set to 1 ns instead of 50 us (SCHED_FIFO has no slack). A request that the
-/// system does not permit is skipped. Returns the results as text; "" if nothing was requested.
+/// Applies the requests to the calling thread. A request that the system does not permit is
+/// skipped. With a priority, all memory of the process is locked. In any case, the function touches
+/// the stack in advance, so that no page fault occurs later, and sets the timer slack to 1 ns
+/// instead of 50 us (SCHED_FIFO has no slack). Returns the results as text; "" if nothing was
+/// requested.
 std::string make_realtime(const Realtime& wanted);
 
 }  // namespace jounce

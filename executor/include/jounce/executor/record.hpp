@@ -19,28 +19,28 @@
 
 namespace jounce {
 
-/// The parts of the record of a run. Each part is an event, in chronological order. A record is an
-/// LCM log: `lcm-logplayer` plays it, `lcm-spy` shows it with the types of executor/lcm, and
+/// The record of a run: a sequence of events in chronological order. A record is an LCM log:
+/// `lcm-logplayer` plays it, `lcm-spy` shows it with the types of executor/lcm, and
 /// docs/executor/replay.md describes it for users. The only time in a record is the tick: the time
-/// stamp of an event is tick * period in us, independent of the clock.
+/// stamp of an event is tick * period in us, independent of any clock.
 ///
 /// Indices of axes and masters count from 0. Units: u is the unit of the axis, m that of its
 /// master.
 
-/// Configuration of an axis. It precedes all other events of the axis.
+/// Configuration of an axis. This event precedes all other events of the axis.
 struct RecordedAxis {
   std::size_t axis = 0;    ///< index of the axis
   std::string name = {};   ///< name of the axis
   Units units = {};        ///< units of the master (x) and of the position
   AxisConfig config = {};  ///< its configuration
   bool whole = true;       ///< false: a black box, which begins in the middle of a run
-  /// True: it has outputs that are not in the record, so a replay is not possible.
+  /// True: the axis has outputs that are not in the record, so a replay is not possible.
   bool switches = false;
   AxisSwitches outputs = {};  ///< its cam switches; recorded as RecordedOutput events
   AxisCompare compare = {};   ///< its position compare; recorded as RecordedOutput events
 };
 
-/// A table, or a part of a large table: at most 200 knots in an event.
+/// A table, or a part of a large table. An event has at most 200 knots.
 struct RecordedTable {
   Sha256 hash{};                                ///< hash of the whole table
   Units units = {};                             ///< units of the table
@@ -52,7 +52,7 @@ struct RecordedTable {
   Columns columns = {};                         ///< columns of this part
 };
 
-/// The arguments of a Job or a LiveCam. Its tables are identified by their hashes.
+/// The arguments of a Job or a LiveCam. Hashes identify the tables.
 struct RecordedJob {
   std::size_t axis = 0;            ///< index of the axis
   std::uint64_t id = 0;            ///< id of the movement
@@ -77,18 +77,18 @@ struct RecordedGear {
 struct RecordedQueue {
   std::size_t axis = 0;    ///< index of the axis
   std::uint64_t id = 0;    ///< id of the movement
-  wire::Queue queue = {};  ///< the message that opened it
+  wire::Queue queue = {};  ///< the message that opened the queue
 };
 
-/// Rows that were added to a queue, or another change of the queue. A large number of rows makes
-/// several events.
+/// Rows that were added to a queue, or another change of the queue. If many rows were added at
+/// once, they are several events.
 struct RecordedRows {
   std::size_t axis = 0;  ///< index of the axis
   HandedOver what = {};  ///< the change
 };
 
-/// One axis in one tick: its command, inputs and outputs. `tick` contains neither the edges of the
-/// cam switches nor the returned movements.
+/// One axis in one tick: its command, inputs and outputs. Two members of `tick` are empty: the
+/// edges of the cam switches, and the returned movements.
 struct RecordedCycle {
   std::size_t axis = 0;        ///< index of the axis
   Command command = {};        ///< command of the tick
@@ -97,7 +97,7 @@ struct RecordedCycle {
   Tick tick = {};              ///< outputs of the tick
 };
 
-/// A master of the machine at the start of the run. Recorded after the axes.
+/// A master of the machine at the start of the run. This event follows the axes.
 struct RecordedMaster {
   std::size_t master = 0;       ///< index of the master
   std::string name = {};        ///< name of the master
@@ -119,7 +119,7 @@ struct RecordedSample {
   MasterSample sample = {};  ///< the input
 };
 
-/// Value of a master in a cycle. Recorded before the axes of the same tick.
+/// Value of a master in a cycle. This event precedes the cycles of the axes of the same tick.
 struct RecordedSight {
   std::size_t master = 0;  ///< index of the master
   MasterSight sight = {};  ///< the value
@@ -150,7 +150,7 @@ struct TickDifference {
   double replayed = 0;  ///< value of the replay
 };
 /// Returns the first difference, in the order of the fields of cycle_t; nullopt if the ticks are
-/// identical. `switches`: also compares the outputs and the instants of their edges.
+/// identical. If `switches` is true, compares also the outputs and the instants of their edges.
 std::optional<TickDifference> first_difference(const Tick& recorded, const Tick& replayed,
                                                bool switches = true);
 

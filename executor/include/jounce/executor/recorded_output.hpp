@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// A part of the configuration of an axis's outputs in a record: one cam switch, the options of one
-/// track, or some points of its position compare.
+/// A part of the configuration of an axis's outputs, as an event of a record. A part is one cam
+/// switch, the options of one track, or some points of the position compare.
 ///
 ///     for (const RecordedOutput& part : parts_of(0, switches, compare)) write(part);
 ///     apply(part, switches, compare);                // once each, in this order: restores both
@@ -35,10 +35,11 @@ struct RecordedOutput {
   std::vector<ComparePoint> some = {};        ///< points of this part
 };
 
-/// True if a record can contain the whole position compare: it has at most `longest` points.
+/// True if a record can contain the whole position compare, that is, if it has at most `longest`
+/// points.
 bool recordable(const AxisCompare& compare);
 
-/// Returns the parts of the outputs of an axis, in the order of apply().
+/// Returns the configuration of the outputs of an axis as parts, in the order for apply().
 std::vector<RecordedOutput> parts_of(std::size_t axis, const AxisSwitches& switches,
                                      const AxisCompare& compare);
 

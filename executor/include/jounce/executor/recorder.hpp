@@ -20,22 +20,23 @@
 
 namespace jounce {
 
-/// A ring buffer from the cyclic thread to the recorder. It contains cycles, and the number of lost
-/// ones.
+/// A ring buffer from the cyclic thread to the recorder. It contains cycles, and the number of
+/// cycles that were lost.
 ///
 ///     buffer.add(i, command, inputs, tick);        // the cyclic thread, after every step of an axis
 class RecordBuffer {
  public:
-  /// Number of items: 16 s of one axis at 1 kHz, 0.25 s of 64 axes.
+  /// Greatest number of items: 16 s of one axis at 1 kHz, or 0.25 s of 64 axes.
   static constexpr std::size_t capacity = 16384;
 
   /// Adds a cycle of an axis. Does not allocate or wait. If the ring is full, the cycle is lost,
   /// and the loss is counted.
   void add(std::size_t axis, const Command& command, const Inputs& inputs,
            const Tick& tick) noexcept;
-  /// Adds an input of a master in a cycle. Call it before the add() of the value of that cycle.
+  /// Adds an input of a master in a cycle. Call before the add() of the master's value in this
+  /// cycle.
   void add(std::size_t master, const MasterSample& sample) noexcept;
-  /// Adds the value of a master in a cycle. Call it before the add() of the axes of that cycle.
+  /// Adds the value of a master in a cycle. Call before the add() of the axes in this cycle.
   void add(std::size_t master, const MasterSight& sight) noexcept;
 
  private:
@@ -70,15 +71,15 @@ struct RecorderOptions {
 ///     recorder.turn();                                       // often: empties the buffer
 ///     recorder.close();
 ///
-/// **The log** is written as LOG.part, and gets its name when it is closed. If the executor is
-/// killed, LOG.part is a valid record up to some point. An existing path that is not a regular file
-/// is written directly. If the disk is full, the log ends with one notice, and the motion
+/// **The log** is written as LOG.part, and gets its final name when it is closed. If the executor
+/// is killed, LOG.part is a valid record up to some point. If the path exists and is not a regular
+/// file, it is written directly. If the disk is full, the log ends with one notice, and the motion
 /// continues.
 ///
 /// **The black box** contains the last cycles of every axis. It is written at a fault of an axis,
 /// and ends with the cycle of the fault. A new fault replaces the file. The file is first written
-/// under a temporary name: if this fails, the previous file stays unchanged, and one notice reports
-/// the failure.
+/// under a temporary name; if writing fails, the previous file stays unchanged, and one notice
+/// reports the failure.
 ///
 /// Cycles that did not fit into the buffer are recorded as lost. A replay ends there.
 class Recorder {
@@ -91,17 +92,17 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Records the arguments of a Job; the hashes of its tables are taken from `time` and `cam`. Each
+  /// Records the arguments of a Job. The hashes of its tables are those of `time` and `cam`. Each
   /// table is written only once.
   void job(const RecordedJob& job, const StoredTable& time, const StoredTable* cam = nullptr);
   /// Records the arguments of another movement, or a change of a queue.
   void note(const RecordEvent& event) { write(event, now_); }
-  /// Writes the content of the buffer.
+  /// Writes the content of the buffer. Call often.
   void turn();
   /// Writes all remaining items, and gives the log its name. Without this call, LOG.part remains.
   void close();
 
-  /// Reason why a file could not be written (the first such failure); "" if there was none.
+  /// Reason for the first failure to write a file; "" if all files were written.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
   /// Files that could not be written: bits of wire::Unwritten.
   [[nodiscard]] std::uint8_t unwritten() const { return unwritten_; }

@@ -20,7 +20,7 @@ struct Replay {
     std::size_t axis = 0;      ///< index of the axis or of the master
     std::int64_t tick = 0;     ///< tick of the difference
     TickDifference what = {};  ///< field and values
-    bool of_master = false;    ///< true: index of a master
+    bool of_master = false;    ///< true: `axis` is the index of a master
   };
 
   std::vector<RecordedAxis> axes = {};  ///< the axes in the record
@@ -32,19 +32,19 @@ struct Replay {
   std::vector<Master> masters = {};  ///< the masters in the record
   std::int64_t cycles = 0;           ///< number of cycles in the record, of all axes together
   std::int64_t compared = 0;         ///< number of cycles that were computed again
-  /// nullopt: no difference.
+  /// The first difference; nullopt: none.
   std::optional<Difference> difference = {};
-  /// Reason, as a sentence, why a part of the record was not computed again; "" if everything was,
+  /// Reason, as a sentence, why a part of the record was not computed again; "" if all of it was,
   /// or if there is a difference.
   std::string shorter = {};
-  /// First tick of the record; nullopt: it has no cycles.
+  /// First tick of the record; nullopt: the record has no cycles.
   std::optional<std::int64_t> first_tick = {};
   std::int64_t last_tick = 0;  ///< last tick of the record
 
   /// True if the whole record was computed again, with identical results.
   [[nodiscard]] bool same() const { return !difference && shorter.empty(); }
-  /// True if nothing differs, and everything that can be computed again was computed. (A black box
-  /// cannot be computed again, because it begins in the middle of a run.)
+  /// True if the replay found no difference, and computed everything that can be computed. (A black
+  /// box cannot be computed again, because it begins in the middle of a run.)
   [[nodiscard]] bool agrees() const {
     return same() || (!difference && !axes.empty() && !axes.front().whole);
   }
@@ -57,16 +57,16 @@ struct Replay {
 ///     const Replay r = replay(file, "run.lcmlog");
 ///     if (r.difference) std::cerr << r.difference->what.field;
 ///
-/// External masters are computed again from their samples and readings ("master_position", ...).
-/// The value of the master in each follower is compared, too ("live_master").
+/// External masters and encoders are computed again from their samples and readings (fields
+/// "master_position", ...). The value of the master in each follower is also compared (field
+/// "live_master").
 ///
-/// `name`: name of the file for errors. `watch` is called for every cycle in the record, even after
-/// a difference. It is also called for a black box, which begins in the middle of a run and cannot
-/// be computed again. `watch_master` is called for every value of a master. The record is read as a
-/// stream, so its length does not matter.
+/// `name` is the name of the file for errors. `watch` is called for every cycle in the record, even
+/// after a difference, and also for a black box. `watch_master` is called for every value of a
+/// master. The record is read as a stream, so it may have any length.
 ///
-/// Lost cycles, a movement that is not in the record (a custom program did not record it), and a
-/// truncated file end the computation early, but not the reading.
+/// In three cases the computation ends early, but not the reading: cycles are lost, a movement is
+/// not in the record (a custom program did not record it), or the file is truncated.
 ///
 /// Throws InputError, with the number and the position of the event, for a file that is not an LCM
 /// log, a damaged file, a file without events of Jounce, a table with a wrong hash, and an axis

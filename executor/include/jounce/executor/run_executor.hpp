@@ -19,7 +19,7 @@ struct RunOptions {
   std::optional<double> seconds{};  ///< duration of the run, s, > 0; nullopt: until a signal
   /// Masters of the machine; their notices are sent to the first axis's `notify`.
   std::vector<MachineMaster> masters = {};
-  /// True: ends when a motion has ended, for any reason, and all axes are at rest.
+  /// True: the run ends when a motion has ended, for any reason, and all axes are at rest.
   bool once = false;
   Realtime realtime = {};  ///< real-time requests of the cyclic thread
   /// Limit of the watchdog, s: if the communication thread does not respond for longer, all axes
@@ -39,7 +39,7 @@ struct AxisSummary {
   std::uint64_t stopped = 0;   ///< number of motions that a stop brought to rest
   Cause fault = Cause::none;   ///< fault that is latched at the end
   double position = 0;         ///< position at the end, u (unit of the axis)
-  bool log_truncated = false;  ///< true if the log ended before the run
+  bool log_truncated = false;  ///< true if the log ended before the end of the run
 };
 
 /// Result of run_executor().
@@ -51,10 +51,10 @@ struct ExecutorSummary {
   std::string realtime;           ///< result of make_realtime(); "" without a request
   std::string record_trouble;     ///< reason why the record is incomplete; "": it is complete
   std::int64_t record_lost = 0;   ///< number of cycles that are missing in the record
-  /// Name that another executor owns, so that this executor ended; "": none.
+  /// Name that another executor owns, which is why this executor ended; "": none.
   std::string lost_name;
 
-  /// True if the fault of an axis is latched at the end.
+  /// True if an axis has a latched fault at the end.
   [[nodiscard]] bool has_fault() const {
     return std::any_of(axes.begin(), axes.end(),
                        [](const AxisSummary& axis) { return axis.fault != Cause::none; });
@@ -68,12 +68,12 @@ struct ExecutorSummary {
 
 /// Runs an executor (`jounce run`). The cyclic thread steps all axes; the calling thread
 /// communicates over `link`. The run ends after the given time, after one motion, or at SIGINT or
-/// SIGTERM. Before it ends, axes in motion stop on their paths. A second signal ends it without
-/// waiting for them.
+/// SIGTERM. Before it ends, axes in motion stop on their paths. A second signal ends the run
+/// without waiting for these stops.
 ///
 /// Before the executor opens a file, it claims the names of its axes, all at once, in 0.3 s
-/// (Claim). If two running executors with the same name meet later, because two networks were
-/// connected, one of them ends.
+/// (Claim). If two running executors have the same name, because two networks were connected later,
+/// one of them ends.
 ///
 /// Throws InputError for invalid options and for a name that another executor owns, TransportError
 /// for the link, and std::system_error if a log cannot be created.

@@ -19,7 +19,7 @@ namespace jounce {
 ///     auto job = worker.ask([table] { return std::make_unique<Job>(1, table); });
 ///     if (job.wait_for(0s) == std::future_status::ready) play(job.get());   // or throws
 ///
-/// The destructor waits for the present task, and drops the others.
+/// The destructor waits for the end of the present task, and drops the other tasks.
 class Worker {
  public:
   Worker() : thread_([this](const std::stop_token& leave) { run(leave); }) {}
@@ -55,7 +55,7 @@ class Worker {
   std::mutex mutex_;
   std::condition_variable_any asked_;
   std::deque<std::function<void()>> tasks_;
-  std::jthread thread_;  // last: it uses the others
+  std::jthread thread_;  // declared last: the thread uses the other members
 };
 
 }  // namespace jounce

@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// A clutch in exact counts: the ratio of a gear changes over a distance of the master. The change
-/// may engage a gear (from the ratio 0) or replace the ratio of a running one (Googol
+/// A clutch in exact counts: it changes the ratio of a gear over a distance of the master. It
+/// engages a gear (from the ratio 0), or replaces the ratio of a running gear (Googol
 /// GT_SetGearRatio with masterSlope, manual 7.5).
 ///
 ///     const Clutch clutch(Gear::ratio(0, 1), Gear::ratio(1, 2), 100'000);   // Googol example 7-5
@@ -25,32 +25,33 @@ namespace jounce {
 ///
 /// for either direction of the master. When the clutch is complete, the ratio is r1 permanently.
 ///
-/// **A master that reverses inside the clutch** makes the slave retrace its motion. The ratio falls
-/// to r0 at the start of the clutch, and rises again on the other side of it. So position and ratio
-/// never step, and a master that trembles does not make the slave creep. A distance of 0 changes
-/// the ratio at once: the velocity of the slave steps.
+/// **A master that reverses inside the clutch** makes the slave move back along the same curve. The
+/// ratio falls to r0 at the start of the clutch, and rises again on the other side of the start. So
+/// position and ratio never step, and a master that trembles does not make the slave creep. With a
+/// distance of 0 the ratio changes at once: the velocity of the slave steps.
 ///
-/// Exact: no count is lost or gained in any number of cycles. advance() does not allocate. The
-/// comments of the constructor and of after() describe the rounding.
+/// Exact: no count is lost or gained in any number of cycles. The constructor and after() describe
+/// the rounding. advance() does not allocate.
 class Clutch {
  public:
-  /// A clutch from one ratio to another over `distance` master counts. Counts are exact if 2 d r q
-  /// stays below 2^62, where r is the greater ratio and q the common denominator of the two ratios.
-  /// `to` is never rounded. `from` may have any denominator, as it does if the clutch replaces
-  /// another one. If necessary, `from` is rounded to the nearest ratio with exact counts, within
-  /// 2^-20 and usually much closer. Nothing else is rounded. The velocity of the slave then steps
-  /// by that share of the master's velocity, its position does not step, and (2) holds with the
-  /// rounded ratio. So any number of clutches may follow one another.
+  /// Makes a clutch from one ratio to another over `distance` master counts. Counts are exact if 2
+  /// d r q stays below 2^62, where r is the greater ratio and q the common denominator of the two
+  /// ratios. `to` is never rounded. `from` may have any denominator; if the clutch replaces another
+  /// one, the denominator can be large. If necessary, `from` is rounded to the nearest ratio with
+  /// exact counts, within 2^-20 and usually much closer. Then the velocity of the slave steps by
+  /// this share of the master's velocity, the position of the slave does not step, and (2) holds
+  /// with the rounded ratio. Nothing else is rounded, so any number of clutches may follow one
+  /// another.
   ///
   /// Throws InputError "distance" if the distance is negative, or too long even with rounding.
   Clutch(const Gear& from, const Gear& to, std::int64_t distance);
 
   /// State from cycle to cycle.
   struct State {
-    /// u, master counts since the clutch began; not used after the clutch is complete.
+    /// u, master counts since the clutch began; not used when the clutch is complete.
     std::int64_t way = 0;
     std::int64_t remainder = 0;  ///< remainder of a slave count, as a multiple of 1/denominator_
-    bool engaged = false;        ///< true if the clutch is complete: the new ratio holds
+    bool engaged = false;        ///< true if the clutch is complete: the ratio is r1
   };
 
   /// Returns the increment of the slave (counts) for an increment of the master (counts).
@@ -60,7 +61,7 @@ class Clutch {
   [[nodiscard]] Gear ratio(const State& state) const;
 
   /// Returns the state with which this clutch replaces another clutch in the given state. The
-  /// remainder of a count is kept, rounded down to the resolution of this clutch.
+  /// remainder of a count is kept, but rounded down to the resolution of this clutch.
   [[nodiscard]] State after(const Clutch& before, const State& state) const;
 
   [[nodiscard]] std::int64_t distance() const { return distance_; }  ///< d, master counts
@@ -70,20 +71,21 @@ class Clutch {
   std::int64_t from_, to_;    // ratios * common_
   std::int64_t common_;       // denominator of both ratios
   std::int64_t scale_;        // 2 d, or 1 where d is 0
-  std::int64_t denominator_;  // common_ * scale_: the parts of a slave count
+  std::int64_t denominator_;  // common_ * scale_: number of parts of a slave count
 };
 
 /// The directions of the master in which a slave follows (Googol GT_PrfGear dir, manual 7.5).
 enum class FollowDirection : std::int8_t { both = 0, positive = 1, negative = -1 };
 
-/// Behavior of a slave that follows in one direction only, when its master reverses.
+/// Behavior while the master moves against the direction that the slave follows.
 enum class Reversal : std::uint8_t {
-  /// The slave stands still, and continues as soon as the master moves forward again: a freewheel.
+  /// The slave stands still, and continues as soon as the master moves forwards again, like a
+  /// freewheel.
   hold,
   recover,  ///< the slave stands still until the master is back at the position where it reversed
 };
 
-/// Returns those increments of a master that the slave follows. Use it in front of a gear or a
+/// Selects the increments of a master that the slave follows. Use it in front of a gear or a
 /// clutch.
 ///
 ///     DirectionMask mask{FollowDirection::positive};
@@ -91,10 +93,11 @@ enum class Reversal : std::uint8_t {
 ///
 /// **hold**, the default, never steps the velocity: a master reverses through standstill, so the
 /// slave's velocity is 0 when it stops and when it continues. The distance that the master moves
-/// back is lost, so a master that oscillates makes the slave creep forward.
+/// back is lost. So a master that oscillates makes the slave creep forwards.
 ///
-/// **recover** keeps the phase, because the slave follows the furthest position of its master. The
-/// slave does not creep, but its velocity steps when the master passes that position at speed.
+/// **recover** keeps the phase between master and slave, because the slave follows the furthest
+/// position of its master. The slave does not creep, but its velocity steps when the master passes
+/// the furthest position at speed.
 struct DirectionMask {
   FollowDirection direction = FollowDirection::both;  ///< directions that the slave follows
   Reversal reversal = Reversal::hold;  ///< behavior while the master moves against `direction`

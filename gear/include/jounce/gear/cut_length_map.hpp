@@ -13,8 +13,8 @@
 
 namespace jounce {
 
-/// The fastest line for each cut length, and the limit that determines it: for a rotary knife, a
-/// flying shear, or any cam that can be made for a length.
+/// The fastest line for each cut length, and the limit that determines its speed. For a rotary
+/// knife, a flying shear, or any cam that can be made for a given length.
 ///
 ///     const CamOfLength cams = [](double length) -> std::optional<Cam> { ... };
 ///     const CutLimits limits{{.velocity = 40, .acceleration = 400}, 20};   // slave; line, m/s
@@ -23,13 +23,14 @@ namespace jounce {
 ///     const auto shortest = shortest_length(cams, limits, 20, 1, 9.42);    // at 20 m/s
 ///
 /// **Exact.** The speed is that of greatest_master_velocity()
-/// (jounce/cam/coupling/master_limits.hpp), which does not sample the cam. Lengths are roots, found
-/// to 1e-13 of the length, independent of the given grid.
+/// (jounce/cam/coupling/master_limits.hpp), which does not sample the cam. shortest_length() and
+/// limit_changes() find lengths as roots, to 1e-13 of the length, independent of the grid of
+/// `lengths`.
 ///
 /// Units: m for the web (the material), u for the slave, s for time.
 
-/// Makes the cam of one cut of the given length, over this length of the web; nullopt if it is
-/// impossible.
+/// Returns the cam of one cut of the given length, over this length of the web; nullopt if no such
+/// cam exists.
 using CamOfLength = std::function<std::optional<Cam>(double length)>;
 
 /// Limits of a cut.
@@ -44,18 +45,19 @@ struct CutSpeed {
   double length = 0;  ///< m
   double speed = 0;   ///< m/s; 0 if no cam exists, infinite if nothing limits it
   /// The limit that determines the speed: "velocity", "acceleration" or "jerk" of the slave;
-  /// "line"; "length" if no cam exists; "" if nothing limits it. Some machines have their own
-  /// rules: "reversal", "stroke".
+  /// "line"; "length" if no cam exists; "" if nothing limits the speed. Some machines add limits of
+  /// their own, such as "reversal" and "stroke".
   std::string limit = {};
-  double where = 0;  ///< m, position on the cam where the limit is reached
+  double where = 0;  ///< m, position on the cam at which the slave reaches the limit
 };
 /// Returns the greatest line speed for a length.
 CutSpeed fastest_cut(const CamOfLength& cams, double length, const CutLimits& limits);
 
-/// Computes the speed without a cam, for a shear that is designed anew for every speed.
+/// Returns the speed for a length without a given cam: for a shear that is designed anew for every
+/// speed.
 using CutSpeedOfLength = std::function<CutSpeed(double length)>;
 
-/// fastest_cut() for every length, in their order.
+/// Return fastest_cut() for every length, in the order of the lengths.
 std::vector<CutSpeed> cut_length_map(const CutSpeedOfLength& fastest,
                                      std::span<const double> lengths);
 std::vector<CutSpeed> cut_length_map(const CamOfLength& cams, std::span<const double> lengths,
@@ -74,9 +76,9 @@ std::vector<LimitChange> limit_changes(const CutSpeedOfLength& fastest,
 std::vector<LimitChange> limit_changes(const CamOfLength& cams, std::span<const CutSpeed> map,
                                        const CutLimits& limits);
 
-/// Lmin: the shortest length in [from, to] that can be cut at `speed` (m/s), provided that all
-/// longer lengths in the interval can be cut, too (for a knife: to = its synchronous length).
-/// nullopt if `to` cannot be cut.
+/// Returns the shortest length (Lmin) in [from, to] that can be cut at `speed` (m/s), provided that
+/// all longer lengths in the interval can be cut, too (for a knife: to = its synchronous length).
+/// Returns nullopt if `to` cannot be cut.
 std::optional<double> shortest_length(const CamOfLength& cams, const CutLimits& limits,
                                       double speed, double from, double to);
 

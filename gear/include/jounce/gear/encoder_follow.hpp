@@ -25,11 +25,11 @@ struct EncoderFollowSpec {
 ///     follow.add(state, 500, 100);                        // PosAdditive: 500 pulses in 100 cycles
 ///
 /// The filter is the moving average over `filter` cycles, with a delay of (filter - 1) / 2 cycles.
-/// The manual does not define the filter; this one is the smoothest with its delay, and it ends,
-/// unlike a first-order lag. The sum of the window is kept in whole counts and divided once, so no
-/// count is lost: `filter` - 1 cycles after the encoder has stopped, the slave has moved by exactly
-/// floor(encoder * ratio), plus the pulses of add(). The caller reports error 5001 (another
-/// function block controls the axis).
+/// (The manual does not define its filter; of all filters with this delay, the moving average is
+/// the smoothest, and unlike a first-order lag it ends.) The sum of the window is kept in whole
+/// counts and divided once, so no count is lost: `filter` - 1 cycles after the encoder has stopped,
+/// the slave has moved by exactly floor(encoder * ratio), plus the pulses of add(). The caller must
+/// report error 5001 (another function block controls the axis).
 ///
 /// `State` is a value; step() and add() do not allocate.
 class EncoderFollow {
@@ -55,10 +55,10 @@ class EncoderFollow {
   /// Returns the pulses of the slave in this cycle, for the increment of the encoder (counts).
   std::int64_t step(State& state, std::int64_t encoder_increment) const;
 
-  /// PosAdditive_Trig: adds pulses to the slave, independent of the ratio, spread evenly over the
+  /// Adds pulses to the slave (PosAdditive_Trig), independent of the ratio, spread evenly over the
   /// next `cycles` >= 1 cycles. After k of these cycles, floor(k pulses / cycles) pulses have been
-  /// added: always less than one pulse from a straight line. The rest of an earlier add() is spread
-  /// together with them. Throws InputError "cycles".
+  /// added, so the motion is always less than one pulse from a straight line. Pulses that remain
+  /// from an earlier add() are spread together with the new ones. Throws InputError "cycles".
   static void add(State& state, std::int64_t pulses, std::int64_t cycles);
 
  private:

@@ -14,19 +14,20 @@ struct MasterRange {
   MasterRates rates = {};  ///< m/s^2, m/s^3
 };
 
-/// Checks whether a slave in step with its master keeps its limits over time, at every speed of the
-/// master in the range.
+/// Checks whether a slave in step with its master stays within its limits over time, at every speed
+/// of the master in the range.
 ///
 ///     const SyncCam slave = gear_course(course);
 ///     Report report = feasibility(slave.cam, {.velocity = 50, .acceleration = 0.1}, {.velocity = 100});
 ///     for (const Finding& f : report.findings)
 ///       if (f.broken) ...   // f.quantity "acceleration", f.where 0 m, f.advice "at most 44.7 m/s"
 ///
-/// There is one finding for each given limit: "feasible/velocity", "feasible/acceleration",
-/// "feasible/jerk". `value` is the master's greatest velocity, `limit` the greatest velocity that
-/// keeps this limit, `where` the master position at which the limit is reached. Exact
-/// (jounce/cam/coupling/master_limits.hpp). All terms grow with the master's speed, so the greatest
-/// speed decides. Throws InputError if a limit or the range is out of range.
+/// Returns one finding for each given limit: "feasible/velocity", "feasible/acceleration",
+/// "feasible/jerk". `value` is the master's greatest velocity, `limit` the greatest velocity at
+/// which the slave stays within this limit, and `where` the master position at which the slave
+/// reaches the limit. Exact (jounce/cam/coupling/master_limits.hpp). All terms grow with the
+/// master's speed, so it is enough to check the greatest speed. Throws InputError if a limit or the
+/// range is invalid.
 Report feasibility(const Cam& cam, const Limits& slave, const MasterRange& master);
 
 }  // namespace jounce

@@ -21,28 +21,30 @@ namespace jounce {
 ///     ShearBound least = least_cut_length(shear);        // 966.4 mm, "return acceleration"
 ///     ShearBound fastest = greatest_line_speed(shear);   // at this length
 ///
-/// **Vocabulary.** The master m is the travel of the material, the slave u that of the carriage
-/// along its guide. The cam has five intervals: *accelerate*, *sync*, *decelerate*, *return*, and
-/// *wait* at home if the return ends early. It begins at home (u = 0) at rest, and ends there
-/// exactly. The letters m and u also stand for their units.
+/// **Vocabulary.** The master is the travel of the material, in its unit m. The slave is the travel
+/// of the carriage along its guide, in its unit u. The cam has five intervals: *accelerate*,
+/// *sync*, *decelerate*, *return*, and *wait* at home if the return ends early. It begins at home
+/// (u = 0) at rest, and ends exactly at home.
 ///
-/// **Omitted values are computed.** Accelerating and braking are as short as the limits permit,
-/// times `safety`. The return takes the rest of the cycle. The default sync is the longest that the
-/// stroke and the return permit.
+/// **Omitted values are computed.** Accelerating and braking take the shortest lengths that the
+/// limits permit, times `safety`. The return takes the rest of the cycle. If sync_time and
+/// sync_length are omitted, the sync is the longest that the stroke and the return permit.
 ///
-/// **Throws** InputError for invalid numbers, and if no such motion is within the limits. The error
-/// then names the limit, and the least cut length or the fastest line that is possible.
+/// **Throws** InputError for invalid numbers, and if no such motion is within the limits. The
+/// message of the latter error names the limit, and the least cut length or the fastest line that
+/// is possible.
 struct FlyingShear {
   double cut_length = 0;  ///< m, > 0: one cycle of the master
   double line_speed = 0;  ///< m/s, > 0: line speed at which the limits must hold
 
-  /// Time or distance for which carriage and material are in step. Give at most one; if both are
-  /// omitted, the sync follows from the stroke.
+  /// Time or distance for which carriage and material are in step. Give at most one of them; if
+  /// both are omitted, the stroke determines the sync.
   std::optional<double> sync_time = {};    ///< s, > 0
   std::optional<double> sync_length = {};  ///< m, > 0
   std::optional<double> stroke = {};       ///< u, > 0: greatest distance from home
 
-  /// Travel of the line (m) while the carriage accelerates, brakes, and returns. Omitted: computed.
+  /// Travel of the line (m) while the carriage accelerates, brakes, and returns. Omitted: computed
+  /// from the limits.
   std::optional<double> acceleration_length = {};
   std::optional<double> deceleration_length = {};  ///< default: acceleration_length
   std::optional<double> return_length = {};
@@ -60,7 +62,8 @@ struct FlyingShear {
   /// 1/4-1/2-1/4 trapezoid.
   LawForm return_form = {};
 
-  double ratio = 1;  ///< u/m, > 0: unit factor of the line's travel, such as 1000 for m to mm
+  double ratio = 1;  ///< u/m, > 0: converts the line's travel to the slave's unit, such as 1000 for
+                     ///< m to mm
   /// rad, |angle| < pi/2: angle between guide and line; not 0 for a diagonal saw.
   double angle = 0;
 };
@@ -78,30 +81,30 @@ struct ShearPlan {
 
 /// A bound, and the limit that determines it: "sync velocity", "ramp acceleration", "ramp jerk",
 /// "stroke", "return velocity", "return acceleration", "return jerk", "return length", "cut
-/// length"; "" if none.
+/// length"; "" if no limit does.
 struct ShearBound {
   double value = 0;           ///< m or m/s
   std::string quantity = {};  ///< the limit
 };
 
-/// Returns the intervals of the cycle. Throws as described above.
+/// Returns the intervals of the cycle. Throws InputError as described for FlyingShear.
 ShearPlan shear_plan(const FlyingShear& shear);
-/// Returns the cam of one cycle. Throws as described above.
+/// Returns the cam of one cycle. Throws InputError as described for FlyingShear.
 SyncCam flying_shear(const FlyingShear& shear);
 
 /// Returns the cam for another cut length, at the fastest line speed that this length permits, but
-/// at most `line_speed`. nullopt if no speed is possible. Throws InputError if the sync follows
-/// from the stroke, because the sync would shrink to zero at the fastest line.
+/// at most `line_speed`. Returns nullopt if no speed is possible. Throws InputError if the stroke
+/// determines the sync, because the sync would then shrink to zero at the fastest speed.
 std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length);
 
 /// Returns the least cut length (m) that is possible at `line_speed`; shear.cut_length is not used.
-/// Infinite if none is possible. If the sync follows from the stroke, the sync is zero at the
-/// bound, so only longer pieces can be cut. Exact: closed form.
+/// Returns infinity if no length is possible. If the stroke determines the sync, the sync is zero
+/// at the bound, so only longer pieces can be cut. Exact: closed form.
 ShearBound least_cut_length(const FlyingShear& shear);
 
 /// Returns the greatest line speed (m/s) at which `cut_length` is possible; shear.line_speed is not
-/// used. Infinite if nothing limits it; 0 if no speed is possible. Bisected to the last digit,
-/// because every requirement grows with the speed.
+/// used. Returns infinity if nothing limits the speed, and 0 if no speed is possible. Bisected to
+/// the last digit, because every requirement grows with the speed.
 ShearBound greatest_line_speed(const FlyingShear& shear);
 
 }  // namespace jounce

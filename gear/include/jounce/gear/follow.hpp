@@ -11,8 +11,8 @@
 
 namespace jounce {
 
-/// Nominal end of a follow table. It is a check sum for increments that were typed by hand. u is
-/// the slave's unit, m the master's.
+/// Nominal end of a follow table: a checksum for increments that were typed by hand. u is the
+/// slave's unit, m the master's.
 struct FollowEnd {
   double master = 0;  ///< m
   double slave = 0;   ///< u
@@ -22,8 +22,8 @@ struct FollowEnd {
 /// speed divided by the master's) is linear, so its position is quadratic. The types of segments
 /// are those of PtType.
 struct FollowTable {
-  /// Ends of the segments, cumulative from the table's origin: x is the master's travel (m), the
-  /// position is the slave's (u).
+  /// Ends of the segments, cumulative from the table's origin. PtPoint::x is the master's travel
+  /// (m), PtPoint::position the slave's (u).
   std::vector<PtPoint> segments = {};
   std::int64_t loops = 1;             ///< number of passes; below 1: endless
   std::optional<FollowEnd> end = {};  ///< nominal end, checked by check()
@@ -38,25 +38,26 @@ struct FollowTable {
 ///     const SyncCam slave = follow(spec);
 ///     const Report report = check(spec);
 ///
-/// **Vocabulary.** A *pass* is one run through a table. Its *origin* is the position of master and
-/// slave when the pass begins: at the start, at the end of the previous pass, or at the switch to
-/// another table. So the slave's position is always continuous, and every table is relative.
+/// **Vocabulary.** A *pass* is one run through a table. The *origin* of a pass is the position of
+/// master and slave at its beginning: at the start, at the end of the previous pass, or at the
+/// switch to another table. So the slave's position is always continuous, and the positions of
+/// every table are relative.
 ///
 /// **The ratio at the beginning of a pass.** If the first segment is `continued`, it begins with
-/// the end ratio of the previous pass, of the same or of another table. The first pass of all
-/// begins with `start_ratio`. If the first segment is `normal`, the ratio begins at 0, so it steps
-/// if the previous pass ended at another ratio.
+/// the end ratio of the previous pass, of the same or of another table. The first pass of the first
+/// table begins with `start_ratio`. If the first segment is `normal`, the ratio begins at 0, so it
+/// steps if the previous pass ended at another ratio.
 ///
-/// **Over the end.** An endless table repeats and continues from its end (the cam advances; it
-/// wraps if the slave returns to its start). If the first pass differs from later passes, or if
-/// other tables precede the endless one, the cam contains all passes that differ and one more, and
-/// refuses positions beyond. It is a finding if a table ends at a ratio: a controller stops the
-/// slave there at once, while an axis of Jounce brakes. If the master moves backwards, the slave
-/// retraces its motion.
+/// **Beyond the end.** An endless table repeats and continues from its end: the cam advances, or
+/// wraps if the slave returns to its start. If the first pass differs from later passes, or if
+/// other tables precede the endless one, the cam contains all different passes and one more; it
+/// then refuses positions beyond. A last table that ends at a ratio has a finding: a controller
+/// stops the slave at once, while an axis of Jounce brakes. If the master moves backwards, the
+/// slave moves back along the same curve.
 ///
-/// Throws InputError like pt(); if there are several tables, the key begins with the table's
-/// number. Also throws if there is no table, if an endless table is not the last, or if all passes
-/// together have more than 1e6 segments. Source: Googol iDEABOX Pro manual 7.6.
+/// Throws InputError like pt(); if the spec has several tables, the key begins with the table's
+/// number. Throws also if the spec has no table, if an endless table is not the last one, or if all
+/// passes together have more than 1e6 segments. Source: Googol iDEABOX Pro manual 7.6.
 struct FollowSpec {
   std::vector<FollowTable> tables = {};  ///< in the order in which they are played
   double start_ratio = 0;                ///< u/m, ratio of the slave before the first table
@@ -69,25 +70,25 @@ SyncCam follow(const FollowSpec& spec);
 /// Returns the ratio at the start and at the end of each segment of the cam of follow().
 std::vector<PtRate> follow_ratios(const FollowSpec& spec);
 
-/// Finds errors that a controller plays without a message. Each rule reports its worst place and
-/// the number of places. A step of the ratio counts above 1e-9 of the greatest ratio. `segment` is
-/// that of the cam. Throws like follow().
+/// Reports features that a controller would play without a message. Each rule reports its worst
+/// place and the number of places. A step of the ratio counts above 1e-9 of the greatest ratio.
+/// `segment` of a finding is that of the cam. Throws like follow().
 /// - follow/ratio_step: the ratio steps within a table, at an even or a stop segment, or at the
 ///   start.
 /// - follow/wrap_step: the ratio steps from the end of a pass to the start of the next.
 /// - follow/switch_step: the ratio steps from one table to the next, whose first segment is not
 ///   continued.
 /// - follow/open_end: the last table ends at a ratio; a controller then stops the slave at once.
-/// - follow/reversal: the slave moves against its own segment. A travel that no neighbor has is
-///   named, because it may be a misprint. Of a chain of reversals, the first is reported: it causes
-///   the others.
-/// - follow/wrap_ratio: the ratio of an endless table differs from pass to pass. Broken if it
-///   grows, a warning if it alternates.
+/// - follow/reversal: the slave moves against the direction of its segment. If the travel of a
+///   segment differs from those of its neighbors, the finding names it, because it may be a
+///   misprint. Of a chain of reversals, only the first is reported: it causes the others.
+/// - follow/wrap_ratio: the ratio of an endless table differs from pass to pass. Broken if the
+///   difference grows, a warning if it alternates.
 /// - follow/end: the table does not end at its nominal end.
 Report check(const FollowSpec& spec);
 
-/// Returns the travel of the master after which the motion of the slave repeats; nullopt if the
-/// motion ends, or the cam refuses positions beyond.
+/// Returns the travel of the master after which the motion of the slave repeats. Returns nullopt if
+/// the motion ends, or if the cam refuses positions beyond its end.
 std::optional<double> master_period(const FollowSpec& spec);
 
 }  // namespace jounce

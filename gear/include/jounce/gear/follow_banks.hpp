@@ -16,10 +16,10 @@ namespace jounce {
 ///     const FollowBanks banks = follow_banks(spec, 1U << 20U);
 ///     ... fill bank 0 with banks.first, bank 1 with banks.second; queue the switch; start
 ///
-/// The first bank contains all tables but the last, with all their passes. If the first pass of the
-/// last table differs from its later passes (FollowSpec::start_ratio), it contains this pass as
-/// well. If there is nothing before the last table, `second` is empty, and the first bank is played
-/// `loops` times.
+/// The first bank contains all tables except the last, with all their passes. If the first pass of
+/// the last table differs from its later passes (because of FollowSpec::start_ratio), the first
+/// bank contains this pass, too. If the first bank would be empty, it contains the last table and
+/// is played `loops` times; `second` is then empty.
 struct FollowBanks {
   std::vector<SegmentRow> first = {};   ///< rows of the first bank
   std::vector<SegmentRow> second = {};  ///< rows of the second bank

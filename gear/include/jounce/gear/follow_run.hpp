@@ -6,9 +6,9 @@
 
 namespace jounce {
 
-/// Plays follow tables with a live master: start event, direction and progress. A value. The rows
-/// are in SegmentFifos, over the master's travel since following began. u is the slave's unit, m
-/// the master's.
+/// Plays follow tables with a live master: its start event, direction and progress. A value. The
+/// rows are in SegmentFifos; x is the master's travel since following began. u is the slave's unit,
+/// m the master's.
 ///
 ///     FollowRun run{.event = {FollowEvent::pass, 50000}};
 ///     if (fifos.take(0)) begin(run, fifos, master_now, slave_now);
@@ -18,18 +18,18 @@ namespace jounce {
 /// Source: Googol iDEABOX Pro manual 7.6 (GT_SetFollowEvent, GT_PrfFollow).
 struct FollowRun {
   FollowStart event = {};  ///< start event
-  /// Direction of the master that the slave follows: 1, -1, or 0 for both. With 1 or -1 the slave
-  /// stands still while the master moves against it, and until the master is back.
+  /// Direction of the master that the slave follows: 1, -1, or 0 for both. With 1 or -1, the slave
+  /// stands still while the master moves in the other direction, and until the master is back.
   int dir = 0;
 
-  bool waiting = false;  ///< true while it waits for its event
+  bool waiting = false;  ///< true while the slave waits for the event
   double slave = 0;      ///< u, position of the slave while it waits
   double origin = 0;     ///< m, position of the master when following began
   double furthest = 0;   ///< m, greatest travel in the direction `dir`
 };
 
-/// Begins at once, or waits for the event of the run. Call fifos.take() before. `master` (m) and
-/// `slave` (u) are the present positions.
+/// Begins to follow at once, or waits for the event of the run. Requires a successful fifos.take().
+/// `master` (m) and `slave` (u) are the present positions.
 void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave);
 
 /// Returns the slave's position and its derivatives with respect to the master, for the samples of

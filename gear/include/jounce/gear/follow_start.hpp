@@ -21,9 +21,10 @@ enum class FollowEvent : std::uint8_t {
 ///     const auto t = begin_of(pass, master, 0);                    // Googol example 7-7: 1.025 s
 ///     if (t) const Followed slave = followed_from(follow(spec).cam, master, *t, 0);
 ///
-/// `position` is absolute (m). The master *passes* it when it leaves it in `direction`, if it was
-/// before the position or on it. If the master is already beyond the position, the slave waits
-/// until the master returns and passes it again. u is the slave's unit, m the master's.
+/// `position` is absolute (m). The master *passes* the position when it leaves it in `direction`,
+/// after it was before the position or on it. If the master is already beyond the position, the
+/// slave waits until the master returns and passes the position again. u is the slave's unit, m the
+/// master's.
 struct FollowStart {
   FollowEvent event = FollowEvent::start;
   double position = 0;  ///< m
@@ -33,19 +34,19 @@ struct FollowStart {
 /// Throws InputError if the position is not finite, or the direction is neither 1 nor -1.
 void require_valid(const FollowStart& start);
 
-/// Returns the exact time (s) at or after `armed` (s) at which following begins; nullopt if the
-/// master does not pass before its motion ends. For a periodic master, only its first period is
-/// searched.
+/// Returns the exact time (s), not before `armed` (s), at which following begins. Returns nullopt
+/// if the master does not pass the position before its motion ends. For a periodic master, only its
+/// first period is searched.
 std::optional<double> begin_of(const FollowStart& start, const Trajectory& master, double armed);
 
-/// Finds the start of following in one cycle, without memory or allocation: returns the master at
-/// the start, if the start lies after `before` and not after `now`; otherwise nullopt. Between the
-/// cycles the master moves as in passing.hpp.
+/// Returns the master at the start of following, if the start lies after `before` and not after
+/// `now`; otherwise nullopt. For use in each cycle: the function has no memory and does not
+/// allocate. Between the cycles, the master is assumed to move as in passing.hpp.
 std::optional<Sample> begin_of(const FollowStart& start, const Sample& before, const Sample& now);
 
-/// Returns the motion of the slave over time from t (s) on, if it stands at `slave` (u) until then:
-/// the start of the cam is shifted to the master's position at t. Throws like Followed, and if t is
-/// not before the end of the master's motion.
+/// Returns the motion of the slave over time from t (s) on. Before t, the slave stands at `slave`
+/// (u); the start of the cam is shifted to the master's position at t. Throws like Followed, and if
+/// t is not before the end of the master's motion.
 Followed followed_from(const Cam& cam, const Trajectory& master, double t, double slave);
 
 }  // namespace jounce

@@ -13,9 +13,10 @@ namespace jounce {
 ///     Gear::State state;                               // or from increments, each cycle:
 ///     slave += gear.advance(state, master_increment); // `state` carries the remainder
 ///
-/// Both ways agree bit for bit after any number of counts, forwards, backwards and through zero,
-/// because the integer division rounds towards minus infinity. Exact for every 64-bit master count
-/// whose slave count fits in 64 bits. Otherwise the result is undefined (asserted in debug builds).
+/// The result from counts and the result from increments agree bit for bit after any number of
+/// counts, forwards, backwards and through zero, because the integer division rounds towards minus
+/// infinity. Exact for every 64-bit master count whose slave count fits in 64 bits. For other
+/// counts the result is undefined (asserted in debug builds).
 class Gear {
  public:
   /// Returns a gear of the given ratio, reduced. Throws InputError if the denominator is 0 or less
@@ -25,7 +26,7 @@ class Gear {
   [[nodiscard]] std::int64_t numerator() const { return numerator_; }
   [[nodiscard]] std::int64_t denominator() const { return denominator_; }
 
-  /// Slave count for a master count.
+  /// Returns the slave count for a master count.
   [[nodiscard]] std::int64_t slave(std::int64_t master) const;
 
   /// State from cycle to cycle.

@@ -25,18 +25,18 @@ struct PhaseShift {
   Law law = Law::poly345;  ///< any law from rest to rest
 };
 
-/// The course of a gear along its master: a ratio, changes of the ratio, and phase shifts.
+/// The course of a gear along its master: its ratio, changes of the ratio, and phase shifts.
 ///
 ///     GearCourse course{.master_end = 200000, .changes = {{0, 0.5, 100000}}};  // Googol example 7-5
 ///     SyncCam slave = gear_course(course);          // 25000 u at the clutch's end, then 0.5 u/m
 ///
-/// In a clutch of length d from ratio r0 to r1, let z be the share of d that the master has passed,
-/// and f the law (from 0 to 1). Then
+/// In a clutch of length d from ratio r0 to r1, z is the share of d that the master has passed, and
+/// f is the law (from 0 to 1):
 ///
 ///     (1)  ratio = r0 + (r1 - r0) f(z)
 ///     (2)  slave = d (r0 z + (r1 - r0) F(z)),   F(z) the integral of f
 ///
-/// With every symmetric law, such as the line, the slave moves by d (r0 + r1) / 2.
+/// For every symmetric law, such as the line, the slave moves by d (r0 + r1) / 2 in the clutch.
 struct GearCourse {
   double master_start = 0;  ///< m, start of the cam
   double master_end = 0;    ///< m, end of the cam; above master_start
@@ -44,16 +44,17 @@ struct GearCourse {
   double ratio = 0;         ///< u/m, before the first change; 0: the slave stands still
   /// In order; each begins at the end of the previous one, or later.
   std::vector<RatioChange> changes = {};
-  std::vector<PhaseShift> shifts = {};  ///< at any place, also across clutches and other shifts
+  std::vector<PhaseShift> shifts = {};  ///< at any master position, also across clutches and other
+                                        ///< shifts
 };
 
-/// Returns the cam of the slave, exact. A cam that ends at rest holds outside; any other refuses.
-/// Names of its segments: "hold" (ratio 0), "gear" (constant ratio), "clutch", and "phase" (a
-/// shift). The zones are the "gear" segments.
+/// Returns the exact cam of the slave. A cam that ends at rest holds outside; any other cam
+/// refuses. The names of its segments are "hold" (ratio 0), "gear" (constant ratio), "clutch", and
+/// "phase" (a shift). The zones are the "gear" segments.
 ///
-/// Throws InputError "master_end", "change[i].at", "change[i].distance", "shift[i]...." (i from 1)
-/// if changes overlap, leave the course, or are out of range; and "...law" for a law through
-/// points, or one that needs velocities (R-U laws).
+/// Throws InputError "master_end", "change[i].at", "change[i].distance" or "shift[i]...." (i from
+/// 1) if changes overlap, leave the course, or are out of range. Throws InputError "...law" for a
+/// law through points, and for a law that needs velocities (R-U laws).
 SyncCam gear_course(const GearCourse& course);
 
 }  // namespace jounce

@@ -17,16 +17,16 @@ namespace jounce {
 ///     const GearedIn other = gear_in(new_spec, state, master.jet(t), t);  // a new trigger replaces it
 ///     const Released out = cam_out(now, t);                          // GearOut keeps the velocity
 ///
-/// From its present state the slave ramps to the velocity of the gear, k x'. From then on it moves
-/// by k for every unit of the master. It does not recover the distance lost (or gained) in the
-/// ramp. With x the master and y the slave, and 0 for the instant of the trigger,
+/// From its present state, the slave ramps to the velocity of the gear, k x'. After the ramp, it
+/// moves by k for every unit of the master. It does not recover the distance that it loses or gains
+/// in the ramp. With x the master, y the slave, and the index 0 for the instant of the trigger,
 ///
 ///     (1)  y(t) = y0 + k (x(t) - x0) + c(t)
 ///
 /// c is the difference caused by the ramp: its velocity begins at y0' - k x0' and ends at 0. If the
 /// master runs at constant speed, as the manual recommends, the slave has exactly the acceleration,
-/// deceleration and jerk of the spec. A master that accelerates during the ramp adds k x''. So the
-/// duration of the ramp does not depend on the motion of the master, and the slave always reaches
+/// deceleration and jerk of the spec. If the master accelerates during the ramp, k x'' is added. So
+/// the motion of the master does not change the duration of the ramp, and the slave always reaches
 /// the velocity of the gear.
 ///
 /// u is the slave's unit, m the master's; times are in s. A GearedIn is a value; gear_in() with a
@@ -53,8 +53,8 @@ struct GearedIn {
 
 /// Triggers the gear at time t (s), for a slave in the given state and a master at [x, x', x'',
 /// x''']. With a jerk limit, the ramp begins with the accelerations of slave and master. Throws
-/// InputError for a spec out of range (see the error numbers above), and for states that are not
-/// finite.
+/// InputError for a spec out of range (GearInSpec has the error numbers of the PMC600), and for
+/// states that are not finite.
 GearedIn gear_in(const GearInSpec& spec, const MotionState& slave, const Jet& master, double t);
 
 /// Returns the setpoint of the slave, [y, y', y'', y'''], at t (s), for a master at [x, x', x'',
@@ -66,8 +66,8 @@ bool in_gear(const GearedIn& gear, double t);
 
 /// Returns the exact motion of a slave for a known motion of the master. The slave stands at
 /// `slave` (u) until the trigger at t (s). The motion ends when both the master's motion and the
-/// ramp have ended. Throws like the other gear_in(), and InputError "t" for a time outside the
-/// master's motion.
+/// ramp have ended. Throws like gear_in() above, and InputError "t" for a time outside the master's
+/// motion.
 Trajectory gear_in(const GearInSpec& spec, double slave, const Trajectory& master, double t);
 
 }  // namespace jounce

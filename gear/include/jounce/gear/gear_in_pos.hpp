@@ -24,40 +24,42 @@ namespace jounce {
 ///     GearInPosState state;                                      // or cycle by cycle:
 ///     const GearInPosStep now = step(gear, state, master);       // now.slave, now.in_sync
 ///
-/// Let S be the sync position of the master, D the start distance, y0 the present and ys the sync
-/// position of the slave, and k the ratio of the gear. While the master moves from S - D to S, the
-/// slave moves from y0 to ys. It begins at rest with acceleration zero, and arrives with the
-/// velocity of the gear and acceleration zero, so nothing steps. From then on it is in step, even
-/// if the master moves back past S:
+/// Let S be the sync position of the master, D the start distance, y0 the present position and ys
+/// the sync position of the slave, and k the ratio of the gear. While the master moves from S - D
+/// to S, the slave moves from y0 to ys. The slave begins at rest with acceleration zero, and
+/// arrives with the velocity of the gear and acceleration zero, so nothing steps. From then on it
+/// is in step, even if the master moves back past S:
 ///
 ///     (1)  slave = ys + k (master - S)
 ///
 /// With h = ys - y0, the shape of the curve depends only on rho = k D / h. The quintic (the
-/// default) does not reverse if and only if 0 <= rho <= 5/2. It does not exceed the velocity of the
-/// gear if and only if rho >= 5/3. (Example 6.2 of the PMC600 manual has rho = 1, and a peak slope
-/// of 0.756 instead of 0.5.) engage_window() returns the start distances that satisfy both.
+/// default) does not reverse if and only if 0 <= rho <= 5/2, and it does not exceed the velocity of
+/// the gear if and only if rho >= 5/3. (Example 6.2 of the PMC600 manual has rho = 1, and a peak
+/// slope of 0.756 instead of 0.5.) engage_window() returns the start distances that satisfy both
+/// conditions.
 ///
 /// u is the slave's unit, m the master's. The curve is a function of the master's position, so the
-/// slave stands still when the master does.
+/// slave stands still whenever the master does.
 struct GearInPosSpec {
   std::int64_t numerator = 1;       ///< k = numerator / denominator, u/m; any sign, not 0
   std::int64_t denominator = 1;     ///< > 0
   double master_sync_position = 0;  ///< S, m
   double slave_sync_position = 0;   ///< ys, u
-  /// D, m, not 0. Positive: the master approaches forwards; negative: backwards.
+  /// D, m, not 0. Positive: the master approaches S forwards; negative: backwards.
   double master_start_distance = 0;
   double slave_start = 0;  ///< y0, u: present position of the slave
   /// True: the slave must not reverse. A modulo slave then moves up to five turns further.
   bool avoid_reversal = false;
   /// u, > 0: period of a modulo slave; omitted: a linear slave.
   std::optional<double> slave_period = {};
-  /// Present position of the master, m. It reveals a master that has already passed the start.
+  /// Present position of the master, m, to detect a master that has already passed the start.
   /// Omitted: the master is before the start.
   std::optional<double> master_position = {};
-  /// Period of a modulo master, m, > 0; such a master engages in its next turn. Omitted: a linear
-  /// master.
+  /// Period of a modulo master, m, > 0. Such a master can engage in its next turn. Omitted: a
+  /// linear master.
   std::optional<double> master_period = {};
-  Law law = Law::quintic;  ///< any law that takes a velocity at its end; see docs/laws.md, "G or R"
+  Law law = Law::quintic;  ///< any law that accepts a velocity at its end; see docs/laws.md, "G or
+                           ///< R"
 };
 
 /// Reasons why the gear does not engage. The values are error numbers of the PMC600 (manual,
@@ -67,7 +69,7 @@ enum class GearInPosStatus : std::uint16_t {
   master_reversed = 775,          ///< the master reversed while connecting
   reversal_unavoidable = 776,     ///< a modulo slave would reverse even with five more turns
   reversal_on_linear_axis = 777,  ///< avoid_reversal is set, and a linear slave would reverse
-  /// A linear master has passed the start, and the slave waits; not a number of the PMC600.
+  /// A linear master has passed the start, so the slave waits. (Not an error number of the PMC600.)
   start_passed = 1000,
 };
 /// Returns one sentence that explains a status to a user.
@@ -93,7 +95,7 @@ struct GearInPos {
 GearInPos gear_in_pos(const GearInPosSpec& spec);
 
 /// The start distances with which a quintic neither reverses nor exceeds the velocity of the gear:
-/// 5/3 h/k to 5/2 h/k, in the direction of the given start distance.
+/// 5/3 h/k to 5/2 h/k, with the sign of the given start distance.
 struct EngageWindow {
   double rho = 0;                  ///< k D / h of the spec; infinite if h is 0
   bool exists = false;             ///< true if rho > 0, so that such start distances exist
@@ -103,9 +105,9 @@ struct EngageWindow {
 /// Returns the window for a spec, and an advice for its start distance.
 EngageWindow engage_window(const GearInPosSpec& spec);
 
-/// Returns the slave over a master that moves from `from` to `to` (m): hold, engagement and gear,
-/// for checks, tables and plots. Throws InputError "master_start", "master_end" if from >= to, or
-/// if one of them is inside the engagement (its ends excluded).
+/// Returns the slave over a master that moves from `from` to `to` (m): hold, engagement and gear.
+/// Use it for checks, tables and plots. Throws InputError "master_start" or "master_end" if from >=
+/// to, or if one of them is strictly inside the engagement.
 SyncCam sync_cam(const GearInPos& gear, double from, double to);
 
 // ---- cycle by cycle ---------------------------------------------------------------------------
@@ -133,12 +135,12 @@ struct GearInPosStep {
 /// The slave stands still until the master passes the start in the engaging direction. If the
 /// master moves back while connecting, the status is master_reversed (775) in each such cycle. The
 /// slave then moves back along its curve, at most to its start, and engages when the master moves
-/// forward again. This needs no action of the caller, and nothing steps. Once in step, (1) holds
+/// forwards again. The caller need not act, and nothing steps. Once the slave is in step, (1) holds
 /// for any motion of the master.
 GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet& master);
 
-/// The exact motion over time of a slave with such a gear, for a known motion of the master. It is
-/// a Signal.
+/// The exact motion over time of a slave with a gear in position, for a known motion of the master.
+/// It is a Signal.
 ///
 ///     const GearedInPos slave(gear, master);     // master: a Trajectory
 ///     Motion now = slave.at(0.5);

@@ -18,16 +18,17 @@ namespace jounce {
 ///     Gear::State state;                                                   // or from increments
 ///     slave += sum.advance(state, std::array{master_increment, correction_increment});
 ///
-/// Both ways agree bit for bit, for any number of counts of each master, forwards and backwards.
-/// Exact for 64-bit counts whose slave count fits in 64 bits. Otherwise the result is undefined
-/// (asserted in debug builds). Nothing allocates after of().
+/// The result from counts and the result from increments agree bit for bit, for any number of
+/// counts of each master, forwards and backwards. Exact for 64-bit counts whose slave count fits in
+/// 64 bits. For other counts the result is undefined (asserted in debug builds). Only of()
+/// allocates.
 class GearSum {
  public:
   /// Makes the sum. Throws InputError "gears" if there is no gear, or if there is no common
   /// denominator D for which D and the sum of |ratio| * D are below 2^63.
   static GearSum of(std::span<const Gear> gears);
 
-  /// Slave count for one count of each master, in the order of the gears.
+  /// Returns the slave count for one count of each master, in the order of the gears.
   [[nodiscard]] std::int64_t slave(std::span<const std::int64_t> masters) const;
 
   /// Returns the slave increment for one increment of each master. `state` carries the remainder of
@@ -43,8 +44,9 @@ class GearSum {
 };
 
 /// Returns the distance between two readings, both in [0, period), of a counter that wraps at
-/// `period` > 0 (a modulo axis, a 32-bit encoder). It is the shorter way; exactly half a period
-/// counts forwards. Use it as the input of a gear, so that no count is lost when the counter wraps:
+/// `period` > 0 (a modulo axis, a 32-bit encoder). The distance is the shorter way; exactly half a
+/// period counts forwards. Use it as the input of a gear, so that no count is lost when the counter
+/// wraps:
 ///
 ///     slave += gear.advance(state, counter_increment(before, now, 360000));
 ///

@@ -6,17 +6,18 @@
 
 namespace jounce {
 
-/// An indexer: a turntable or a feed that repeatedly moves by the same distance, with a stop in
-/// between. u is the slave's unit, m the master's.
+/// An indexer: a turntable or a feed that repeatedly moves by the same distance, with a stop after
+/// each motion. u is the slave's unit, m the master's.
 ///
 ///     Indexer table{.distance = 45, .cycle = 2000, .motion = 400};    // deg, over ms of a master
 ///     SyncCam cam = indexer(table);                                   // 45 deg per cycle, endless
 ///     Indexer ring{.distance = 45, .cycle = 360, .motion = 120, .count = 8};  // eight indexes a cycle
 ///
 /// **Vocabulary.** A cycle consists of `count` equal parts. In each part, the slave stands still
-/// for `before`, moves by `distance` over `motion`, and stands still for the rest. The cam advances
-/// (Extrapolation::advance): each cycle moves the slave by exactly count * distance. The zones are
-/// the intervals without motion; their name is "dwell".
+/// over the master distance `before`, moves by `distance` over the master distance `motion`, and
+/// stands still for the rest of the part. The cam advances (Extrapolation::advance): each cycle
+/// moves the slave by exactly count * distance. The zones are the intervals without motion; their
+/// name is "dwell".
 ///
 /// For a jaw that moves along with the film and returns, see FlyingShear; for a rotating jaw, see
 /// the rotary knife.

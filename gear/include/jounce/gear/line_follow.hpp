@@ -7,16 +7,18 @@
 
 namespace jounce {
 
-/// Returns the motion of a slave on one line with its master, from position `from` to `to` (u).
-/// With x the master's position and x0, x1 its positions at the start and end of its motion, slave
-/// = from + (to - from) (x - x0) / (x1 - x0). So master and slave start and stop together. Throws
-/// InputError "master" if the master ends where it starts. u is the slave's unit.
+/// Returns the motion of a slave that starts and stops together with its master, from position
+/// `from` to `to` (u). The slave's position is a linear function of the master's: from + (to -
+/// from) (x - x0) / (x1 - x0), where x is the master's position and x0, x1 are its positions at the
+/// start and end of its motion. u is the slave's unit. Throws InputError "master" if the master
+/// ends where it starts.
 Trajectory line_follow(const Trajectory& master, double from, double to);
 
 namespace pmc600 {
 
-/// LS_LineFollowAbs and LS_LineFollowRel (PMC600 manual 6.3): two virtual axes on one line.
-/// Positions are in pulses. Velocity, acceleration, deceleration and jerk are those of the master.
+/// Input of LS_LineFollowAbs and LS_LineFollowRel (PMC600 manual 6.3): two virtual axes on one
+/// line. Positions are in pulses. Velocity, acceleration, deceleration and jerk are those of the
+/// master.
 ///
 ///     const LineFollowed both = line_follow({.end_master = 4000, .end_slave = 2000,
 ///         .velocity = 2000, .acceleration = 4000, .deceleration = 4000});    // PMC600 example 6.7
@@ -30,7 +32,7 @@ struct LineFollow {
   double deceleration = 10;  ///< pulse/s^2, > 0
   /// pulse/s^3, > 0; limits the jerk (the manual calls the profile SIGMOID).
   double jerk = 90000000;
-  /// us, > 0; cycle of the controller; without effect here, because the curves are exact.
+  /// us, > 0; cycle of the controller. It has no effect, because the curves are exact.
   std::int64_t ipo_cycle = 2000;
 };
 
@@ -39,8 +41,8 @@ struct LineFollowed {
   Trajectory master, slave;
 };
 
-/// Throws InputError for a value that is 0 or negative (PMC600 error 16#FFFFFFE) or not finite, and
-/// "end_master" if the master does not move.
+/// Returns the motions of both axes. Throws InputError for a value that is 0 or negative (PMC600
+/// error 16#FFFFFFE) or not finite, and "end_master" if the master does not move.
 LineFollowed line_follow(const LineFollow& spec);
 
 }  // namespace pmc600

@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// Velocity of the blade that equals that of the web during the cut.
+/// Velocity of the blade that is matched to that of the web during the cut.
 enum class KnifeMatching {
   surface,  ///< the speed on the cutting circle: the knife turns at constant speed (the usual cam)
   horizontal,  ///< the component along the web: angle = asin(x / R), so the tip does not slip
@@ -29,20 +29,20 @@ enum class KnifeMatching {
 /// **Vocabulary.** The *synchronous length* C is the length of web that passes while the knife
 /// turns from one blade to the next at the speed of the web. *Sync* is the interval around the cut
 /// in which blade and web are in step: `sync_angle` of the knife, `sync_length` of the web.
-/// *Recovery* is the rest of the cycle, in which the knife runs ahead (cuts shorter than C) or
-/// falls back (longer cuts). Above the length *longest* the knife would have to reverse; with
-/// `dwell` it stops instead.
+/// *Recovery* is the rest of the cycle, in which the knife is faster than the web (cuts shorter
+/// than C) or slower (longer cuts). If the cut is longer than *longest*, the knife has to reverse;
+/// with `dwell` it stops instead.
 ///
-/// **Frame.** Master: the position of the web, m; there is a cut at 0 and after every cut_length.
-/// Slave: the angle of the knife, u; 0 is a blade straight down, and each cut advances it by turn /
-/// blades (Extrapolation::advance). So half of the sync zone lies at the cam's start and half at
-/// its end.
+/// **Frame.** The master is the position of the web, in its unit m, with a cut at 0 and after every
+/// cut_length. The slave is the angle of the knife, in its unit u: at 0 a blade points straight
+/// down, and each cut advances the knife by turn / blades (Extrapolation::advance). So half of the
+/// sync zone lies at the cam's start and half at its end.
 ///
 /// **The blade in the material.** Let h be the `thickness` of the web and R the radius of the
-/// cutting circle. The blade enters the web at the *contact angle* alpha before its lowest point,
+/// cutting circle. The blade enters the web at the *contact angle* alpha before its lowest point:
 /// cos(alpha) = 1 - h / R. The sync angle must be at least 2 alpha, which is its default. Only the
 /// tip of the blade moves with the web; the blade above the tip is slower. (If two drums meet in
-/// the middle of the web, each has half the thickness.)
+/// the middle of the web, set half the thickness.)
 ///
 /// Sources: rotary-cutter notes of Yaskawa and Delta (constant surface speed; contact angle); the
 /// recovery follows Norton, Cam Design and Manufacturing Handbook, ch. 2, and VDI 2143. Derivation:
@@ -51,10 +51,10 @@ struct RotaryKnifeSpec {
   double diameter = 0;                    ///< m, > 0: diameter of the cutting circle
   std::size_t blades = 1;                 ///< >= 1; evenly spaced
   double cut_length = 0;                  ///< m; above the sync length of the web
-  std::optional<double> sync_angle = {};  ///< u, whole zone; give this or sync_length
-  /// m, whole zone; both omitted: the sync angle is 2 contact angles.
+  std::optional<double> sync_angle = {};  ///< u, whole zone; give either sync_angle or sync_length
+  /// m, whole zone. If both are omitted, the sync angle is twice the contact angle.
   std::optional<double> sync_length = {};
-  /// u of one revolution: 360 for deg, pi diameter for m; default: rad.
+  /// u of one revolution: 360 for deg, pi * diameter for a length on the circle; default: rad.
   double turn = 2 * std::numbers::pi;
   KnifeMatching matching = KnifeMatching::surface;
   /// Blade speed divided by web speed in the sync zone; 1.005 pulls the cut open.
@@ -80,7 +80,8 @@ struct RotaryKnifeFigures {
   /// Extreme speed of the recovery (greatest or least) divided by the speed of the plain gear.
   double surface_ratio = 0;
   double longest = 0;  ///< cut length above which the knife reverses or needs a dwell (Lcrit)
-  double dwell = 0;    ///< m of web that pass while the knife stands still; 0: it does not stop
+  double dwell = 0;    ///< m of web that pass while the knife stands still; 0: the knife does not
+                       ///< stop
   /// Greatest slip between blade and web in the sync zone, divided by the web speed.
   double speed_error = 0;
   /// u, certified: deviation from exact horizontal matching; 0 for surface matching.
@@ -92,9 +93,9 @@ struct RotaryKnifeFigures {
 ///
 /// Surface matching is exact; at cut_length = synchronous (to 1e-12) the cam is one straight line.
 /// With horizontal matching, the sync zone is a fit within `tolerance`, with a certified error. The
-/// recovery continues slope and acceleration of the sync zone; if the law begins without jerk
-/// (4567, 56789, ...) also the jerk. The knife reverses if the cut is too long and `dwell` is not
-/// set.
+/// recovery begins with the slope and acceleration of the sync zone and, if the law begins without
+/// jerk (4567, 56789, ...), with its jerk. The knife reverses if the cut is too long and `dwell` is
+/// not set.
 ///
 /// Throws InputError for a value out of range: two sync values; no sync value for a web without
 /// thickness; a sync zone that leaves no recovery or (horizontal) reaches 90 deg; a law that is not
@@ -104,9 +105,10 @@ SyncCam rotary_knife(const RotaryKnifeSpec& spec);
 /// Returns the key figures. Throws like rotary_knife().
 RotaryKnifeFigures figures(const RotaryKnifeSpec& spec);
 
-/// Findings about the knife that do not depend on its limits. May be broken: "knife/reversal", and
-/// "knife/contact" (the sync zone is less than two contact angles). Warning: "knife/slip" (the
-/// blade is more than 1 % slower than required in the sync zone). Throws like rotary_knife().
+/// Returns findings about the knife that do not depend on its limits. Broken findings:
+/// "knife/reversal", and "knife/contact" (the sync zone is less than two contact angles). Warning:
+/// "knife/slip" (the blade is more than 1 % slower than required in the sync zone). Throws like
+/// rotary_knife().
 Report check(const RotaryKnifeSpec& spec);
 
 }  // namespace jounce

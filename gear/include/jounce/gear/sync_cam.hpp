@@ -15,9 +15,9 @@ struct SyncZone {
   std::string name = {};  ///< name in reports and pictures: "sync", "cut", ...
 };
 
-/// The cam of a slave that works in step with its master: the result of gears, follow tables,
-/// knives and shears. All functions for cams (check, table, stream, coupling, switches) accept its
-/// member `cam`.
+/// The cam of a slave that works in step with its master. Gears, follow tables, knives and shears
+/// return it. All functions for cams (check, table, stream, coupling, switches) accept its member
+/// `cam`.
 struct SyncCam {
   Cam cam;
   /// Name of each segment of the cam; empty: segments have numbers.

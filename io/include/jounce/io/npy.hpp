@@ -15,7 +15,7 @@ namespace jounce {
 ///     file.add(std::uint64_t{1}); file.add(2.5); ...
 ///     write_file("run.npy", file.bytes());
 ///
-/// Type of a field: `whole` is an unsigned integer of 64 bits, `real` a double.
+/// Type of a field: `whole` is an integer of 64 bits (signed in the file, '<i8'), `real` a double.
 enum class NpyType { whole /**< 64 bits */, real /**< double */ };
 
 /// A field of the rows.
@@ -24,7 +24,7 @@ struct NpyField {
   NpyType type = NpyType::real;  ///< type of its values
 };
 
-/// The file. Add the values row by row, in each row in the order of the fields.
+/// The contents of an NPY file. Add the values row by row, in each row in the order of the fields.
 class NpyFile {
  public:
   /// `rows`: number of rows that will be added.

@@ -29,25 +29,25 @@ struct PointColumn {
 /// empty lines, lines that begin with `#`, spaces around cells, a byte order mark.
 ///
 /// The whole file is read, or InputError is thrown with file, line, key (the name of the column),
-/// value and rule. Errors are a missing header, a repeated name, an unknown unit, a row of another
+/// value and rule. Errors are: a missing header, a repeated name, an unknown unit, a row of another
 /// length, an empty cell, text that is not a finite number, decimal commas together with points,
 /// and a file without points.
 struct Points {
   std::string document;              ///< name of the file
   std::vector<PointColumn> columns;  ///< the columns, in the order of the file
-  std::vector<std::uint32_t> lines;  ///< line in the file of each point
+  std::vector<std::uint32_t> lines;  ///< for each point, its line in the file
 
   /// Number of points.
   [[nodiscard]] std::size_t size() const { return lines.size(); }
-  /// Returns the column of this name; null if there is none.
+  /// Returns the column of this name; null if the file has no such column.
   [[nodiscard]] const PointColumn* find(std::string_view name) const;
-  /// Returns the values of a column in `unit`. If the header has no unit, they are already in
-  /// `unit`. Throws InputError with file and line if there is no such column, or if its unit does
-  /// not convert.
+  /// Returns the values of a column in `unit`. If the header has no unit, the values are assumed to
+  /// be in `unit`. Throws InputError with file and line if the file has no such column, or if its
+  /// unit does not convert.
   [[nodiscard]] std::vector<double> in_unit(std::string_view name, const std::string& unit) const;
 };
 
-/// Reads points from a file, or from a text with the name `document`.
+/// Read points from a file, and from a text with the name `document`.
 Points read_points(const std::string& path);
 Points parse_points(std::string_view text, const std::string& document);
 

@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// Returns a table as the segments of a controller that plays PT or follow tables, and as the CSV
-/// that the spec kinds "pt" and "follow" read (key `points`):
+/// points_of() returns a table as the segments of a controller that plays PT or follow tables.
+/// points_text() returns them as the CSV that the spec kinds "pt" and "follow" read (key `points`):
 ///
 ///     Sampled table = reduced(move, target_of(*controller_table("googol_pt"), {"ms", "pulse"}));
 ///     write_file("pt.csv", points_text({table.table, {"ms", "pulse"}, {}}));
@@ -19,8 +19,9 @@ namespace jounce {
 ///     16,0.6,normal
 ///
 /// Numbers are relative to the first knot, which is not a point. A piece of constant velocity
-/// becomes a point of the type `even`, one of linear velocity (reduce.hpp) of the type `normal`.
-/// Over a master, the first one becomes `continue` if it begins at a nonzero ratio.
+/// becomes a point of the type `even`; a piece of linear velocity (reduce.hpp) becomes a point of
+/// the type `normal`. If a table over a master begins at a nonzero ratio, its first point has the
+/// type `continued` (in the CSV: continue).
 ///
 /// Throws InputError if the velocity within a piece is neither constant nor linear, and for a table
 /// over time that begins at a nonzero velocity.

@@ -21,7 +21,8 @@ namespace jounce {
 ///
 /// Other columns are ignored. A column without a unit has the unit of the drive's spec, or s, N m,
 /// A. Throws InputError with file, line, column and rule for everything that points.hpp rejects,
-/// for a missing column, for times that do not ascend, and for a current without a torque constant.
+/// for a missing column, for times that do not ascend, and for a current if the drive has no torque
+/// constant.
 Recording read_recording(const std::string& path, const Drive& drive, const std::string& position);
 
 }  // namespace jounce

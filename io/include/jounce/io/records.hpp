@@ -15,21 +15,20 @@ struct RecordUnits {
 };
 
 /// Reads the records of LS_3AxisMoveSequence and LS_4AxisMoveSequence (PMC600 manual 8.1.6, tables
-/// 4.13 and 8.7), one in each row, as the commands of a path:
+/// 4.13 and 8.7) as the commands of a path. The input has one record in each row:
 ///
 ///     LineNum; DataType; X_EndPos; Y_EndPos; Z_EndPos; Vel; Acc; Aux_Pos0; Aux_Pos1
 ///     1;       1;        1000;     1000;     0;        1000; 2000; 0;     0
 ///     2;       2;        2000;     0;        0;        1000; 2000; 1700;  700
 ///
 /// **Columns**, in upper or lower case:
-/// - `X_EndPos`, and one such column for each axis of the machine, with its name: absolute
-///   positions;
+/// - `X_EndPos`, and a column of this form for each other axis of the machine: absolute positions;
 /// - `DataType`: 1: line (also if the column is missing); 2: arc through Aux_Pos0 and Aux_Pos1 in
 ///   the plane of the first two axes, while all other axes move in proportion to its angle;
 /// - `Vel` and `Acc`: if the columns are missing, those of the machine's settings;
 /// - `LineNum`: a whole number.
 ///
-/// Each command has the line of its row.
+/// The source line of each command is the line of its row.
 ///
 /// **Errors**: throws InputError with document, line and column (as its key) for an unknown or
 /// missing column, another DataType, a number out of range, or an arc that does not fit.

@@ -27,12 +27,12 @@ std::string made_by();
 
 /// Returns the table as CSV: a head of `# key: value` lines (version of the format, rule, knots,
 /// SHA-256, origin), a line of column names with units, and one line for each knot. Numbers have
-/// the shortest form that is read back exactly.
+/// the shortest form that reads back exactly.
 std::string to_csv(const TableFile& file);
 /// Returns the same content as JSON.
 std::string to_json(const TableFile& file);
 
-/// Reads a table from either format, which is recognized by the first character. `name`: name of
+/// Reads a table as CSV or JSON; the first character determines the format. `name` is the name of
 /// the file for errors. Throws InputError with file, line, key, value and rule for a wrong schema
 /// or version, a missing or unknown head line, a wrong number of rows or columns, text that is not
 /// a finite number, knots that do not ascend, an unknown unit, and a hash that does not match the
@@ -45,8 +45,8 @@ TableFile read_table(const std::string& path);
 bool is_table(const std::string& text);
 
 /// Returns the text of a table file: JSON if the path ends in ".json", otherwise CSV. Throws
-/// InputError if a unit is missing, as in a table from another maker's tool, since the file could
-/// not be read again.
+/// InputError if a unit is missing (as in a table from another maker's tool), because such a file
+/// could not be read again.
 std::string table_text(const std::string& path, const TableFile& file);
 
 /// Writes table_text() to the path: the whole file or nothing. "-" is standard output.

@@ -13,12 +13,12 @@
 
 namespace jounce {
 
-/// The accepted versions of files, in a folder of the same structure or in a revision of a git
-/// repository.
+/// The accepted versions of files. They are in a folder of the same structure, or in a revision of
+/// a git repository.
 ///
-/// The accepted version of a file has the same path as the file, relative to the current folder or,
-/// for a revision, to the root of the repository. In a folder, the accepted version of a spec may
-/// also be a table: `cams/feeder.csv` or `.json` for `cams/feeder.toml`.
+/// The accepted version of a file has the same path as the file. The path is relative to the
+/// current folder or, for a revision, to the root of the repository. In a folder, the accepted
+/// version of a spec may also be a table: `cams/feeder.csv` or `.json` for `cams/feeder.toml`.
 ///
 /// A revision is extracted into a temporary folder, which the destructor removes. The repository
 /// and its index stay unchanged.
@@ -40,9 +40,10 @@ class AcceptedVersions {
 
   /// Returns the path of a file relative to the folder.
   [[nodiscard]] std::filesystem::path relative(const std::string& file) const;
-  /// Returns the path that the file of an accepted version has, relative to the current folder.
+  /// Returns the path of the file to which an accepted version belongs, relative to the current
+  /// folder.
   [[nodiscard]] std::string file_of(const std::filesystem::path& version) const;
-  /// Returns the path of the accepted version of a file; nullopt if there is none.
+  /// Returns the path of the accepted version of a file; nullopt if the file has none.
   [[nodiscard]] std::optional<std::filesystem::path> version_of(const std::string& file) const;
 
  private:
@@ -72,8 +73,8 @@ struct AcceptedOptions {
   bool pictures = false;  ///< true: draws each change, before and after
 };
 
-/// Compares files with their accepted versions, on all cores. The result contains the files in
-/// their order, then the removed ones: accepted files among `names` (folders and patterns, see
+/// Compares files with their accepted versions, on all cores. The result has the files in their
+/// order, followed by the removed files: accepted files among `names` (folders and patterns, see
 /// find_files()) that no longer exist. A motion is compared exactly, a table with a table, and a
 /// file without a motion by its text. A new file counts as renamed if a removed file has the same
 /// bytes, or the same `name` in its spec.
@@ -83,11 +84,11 @@ std::vector<FileChange> compare_with(const AcceptedVersions& accepted,
                                      const AcceptedOptions& options = {});
 
 /// Returns a summary ("compared with main: 1 changed, 1 added, 38 the same") and the changes as
-/// text. `name`: name of the accepted versions.
+/// text. `name` is the name of the accepted versions.
 std::string to_text(const std::vector<FileChange>& changes, const std::string& name);
 
-/// Returns the summary and the changes as Markdown, for a pull request. The pictures are expected
-/// in the folder of the text.
+/// Returns the summary and the changes as Markdown, for a pull request. The pictures must be in the
+/// same folder as the text.
 std::string to_markdown(const std::vector<FileChange>& changes, const std::string& name);
 
 }  // namespace jounce

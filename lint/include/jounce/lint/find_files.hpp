@@ -7,11 +7,11 @@
 namespace jounce {
 
 /// True for a file of Jounce: a spec with `jounce = 1` before its first section, a table that
-/// Jounce wrote, or a key file (.key) of 64 hexadecimal digits. Only files that end in .toml, .csv,
-/// .json and .key are read. False for a file that cannot be read.
+/// Jounce wrote, or a key file (.key) of 64 hexadecimal digits. Files with other endings than
+/// .toml, .csv, .json and .key are not read. False for a file that cannot be read.
 bool is_jounce_file(const std::string& path);
 
-/// Returns the files that the names stand for, each one once, in the order of the names:
+/// Returns the files for these names, each file once, in the order of the names:
 ///
 /// - a folder: each is_jounce_file() in it and below it, in alphabetical order. Folders whose name
 ///   begins with a dot, and links to folders, are skipped;

@@ -10,13 +10,13 @@
 
 namespace jounce {
 
-/// Examines the motions of one file. Returns one report for each axis, in the order of `axes`. It
-/// may throw InputError, for example for a limit that does not suit the axis. Several threads call
-/// it at the same time.
+/// Examines the motions of one file. Returns one report for each axis, in the order of `axes`. May
+/// throw InputError, for example for a limit that the axis cannot have. Several threads call the
+/// function at the same time.
 using Examine = std::function<std::vector<Report>(std::vector<Input>& axes)>;
 
 /// Reads a file of any kind, examines its motions, and returns all findings and errors, each with
-/// its place in the file. Throws no InputError, since an error in the input is part of the result.
+/// its place in the file. Does not throw InputError: an error in the input is part of the result.
 ///
 ///     const FileResult result = lint_file("cam.toml", [](std::vector<Input>& axes) {
 ///       std::vector<Report> reports;
@@ -24,10 +24,9 @@ using Examine = std::function<std::vector<Report>(std::vector<Input>& axes)>;
 ///       return reports;
 ///     });
 ///
-/// Files without a motion are checked as follows: an axis with its drive, a machine with the specs
+/// A file without a motion is checked as follows: an axis with its drive, a machine with the specs
 /// of its axes, a drive with the stability of its loop, a sweep with its spec, a path without
-/// commands, a key file with its access rights. `machine`: for a G-code program, the path of the
-/// path spec.
+/// commands, a key file with its access rights. `machine` is the path spec for a G-code program.
 FileResult lint_file(const std::string& path, const Examine& examine,
                      const std::string& machine = "");
 

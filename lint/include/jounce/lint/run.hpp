@@ -18,13 +18,13 @@ struct LintOptions {
   std::function<void(double share)> progress = {};  ///< may be empty
 };
 
-/// The files of a run with their statements, and their changes from the accepted versions.
+/// The files of a run with their diagnostics, and their changes from the accepted versions.
 struct LintedFiles {
   RunResult result;
   std::vector<FileChange> changes = {};
 };
 
-/// Examines the files that these names stand for (find_files()), and compares them with their accepted
+/// Examines the files for these names (find_files()), and compares them with their accepted
 /// versions. `verb` is the name of the run.
 ///
 ///     const LintedFiles all = lint_run("check", {"cams"}, examine, {.baseline = "origin/main"});
@@ -34,12 +34,12 @@ struct LintedFiles {
 LintedFiles lint_run(const std::string& verb, const std::vector<std::string>& names,
                      const Examine& examine, const LintOptions& options = {});
 
-/// to_format() with the paths that this format needs: those of CI systems are relative to the root of
-/// the repository.
+/// Returns to_format() with the paths that this format needs: formats of CI systems need paths
+/// relative to the root of the repository.
 std::string run_text(RunResult result, const std::string& format, const RunLook& look = {});
 
-/// Writes the changes as Markdown, with their pictures, into a folder: summary.md. Makes the folder.
-/// `name` is the name of the accepted versions.
+/// Writes summary.md into a folder: the changes as Markdown, with their pictures. Creates the
+/// folder. `name` is the name of the accepted versions.
 void write_summary(const std::string& folder, const std::vector<FileChange>& changes,
                    const std::string& name);
 

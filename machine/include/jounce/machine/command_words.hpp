@@ -10,7 +10,7 @@
 #include "jounce/command/commands.hpp"
 
 /// Commands in words, as in `jounce order`: "move --to 120mm --velocity 200mm/s". The words,
-/// options and units come from the table of commands (command_table.hpp).
+/// options and units are those of command_table.hpp.
 ///
 ///     const CommandWords words{.what = "move", .options = {{"to", "120mm"}}};
 ///     require_taken(words);
@@ -20,27 +20,27 @@ namespace jounce {
 /// The words after the name of the executor.
 struct CommandWords {
   std::string what;        ///< the command: "move"
-  std::string value = {};  ///< its value; "": not given
-  /// Options with a text, by their name without dashes; "": not given.
+  std::string value = {};  ///< value of the command; "": not given
+  /// Options that have a text, by their name without dashes; "": not given.
   std::map<std::string, std::string> options = {};
-  std::map<std::string, bool> flags = {};  ///< options without a text, by their name without dashes
+  std::map<std::string, bool> flags = {};  ///< options without a text, by name without dashes
 };
 
 /// Returns the words of all commands: "enable", "move", ...
 const std::vector<std::string>& command_words();
 
-/// An option of one or more commands, made from a field of these commands.
+/// An option of `jounce order`, which is a field of one or more commands.
 struct CommandOption {
   std::string name;  ///< name without dashes
   std::string help;  ///< help text
-  /// Permitted values; FieldRange::flag: the option has no text.
+  /// Permitted values. FieldRange::flag means that the option has no text.
   FieldRange range = FieldRange::finite;
 };
 /// Returns all options, each one once. The options of "move" come first.
 std::vector<CommandOption> command_options();
 
 /// Throws InputError for a value or an option that the command does not have. The key of the error
-/// is the option with its dashes ("--to"), or VALUE.
+/// is "VALUE", or the option with its dashes ("--to").
 void require_taken(const CommandWords& words);
 
 /// Returns the command, with its values converted to the units of the axis. Throws InputError like

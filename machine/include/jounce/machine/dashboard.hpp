@@ -9,7 +9,7 @@
 #include "jounce/stream/security/key.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
-/// The screen of `jounce monitor`, independent of any terminal: it turns states of axes into rows
+/// The screen of `jounce monitor`, independent of any terminal: it converts states of axes to rows
 /// of text.
 ///
 ///     Watch watch(*link, {.names = {"feeder"}});
@@ -18,7 +18,7 @@
 ///     const Action action = press(view, watch.axes(), Key{'s'});     // asks first
 namespace jounce::dashboard {
 
-/// Meaning of a text, from which a terminal selects its color.
+/// Meaning of a text. The terminal selects the color for it.
 enum class Tone { plain, faint, strong, rests, moves, waits, wrong, chosen };
 
 /// A text with one tone.
@@ -34,8 +34,8 @@ struct View {
   int width = 80;      ///< columns of the screen
   int height = 24;     ///< rows of the screen
   bool ascii = false;  ///< true: use ASCII characters only
-  /// Name of the axis that is shown in detail and that the keys command; "", or an unknown name:
-  /// the first axis.
+  /// Name of the axis whose details are shown and to which the keys apply. "" or an unknown name
+  /// means the first axis.
   std::string chosen = {};
   bool asks = false;      ///< true: a stop waits for its confirmation
   std::string note = {};  ///< result of the last key
@@ -51,14 +51,14 @@ std::vector<Row> rows_of(const std::vector<Watched>& axes, const View& view);
 /// A key that was pressed: the code of a character, or an arrow.
 enum class Key : int { up = 256, down = 257 };
 
-/// The action that a key requests for the axis view.chosen.
+/// The action that a key requests, for the axis view.chosen.
 enum class Action { nothing, quit, hold, resume, stop };
 
 /// Processes a key and returns the requested action. A stop needs two keys, `s` and then `y`. Any
 /// other key cancels it, except `q`, which quits.
 Action press(View& view, const std::vector<Watched>& axes, Key key);
 
-/// Sends the stop, the hold or the resume to an axis as an operator, and returns its answer in a few
+/// Sends a stop, hold or resume to an axis as an operator. Returns the answer of the axis in a few
 /// words, for View::note. Throws TransportError.
 std::string send(Transport& link, const std::string& axis, Action action,
                  const std::optional<wire::Key>& key);

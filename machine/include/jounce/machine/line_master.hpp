@@ -11,19 +11,18 @@
 #include "jounce/stream/security/key.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
-/// A simulated line. It sends the positions of a table over time to executors, as an external
-/// master.
+/// A simulated line: an external master that sends the positions of a table over time to executors.
 namespace jounce {
 
 struct LineMaster {
   std::string name;    ///< name of the master
-  TableFile motion;    ///< table over time, in s, see line_motion()
+  TableFile motion;    ///< table over time, in s; see line_motion()
   double rate = 1000;  ///< samples per second
   double before = 1;   ///< time at rest at the first point before the motion, s
   double after = 1;    ///< time at rest at the last point after the motion, s
   /// Duration, s; nullopt: until the end of the table, or without end if it repeats.
   std::optional<double> seconds = {};
-  /// Number of its clock, MasterSample::clock; nullopt: seconds since 2020.
+  /// Number of the line's clock, MasterSample::clock; nullopt: seconds since 2020.
   std::optional<std::int32_t> epoch = {};
   EncoderErrors errors = {};  ///< errors of a simulated encoder, in the unit of the motion
   /// Key with which the executors authenticate samples; nullopt: none.
@@ -33,20 +32,20 @@ struct LineMaster {
 /// Result of send_line_master().
 struct LineMasterResult {
   std::int64_t samples = 0;  ///< number of samples sent
-  std::int64_t late = 0;     ///< number of samples that were omitted because they were late
+  std::int64_t late = 0;     ///< number of samples that were not sent because they were late
   double seconds = 0;        ///< time of the last sample, s
-  double position = 0;       ///< position of the last sample, without the errors of the encoder
+  double position = 0;       ///< position of the last sample, without the encoder errors
 };
 
 /// Returns the motion of an input as a table over time, in s; nullopt for an input over a master.
 std::optional<TableFile> line_motion(const Input& input);
 
-/// Receives the time, s, the position, and the share of the transmission that is done; the share is
-/// 0 if the transmission has no end. Returns false to end the transmission.
+/// Receives the time (s), the position, and the share of the transmission that is done. The share
+/// is 0 if the transmission has no end. To end the transmission, return false.
 using LineProgress = std::function<bool(double time, double position, double share)>;
 
-/// Sends samples at equal intervals. A sample that is late is omitted. At the end, reports the
-/// master as lost.
+/// Sends samples at equal intervals. A sample that is late is not sent. At the end, sends that the
+/// master is lost.
 LineMasterResult send_line_master(Transport& link, const LineMaster& line,
                                   const LineProgress& keep_going = {});
 
@@ -55,8 +54,8 @@ std::string line_master_text(const LineMaster& line, const LineMasterResult& res
 /// Returns the result as a JSON object.
 std::string line_master_json(const LineMaster& line, const LineMasterResult& result);
 
-/// True if another program sends a master of this name. The function listens for 0.3 s. (A second
-/// sender would take the place of the first, even if the first is the real line.)
+/// True if another program sends a master of this name. The function receives for 0.3 s. (A second
+/// sender would take the place of the first one, even if the first one is the real line.)
 bool has_sender(Transport& link, const std::string& master,
                 const std::optional<wire::Key>& key = {});
 

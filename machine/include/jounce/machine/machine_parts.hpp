@@ -16,20 +16,21 @@ struct MachineOptions {
   std::vector<std::string> files = {};  ///< specs of the kind "axis", or one of the kind "machine"
   std::string log = {};                 ///< name of the tick log, see log_of(); "": none
   bool adopt_start = false;             ///< see ExecutorOptions::adopt_start
-  /// True: a motion continues if its session times out (not ExecutorOptions::stop_when_silent).
+  /// True: a motion continues if its session times out (the opposite of
+  /// ExecutorOptions::stop_when_silent).
   bool finish_when_silent = false;
   bool enable = false;  ///< see ExecutorOptions::enable
   /// Receives the notices of all axes, with the name of the axis if there are several.
   std::function<void(const std::string& notice)> notify = {};
 };
 
-/// Returns the name of the tick log of an axis: `log` itself if there is one axis; run.feeder.csv,
-/// run.knife.csv, ... if there are several.
+/// Returns the name of the tick log of an axis. With one axis, it is `log` itself; with several,
+/// run.feeder.csv, run.knife.csv, ... for the `log` run.csv.
 std::string log_of(const std::string& log, const std::string& axis, std::size_t axes);
 
 /// The axes and masters of one executor.
 struct MachineParts {
-  /// All axes; virtual masters that play a table are the last ones.
+  /// All axes; virtual masters that play a table follow at the end.
   std::vector<ExecutorOptions> axes = {};
   std::vector<MachineMaster> masters = {};  ///< all other masters
   std::optional<double> watchdog = {};      ///< RunOptions::watchdog, s; nullopt: not in the spec
@@ -42,7 +43,7 @@ struct MachineParts {
 ///
 /// Throws InputError with file, line and key for a file of another kind, an invalid configuration,
 /// an axis that follows an unknown axis or master, and units that do not match. Throws
-/// std::system_error if there is no shared memory for a drive.
+/// std::system_error if the shared memory of a drive cannot be created.
 MachineParts machine_parts(const MachineOptions& options);
 
 }  // namespace jounce

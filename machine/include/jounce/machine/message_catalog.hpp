@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// Every fault and rejection of an axis, refusal of the stream, and rule of a check, in this order,
-/// then the errors of controllers for a cam with their equivalents in Jounce.
+/// Returns all messages, in this order: faults and rejections of an axis, refusals of the stream,
+/// rules of a check, and errors of controllers for a cam with their equivalents in Jounce.
 std::vector<Message> all_messages();
 
 }  // namespace jounce

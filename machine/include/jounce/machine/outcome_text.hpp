@@ -10,21 +10,22 @@
 /// Outcomes of calls to an executor in words and as JSON.
 namespace jounce {
 
-/// Returns the reason of a failed call. If the axis has rejected the call, the remedy of the cause
-/// follows. `executor`: name of the axis.
+/// Returns the reason of a failed call. If the axis has rejected the call, the text includes the
+/// remedy. `executor` is the name of the axis.
 std::string reason_text(const CallOutcome& outcome, const std::string& executor);
 
-/// {"ok": ..., "error": ..., "reason": ...}
+/// Returns {"ok": ..., "error": ..., "reason": ...}.
 std::string outcome_json(const CallOutcome& outcome);
-/// Returns the outcome as a JSON object, with the number of the cause.
+/// Returns outcome_json() with the number of the cause.
 std::string command_json(const CallOutcome& outcome);
 
-/// Returns the outcome of a stream of tables that has reached its goal, in one line. `waits`: the
-/// start was accepted for a later time, and the sender has not waited for it.
+/// Return the outcome of a stream of tables that has reached its goal, as one line of text and as
+/// JSON. `waits` is true if the start was accepted for a later time and the sender has not waited
+/// for the start.
 std::string stream_text(const StreamOutcome& outcome, const std::string& executor, bool waits);
 std::string stream_json(const StreamOutcome& outcome);
 
-/// Returns the outcome of a stream of rows.
+/// Return the outcome of a stream of rows, as text and as JSON.
 std::string rows_text(const RowOutcome& outcome, const std::string& executor);
 std::string rows_json(const RowOutcome& outcome);
 

@@ -11,8 +11,8 @@
 #include "jounce/stream/sender/row_sender.hpp"
 #include "jounce/stream/sender/stream_plan.hpp"
 
-/// Plans for a streamer, made from the inputs of a design: whole tables, the rows of one long
-/// table, or tables in two banks.
+/// Plans for a streamer, made from the inputs of a design. A plan sends whole tables, the rows of
+/// one long table, or tables in two banks.
 namespace jounce {
 
 /// Options for playing an input on an axis.
@@ -20,48 +20,50 @@ struct PlayOptions {
   bool live = false;  ///< true: the cam follows the live master of the axis
   /// Motion of a virtual master over time; nullopt: [master] of the spec.
   std::optional<TableFile> master = {};
-  /// For a live cam: it takes over at the end of the present pass, at any position of the master.
+  /// For a live cam: the cam takes over at the end of the present pass, at any position of the
+  /// master.
   bool at_next_cut = false;
-  /// For a live cam: the axis keeps the velocity at the end of the cam, and does not brake.
+  /// For a live cam: the axis keeps the velocity at the end of the cam instead of braking.
   bool keep_velocity = false;
 };
 
-/// Returns the plan that plays this input on one executor.
+/// Returns the plan that plays this input on the axis `executor`.
 StreamPlan stream_plan(const std::string& executor, const Input& input, const PlayOptions& options);
 
-/// Adds an input to the plan. It takes over, in motion, at the end of the previous one.
+/// Adds an input to the plan. Its motion takes over at the end of the previous one, without a stop.
 void add_swap(StreamPlan& plan, const Input& input, const PlayOptions& options);
 
-/// True for a follow spec. An axis plays it from two banks on its live master, see
-/// follow_bank_plan().
+/// True for a spec of kind "follow". An axis plays such a spec from two banks on its live master;
+/// see follow_bank_plan().
 bool is_follow(const Input& input);
 /// Returns the position of the live master at which a follow spec begins; nullopt if it begins at
 /// once.
 std::optional<double> pass_position(const Input& input);
 
-/// Returns the plan for a follow spec: its tables, passes and event in two banks. `relative`:
-/// positions count from the position of the axis.
+/// Returns the plan for a follow spec: its tables, passes and event in two banks. If `relative` is
+/// true, positions count from the position of the axis.
 BankPlan follow_bank_plan(const Input& input, bool relative);
 
-/// Returns the table of an input for a bank: unchanged over a master, in s over time.
+/// Returns the table of an input for a bank: a table over a master unchanged, a table over time in
+/// s.
 TableFile bank_of(const Input& input);
 /// True if the two tables are over the same variable, in the same units, so that one queue can
 /// contain them.
 bool fit_in_one_queue(const TableFile& first, const TableFile& second);
-/// Returns the plan that plays the first table once, then the second one `loops` times. `relative`:
-/// positions count from the position of the axis.
+/// Returns the plan that plays the first table once, then the second one `loops` times. If
+/// `relative` is true, positions count from the position of the axis.
 BankPlan bank_plan(const TableFile& first, const TableFile& second, std::int32_t loops,
                    bool relative);
 
 /// Returns the plan that sends a table over time row by row, in s. The motion starts when `ahead`
-/// rows have arrived; the queue holds twice as many. `relative`: positions count from the position
-/// of the axis.
+/// rows have arrived; the queue holds twice as many. If `relative` is true, positions count from
+/// the position of the axis.
 RowPlan row_plan(const std::string& executor, TableFile table, std::uint32_t ahead, bool relative);
 
-/// Returns the axis of a file for each of these executors. If the file has one axis, every executor
-/// gets it. Otherwise each executor gets the axis of its name, or, if the numbers are equal, the
-/// axis at its place in the list. `path`: name of the file for errors. Throws InputError (key
-/// "to").
+/// Returns the input for each of these executors, from the axes of a file. If the file has one
+/// axis, every executor gets it. Otherwise each executor gets the axis of its name or, if the
+/// numbers of executors and axes are equal, the axis at its place in the list. `path` is the name
+/// of the file for errors. Throws InputError (key "to") if an executor gets no axis.
 std::vector<Input> inputs_for(const std::vector<std::string>& executors,
                               const std::vector<Input>& axes, const std::string& path);
 

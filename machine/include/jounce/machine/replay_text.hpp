@@ -17,7 +17,7 @@ namespace jounce {
 RecordedAxis recorded_axis(const std::string& file, const std::string& name = "");
 
 /// Returns the axes, cycles and masters of a record, and the first difference of its replay, as
-/// text. `file`: name of the record.
+/// text. `file` is the name of the record.
 std::string replay_text(const Replay& replay, const std::string& file);
 
 /// Returns the contents of replay_text() as a JSON object.
@@ -48,23 +48,26 @@ class LastTicks {
 /// with a mark at each fault. Quantities that the drive does not report are omitted.
 Figure tick_figure(const std::deque<Tick>& ticks, const RecordedAxis& axis);
 
-/// The parts of a record that replay_file() keeps.
+/// Options of replay_file(): the parts of a record to keep.
 struct ReplayFileOptions {
-  std::string axis = {};                 ///< name of the axis to keep; empty: the first
-  std::optional<std::size_t> last = {};  ///< number of last ticks of it; nullopt: see below
-  std::string csv = {};  ///< tick log to write, by default of all ticks; empty: none
-  bool ticks = false;    ///< keep ticks for tick_figure(), by default 5000
+  std::string axis = {};                 ///< name of the axis whose ticks are kept; "": the first
+                                         ///< axis
+  std::optional<std::size_t> last = {};  ///< number of last ticks to keep; nullopt: see csv and
+                                         ///< ticks
+  std::string csv = {};  ///< tick log to write; without `last`, with all ticks; "": none
+  bool ticks = false;    ///< true: keep ticks for tick_figure(); without `last`, 5000 ticks
 };
 
-/// The replay of a record, and the kept ticks of one axis.
+/// The replay of a record, and the ticks of one axis that were kept.
 struct ReplayedFile {
   Replay replay;
-  RecordedAxis axis = {};  ///< axis of the ticks, if there are any or a CSV file
+  RecordedAxis axis = {};  ///< axis of the ticks; set only if ticks are kept or a CSV file is
+                           ///< written
   std::deque<Tick> ticks = {};
 };
 
-/// Replays a record and writes its ticks as they come: a record may be longer than memory. Throws
-/// InputError like recorded_axis(), and std::system_error for the CSV file.
+/// Replays a record, and writes its ticks while it reads the record, so the record may be larger
+/// than memory. Throws InputError like recorded_axis(), and std::system_error for the CSV file.
 ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& options = {});
 
 }  // namespace jounce

@@ -8,15 +8,16 @@
 
 namespace jounce {
 
-/// Returns the summary of a run as text: motions and fault of each axis, lateness of the cycle.
+/// Returns the summary of a run as text: the motions and the fault of each axis, and the lateness
+/// of the cycle.
 std::string summary_text(const ExecutorSummary& summary);
 
 /// Returns the contents of summary_text() as a JSON object, with the two histograms of the cycle.
 std::string summary_json(const ExecutorSummary& summary);
 
-/// Returns sentences about what is missing after a run: the name that another executor owns, ticks
-/// of the tick log, cycles of the record. `log`: MachineOptions::log; "": none. Empty if nothing is
-/// missing.
+/// Returns one sentence for each part that is missing after a run: the name that another executor
+/// owns, ticks of the tick log, cycles of the record. `log` is MachineOptions::log; "": none. Empty
+/// if no part is missing.
 std::vector<std::string> missing_parts(const ExecutorSummary& summary, const std::string& log);
 
 }  // namespace jounce

@@ -6,7 +6,7 @@
 
 #include "jounce/stream/message/message.hpp"
 
-/// Returns the status of an axis in one line of text, without a line end.
+/// Returns the status of an axis as one line of text, without a line end.
 namespace jounce {
 
 std::string status_text(const std::string& axis, const wire::Status& status);
@@ -18,8 +18,8 @@ std::string status_text(const std::string& axis, const wire::MasterStatus& maste
 /// Returns the state of a master as JSON in one line.
 std::string status_json(const std::string& axis, const wire::MasterStatus& master);
 
-/// Returns the position, the velocity and the age of the measurement of a master in a few words, or
-/// that the master is lost. `ascii`: uses ASCII characters only.
+/// Returns the position, the velocity and the age of the measurement of a master in a few words.
+/// For a lost master, returns that it is lost. `ascii` selects ASCII characters only.
 std::string master_text(const wire::MasterStatus& master, bool ascii);
 
 /// Returns the names of the files that could not be written, from wire::Status::unwritten: "log,

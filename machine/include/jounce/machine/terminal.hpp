@@ -17,11 +17,11 @@ bool is_screen();
 /// True if the locale can show characters beyond ASCII.
 bool is_utf8();
 
-/// Returns the bytes that draw these rows from the upper left corner of a terminal, and clear
-/// everything else.
+/// Returns the bytes that draw these rows from the upper left corner of a terminal, and clear the
+/// rest of the screen.
 std::string drawn(const std::vector<Row>& rows);
 
-/// Takes over the screen of standard output and the keys of standard input, until it is destroyed:
+/// Uses the screen of standard output and the keys of standard input as long as the object exists:
 ///
 ///     Terminal terminal;
 ///     terminal.measure(view);
@@ -40,8 +40,8 @@ class Terminal {
   void measure(View& view) const;
   /// Draws the rows, if they have changed.
   void show(const std::vector<Row>& rows);
-  /// Returns the next key without waiting; nullopt if there is none. Returns 'q' for Ctrl-C, for a
-  /// signal, and if the terminal is closed.
+  /// Returns the next key without waiting; nullopt if no key was pressed. Returns 'q' for Ctrl-C,
+  /// for a signal, and if the terminal is closed.
   std::optional<Key> key();
 
  private:

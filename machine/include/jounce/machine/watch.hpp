@@ -19,13 +19,14 @@ namespace jounce::dashboard {
 /// The state of one axis.
 struct Watched {
   static constexpr std::size_t traced = 240;  ///< greatest length of `trace`
-  /// Greatest number of masters; without a key, any program can send messages about others.
+  /// Greatest number of masters. (Without a key, any program can send messages about further
+  /// masters.)
   static constexpr std::size_t most_masters = 64;
 
   std::string name;  ///< name of the axis
   /// The newest status; nullopt: no message yet.
   std::optional<wire::Status> status = std::nullopt;
-  Nanos received{};                              ///< time of its arrival
+  Nanos received{};                              ///< time at which the status arrived
   std::deque<double> trace = {};                 ///< positions every 100 ms, the newest last
   Nanos traced_at{};                             ///< time of the newest position in `trace`
   std::vector<wire::MasterStatus> masters = {};  ///< state of each master, sorted by name
@@ -36,12 +37,12 @@ void take(std::vector<Watched>& axes, const std::string& name, const wire::Statu
           Nanos now);
 
 /// Stores the state of a master in an axis. Has no effect before the first status of the axis. If
-/// there are too many masters, drops the one whose cycle is the earliest.
+/// the axis has too many masters, drops the one whose cycle is the earliest.
 void take(std::vector<Watched>& axes, const std::string& name, const wire::MasterStatus& master);
 
 /// Options of Watch.
 struct WatchOptions {
-  /// Names of the axes, sorted; empty: all that send messages.
+  /// Names of the axes, sorted; empty: all axes that send messages.
   std::vector<std::string> names = {};
   /// Key with which the executors authenticate messages; nullopt: none.
   std::optional<wire::Key> key = {};
@@ -60,15 +61,15 @@ class Watch {
   /// Subscribes to the messages. `link` must outlive the object.
   Watch(Transport& link, WatchOptions options);
 
-  /// Receives for this time. Calls `status` and `master`, if given, with each message about an axis
-  /// and about a master.
+  /// Receives messages for the duration `time`. Calls `status` with each message about an axis, and
+  /// `master` with each message about a master, if these functions are given.
   void run(
       Nanos time,
       const std::function<void(const std::string& axis, const wire::Status&)>& status = {},
       const std::function<void(const std::string& axis, const wire::MasterStatus&)>& master = {});
 
-  /// Returns the name of an axis in the options that has sent no message for this time. Returns
-  /// "every executor" if no axis at all has sent one for this time; "" otherwise.
+  /// Returns the name of an axis in the options that has sent no message for `patience`; "every
+  /// executor" if no axis has; "" if all axes have sent messages.
   [[nodiscard]] std::string silent(Nanos patience) const;
   /// True if a message has arrived.
   [[nodiscard]] bool has_received() const;

@@ -7,9 +7,8 @@
 
 namespace jounce {
 
-/// An interval of a cam between two knots that cannot change: its length, its displacement, and the
-/// derivatives with respect to the master at both ends. Units: u is the unit of the slave, m that
-/// of the master.
+/// An interval of a cam between two fixed knots: its length, its displacement, and the derivatives
+/// with respect to the master at both ends. u is the unit of the slave, m that of the master.
 struct KnotInterval {
   double length = 1;         ///< length, m, > 0
   double displacement = 0;   ///< displacement of the slave, u
@@ -19,36 +18,38 @@ struct KnotInterval {
   std::optional<double> a1;  ///< geo_acceleration at the end, u/m^2; nullopt: free
 };
 
-/// Returns the least possible max |f''| of any function f over the interval, u/m^2; with
-/// `velocity_limit` (u/m), under the condition |f'| <= velocity_limit. Infinite if no function
-/// keeps that limit. The least peak is reached by full acceleration, constant velocity, full
-/// deceleration; from rest to rest it is 4 h / L^2 (h: displacement, L: length). Accelerations at
-/// the ends have no influence, since a function may change its acceleration at once.
+/// Returns the least possible max |f''| of any function f over the interval, u/m^2; if
+/// `velocity_limit` (u/m) is given, of any function with |f'| <= velocity_limit. Infinite if no
+/// function satisfies this limit. The optimal motion consists of full acceleration, constant
+/// velocity and full deceleration; from rest to rest without a limit its peak is 4 h / L^2 (h:
+/// displacement, L: length). Given accelerations at the ends have no influence, because f'' may
+/// step.
 double least_peak_acceleration(const KnotInterval& interval,
                                std::optional<double> velocity_limit = {});
 
-/// Returns the least possible max |f'''| of any function over the interval, u/m^3. The perfect
-/// spline reaches it: its third derivative is +J or -J, with as many switches as accelerations are
-/// given at the ends. From rest to rest with accelerations 0, it is 32 h / L^3.
+/// Returns the least possible max |f'''| of any function over the interval, u/m^3. The optimal
+/// motion is the perfect spline: its third derivative is +J or -J, with as many switches as
+/// accelerations are given at the ends. From rest to rest with accelerations 0, the result is 32 h
+/// / L^3.
 double least_peak_jerk(const KnotInterval& interval);
 
-/// Returns the least possible integral of f''^2. The cubic reaches it; from rest to rest it is 12
-/// h^2 / L^3.
+/// Returns the least possible integral of f''^2. The optimal motion is the cubic; from rest to rest
+/// the result is 12 h^2 / L^3.
 double least_square_acceleration(const KnotInterval& interval);
 
-/// Returns the least possible max |f' f''|, the peak power of a pure inertia. A motion reaches it
-/// that first adds and then removes energy at constant power; from rest to rest it is 9/4 h^2 /
-/// L^3. Accelerations at the ends have no influence.
+/// Returns the least possible max |f' f''|, the peak power of a pure inertia. The optimal motion
+/// first adds and then removes energy at constant power; from rest to rest the result is 9/4 h^2 /
+/// L^3. Given accelerations at the ends have no influence.
 double least_peak_power(const KnotInterval& interval);
 
-/// Returns a lower bound of the objective for all values of the free quantities, and for all laws
-/// between the fixed knots. It holds for each objective alone.
+/// Returns a lower bound of the objective, for all values of the free quantities and all laws
+/// between the fixed knots. The bound is for the case that this objective alone is minimized.
 ///
 /// The cam is divided at the knots whose master, slave and geo_velocity are fixed. The bound of
-/// each interval is the least value above. If the slave is fixed at knots within the interval, the
-/// bound for passing these points is used. A segment without free quantities has its exact value. A
-/// first or last interval whose outer end is free counts as 0. The result is infinite if the
-/// velocity limit cannot be kept (for peak_acceleration only).
+/// each interval is the least value that the functions above return. If the slave is fixed at knots
+/// within the interval, the bound also accounts for these points. A segment without free quantities
+/// has its exact value. A first or last interval whose outer end is free counts as 0. If no cam can
+/// satisfy the velocity limit, the result is infinite (for peak_acceleration only).
 double lower_bound(const CamProblem& problem, Objective objective);
 
 }  // namespace jounce

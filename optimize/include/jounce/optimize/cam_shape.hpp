@@ -10,22 +10,24 @@
 
 namespace jounce {
 
-/// Condition for the jerk at the ends of a run of free segments (CamShapeProblem).
+/// Condition for the jerk at an end of a run of free segments (see CamShapeProblem).
 enum class EndJerk {
-  /// That of the given cam; if the cam has a jerk step there, the law of the segment decides.
+  /// The jerk of the given cam; if the jerk of the cam steps at this end, the jerk that the law of
+  /// the segment has there.
   as_given,
-  free,  ///< any value: it may step
+  free,  ///< any value: the jerk may step
   zero,  ///< 0
 };
 
-/// A segment of a cam whose law is only the start of the search: any shape may replace it.
+/// A segment of a cam that may get any shape. Its law is only the start of the search.
 struct FreeShape {
   std::size_t segment = 0;   ///< index of the segment, from 0
   std::size_t pieces = 100;  ///< number of polynomials
   /// Continuous derivatives between the polynomials, 2 to 6; their degree is one more.
   int continuity = 4;
   bool monotone = false;                 ///< true: the slave must not reverse within the segment
-  EndJerk end_jerk = EndJerk::as_given;  ///< used if a run begins or ends with this segment
+  EndJerk end_jerk = EndJerk::as_given;  ///< condition at an end of a run, if the run begins or
+                                         ///< ends with this segment
 };
 
 /// A cam in which some segments may take any shape.
@@ -36,29 +38,29 @@ struct FreeShape {
 ///     if (outcome.usable()) Cam better = design(outcome.best).cam;
 ///
 /// **Runs.** Successive free segments form one *run*, even across the end of the period of a
-/// periodic cam. A run is one function, which is as smooth at its inner knots as between them. Runs
-/// are optimized one after another, and a figure refers to one run.
+/// periodic cam. A run is one function, equally smooth at its inner knots and between them. Runs
+/// are optimized one after another. A figure is computed for each run separately.
 ///
 /// **Knots.** At both ends of a run, slave, geo_velocity and geo_acceleration stay as in the given
-/// cam. With EndJerk::as_given, geo_jerk stays as well, if the given cam has no step of it there,
-/// geo_acceleration is not free, and the continuity is at least 3. `active` contains
-/// "kept/geo_jerk" for each end whose geo_jerk is fixed. The values in `knots` are free within
-/// their bounds, which may be infinite. They may belong to knots inside a run, and to the start and
-/// the end of a cam that is not periodic. Master positions are never free. All other parts of the
-/// cam stay exactly as they are.
+/// cam. With EndJerk::as_given, geo_jerk stays as well, in these conditions: geo_jerk of the given
+/// cam does not step there, geo_acceleration is not free, and the continuity is at least 3.
+/// `active` has "kept/geo_jerk" for each end whose geo_jerk is fixed. The values in `knots` are
+/// free within their bounds, which may be infinite. These knots may lie inside a run, or be the
+/// start or the end of a cam that is not periodic. Master positions are never free. All other parts
+/// of the cam stay exactly as they are.
 ///
-/// **Order.** Each entry of `minimize` is a weighted sum. If there are several entries, each must
-/// consist of one figure. They are minimized one after another, and no earlier figure may get worse
-/// by more than `concession` (relative).
+/// **Order.** Each entry of `minimize` is a weighted sum of figures. If it has several entries,
+/// each entry must be a single figure. The entries are minimized one after another, and no earlier
+/// figure may become worse by more than `concession` (relative).
 ///
-/// **Units.** The independent variable x is the master: quantities depend on the derivatives with
-/// respect to the master.
+/// **Units.** The independent variable x is the master, so quantities are linear functions of the
+/// derivatives with respect to the master.
 struct CamShapeProblem {
   CamSpec cam = {};                    ///< the given cam
   std::vector<FreeShape> shapes = {};  ///< free segments, in ascending order; at least one
   std::vector<FreeKnot> knots = {};    ///< free values at knots, without masters
   Limits limits = {};                  ///< limits of the derivatives with respect to the master
-  /// Corridors over the master; only their parts within runs count.
+  /// Corridors over the master; only their parts inside runs have an effect.
   std::vector<Corridor> corridors = {};
   std::vector<Ceiling> ceilings = {};  ///< greatest values of figures, for each run
   /// Objectives, the most important first; see Order.
@@ -75,16 +77,17 @@ void require_valid(const CamShapeProblem& problem);
 
 /// Result of one run.
 struct CamRunOutcome {
-  std::vector<std::size_t> segments;  ///< indices of its segments, in the order of the master
-  /// The result of the last entry of `minimize`. Its figures are those of all entries, then those
-  /// of the ceilings.
+  std::vector<std::size_t> segments;  ///< indices of the segments of the run, in the order of the
+                                      ///< master
+  /// The result for the last entry of `minimize`. Its figures are those of all entries, followed by
+  /// those of the ceilings.
   ShapeOutcome shape;
 };
 
-/// Result of optimize_cam_shapes(). In the cam `best`, laws `hermite` replace those of the free
-/// segments. Status and reason are those of the worst run. Figures, active constraints and counts
-/// are those of all runs, one after another. `limits` is check(best, limits), with segments counted
-/// from 0 as in the spec.
+/// Result of optimize_cam_shapes(). In the cam `best`, segments with the law `hermite` replace the
+/// free segments. Status and reason are those of the worst run. Figures, active constraints and
+/// counts are those of all runs, one after another. `limits` is check(best, limits), with segments
+/// counted from 0 as in the spec.
 struct CamShapeOutcome : Outcome<CamSpec> {
   std::vector<CamRunOutcome> runs = {};  ///< result of each run
 };

@@ -14,7 +14,7 @@
 ///
 ///     Outcome<T> outcome = optimize(problem, keep_going);
 ///
-/// A problem contains `options`; keep_going receives the progress and can stop the run.
+/// A problem contains `options`. keep_going receives the progress, and can stop the run.
 ///
 /// | function | problem | T |
 /// |---|---|---|
@@ -26,16 +26,17 @@
 /// | search() | any function of numbers | std::vector<double> |
 namespace jounce {
 
-/// Effort after which a run ends. Its status is then `stalled`, with the best result so far.
+/// Greatest effort of a run. A run that uses it up ends with the status `stalled` and the best
+/// result so far.
 struct Budget {
-  /// Greatest number, >= 1; nullopt: the default of the optimizer.
+  /// Greatest number of evaluations, >= 1; nullopt: the default of the optimizer.
   std::optional<int> evaluations = {};
-  /// Time limit, s, > 0; the result then depends on the speed of the computer.
+  /// Time limit, s, > 0. With a time limit, the result depends on the speed of the computer.
   std::optional<double> seconds = {};
 };
 
-/// Options of an optimizer. With the same problem, options and number of evaluations, the outcome
-/// is the same.
+/// Options of an optimizer. The same problem, options and number of evaluations give the same
+/// outcome.
 struct OptimizeOptions {
   double tolerance = 1e-6;  ///< relative tolerance of the objective, 1e-9 to 1
   std::uint64_t seed = 1;   ///< seed of the random starts
@@ -45,7 +46,7 @@ struct OptimizeOptions {
 };
 
 /// Throws InputError with the key `tolerance`, `starts`, `max_evaluations` or `seconds` for a value
-/// out of its range. `greatest_tolerance`: upper end of the range of the tolerance.
+/// out of its range. `greatest_tolerance` is the greatest valid tolerance.
 void require_valid(const OptimizeOptions& options, double greatest_tolerance = 1);
 
 /// Progress of an optimizer.
@@ -54,57 +55,60 @@ struct OptimizeProgress {
   std::size_t run = 0;    ///< index of the present run of free segments (CamShapeProblem)
   std::size_t runs = 1;   ///< number of runs
   std::size_t stage = 0;  ///< index of the present entry of `minimize`
-  int round = 0;          ///< rounds of an exchange method so far
-  int evaluations = 0;    ///< evaluations so far
+  int round = 0;          ///< number of rounds of an exchange method so far
+  int evaluations = 0;    ///< number of evaluations so far
   /// Value of the objective so far; nullopt: no feasible point yet.
   std::optional<double> reached = {};
 };
 
-/// Receives the progress between evaluations. If it returns false, the optimizer stops: the outcome
-/// is `cancelled`, with the best result so far.
+/// Receives the progress between evaluations. To stop the optimizer, return false: the outcome is
+/// then `cancelled`, with the best result so far.
 using KeepGoing = std::function<bool(const OptimizeProgress&)>;
 
 /// Status at the end of a run, from the best to the worst.
 enum class OptimizeStatus {
   optimal,  ///< each objective is within the tolerance of its proven bound
-  /// No further step or start improves the result; a gap limits the possible improvement.
+  /// No further step or start improves the result. If a bound is known, its gap limits the possible
+  /// improvement.
   converged,
   stalled,     ///< the budget was used, or the solver gave up: a better result may exist
   cancelled,   ///< stopped by keep_going
-  infeasible,  ///< no result that meets all constraints was found; `best` violates them least
+  infeasible,  ///< no result was found that satisfies all constraints; `best` violates them least
 };
 
 /// Returns the name of a status: "optimal", ...
 const char* name(OptimizeStatus status);
 
-/// A figure that is minimized or limited, before and after.
+/// A figure that is minimized or limited: its values before and after the optimization.
 struct FigureResult {
   std::string name;    ///< name with its kind: "peak geo_jerk"
   double given = 0;    ///< value of the given curve
   double reached = 0;  ///< value of the result
-  /// Proven lower bound: nothing that meets the constraints has a lower value, even if this figure
-  /// alone is minimized. nullopt: no bound is known.
+  /// Proven lower bound: no result that satisfies the constraints has a lower value, even if this
+  /// figure alone is minimized. nullopt: no bound is known.
   std::optional<double> bound = {};
 
-  /// Returns the share of `reached` by which it can still fall at most, 0 if it is at the bound;
-  /// nullopt: no bound is known.
+  /// Returns the greatest possible further decrease, as a share of `reached`; 0 if `reached` is at
+  /// the bound. nullopt: no bound is known.
   [[nodiscard]] std::optional<double> gap() const;
 };
 
-/// Result of an optimizer. T: see the table above.
+/// Result of an optimizer. For T, see the table above.
 template <class T>
 struct Outcome {
   /// Status at the end of the run.
   OptimizeStatus status = OptimizeStatus::infeasible;
   std::string reason = {};  ///< the reason for the status, one sentence
-  /// The best that meets all constraints; if none does, the one that violates them least.
+  /// The best result that satisfies all constraints. If no result does, the one that violates them
+  /// least.
   T best = {};
   bool feasible = false;  ///< true if `best` meets all constraints
   double value = 0;  ///< objective of `best`: a figure, or the weighted sum that was minimized last
-  /// Proven lower bound of the objective: nothing that meets the constraints has a lower one
-  /// (optimize_shape(): no spline over its knots). nullopt: no bound is known.
+  /// Proven lower bound of the objective: no result that satisfies the constraints has a lower
+  /// objective (optimize_shape(): no spline over its knots). nullopt: no bound is known.
   std::optional<double> bound = {};
-  std::vector<FigureResult> figures = {};  ///< figures of `minimize`, then figures that are limited
+  /// Figures of `minimize`, followed by figures that are limited.
+  std::vector<FigureResult> figures = {};
   Report limits = {};  ///< constraints of `best`, checked independently of the solver
   /// Obstacles to further improvement: limits that are reached ("limit/..."), free quantities at
   /// their bounds ("bound/..."), places where a peak is reached ("objective/...").

@@ -17,12 +17,12 @@ struct Bound {
   double upper = 0;
 };
 
-/// The values at one knot that may change. A value without bounds stays as in the cam. Units: u is
+/// The values at one knot that may change. A value without bounds stays as in the given cam. u is
 /// the unit of the slave, m that of the master.
 struct FreeKnot {
   std::size_t knot = 0;                   ///< 0: start of the cam; i: end of its i-th segment
-  std::optional<Bound> master;            ///< bounds of its position, m
-  std::optional<Bound> slave;             ///< bounds of its position, u
+  std::optional<Bound> master;            ///< bounds of the master position, m
+  std::optional<Bound> slave;             ///< bounds of the slave position, u
   std::optional<Bound> geo_velocity;      ///< bounds, u/m
   std::optional<Bound> geo_acceleration;  ///< bounds, u/m^2
 };
@@ -43,8 +43,8 @@ std::optional<Objective> objective_named(std::string_view name);
 /// exact up to rounding.
 double value_of(Objective objective, const Cam& cam);
 
-/// Limits of the slave when the master also accelerates. Let w be the speed of the master, a its
-/// greatest acceleration, and ramp = a / w^2. Then over the whole cam f
+/// Limits of the slave for a master that also accelerates. Let w be the speed of the master, a its
+/// greatest acceleration, and ramp = a / w^2. The limits then are, over the whole cam f,
 ///
 ///     |f''| + ramp |f'| <= limits.acceleration,   |f'''| + 3 ramp |f''| <= limits.jerk
 ///
@@ -63,17 +63,20 @@ struct RampedLimits {
 ///     const Outcome<CamSpec> outcome = optimize(problem);
 ///     if (outcome.usable()) Cam better = design(outcome.best).cam;
 ///
-/// **Order.** The first objective is minimized. The second one is then minimized among all cams
-/// whose first objective is within `tolerance` (relative) of the value reached, and so on. A larger
-/// tolerance leaves more freedom for later objectives.
+/// **Order.** The first objective is minimized. Then the second objective is minimized among all
+/// cams whose first objective is within `tolerance` (relative) of the value that was reached, and
+/// so on. A larger tolerance leaves more freedom for later objectives.
 ///
-/// **Periodic cams.** The first and the last knot are one knot: if either of them is free, both
-/// change by the same amount. The master positions of the two ends are never free.
+/// **Periodic cams.** The first and the last knot are the same knot: if one of them is free, both
+/// change by the same amount. The master positions of the first and the last knot are never free.
 ///
-/// **Laws.** A polynomial (quintic, septic, nonic) accepts any free quantity at its ends. Next to a
-/// law from rest to rest, geo_acceleration is fixed. Next to a dwell, geo_velocity and slave are
-/// fixed, too. Next to a line or a law from rest to constant velocity, everything is fixed. A cam
-/// with a law through points cannot be optimized.
+/// **Laws** fix values at their ends:
+/// - A polynomial (quintic, septic, nonic) accepts any free quantity.
+/// - Next to a law from rest to rest, geo_acceleration is fixed.
+/// - Next to a dwell, geo_acceleration, geo_velocity and slave are fixed.
+/// - Next to a line or a law from rest to constant velocity, everything is fixed.
+///
+/// A cam with a law through points cannot be optimized.
 struct CamProblem {
   CamSpec cam;                 ///< the given cam
   std::vector<FreeKnot> free;  ///< the free knots
@@ -85,9 +88,10 @@ struct CamProblem {
 };
 
 /// Throws InputError (keys like `segment[3].free.master`, `start.free.slave`, `tolerance`) unless
-/// the problem is complete and consistent: a valid cam and limits, an objective, at least one free
-/// quantity; bounds that are finite, with lower <= upper, and contain the given value; no free
-/// quantity that a neighboring law fixes; masters that can ascend.
+/// the problem is complete and consistent. It must have a valid cam and valid limits, an objective,
+/// and at least one free quantity. Bounds must be finite, with lower <= upper, and contain the
+/// given value. A quantity that a neighboring law fixes must not be free. Master positions must be
+/// able to ascend.
 void require_valid(const CamProblem& problem);
 
 }  // namespace jounce

@@ -15,9 +15,9 @@
 
 namespace jounce {
 
-/// A linear function of a shape f and its derivatives at one place x: q = by[0] f + by[1] f' + ...
-/// + by[5] f^(5) + constant. For example, the torque of a load J a + B v + K s + F, with a master
-/// that turns at w, is {"torque", {K, B w, J w^2}, F}.
+/// A linear function of a shape f and its derivatives at a place x: q = by[0] f + by[1] f' + ... +
+/// by[5] f^(5) + constant. For example, the torque of a load J a + B v + K s + F is {"torque", {K,
+/// B w, J w^2}, F}, if the master turns at w.
 struct LinearQuantity {
   std::string name;            ///< name for the user: "geo_acceleration", "torque"
   std::array<double, 6> by{};  ///< factors of f, f', ..., f^(5)
@@ -35,15 +35,15 @@ struct PeakOf {
   LinearQuantity quantity;
 };
 
-/// Rms value: root of (integral of q^2 / length). That of the torque determines the heat in a
-/// motor.
+/// Rms value: root of (integral of q^2 / length). The rms value of the torque determines the heat
+/// in a motor.
 struct RmsOf {
   LinearQuantity quantity;
 };
 
-/// Residual vibration: the amplitude, u (unit of the shape), with which a vibration mode swings
-/// after the end of the shape (Mode, jounce/profiles/vibration/vibration.hpp). The worst value over
-/// a band of frequencies and damping ratios counts.
+/// Residual vibration: the amplitude, u (unit of the shape), with which a vibration mode oscillates
+/// after the end of the shape (Mode, jounce/profiles/vibration/vibration.hpp). The figure is the
+/// worst value over a band of frequencies and damping ratios.
 struct ResidualOf {
   double low = 0;           ///< lowest frequency, cycles per unit of x
   double high = 0;          ///< highest frequency; equal to low: one frequency
@@ -57,12 +57,12 @@ struct PowerOf {
   LinearQuantity velocity;
 };
 
-/// The torque of a load that the shape f moves, if it is not a linear function of f:
+/// The torque of a load that the shape f moves, for a torque that is not a linear function of f:
 ///
 ///     (1)  T = linear + d/dx (J(x) f') + coulomb sign(f') + gravity sin(angle + turn f)
 ///
-/// All terms have the unit of `linear`: T is in N m if coulomb and gravity are in N m. With a
-/// master that moves at w (unit of x)/s, an inertia in kg m^2 must be multiplied by w^2 to give J.
+/// All terms have the unit of `linear`: T is in N m if coulomb and gravity are in N m. If the
+/// master moves at w (unit of x)/s, J is the inertia in kg m^2 times w^2.
 struct LoadTorque {
   std::string name = "torque";  ///< name for the user
   LinearQuantity linear = {};   ///< the linear terms J f'' + B f' + K f + F
@@ -74,7 +74,8 @@ struct LoadTorque {
   double angle = 0;    ///< angle of the lever at f = 0, rad; at angle 0 it hangs down
 };
 
-/// Peak torque max |T| over all x, not only at samples; where f' changes its sign, on both sides.
+/// Peak torque max |T| over all x, not only at samples. Where f' changes its sign, T counts on both
+/// sides.
 struct TorqueOf {
   LoadTorque load;
 };
@@ -84,24 +85,25 @@ struct RmsTorqueOf {
   LoadTorque load;
 };
 
-/// Energy: the integral over x of the input power T f' where it is positive, minus the recovered
-/// share where it is negative.
+/// Energy: the integral over x of the input power T f' where it is positive, minus the share
+/// `recovered` of the power where it is negative.
 struct EnergyOf {
   LoadTorque load;
   double recovered = 0;  ///< 0 (braking resistor) to 1 (drive without losses)
 };
 
-/// max |y| over a list of numbers y that is an affine function of the shape, such as the torque of
-/// a drive at every millisecond. Only the numbers of the list count. Throws InputError for a
-/// function that is not affine, a result that is not finite, or a list of varying length.
+/// max |y| over a list of numbers y, such as the torque of a drive at every millisecond. The list
+/// must be an affine function of the shape. The optimizer considers only the numbers in the list,
+/// not the values between them. Throws InputError for a function that is not affine, a result that
+/// is not finite, or a list of varying length.
 struct ResponseOf {
   std::string name;  ///< name for the user
   /// Computes the list; its length must not vary.
   std::function<std::vector<double>(const Trajectory& shape)> of;
 };
 
-/// Rms value of a list y, as in ResponseOf: root of the mean of y^2, such as the rms torque of a
-/// drive.
+/// Rms value of a list y like that of ResponseOf: root of the mean of y^2. Example: the rms torque
+/// of a drive.
 struct RmsResponseOf {
   std::string name;  ///< name for the user
   /// Computes the list; its length must not vary.
@@ -134,8 +136,8 @@ struct Edge {
 };
 
 /// A quantity that must stay between two bounds over a range of x. Examples: a limit; a keep-out
-/// zone; a monotone interval (geo_velocity with lower 0); a point that is passed within a tolerance
-/// (from == to); an interval in step (value with lower == upper, which is kept exactly).
+/// zone; a monotone interval (geo_velocity with lower 0); a point to be passed within a tolerance
+/// (from == to); an interval in step (value with lower == upper, which is satisfied exactly).
 struct Corridor {
   LinearQuantity quantity;         ///< the quantity
   double from = 0;                 ///< start of the range, x
@@ -153,11 +155,11 @@ struct Ceiling {
 /// A figure in a weighted sum.
 struct WeightedFigure {
   ShapeFigure figure;
-  /// > 0; the sum adds weight * figure / (value of the figure for the given shape).
+  /// > 0. The sum adds weight * (value of the figure) / (value of the figure for the given shape).
   double weight = 1;
 };
 
-/// A function between two ends that is free, and the objectives for its shape.
+/// A free function between two ends, and the objectives for its shape.
 ///
 ///     ShapeProblem problem;                                       // rest to rest, 0..1
 ///     problem.from = {.value = 0, .velocity = 0, .acceleration = 0};
@@ -166,7 +168,8 @@ struct WeightedFigure {
 ///     ShapeOutcome best = optimize_shape(problem);                // peak jerk 32: the perfect spline
 ///
 /// The shape is a spline: `pieces` polynomials of `degree`, with degree - 1 continuous derivatives
-/// between them. Their knots are equidistant at first. Unit u: the unit of the values of the shape.
+/// between them. Initially, their knots are equally spaced. u is the unit of the values of the
+/// shape.
 struct ShapeProblem {
   double begin = 0;          ///< start, x
   double end = 1;            ///< end, x
@@ -175,7 +178,8 @@ struct ShapeProblem {
   bool periodic = false;     ///< true: all derivatives are equal at both ends
   int degree = 5;            ///< 2 to 7
   std::size_t pieces = 100;  ///< number of polynomials
-  bool refine = false;       ///< true: add knots where the optimum switches
+  bool refine = false;       ///< true: add knots where the highest derivative of the optimum
+                             ///< switches
   /// Shape to start from and to compare with; empty: the smoothest polynomial.
   std::vector<Segment> given = {};
   std::vector<WeightedFigure> minimize = {};  ///< objective: the weighted sum of these figures
@@ -190,12 +194,12 @@ struct ShapeProblem {
 /// **Values.** Figures are exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), or those of a
 /// list (ResponseOf). `value` is the weighted sum. For a convex problem, `bound` follows by weak
 /// duality: no spline over these knots has a lower weighted sum, if each of its derivatives is at
-/// most 1000 times that of the result. (A spline that exceeds this by a factor k could be better by
-/// at most k times the distance from the bound to `value`.)
+/// most 1000 times that of the result. (A spline that exceeds this by a factor k can be better by
+/// at most k times the difference between `bound` and `value`.)
 ///
 /// **Limits.** Corridors and ceilings are checked on the result, independently and exactly.
-/// `limits` also has findings "fixed/..." or "joint/..." if the result misses a fixed value at an
-/// end, or a joint between pieces.
+/// `limits` also has findings "fixed/..." if the result differs from a fixed value at an end, and
+/// "joint/..." if a joint between pieces is not smooth.
 using ShapeOutcome = Outcome<std::vector<Segment>>;
 
 /// Optimizes a shape. keep_going is called between two rounds, and many times within a round.

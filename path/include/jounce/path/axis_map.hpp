@@ -14,14 +14,14 @@
 
 namespace jounce {
 
-/// Result of a map at a point.
+/// Result of AxisMap::jets() at a point.
 enum class MapState : std::uint8_t {
   ok,
   out_of_reach,  ///< no position of the joints moves the tool to this point
   singular,      ///< the velocities of the joints are not determined at this point
 };
 
-/// A linear function of the axes: joint = matrix * point + offset.
+/// A linear map from the axes to the joints: joint = matrix * point + offset.
 struct LinearMap {
   std::vector<Point> rows;     ///< rows of the matrix, one for each joint
   std::vector<double> offset;  ///< one for each joint; empty: 0
@@ -34,35 +34,37 @@ struct JointBounds {
   double eighth = 0;
 };
 
-/// Inverse kinematics: from the position of the tool to the positions of the joints.
+/// Inverse kinematics: from the position of the tool, given by the axes of the program, to the
+/// positions of the machine's joints.
 ///
-/// A derived class must implement only jets(). A plan then measures by samples how far its fitted
-/// joints are from the map (Plan::Given::fit). If the class also implements bounds(), the plan
-/// proves a bound instead.
+/// A derived class must implement only jets(). A plan then samples how far its fitted joints are
+/// from the map (Plan::Given::fit). If the class also implements bounds(), the plan proves a bound
+/// of this distance instead.
 class AxisMap {
  public:
-  /// `axes`: number of axes (from the first) that the map uses; `joints`: number of joints. Throws
-  /// InputError "joints" if either exceeds max_axes.
+  /// `axes` is the number of axes that the map uses, from the first one; `joints` is the number of
+  /// joints. Throws InputError "joints" if either number exceeds max_axes.
   AxisMap(std::size_t axes, std::size_t joints);
   virtual ~AxisMap();
 
   [[nodiscard]] std::size_t axes() const { return axes_; }
   [[nodiscard]] std::size_t joints() const { return joints_; }
 
-  /// Computes the joints and their three derivatives from a point and its three derivatives, with
-  /// respect to any one parameter. An angle may jump by whole turns between two calls; plans remove
-  /// such jumps.
+  /// Computes the joints and their three derivatives from a point and its three derivatives. The
+  /// derivatives are with respect to one common parameter. An angle may jump by whole turns
+  /// between two calls; plans remove such jumps.
   virtual MapState jets(std::span<const Jet> point, std::span<Jet> joints) const = 0;
 
   /// Period of a joint, in its unit (360 for an angle in deg); 0: not periodic.
   [[nodiscard]] virtual double turn(std::size_t joint) const;
 
-  /// Computes bounds over a part of a path. `point`: one segment for each axis, all over s in [0,
-  /// 1]. Returns false if there is no proof, as the base class does. If the part is too long for a
-  /// finite bound, the bound is infinite, and the plan divides the part.
+  /// Computes bounds over a part of a path. `point` has one segment for each axis, all over s in
+  /// [0, 1]. Returns false if the class has no proof, as the base class does. If the part is too
+  /// long for a finite bound, the bound is infinite, and the plan divides the part.
   virtual bool bounds(std::span<const Segment> point, std::span<JointBounds> joints) const;
 
-  /// The matrix of a linear map, otherwise null. A plan is exact on every piece for a linear map.
+  /// Returns the matrix of a linear map; null for any other map. With a linear map, a plan is exact
+  /// on every piece.
   [[nodiscard]] virtual const LinearMap* linear() const;
 
  protected:
@@ -84,28 +86,29 @@ std::shared_ptr<const AxisMap> identity_map(std::size_t axes);
 /// follow the same axis, as for a beam with two motors.
 std::shared_ptr<const AxisMap> gantry_map(std::size_t axes, std::span<const std::size_t> axis_of);
 
-/// Returns the map of CoreXY: two fixed motors and one belt. The joints are x + y and x - y; every
-/// further axis (Z) is a joint.
+/// Returns the map of CoreXY, a machine with two fixed motors and one belt. The first two joints
+/// are x + y and x - y; every further axis (Z) is a joint.
 std::shared_ptr<const AxisMap> core_xy_map(std::size_t axes);
 
-/// Position of the elbow: on which side of the straight line from the base to the wrist it is, seen
-/// from the base.
+/// Side of the elbow: the side of the straight line from the base to the wrist on which the elbow
+/// is, seen from the base.
 enum class Elbow : std::uint8_t {
   right,  ///< the second joint is positive
   left,   ///< the second joint is negative
 };
 
 /// A SCARA robot with two or three arms (PMC600 manual 7.2.5, SCARA 2-joint and 3-joint). The first
-/// joint is at the origin. Its arm points along X at 0 deg, along Y at 90 deg; each arm carries the
-/// next joint. Joints are in deg, the joint Z in the unit of the axis Z.
+/// joint is at the origin. Its arm points along X at 0 deg and along Y at 90 deg. Each arm carries
+/// the next joint. Angles of the joints are in deg; the joint Z has the unit of the axis Z.
 ///
 /// Axes of the tool: X, Y; Z if `with_z`; with three arms also C, the direction of the last arm in
 /// deg. Joints: one for each arm, then Z.
 struct ScaraSpec {
   std::vector<double> arms;          ///< lengths of two or three arms, > 0
   Elbow elbow = Elbow::right;        ///< dElbowRight
-  std::vector<double> offsets = {};  ///< deg, value of each joint at the angle 0; empty: 0
-  bool with_z = false;               ///< true: there is a vertical axis Z
+  std::vector<double> offsets = {};  ///< deg, value of each joint when its arm is at the angle 0;
+                                     ///< empty: 0
+  bool with_z = false;               ///< true: the robot has a vertical axis Z
   double offset_z = 0;               ///< value of the joint Z at Z = 0
 };
 /// Returns the map of the robot. A point is out of reach if the end of the second arm would be
@@ -120,10 +123,10 @@ std::shared_ptr<const AxisMap> scara_map(const ScaraSpec& spec);
 ///
 ///     outer_radius e_i + (distance + joint cos a) Z - joint sin a e_i,    a: rail_angle, e_i: outwards
 ///
-/// So a joint counts upwards along its rail, from the height `distance`. The carriages are above
-/// the tool. Arms of equal length connect them to a platform, whose orientation is constant; the
-/// joints of the platform are at the distance `inner_radius` from the tool. The axes are X, Y, Z;
-/// the joints have the same unit.
+/// So the position of a joint is the distance along its rail, upwards from the height `distance`.
+/// The carriages are above the tool. Arms of equal length connect them to a platform, whose
+/// orientation is constant. The arms end on the platform at the distance `inner_radius` from the
+/// tool. The axes are X, Y, Z; the joints have the same unit.
 struct LinearDeltaSpec {
   double outer_radius = 0;  ///< u, >= 0 (dOuterRadius)
   double inner_radius = 0;  ///< u, >= 0 (dInnerRadius)
@@ -132,9 +135,9 @@ struct LinearDeltaSpec {
   double rail_angle = 0;    ///< deg, from Z to the rail, inwards; within (-90, 90) (dAxisAngle)
   double first_rail = 0;    ///< deg from X to the first rail
 };
-/// Returns the map of the robot. A point is out of reach if an arm is shorter than the distance of
-/// its platform joint from the rail. The map is singular if an arm is perpendicular to its rail.
-/// Throws InputError with the name of the parameter.
+/// Returns the map of the robot. A point is out of reach if the distance from the platform end of
+/// an arm to the rail exceeds the length of the arm. The map is singular if an arm is perpendicular
+/// to its rail. Throws InputError with the name of the parameter.
 std::shared_ptr<const AxisMap> linear_delta_map(const LinearDeltaSpec& spec);
 
 /// Joints of a plan.
@@ -148,7 +151,8 @@ struct JointSpace {
 /// Distance between the fitted joints of a plan and its map.
 struct MapFit {
   double error = 0;  ///< unit of the joints; 0 for a linear map
-  /// True: bound from an enclosure of the map over each piece; false: from samples.
+  /// True: the error is a bound, from an enclosure of the map over each piece. False: it is the
+  /// greatest of samples.
   bool proven = false;
   double sample_step = 0;  ///< greatest distance of samples, in q, if the error is not proven
   std::size_t pieces = 0;  ///< number of polynomials (degree 7)

@@ -13,13 +13,14 @@ namespace jounce {
 
 /// Kind of a point-to-point move of a group (PMC600 manual 7.1, MC_MoveDirect).
 enum class DirectMode : std::uint8_t {
-  fast,  ///< each axis moves as fast as it can, then rests; the path depends on the limits
+  fast,  ///< each axis takes its own shortest time, then rests; the path depends on the limits
   path_invariant,  ///< the axes stay on the straight line, for any limits and any override
 };
 
-/// Plans a point-to-point move of a group from rest to rest. Returns one trajectory for each axis;
-/// all have the same duration, the shortest possible. `limits` has one entry for each axis. For
-/// VelFactor, AccFactor and JerkFactor of the manual, see effective() in group_limits.hpp.
+/// Plans a point-to-point move of a group from rest to rest. Returns one trajectory for each axis.
+/// All trajectories have the same duration, that of the slowest axis. `limits` has one entry for
+/// each axis. For VelFactor, AccFactor and JerkFactor of the manual, see effective() in
+/// group_limits.hpp.
 ///
 /// Throws InputError "to" if no axis moves, "axes" if there are no limits or more than max_axes,
 /// and with the name of the axis if synchronise() finds no move.
@@ -27,11 +28,11 @@ std::vector<Trajectory> direct(const Point& from, const Point& to,
                                const std::vector<Limits>& limits,
                                DirectMode mode = DirectMode::fast);
 
-/// Buffer mode Aborting (PLCopen; BM_ABORT of HIMC): follows a plan until time t (s), then leaves
-/// it in motion for `to`. Returns one trajectory for each axis over the whole motion; the axes come
-/// to rest at `to` together. Velocity and acceleration are continuous, so the way from the path to
-/// `to` is curved. The limits of the plan's axes hold at every instant and determine this way.
-/// Limits of the path do not apply after t.
+/// Follows a plan until time t (s), then leaves it in motion and moves to `to`. This is the buffer
+/// mode Aborting (PLCopen; BM_ABORT of HIMC). Returns one trajectory for each axis over the whole
+/// motion; all axes come to rest at `to` together. Velocity and acceleration are continuous, so the
+/// motion from the path to `to` is curved. The limits of the plan's axes determine its shape and
+/// apply at every instant. Limits of the path do not apply after t.
 ///
 /// Throws InputError "t" outside [0, duration], "to" if the axes cannot reach it, and "plan" if the
 /// plan has joints.

@@ -14,14 +14,14 @@ namespace jounce {
 ///
 ///     machine = offset + rotation * part
 ///
-/// The rotation applies to the first three axes of a group, the offset to all axes. Lengths, feeds
-/// and corners do not change.
+/// The rotation applies to the first three axes of a group, the offset to all axes. A frame does
+/// not change lengths, feeds and corners.
 struct Frame {
   Point offset{};  ///< in the units of the axes
   /// Rows of the rotation matrix.
   std::array<std::array<double, 3>, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-  /// True if the frame has no rotation. Coordinates are then plain sums.
+  /// True if the frame has no rotation. Coordinates are then only shifted.
   [[nodiscard]] bool shifts() const;
   bool operator==(const Frame&) const = default;
 };
@@ -29,15 +29,15 @@ struct Frame {
 /// Returns a frame that is rotated by an angle (deg) around the third axis, from the first axis
 /// towards the second. Exact for multiples of 90 deg.
 Frame turned_frame(const Point& offset, double degrees);
-/// Returns a frame that is rotated around Z, then the new Y, then the new Z (PMC600 manual 7.1);
-/// angles in deg.
+/// Returns a frame that is rotated around Z, then around the new Y, then around the new Z (PMC600
+/// manual 7.1). Angles are in deg.
 Frame euler_frame(const Point& offset, const std::array<double, 3>& zyz);
 
 /// Returns the machine coordinates of a point of the part.
 Point placed(const Frame& frame, const Point& part);
 /// Returns the part coordinates of a point of the machine.
 Point within(const Frame& frame, const Point& machine);
-/// Returns an arc, a curve or a program of the part in machine coordinates.
+/// Return an arc, a curve or a program of the part in machine coordinates.
 Arc placed(const Frame& frame, const Arc& arc);
 PathCurve placed(const Frame& frame, const PathCurve& curve);
 /// Throws InputError "rotation" if the frame rotates axes that are not path axes of the program.

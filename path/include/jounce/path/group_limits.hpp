@@ -21,9 +21,9 @@ struct PathLimits {
   double total_acceleration = none;
 };
 
-/// Limits of a group of axes. The axis limits hold for the motion of each axis on any path, by the
-/// exact extrema of the planned curves. plan() checks position limits only at the end points of
-/// commands; use check() on the planned axes for the rest.
+/// Limits of a group of axes. The axis limits apply to the motion of each axis on any path; plan()
+/// uses the exact extrema of the planned curves. Exception: plan() checks position limits only at
+/// the end points of commands. To check positions between them, call check() on the planned axes.
 struct GroupLimits {
   std::vector<Limits> axes;  ///< one for each axis
   PathLimits path = {};      ///< limits along the path

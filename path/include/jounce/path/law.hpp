@@ -10,10 +10,13 @@
 
 namespace jounce {
 
-/// One stretch of a timing law; q is the path parameter. In a law of stations: a ramp from v0 to a
-/// peak, a cruise at the peak, and a ramp to v1, with acceleration zero at both ends. In a law of a
-/// window: one phase of constant jerk, which begins with v0 and `acceleration` (signed). A rest
-/// (dwell) has length 0 and velocity 0. (docs/path/README.md describes both laws.)
+/// One stretch of a timing law; q is the path parameter. docs/path/README.md describes the two
+/// kinds of laws.
+/// - In a law of stations, a stretch is a ramp from v0 to a peak, a cruise at the peak, and a ramp
+///   to v1. The acceleration is zero at both ends of the stretch.
+/// - In a law of a window, it is one phase of constant jerk, which begins with v0 and
+///   `acceleration` (signed).
+/// - A rest (dwell) has length 0 and velocity 0.
 struct LawStretch {
   double time = 0;                            ///< s, at its start
   double start = 0;                           ///< q at its start
@@ -42,22 +45,24 @@ class TimingLaw {
 
   [[nodiscard]] double duration() const;  ///< s
   [[nodiscard]] std::span<const LawStretch> stretches() const { return stretches_; }
-  /// q and its derivatives at time t (s) in [0, duration()].
+  /// Returns q and its derivatives at time t (s) in [0, duration()].
   [[nodiscard]] Motion at(double t) const;
   [[nodiscard]] std::size_t stretch_at(double t) const;  ///< index of the stretch at time t, s
-  /// q as a curve over time.
+  /// Returns q as a curve over time.
   [[nodiscard]] Trajectory curve() const;
 
  private:
   [[nodiscard]] std::size_t part_at(double t, std::size_t parts) const;
 
   std::vector<LawStretch> stretches_;
-  /// The duration in equal parts: the number of stretches that begin before each part, and before the end.
+  /// The duration in equal parts: the number of stretches that begin before each part, and before
+  /// the end.
   std::vector<std::uint32_t> before_;
   double parts_per_second_ = 0;
 };
 
-/// Writes the phases of a stretch to `out` and returns their number, at most seven. None is empty.
+/// Writes the phases of a stretch to `out` and returns their number, at most seven. Every phase has
+/// a duration.
 std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out);
 
 }  // namespace jounce

@@ -34,24 +34,26 @@ struct OverlapRecord {
 struct Overlapped {
   std::vector<Trajectory> axes;        ///< one for each axis; exact, of degree 3
   double duration = 0;                 ///< s
-  double stop_duration = 0;            ///< s, of the same motion with a stop at each corner
+  double stop_duration = 0;            ///< s, duration of the same motion with a stop at each
+                                       ///< corner
   std::vector<OverlapRecord> corners;  ///< one for each corner
 };
 
 /// Plans lines that overlap in time: each line begins before the previous one ends, and the axes
-/// move by the sum of the two motions (PMC600 manual 7.1, TMStartVelocity). The path in a corner
-/// depends on the limits, as on the controller.
+/// move by the sum of the two motions (PMC600 manual 7.1, TMStartVelocity). The limits determine
+/// the shape of the path in a corner, as on the controller.
 ///
 ///     Program square(2);                                     // the square of program.hpp
 ///     const Overlapped motion = overlapped(square, limits, {.deviation = 1});
 ///     motion.duration;                                       // 4.349152 s; with stops 4.8 s
 ///     motion.corners[0].overlap;                             // 0.150283 s
 ///
-/// **Limits** of the axes hold at every instant, by exact extrema of the sums. Two methods are
-/// compared, and the faster result is used. Either each line has its full rates, with the longest
-/// overlap that keeps the limits. Or the lines have reduced accelerations and jerks, so that their
-/// sum keeps the limits for every overlap. The result is never longer than with stops. Limits of
-/// the path hold for each line separately.
+/// **Limits** of the axes apply at every instant, to the exact extrema of the sums. The function
+/// plans by two methods and returns the faster result. In the first method, each line has its full
+/// velocity, acceleration and jerk, and the overlap is the longest that the limits permit. In the
+/// second, accelerations and jerks are reduced so that the sum of two lines stays within the limits
+/// for every overlap. The result never takes longer than stop_duration. Limits of the path apply to
+/// each line separately.
 ///
 /// Throws InputError for values out of range, and with the source line for a command that is
 /// neither a line nor a dwell.

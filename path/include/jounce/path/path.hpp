@@ -27,7 +27,8 @@ struct PathPiece {
   double start = 0;      ///< q at its start
   double length = 0;     ///< length in q
   std::size_t data = 0;  ///< index of its first number
-  /// Source line: of joined lines the first one; of a corner, that of the command after it.
+  /// Source line. For joined lines: that of the first line. For a corner: that of the command after
+  /// the corner.
   std::int32_t line = 0;
   std::uint32_t settings = 0;  ///< index into the settings of the program
   PieceKind kind = PieceKind::line;
@@ -35,14 +36,15 @@ struct PathPiece {
 
 /// The path of a group of axes: one curve for each axis as a function of the path parameter q.
 ///
-/// **q** is the arc length on lines and arcs. A corner has the length of what it replaces, so a
-/// path of lines has the same length in q with and without rounded corners. On a turn, |r'| <= 1.
+/// **q** is the arc length on lines and arcs. A corner has the same length in q as the two ends
+/// that it replaces. So a path of lines has the same length in q with and without rounded corners.
+/// On a turn, |r'| <= 1, where r is the position on the path.
 ///
-/// **Memory**: 32 bytes for each piece and, for n axes, 2n numbers for a line, 3n + 1 for a turn,
-/// 6n + 1 for a blend. curve() makes a Curve from them.
+/// **Memory.** A piece needs 40 bytes and, for n axes, 2n numbers for a line, 3n + 1 for a turn, 6n
+/// + 1 for a blend. curve() makes a Curve from these numbers.
 class Path {
  public:
-  /// For plan(), which makes paths.
+  /// Used by plan(), which makes paths.
   Path(std::size_t axes, std::vector<PathPiece> pieces, std::vector<double> numbers);
 
   [[nodiscard]] std::size_t axes() const { return axes_; }
@@ -67,7 +69,7 @@ class Path {
   /// Writes the segments of one axis on one piece to `out`: one, or up to three for a turn.
   void segments(std::size_t piece, std::size_t axis, std::vector<Segment>& out) const;
 
-  /// One axis as a function of q, from 0 to length(). Exact.
+  /// Returns one axis as a function of q, from 0 to length(). Exact.
   [[nodiscard]] Curve<OverLength> curve(std::size_t axis) const;
 
  private:

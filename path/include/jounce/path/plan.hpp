@@ -21,44 +21,50 @@ namespace jounce {
 
 /// Options of a plan.
 struct PlanOptions {
-  /// True: stop at every corner. The result shows the program time without rounding.
+  /// True: stop at every corner, for example to show the duration of the program without rounded
+  /// corners.
   bool stop_at_corners = false;
-  /// Joints of the machine; they become further axes of the plan, after the axes of the program.
+  /// Joints of the machine (axis_map.hpp). They become further axes of the plan, after the axes of
+  /// the program.
   std::optional<JointSpace> joints = {};
 };
 
-/// Short result of a *joint*, the place where two pieces of the path meet.
+/// Short result of a *joint* of the path: a place where two pieces meet. (Not a joint of the
+/// machine.)
 enum class JointNote : std::uint8_t {
   none,        ///< the result is as requested
   turns_back,  ///< the path reverses: the plan stops
   /// The adjacent pieces are too short for the requested corner; a smaller one is used.
   short_sides,
-  slower,  ///< the rounded corner would take longer than a stop: the plan stops
-  /// Tangential, but the curvature steps, and so does the acceleration; a corner mode rounds it.
+  slower,  ///< the rounded corner would take longer than a stop: the plan stops at the corner
+  /// The joint is tangential, but the curvature steps, and with it the acceleration. A corner mode
+  /// rounds the joint.
   steps,
   no_distance,  ///< the command covers no distance and is omitted
 };
-/// A joint with its note.
+/// A joint of the path with its note.
 struct JointMark {
-  /// Index of the piece: the corner, or the piece that begins at the joint.
+  /// Index of a piece: the corner at the joint, or the piece that begins at the joint.
   std::uint32_t piece = 0;
   std::int32_t line = 0;  ///< source line
   JointNote note = JointNote::none;
   bool rests = false;  ///< true: the plan stops here
 };
 
-/// Full result of the joint at the start of a command. u is the axes' unit of length, q the
-/// position on the path (path.hpp).
+/// Full result of the joint at the start of a command. u is the axes' unit of length, q the path
+/// parameter (path.hpp).
 struct CornerRecord {
   std::int32_t line = 0;        ///< source line of the command that begins here
   double where = 0;             ///< q of the middle of the corner
-  double angle = 0;             ///< rad, between the directions that meet here; 0: tangential
+  double angle = 0;             ///< rad, angle between the directions before and after the corner;
+                                ///< 0: tangential
   Corner asked = Corner::stop;  ///< requested kind of corner
   double value = 0;             ///< requested value
   bool stop = false;            ///< true: the plan stops here
   double trim = 0;              ///< u, length that the corner replaces on each side
-  double deviation = 0;         ///< u, exact distance from the corner to the curve
-  /// u, upper bound of the distance from the curve to the sides of the corner.
+  double deviation = 0;         ///< u, exact distance from the corner point to the curve that
+                                ///< rounds it
+  /// u, upper bound of the distance from this curve to the sides of the corner.
   double one_sided = 0;
   double curvature = 0;  ///< 1/u, greatest curvature
   double velocity = 0;   ///< u/s, velocity along q at the middle
@@ -81,10 +87,10 @@ std::string explain(const CornerRecord& corner, std::string_view length_unit = "
 ///     const Report report = check(axes.curves[0], limits.axes[0]);
 ///
 /// **Guarantees.** The plan begins and ends at rest, exactly at the start and end of the program.
-/// Every axis keeps its limits within 1e-12, by exact extrema. (Arcs, blends and curves are planned
-/// with limits reduced by 1e-6; the error of the fits of to_axes() is at most half of that.) The
-/// plan never takes longer than stop_duration(), the fastest motion of the same laws that stops at
-/// each corner. It depends on its arguments only.
+/// Every axis stays within its limits, to 1e-12, by exact extrema. (Arcs, blends and curves are
+/// planned with limits that are lower by 1e-6; the error of the fits of to_axes() is at most half
+/// of this margin.) The plan never takes longer than stop_duration(), the duration of the fastest
+/// motion of the same laws that stops at each corner. The plan depends only on its arguments.
 class Plan {
  public:
   /// Data from which the plan was made.
@@ -92,32 +98,33 @@ class Plan {
     GroupLimits limits;                  ///< limits of the axes, then of the joints
     std::vector<PathSettings> settings;  ///< settings of the commands
     std::size_t path_axes = 0;           ///< number of path axes
-    std::optional<Path> drawn = {};      ///< set if drawn() differs from path()
-    std::optional<MapFit> fit = {};      ///< for joints: their distance from the map
+    std::optional<Path> drawn = {};      ///< set only if drawn() differs from path()
+    std::optional<MapFit> fit = {};      ///< for joints of the machine: their distance from the map
   };
 
-  /// For plan() and the functions of hold.hpp and override.hpp, which make plans.
+  /// Used by plan() and the functions of hold.hpp and override.hpp, which make plans.
   Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration, Given given);
 
   /// The path of all axes: those of the program, then the joints.
   [[nodiscard]] const Path& path() const { return path_; }
-  /// The path with its lines, arcs and corners; joints() and corners() refer to its pieces. It
-  /// equals path(), unless joints are fitted. In that case it has only the axes of the program, as
-  /// functions of the same q.
+  /// The path with its lines, arcs and corners. joints() and corners() refer to the pieces of this
+  /// path. It equals path(), unless joints of the machine are fitted: then it has only the axes of
+  /// the program, as functions of the same q.
   [[nodiscard]] const Path& drawn() const { return given_.drawn ? *given_.drawn : path_; }
   [[nodiscard]] const TimingLaw& law() const { return law_; }
   [[nodiscard]] double duration() const { return law_.duration(); }  ///< s
   /// Duration with a stop at each corner, s.
   [[nodiscard]] double stop_duration() const { return stop_duration_; }
-  /// All joints that are not tangential, and all with a note, in the order of the path.
+  /// All joints of the path that are not tangential or have a note, in the order of the path.
   [[nodiscard]] std::span<const JointMark> joints() const { return joints_; }
   /// Returns the joints of the path with their full results.
   [[nodiscard]] std::vector<CornerRecord> corners() const;
 
   [[nodiscard]] const Given& given() const { return given_; }
 
-  /// The motion of every axis at time t (s) in [0, duration()], right-continuous. `out` has one
-  /// entry for each axis. Does not allocate. For many instants use PlanCursor.
+  /// Writes the motion of every axis at time t (s) in [0, duration()] to `out`, which has one entry
+  /// for each axis. At a step, the value is that after the step. Does not allocate. For many
+  /// instants use PlanCursor.
   void at(double t, std::span<Motion> out) const;
 
  private:
@@ -128,9 +135,9 @@ class Plan {
   Given given_;
 };
 
-/// Evaluates a plan at successive instants; the results are those of Plan::at(). It stores the
-/// phases of the last instant, so a slightly later instant needs no search and no square root. Does
-/// not allocate; the plan must outlive the cursor.
+/// Evaluates a plan at successive instants. The results are those of Plan::at(). The cursor stores
+/// the phases of the last instant, so evaluating a slightly later instant needs no search and no
+/// square root. Does not allocate. The plan must outlive the cursor.
 ///
 ///     PlanCursor cursor(motion);
 ///     for (double t = 0; t < motion.duration(); t += 0.001) cursor.at(t, out);
@@ -150,12 +157,12 @@ class PlanCursor {
   std::array<LawPhase, 7> phases_{};
 };
 
-/// Plans a whole program: geometry, corners, and velocities with look-ahead over all commands. A
-/// pure function.
+/// Plans a whole program: its geometry, its corners, and its velocities with look-ahead over all
+/// commands. A pure function.
 ///
-/// Throws InputError, with the source line, if a limit is missing or not positive, or if the
-/// program does not move. Required limits: a velocity for every axis that moves, or a feed of the
-/// program; an acceleration and a jerk of the axes or of the path.
+/// Requires a velocity limit for every axis that moves or a feed of the program, and limits of
+/// acceleration and jerk of the axes or of the path. Throws InputError, with the source line, if a
+/// limit is missing or not positive, or if the program does not move.
 Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& options = {});
 
 /// The axes of a plan over time.
@@ -165,14 +172,14 @@ struct PlanAxes {
   std::vector<Jet> error;
 };
 
-/// Returns the axes of a plan over time, from 0 s. They are exact on lines, on corners (degree 9),
-/// and on arcs at constant speed. Where the speed changes on an arc or an ellipse, they are fits of
-/// degree 11 within `tolerance` (unit of the axis) or within rounding, whichever is greater. The
+/// Returns the axes of a plan over time, from 0 s. The result is exact on lines, on corners (degree
+/// 9), and on arcs at constant speed. Where the speed changes on an arc or an ellipse, it is a fit
+/// of degree 11 within `tolerance` (unit of the axis) or within rounding, whichever is greater. The
 /// errors of velocity, acceleration and jerk are at most 5e-7 of the limits.
 PlanAxes to_axes(const Plan& plan, double tolerance = 1e-9);
 
-/// Returns a proven lower bound of the duration on the path plan.path(), without jerk limits, s: no
-/// motion along this path that keeps the limits of velocity and acceleration is faster. `cells`:
+/// Returns a proven lower bound (s) of the duration on the path plan.path() without jerk limits: no
+/// motion along this path within the limits of velocity and acceleration is faster. `cells` is the
 /// number of parts into which each arc and corner is divided.
 double lower_bound(const Plan& plan, int cells = 32);
 

@@ -14,15 +14,15 @@
 
 namespace jounce {
 
-/// Kind of the corner at the start of a command. `value` is that of PathSettings. u is the axes'
+/// Kind of the corner at the start of a command. `value` is PathSettings::value. u is the axes'
 /// unit of length.
 enum class Corner : std::uint8_t {
   stop,  ///< exact corner with a stop (TM_NONE, TMNone, G61)
-  /// Rounded: at most `value` (u) between corner and curve, and between the curve and the sides
-  /// (G64 P).
+  /// Rounded: the distance between corner point and curve is at most `value` (u), and so is the
+  /// distance between the curve and the sides of the corner (G64 P).
   deviation,
-  /// Rounded: from at most `value` (u) before the corner to at most `value` after it
-  /// (TMCornerDistance).
+  /// Rounded: the curve begins at most `value` (u) before the corner and ends at most `value` after
+  /// the corner (TMCornerDistance).
   distance,
   curvature,  ///< rounded: curvature at most `value`, 1/u (HIMC MAX_CORNER_CURV)
   velocity,   ///< rounded: passed at `value`, u/s, with the least deviation (HIMC CONST_VEL)
@@ -30,7 +30,7 @@ enum class Corner : std::uint8_t {
 };
 
 /// Requested velocity at the start of a command (PLCopen part 4; Table 7.1 of the PMC600 manual).
-/// Limits still hold: the velocity is the requested one or lower.
+/// If the limits do not permit the requested velocity, it is lower.
 enum class Junction : std::uint8_t {
   buffered,           ///< at rest
   blending_low,       ///< the lower of the two feeds
@@ -40,8 +40,8 @@ enum class Junction : std::uint8_t {
   look_ahead,         ///< the highest velocity within the limits
 };
 
-/// Modal settings: they apply to all following commands. `corner` and `junction` apply to the START
-/// of these commands (HMPL manual 8.1.6, Example 3-1).
+/// Modal settings: they apply to all following commands. `corner` and `junction` apply to the start
+/// of each of these commands (HMPL manual 8.1.6, Example 3-1).
 struct PathSettings {
   static constexpr double none = std::numeric_limits<double>::infinity();  ///< no limit
 
@@ -68,11 +68,11 @@ struct PathSettings {
 ///     square.dwell(0.5);
 ///
 /// **Positions are absolute.** For a relative command, add position(). The argument `line` of a
-/// command is its source line, which errors and findings name; 0: none.
+/// command is its source line, which errors and findings show; 0: none.
 ///
 /// **Length.** Lengths, feeds and deviations are measured in the first `path_axes` axes. The other
 /// axes are *followers*: they move in proportion to the length. If a command moves only followers,
-/// its length is measured in them.
+/// its length is measured in the followers.
 ///
 /// **Throws** InputError with the source line if a value is not finite or out of range.
 class Program {
@@ -85,20 +85,20 @@ class Program {
   void arc(const Arc& arc, int line = 0);    ///< adds an arc, which begins at position()
   /// Adds a spline or an ellipse, which begins at position().
   void curve(const PathCurve& curve, int line = 0);
-  /// Adds a rest of any duration, s, >= 0; it is not rounded to a cycle.
+  /// Adds a dwell of any duration, s, >= 0; the duration is not rounded to a cycle.
   void dwell(double seconds, int line = 0);
 
   [[nodiscard]] std::size_t axes() const { return axes_; }
   [[nodiscard]] std::size_t path_axes() const { return path_axes_; }
   [[nodiscard]] const Point& start() const { return start_; }
-  /// End of the last command; at first start().
+  /// End of the last command; start() if the program has no command.
   [[nodiscard]] const Point& position() const { return position_; }
 
   enum class Kind : std::uint8_t { line, arc, curve, dwell };
   /// A command, for the reader of a program.
   struct Command {
-    /// Index of its first number (end of a line, duration of a dwell), or index into arcs() or
-    /// curves().
+    /// Index of the command's first number (end of a line, duration of a dwell), or index into
+    /// arcs() or curves().
     std::size_t data = 0;
     int line = 0;                ///< source line
     std::uint32_t settings = 0;  ///< index into settings()

@@ -21,9 +21,9 @@ namespace jounce {
 ///     half.deviation;    // certified bound of the distance from the ellipse
 ///     half.speed_error;  // certified bound of | |r'| - 1 |
 ///
-/// The pieces are the path, so its limits are exact. `deviation` bounds its distance from the
-/// requested shape, `speed_error` the difference of its parameter from arc length. The feed is
-/// never exceeded: the timing law is slower by the speed error.
+/// The pieces are the path, so its limits are exact. `deviation` bounds the distance from the
+/// pieces to the requested shape. `speed_error` bounds the difference between the parameter and arc
+/// length; the timing law is slower by this share, so the motion never exceeds the feed.
 struct PathCurve {
   std::size_t axes = 0;           ///< number of axes
   std::vector<Segment> segments;  ///< for each piece, one segment for each axis
@@ -40,32 +40,35 @@ struct SplineDirections {
   std::optional<Point> end = {};  ///< tangent at the end
 };
 
-/// Returns the cubic spline through `points` as a function of the length of the chords; the first
-/// point is the start. It is twice continuously differentiable, and has the given directions at its
-/// ends. Throws "points" for fewer than two points, or equal neighbors.
+/// Returns the cubic spline through `points`; the first point is the start. The parameter is the
+/// length of the chords. The spline is twice continuously differentiable, and has the given
+/// directions at its ends. Throws InputError "points" for fewer than two points, or for equal
+/// neighbors.
 PathCurve spline_through(std::span<const Point> points, std::size_t axes,
                          const SplineDirections& ends = {});
 
-/// Returns the B-spline of control points, of degree 3 to 7, with continuous curvature; the first
-/// point is the start. `knots`: one for each point and degree + 1 more. The first and the last knot
-/// occur degree + 1 times, so the curve begins and ends at its end points. Empty: evenly spaced.
-/// Its parameter is that of its knots, which is far from arc length; see over_length(). Throws
-/// "degree", "point", "knots".
+/// Returns the B-spline of the given control points, of degree 3 to 7, with continuous curvature.
+/// The first point is the start. `knots` has points.size() + degree + 1 values. The first and the
+/// last knot occur degree + 1 times, so the curve begins and ends at its end points. If `knots` is
+/// empty, the knots are evenly spaced. The parameter of the result is that of the knots, which is
+/// far from arc length; convert it with over_length(). Throws InputError "degree", "point",
+/// "knots".
 PathCurve b_spline(std::span<const Point> points, std::size_t axes, std::size_t degree = 3,
                    std::span<const double> knots = {});
 
-/// Converts a polynomial curve to arc length, by pieces of degree 7. `deviation` grows by at most
-/// `tolerance` (unit of length), which is proven by an enclosure of the eighth derivative. Lengths
-/// are computed by Gauss quadrature of two orders. `path_axes`: number of axes in which length is
-/// measured; 0: all. Tangential neighbors of the result are passed without a corner. Throws
-/// "tolerance", and "point" at a cusp.
+/// Returns a polynomial curve as a function of arc length, by pieces of degree 7. `deviation` grows
+/// by at most `tolerance` (unit of length); an enclosure of the eighth derivative proves this.
+/// Lengths are computed by Gauss quadrature of two orders. `path_axes` is the number of axes in
+/// which length is measured; 0: all. Tangential neighbors of the result are passed without a
+/// corner. Throws InputError "tolerance", and "point" at a cusp.
 PathCurve over_length(const PathCurve& curve, double tolerance, std::size_t path_axes = 0);
 
-/// Returns a part of an ellipse (PMC600 manual 8.1.4, LS_2AxisEllipses). `degrees`: angle of the
-/// major axis in the plane; `ratio`: minor axis divided by major axis, in (0, 1]; the size follows
-/// from the start. If both ends are equal, it is a full turn; `extra_turns` turns are added. All
-/// other axes move in proportion to the length. A fit in arc length, with 32 pieces for each turn.
-/// Throws "to" if the end is farther from the ellipse than `tolerance` times the major half axis.
+/// Returns a part of an ellipse (PMC600 manual 8.1.4, LS_2AxisEllipses), as a fit in arc length
+/// with 32 pieces for each turn. `degrees` is the angle of the major axis in the plane, and
+/// `ratio`, in (0, 1], the minor axis divided by the major axis. The start determines the size. If
+/// start and end are equal, the part is a full turn; `extra_turns` turns are added. All other axes
+/// move in proportion to the length. Throws InputError "to" if the end is farther from the ellipse
+/// than `tolerance` times the major half axis.
 PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane plane,
                   double degrees, double ratio, ArcRotation rotation, std::size_t axes,
                   int extra_turns = 0, double tolerance = 1e-6);

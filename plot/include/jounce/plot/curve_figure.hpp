@@ -12,18 +12,18 @@
 
 namespace jounce {
 
-/// Options for the picture of a curve. All are optional.
+/// Options for the figure of a curve. All are optional.
 struct CurveLook {
   std::string title{};  ///< title above the plots
   std::string axis{};   ///< name of the x axis; "": "time" or "master"
   /// Unit of the x axis: "s", "deg", ...; "deg" and "°" give angular ticks.
   std::string axis_unit{};
-  /// Unit of the position, "mm"; the units of its derivatives follow from it and `axis_unit`.
+  /// Unit of the position, "mm". With `axis_unit`, it determines the units of the derivatives.
   std::string unit{};
   std::array<std::string, 3>
-      rate_units{};  ///< other units for velocity, acceleration, jerk; "" keeps the above
+      rate_units{};  ///< other units for velocity, acceleration, jerk; "": the units above
   std::string label = "curve";               ///< label of the curve in the legend
-  std::string before = "before";             ///< label of the curve before
+  std::string before = "before";             ///< label of the pale curve `before`
   Limits limits{};                           ///< limits that are drawn
   std::vector<Shade> shades{};               ///< named ranges of the x axis
   std::vector<std::vector<Shade>> strips{};  ///< rows of names above the plots, see Figure
@@ -35,14 +35,14 @@ struct CurveLook {
 /// acceleration, jerk over time; or position, geo_velocity, geo_acceleration, geo_jerk over the
 /// master.
 ///
-/// At a width of 800 px, lines are true to half a pixel. The points have a fixed step, and include
-/// every critical point, so the curve is monotone between neighboring points. Jumps are vertical.
-/// Marks show the exact least and greatest value of each panel, and the worst point of each segment
-/// that breaks a limit (at most eight in a panel).
+/// At a width of 800 px, lines are accurate to half a pixel. The points have a fixed step and
+/// include every critical point, so the curve is monotone between neighboring points. Jumps are
+/// vertical. Marks show the exact least and greatest value of each panel, and the worst point of
+/// each segment that breaks a limit (at most eight in a panel).
 template <class Over>
 Figure curve_figure(const Curve<Over>& f, const CurveLook& look);
 
-/// Draws the curve over a pale curve `before`: the motion before an optimization, or another
+/// Returns the curve over a pale curve `before`: the motion before an optimization, or another
 /// version.
 template <class Over>
 Figure curve_figure(const Curve<Over>& f, const Curve<Over>& before, const CurveLook& look);

@@ -10,11 +10,11 @@ namespace jounce {
 /// Appearance of a series.
 enum class Style {
   line,   ///< a line
-  under,  ///< a wide pale line below the others: a previous version, or a reference
+  under,  ///< a wide pale line below the other lines: a previous version, or a reference
   dots,   ///< points only: knots, measured values
 };
 
-/// One line of a plot. x and y have the same size. A jump is given by two points at the same x. A
+/// One line of a plot. x and y must have the same size. Two points at the same x make a jump. A
 /// point that is not finite makes a gap.
 struct Series {
   std::string label{};  ///< label in the legend, which is shown if a figure has several labels
@@ -39,7 +39,7 @@ struct Panel {
   std::optional<double> lower{};  ///< lower limit: the area below is tinted
   std::optional<double> upper{};  ///< upper limit: the area above is tinted
   std::vector<Marker> markers{};  ///< marked points, the most important first
-  double noise = 0;               ///< a smaller variation than this is drawn as a flat line
+  double noise = 0;               ///< variations smaller than this are drawn as a flat line
 };
 
 /// A range of the x axis with a name, such as a sync zone of a cam.
@@ -57,17 +57,17 @@ struct Shade {
 ///
 /// Labels may contain any text; "^2" is shown as "²". Names of shades and numbers of knots are
 /// shown if there is space; the pointer shows all names. A limit with a large margin is not drawn;
-/// a note above the panel gives its value.
+/// a note above the panel states it.
 struct Figure {
   std::string title{};          ///< title above the plots
   std::string x_label{};        ///< name and unit of the x axis
   std::vector<Panel> panels{};  ///< the plots, from top to bottom
   std::vector<Shade> shades{};  ///< tinted ranges
   /// Rows of names above the plots, such as the segments and their laws. Names in the first row are
-  /// cut to the width of their range; in other rows, a name is shown only if it fits. A row in
-  /// which no name fits is omitted. If there are rows, the names of shades are not shown.
+  /// shortened to the width of their range; in other rows, a name is shown only if it fits. A row
+  /// in which no name fits is omitted. If there are rows, the names of shades are not shown.
   std::vector<std::vector<Shade>> strips{};
-  /// Thin vertical lines; if they are too dense, they are omitted with a note.
+  /// Thin vertical lines. If they are too dense, a note replaces them.
   std::vector<double> knots{};
   bool degrees = false;  ///< true: x is an angle, with ticks at 30, 45, 60, 90 deg, ...
   /// True: x is a decimal logarithm, with ticks that show the numbers 1, 2, 5, 10, ...
@@ -78,12 +78,13 @@ struct Figure {
 struct SvgOptions {
   double width = 860;         ///< width, px
   double panel_height = 120;  ///< height of each plot without its labels, px
-  bool inlined = false;       ///< true: for html(), which has the style sheet and sets the size
+  bool inlined = false;       ///< true: for html(); the page then contains the style sheet and sets
+                              ///< the size
 };
 
-/// Returns the figure as an SVG document: labels are text, there is no script, and nothing is
-/// loaded. Colors are light or dark as the viewer prefers, light without a preference. Equal
-/// figures give equal bytes.
+/// Returns the figure as an SVG document. Labels are text; the document has no script and loads
+/// nothing. Colors are light or dark as the viewer prefers; without a preference they are light.
+/// Equal figures give equal bytes.
 std::string svg(const Figure& figure, const SvgOptions& options = {});
 
 }  // namespace jounce

@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// Returns the findings of a check as a table for a page: one row for each, in the order of the
-/// report, with the broken ones marked. Columns without any entry are omitted.
+/// Returns the findings of a check as a table for a page: one row for each finding, in the order of
+/// the report. Rows of broken findings are marked. Columns without any entry are omitted.
 DataTable findings_table(const Report& report, const Labels& labels, std::string caption = {});
 
 /// Returns a sentence with a mark: "All 4 limits hold.", "2 of 5 findings are broken.", ...

@@ -10,9 +10,9 @@
 
 namespace jounce {
 
-/// Returns the exact curve of an input with its limits and sync zones, over a pale curve of
-/// `before` if it is given. Units are those of `input`. Throws InputError (key "before") if one of
-/// them is over time and the other over a master.
+/// Returns the exact curve of an input with its limits and sync zones. If `before` is given, its
+/// pale curve is below. Units are those of `input`. Throws InputError (key "before") if one of the
+/// inputs is over time and the other over a master.
 Figure figure_of(const Input& input, const std::optional<Input>& before = std::nullopt);
 
 /// Returns all axes in one figure, in different colors. A limit is drawn if it is equal for all
@@ -20,7 +20,7 @@ Figure figure_of(const Input& input, const std::optional<Input>& before = std::n
 Figure figure_of(const std::vector<Input>& axes);
 
 /// Returns the rise of a law from 0 to 1 with its derivatives. Throws InputError (key "law") for a
-/// law whose points define its shape.
+/// law through points, which has no shape of its own.
 Figure law_figure(Law law);
 
 }  // namespace jounce

@@ -11,7 +11,7 @@ namespace jounce {
 std::string superscripts(std::string_view text);
 
 /// Returns a number for people, rounded to `digits` significant digits, in its shortest form, with
-/// a typographic minus: "−3.39227", "1.5×10¹²". For machines, use number().
+/// a typographic minus: "−3.39227", "1.5×10¹²". For programs, use number().
 std::string short_number(double value, int digits = 6);
 
 }  // namespace jounce

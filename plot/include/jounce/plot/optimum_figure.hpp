@@ -7,7 +7,7 @@
 namespace jounce {
 
 /// Returns the motion of an optimized spec over the pale motion of the given spec: position and
-/// derivatives, and the torque if the spec has a [load]. Both specs must have one axis.
+/// derivatives and, if the spec has a [load], the torque. Requires specs of one axis.
 Figure optimum_figure(const Spec& given, const Spec& optimized);
 
 }  // namespace jounce

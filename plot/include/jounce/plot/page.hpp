@@ -25,7 +25,7 @@ struct Facts {
 /// tinted and has a cross.
 struct DataTable {
   struct Row {
-    std::vector<std::string> cells;  ///< one for each column; missing ones are empty
+    std::vector<std::string> cells;  ///< one for each column; missing cells are empty
     bool broken = false;             ///< true: the row shows a broken limit
   };
 
@@ -64,14 +64,14 @@ struct Page {
   std::string footer{};  ///< origin of the page: version of the program, hash of the table
 };
 
-/// Returns the page as one HTML file that needs no other file. It has no script and loads nothing,
-/// and its Content-Security-Policy makes the browser reject scripts and further files. All text is
-/// escaped, so a name in a spec cannot become markup. Colors are light or dark as the reader
-/// prefers, and a print is white. Figures are included a second time for narrow windows, such as a
-/// phone. Equal pages give equal bytes.
+/// Returns the page as one HTML file that needs no other file. The page has no script and loads
+/// nothing; its Content-Security-Policy makes the browser reject scripts and further files. All
+/// text is escaped, so a name in a spec cannot become markup. Colors are light or dark as the
+/// reader prefers; a print is white. Figures are included a second time for narrow windows, such as
+/// that of a phone. Equal pages give equal bytes.
 std::string html(const Page& page);
 
-/// Returns the CSS of that page, for other pages with the same appearance: colors as variables
+/// Returns the CSS of html(), for other pages with the same appearance: colors as variables
 /// (--paper, --ink, --soft, --grid, --frame, --limit, --one to --four), light or dark as the reader
 /// prefers, and the styles of text and tables.
 std::string page_style();

@@ -20,7 +20,7 @@ struct PathFigure {
   std::string x_label{}, y_label{};  ///< labels of the axes, with their units: "x [mm]"
   std::string speed_label{};         ///< label of the color scale: "speed [mm/s]"
   std::vector<double> x{}, y{};  ///< points along the path: at least two, x and y of the same size
-  /// Speed at each point, >= 0; a line between two points shows the mean of their speeds.
+  /// Speed at each point, >= 0. The color between two points shows the mean of their speeds.
   std::vector<double> speed{};
   std::vector<Mark> marks{};  ///< marked points
 };

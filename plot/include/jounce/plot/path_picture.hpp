@@ -11,8 +11,8 @@ namespace jounce {
 
 /// Returns the path in the plane of two of its axes, such as "x,y", colored by its speed. Marks
 /// show the five places that cost most time, with their lines in the program. Throws InputError
-/// (key "plane") if there is no path, if an axis does not exist, or if the axes have different
-/// units.
+/// (key "plane") if the axes have no path, if an axis does not exist, or if the two axes have
+/// different units.
 PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane);
 
 }  // namespace jounce

@@ -11,8 +11,8 @@ namespace jounce {
 /// .png, or be "-".
 void require_picture_name(const std::string& key, const std::string& path);
 
-/// Writes an SVG text to a file. If the path ends in ".png", writes it as PNG (by rsvg-convert);
-/// "-" is SVG to standard output. Throws InputError (key "path") for another name, and
+/// Writes an SVG text to a file. If the path ends in ".png", converts it to PNG (by rsvg-convert);
+/// for "-", writes SVG to standard output. Throws InputError (key "path") for another name, and
 /// std::system_error if rsvg-convert is missing or fails.
 void write_svg_file(const std::string& path, const std::string& svg);
 

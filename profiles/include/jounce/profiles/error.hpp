@@ -11,9 +11,9 @@ std::string number(double value);
 
 /// An error in the input, in one sentence: its place, its value, and the rule that it breaks.
 ///
-/// This is the only exception that Jounce throws for input. A generator gives the key, the value
-/// and the rule; the reader of the document adds the place with at(). An expected outcome (a broken
-/// limit, an optimum that was not reached) is a returned value instead. A programming error
+/// Jounce throws no other exception for input. A generator gives the key, the value and the rule;
+/// the reader of the document adds the place with at(). An expected outcome, such as a broken limit
+/// or an optimum that was not reached, is a returned value, not an exception. A programming error
 /// asserts.
 ///
 ///     cams/feeder.toml:9:17: segment[2].end.master = 60: must be greater than 75, the knot before
@@ -29,7 +29,8 @@ class InputError : public std::exception {
 
   /// The whole sentence.
   [[nodiscard]] const char* what() const noexcept override { return text_.c_str(); }
-  /// The parts of the sentence; an empty document and a line or column 0 are not known.
+  /// The parts of the sentence. An empty document, and a line or column of 0, mean that this part
+  /// is unknown.
   [[nodiscard]] const std::string& document() const { return document_; }
   [[nodiscard]] int line() const { return line_; }
   [[nodiscard]] int column() const { return column_; }
@@ -47,7 +48,7 @@ class InputError : public std::exception {
   std::string text_;
 };
 
-/// Throws InputError unless the value is finite; finite and > 0; finite and >= 0.
+/// Throw InputError unless the value is: finite; finite and > 0; finite and >= 0.
 void require_finite(const char* key, double value);
 void require_positive(const char* key, double value);
 void require_not_negative(const char* key, double value);

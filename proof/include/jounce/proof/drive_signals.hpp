@@ -8,10 +8,10 @@
 
 namespace jounce {
 
-/// Returns the samples of a drive's run as the text of a file: NPY (one structured array) if `path`
-/// ends in .npy, otherwise CSV. The columns have the names that `jounce identify` reads: time,
-/// command (the reference), feedback (position of the motor), load, velocity (of the motor),
-/// following error, torque, and current if the motor has a torque constant.
+/// Returns the samples of a drive's run as the contents of a file: NPY (one structured array) if
+/// `path` ends in .npy, otherwise CSV. The columns have the names that `jounce identify` reads:
+/// time, command (the reference), feedback (position of the motor), load, velocity (of the motor),
+/// following error, torque and, if the motor has a torque constant, current.
 std::string signals_file(const DriveResult& run, const Input& input, const std::string& path);
 
 /// Throws InputError with this key unless the path ends in .csv or .npy, or is "-" (CSV).

@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// Returns the run of the [follower] of a spec, with the table of the input as its lift. `samples`:
+/// Simulates the [follower] of a spec, with the table of the input as the lift. `samples` is the
 /// number of equally spaced samples; 0: none. Throws InputError for an input without a [follower].
 FollowerResult followed(const Input& input, std::size_t samples = 0);
 
@@ -18,7 +18,8 @@ FollowerResult followed(const Input& input, std::size_t samples = 0);
 Figure follower_figure(const FollowerResult& run, const FollowerSpec& spec,
                        const std::string& unit);
 
-/// Draws the follower of an input, with the input's name. Throws InputError like followed().
+/// Returns the figure of the follower of an input, with the input's name. Throws InputError like
+/// followed().
 Figure follower_figure(const Input& input);
 
 }  // namespace jounce

@@ -17,12 +17,13 @@ std::string identification_text(const Identification& found, const std::string& 
 /// Returns the contents of identification_text() as a JSON object, with all digits of each number.
 std::string identification_json(const Identification& found);
 
-/// Returns a figure: each recorded quantity over that of the fitted model, with the residual below.
+/// Returns a figure: each recorded quantity and that of the fitted model, with the residual below.
 Figure identification_figure(const Identification& found, const Recording& run,
                              const std::string& title, const std::string& unit);
 
 /// Returns the text of a spec of kind "drive" with the fitted values. A comment next to each value
-/// gives its interval and its start. `remark`: comment in the first line.
+/// gives its interval and its value at the start of the fit. `remark` is the comment in the first
+/// line.
 std::string fitted_drive_text(const Identification& found, DriveSpec drive, const Units& units,
                               const std::string& remark);
 

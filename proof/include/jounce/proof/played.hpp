@@ -18,18 +18,19 @@ struct PlayedTick {
   std::int64_t tick = 0;  ///< number of the tick
   double time = 0;        ///< time since the first tick of the motion, s
   double position = 0;    ///< commanded position, u
-  double clock = 0;       ///< time since tick 0 of the log, s: it determines the rounding of `time`
+  double clock = 0;       ///< time since tick 0 of the log, s; it determines the rounding of `time`
 };
 
-/// Returns the ticks of the last motion in a tick log (TickLog). `csv`: text of the log. `name`:
-/// name of the log for errors. Throws InputError with name, line and key for a text that is not a
+/// Returns the ticks of the last motion in a tick log (TickLog). `csv` is the text of the log,
+/// `name` its name for errors. Throws InputError with name, line and key for a text that is not a
 /// tick log, or contains no motion.
 std::vector<PlayedTick> read_played(const std::string& csv, const std::string& name);
 
 /// The reference of a motion. Times are in s from its start.
 struct Designed {
   std::function<Motion(double)> table;    ///< the interpolated table
-  std::function<double(double)> curve{};  ///< the exact curve, u; empty: there is only a table
+  std::function<double(double)> curve{};  ///< the exact curve, u; empty: the reference has only a
+                                          ///< table
   double tolerance = 0;                   ///< permitted deviation of the table from the curve, u
   double duration = 0;                    ///< duration of the motion, s
 };
@@ -45,21 +46,21 @@ struct Deviation {
 struct Played {
   std::size_t ticks = 0;             ///< number of ticks compared
   Deviation table{};                 ///< deviation from the table
-  std::optional<Deviation> curve{};  ///< deviation from the curve, if there is one
+  std::optional<Deviation> curve{};  ///< deviation from the curve, if the reference has one
   /// Findings:
-  /// - "played/table": deviation from the table, limited by the rounding of the arithmetic.
-  /// - "played/curve": deviation from the curve, limited by the tolerance of the table plus
+  /// - "played/table": deviation from the table; the limit is the rounding of the arithmetic.
+  /// - "played/curve": deviation from the curve; the limit is the tolerance of the table plus
   ///   rounding.
-  /// - "played/gap": greatest number of missing ticks at one place, limited to a tenth of a second.
-  ///   (A late cycle skips some ticks; a log with a gap lacks more.)
+  /// - "played/gap": greatest number of missing ticks at one place; the limit is a tenth of a
+  ///   second. (A late cycle skips some ticks; a log with a gap lacks more.)
   /// - "played/complete": broken if the log ends before the motion.
   Report report;
 };
 
-/// Compares every tick with the design. The permitted rounding is `most_roundings` units in the
-/// last place of the greatest position, plus `most_roundings` units in the last place of the
+/// Compares every tick with the design. The permitted rounding is the sum of two terms of
+/// `most_roundings` units in the last place: that of the greatest position, and that of the
 /// distance that the fastest tick would travel during the time of the log. (A position is computed
-/// from a time, and the rounding of the time shifts the position.)
+/// from a time, so the rounding of the time shifts the position.)
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed);
 /// Number of units in the last place that compare_played() permits.
 inline constexpr double most_roundings = 32;

@@ -22,7 +22,7 @@ namespace jounce {
 ///     if (!proof.report.ok()) print(full_text(proof.report, input.labels));
 struct Proof {
   Witness curve;                     ///< integration of the exact curve
-  Witness table;                     ///< integration of the table, as the executor interpolates it
+  Witness table;                     ///< integration of the table, interpolated as in the executor
   std::optional<DriveResult> drive;  ///< result of the drive, if the spec has a [drive]
   std::optional<Played> played;      ///< comparison with a tick log, if one was given
   Report report;                     ///< all findings, with their units, sorted
@@ -44,16 +44,16 @@ struct ProofOptions {
   ProofProgress progress = {};
 };
 
-/// Proves an input: integrates its curve and its table, runs the [drive] and the [follower] with
-/// the table, and compares the tick log with the curve and the table. Throws InputError for a cam
-/// that has a [drive] or a [follower] but no [master], and for a file that is not a tick log.
+/// Proves an input: integrates its curve and its table, simulates the [drive] and the [follower]
+/// with the table, and compares the tick log with the curve and the table. Throws InputError for a
+/// cam that has a [drive] or a [follower] but no [master], and for a file that is not a tick log.
 Proof prove(const Input& input, const ProofOptions& options = {});
 
 /// Returns the text of `jounce validate` for one input, without the findings.
 std::string proof_text(const Proof& proof, const Input& input);
 
-/// Returns the answer of `jounce validate` for one input: the verdict, proof_text(), and the
-/// findings if it is not proven.
+/// Returns the output of `jounce validate` for one input: the verdict, proof_text() and, if the
+/// input is not proven, the findings.
 std::string proof_answer(const Proof& proof, const Input& input);
 /// Returns the result with all findings as a JSON object, with all digits of each number.
 std::string proof_json(const Proof& proof, const Input& input);

@@ -14,9 +14,9 @@ struct ReportPage {
   Report findings;  ///< findings of the exact check, then those of the proof
 };
 
-/// Returns the page: the curve (over a pale curve of `before`, if given), the extrema of each
-/// segment, limits and joints, the proof, the table. Throws InputError like prove(), and with the
-/// key "before" if one input is over time and the other over a master.
+/// Returns the page: the curve (if `before` is given, over its pale curve), the extrema of each
+/// segment, limits and joints, the proof, and the table. Throws InputError like prove(), and with
+/// the key "before" if one input is over time and the other over a master.
 ReportPage report_page(const Input& input, const std::optional<Input>& before,
                        const ProofOptions& options);
 

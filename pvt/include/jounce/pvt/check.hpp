@@ -6,17 +6,17 @@
 
 namespace jounce {
 
-// The functions of extrema.hpp and limits.hpp for a table. They return the same values as for the
-// table's curve, at the same places (except for rounding: a table stores the positions of its
-// knots, while a curve sums lengths). They are ten to a hundred times as fast and do not make the
-// curve: a bound from the Bernstein coefficients of each interval selects the few intervals that
-// can affect the result, and only these are searched.
+// The functions of extrema.hpp and limits.hpp for a table. The results are those for the table's
+// curve, except for rounding. (A table stores the positions of its knots, while a curve sums
+// lengths.) The functions are ten to a hundred times as fast as those for a curve, because they
+// search only the intervals that can affect the result. A bound from the Bernstein coefficients
+// selects these intervals.
 //
 //     Report report = check(table, {.velocity = 2, .acceleration = 50});
 //     Ranges all = extrema(table);          // position to third derivative: least, greatest, where
 //
 // All functions throw InputError if a derivative is too large for a double, like Table::curve().
-// check() also throws for invalid limits, like check() of a curve.
+// check() also throws for invalid limits, like check() for a curve.
 
 /// Returns the exact range of the position and its three derivatives.
 Ranges extrema(const Table& table);

@@ -19,7 +19,7 @@ enum class GridRule : std::uint8_t {
   cubic,
 };
 
-/// The grid points along one reference axis: base, base + interval, ...; `count` of them.
+/// The grid points along one reference axis: `count` points at base, base + interval, ...
 struct GridAxis {
   double base = 0;        ///< in the unit of the reference
   double interval = 1;    ///< > 0, in the unit of the reference
@@ -28,12 +28,12 @@ struct GridAxis {
   [[nodiscard]] double end() const { return base + interval * static_cast<double>(count - 1); }
 };
 
-/// A table of measured errors, as SetupComp, SetupComp2D and SetupComp3D of HIWIN HIMC take it
-/// (HMPL manual 14.1).
+/// A table of measured errors, as SetupComp, SetupComp2D and SetupComp3D of HIWIN HIMC use it (HMPL
+/// manual 14.1).
 struct CompensationSpec {
   std::vector<GridAxis> axes = {};  ///< one to three references
-  /// Correction at each grid point, in the unit of the corrected position; the first reference
-  /// varies fastest.
+  /// Correction at each grid point, in the unit of the corrected position. The index of the first
+  /// reference varies fastest.
   std::vector<double> values = {};
   GridRule rule = GridRule::linear;  ///< interpolation between the points
   /// Greatest permitted |value|; default: no limit. HIMC: 1 mm (error 0x0802).
@@ -48,19 +48,19 @@ struct CompensationSpec {
 ///     Fitted<OverTime> out = compensated(move, screw, {{move}}, 1e-9);  // reference: move itself
 ///     Report report = check(out.curve, limits);                        // including the correction
 ///
-/// **Outside the grid** the value at the nearest point of its edge holds (HMPL manual 14.1).
-/// **Between the points** GridRule applies. The HMPL manual does not define the ends of its spline;
-/// here they are natural.
+/// **Outside the grid**, the value at the nearest point of its edge applies (HMPL manual 14.1).
+/// **Between the points**, GridRule applies. The HMPL manual does not define the ends of its
+/// spline; the ends of this spline are natural.
 ///
-/// A correction is added behind the profile generator. With a linear table, the velocity of the
+/// A correction is added after the profile generator. With a linear table, the velocity of the
 /// output steps whenever a reference passes a grid line, by the reference's speed times the change
 /// of slope; check() reports these steps. The cubic rule avoids them, except at the edges of the
 /// grid.
 ///
 /// at() does not allocate or throw. The constructor throws InputError, with keys that count from 1
-/// ("values[3]"), for no or more than three references; an interval that is not positive; fewer
-/// than two points; a number of values that differs from the number of grid points; a value that is
-/// not finite or above `most`; and the cubic rule with three references.
+/// ("values[3]"), in these cases: no or more than three references; an interval that is not
+/// positive; fewer than two points; a number of values that differs from the number of grid points;
+/// a value that is not finite or above `most`; the cubic rule with three references.
 class Compensation {
  public:
   static constexpr std::size_t most_references = 3;  ///< greatest number of references
@@ -77,9 +77,10 @@ class Compensation {
   /// entries.
   [[nodiscard]] double at(std::span<const double> references) const;
 
-  /// One cell of the grid. With s = (x - start) / interval in [0, 1] for each reference, its
-  /// correction is c = sum of k[i] s1^a s2^b s3^c, for a, b, c < order and i = a + order (b + order
-  /// c). If a reference is outside the grid, the cell has no extent in its direction.
+  /// One cell of the grid. With s = (x - start) / interval in [0, 1] for each reference, the
+  /// correction in the cell is the sum of k[i] s1^a s2^b s3^c over a, b, c < order, where i = a +
+  /// order (b + order c). If a reference is outside the grid, the cell has no extent along this
+  /// reference.
   struct Cell {
     static constexpr std::size_t most_terms = 16;        ///< greatest number of coefficients
     std::size_t order = 2;                               ///< 2: linear, 4: cubic
@@ -100,15 +101,15 @@ class Compensation {
   std::array<std::vector<double>, 3> slopes_;
 };
 
-/// Returns the corrected motion, motion + c(references). All curves cover the same interval; a
-/// reference may be the motion itself. No curve may have the policy Extrapolation::advance, because
-/// the correction would differ from period to period.
+/// Returns the corrected motion, motion + c(references). Requires that all curves cover the same
+/// interval; a reference may be the motion itself. No curve may have the policy
+/// Extrapolation::advance, because the correction would differ from period to period.
 ///
-/// The result is exact if it fits a segment: for a linear table of one reference up to degree 11;
-/// of two or three, if the sum of their degrees is at most 11. Otherwise it is within `tolerance` >
-/// 0 (unit of the motion), with a certified error (see fitted.hpp). Outside, it has the policy of
-/// the motion. Throws InputError if the intervals differ by more than rounding, if the number of
-/// references is wrong, and like composed_within().
+/// The result is exact if it fits a segment. With a linear table of one reference, it fits up to
+/// degree 11; with two or three references, if the sum of their degrees is at most 11. Otherwise
+/// the result is within `tolerance` > 0 (unit of the motion), with a certified error (see
+/// fitted.hpp). Outside, it has the policy of the motion. Throws InputError if the intervals differ
+/// by more than rounding, if the number of references is wrong, and like composed_within().
 Fitted<OverTime> compensated(const Trajectory& motion, const Compensation& compensation,
                              std::span<const Trajectory> references, double tolerance);
 

@@ -18,8 +18,8 @@ namespace jounce {
 ///
 /// The cursor stores the polynomials of one interval. Its results do not depend on earlier queries:
 /// for any order of queries they are bit for bit table.jet(x). A copy is an independent cursor. The
-/// table must outlive its cursors, which do not change it; each thread uses its own cursor. Throws
-/// and allocates nothing.
+/// table must outlive its cursors; they do not change it. Use a cursor of its own in each thread. A
+/// cursor does not throw or allocate.
 class Cursor {
  public:
   explicit Cursor(const Table& table);

@@ -12,8 +12,8 @@
 
 namespace jounce {
 
-/// Rule for velocities that a table omits. Given values stay bit for bit. (C2: acceleration
-/// continuous; C4: fourth derivative continuous.)
+/// Rule for velocities that a table omits. Given values are not changed. C2 means that the
+/// acceleration is continuous, C4 that the fourth derivative is continuous.
 enum class Filling {
   natural,   ///< C2 cubic spline; at an end without a given velocity, acceleration 0
   clamped,   ///< C2 cubic spline; an end without a given velocity is at rest
@@ -25,7 +25,7 @@ enum class Filling {
   /// possible.
   shape_preserving,
   minimum_jerk,   ///< the quintic spline (C4), which has the least integral of jerk^2
-  within_limits,  ///< each piece keeps the limits; otherwise as near to `clamped` as possible
+  within_limits,  ///< each piece is within the limits; otherwise as near to `clamped` as possible
 };
 
 /// Returns the word of the spec: "natural", ...
@@ -42,19 +42,22 @@ std::optional<Filling> filling_named(std::string_view name);
 ///     made.report.ok();                                     // false: a requirement is not met
 ///
 /// **Vocabulary.** A *piece* is the motion between two successive knots; its *chord* is the
-/// straight line between them. A rule *continues across the ends* if it treats the last piece as
-/// the neighbor of the first.
+/// straight line between them. A rule *continues across the ends* if it uses the last piece as the
+/// neighbor of the first.
 ///
 /// **Periodic.** `periodic` always continues across the ends. monotone, shape_preserving and
-/// minimum_jerk do so if `outside` is wrap or advance. The first and last velocity are then equal.
-/// The positions at the ends may differ (a rotary axis), except with Extrapolation::wrap.
+/// minimum_jerk do so if `outside` is wrap or advance. In these cases, the first and the last
+/// velocity are equal. The positions at the ends may differ (a rotary axis), except with
+/// Extrapolation::wrap.
 ///
-/// **Units.** x: s or master unit m; p: u; v: u/x; a: u/x^2; limits accordingly.
+/// **Units.** x: s, or the master's unit m; p: u; v: u/x; a: u/x^2. The limits are in the same
+/// units.
 ///
-/// **Throws** InputError with the knot's key, like Table. Also for v or a of another size than x; a
-/// given value that is not finite; an acceleration for a rule without accelerations; different
-/// values at both ends of a periodic table; monotone or shape_preserving with an interpolation
-/// other than cubic_hermite; within_limits without limits; and invalid limits.
+/// **Throws** InputError with the knot's key, like Table. Throws also for v or a of another size
+/// than x; for a given value that is not finite; for an acceleration if the rule has no
+/// accelerations; for different values at both ends of a periodic table; for monotone or
+/// shape_preserving with an interpolation other than cubic_hermite; for within_limits without
+/// limits; and for invalid limits.
 struct FillSpec {
   Domain axis = Domain::time;                 ///< meaning of x: time or master position
   std::vector<double> x;                      ///< strictly ascending
@@ -71,10 +74,10 @@ struct FillSpec {
 /// Result of filled().
 struct Filled {
   Table table;  ///< the table with all values
-  /// Requirements that are not met, each with its segment and an advice. "fill/limits" (broken): no
-  /// velocities bring the piece within the limits; the finding gives the time that it needs.
-  /// "fill/monotone", "fill/convex" (warnings): the piece does not have the shape of the data,
-  /// because of given velocities or of the neighboring pieces.
+  /// Requirements that the table does not meet, each with its segment and advice. "fill/limits"
+  /// (broken): no velocities bring the piece within the limits; the advice gives the time that the
+  /// piece needs. "fill/monotone", "fill/convex" (warnings): the piece does not have the shape of
+  /// the data, because of given velocities or of the neighboring pieces.
   Report report;
 };
 
@@ -86,22 +89,23 @@ struct Filled {
 /// - monotone: every piece without a "fill/monotone" finding rises, falls or rests like its chord
 ///   (Fritsch and Butland 1984).
 /// - shape_preserving: like monotone. In addition, a piece bends in one direction if the data
-///   around it do, unless there is a "fill/convex" finding (C1 cubics cannot always do this).
-///   Second order.
+///   around the piece do, unless it has a "fill/convex" finding (C1 cubics cannot always do this).
+///   The error is of second order.
 /// - minimum_jerk: the least integral of jerk^2 of all curves through the given values (Schoenberg
-///   1964). A cubic table has the same velocities. The stiffness of a piece is its length^-5, so
+///   1964). A cubic table gets the same velocities. The stiffness of a piece is its length^-5, so
 ///   two neighboring intervals of ratio 1 : 65000 cost half of the digits.
-/// - within_limits: an end without a given velocity is at rest. A piece without a finding keeps the
-///   limits, to a relative 1e-13.
+/// - within_limits: an end without a given velocity is at rest. A piece without a finding exceeds
+///   no limit by more than 1e-13 of the limit.
 ///
-/// With Interpolation::quintic_hermite, the omitted accelerations minimize the integral of jerk^2
-/// for the velocities of any rule. (within_limits then applies to the cubic with these velocities;
-/// use check().)
+/// With Interpolation::quintic_hermite, the omitted accelerations minimize the integral of jerk^2,
+/// for the velocities that the rule gives. within_limits then brings the cubic with these
+/// velocities within the limits, not the quintic; check the quintic with check().
 Filled filled(const FillSpec& spec);
 
 /// Computes the velocities of the C2 cubic spline through the knots if no velocity is given. Use it
-/// for data that need no report. `ends`: natural, clamped (at rest), periodic or not_a_knot. Spans
-/// of equal size >= 2; x ascends strictly (not checked). The result is the same on every computer.
+/// for data that need no report. `ends` is natural, clamped (at rest), periodic or not_a_knot.
+/// Requires spans of equal size >= 2, and an x that ascends strictly (not checked). The result is
+/// the same on every computer.
 void spline_velocities(std::span<const double> x, std::span<const double> p, Filling ends,
                        std::span<double> v);
 

@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// A curve, or a table whose curve is made when it is first used. A curve needs 200 bytes for each
-/// knot, its table 40.
+/// A curve, or a table that makes its curve at the first use. A curve needs 200 bytes for each
+/// knot, a table 40.
 ///
 ///     const LazyCurve curve(table);
 ///     std::get<Trajectory>(*curve).at(0.5);      // makes the curve

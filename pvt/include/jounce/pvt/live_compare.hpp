@@ -26,30 +26,30 @@ struct CompareStep {
   [[nodiscard]] std::span<const OutputEdge> edges() const { return {edge.data(), count}; }
 };
 
-/// The position compare of an axis, computed cycle by cycle. (position_compare.hpp: for a known
-/// motion.)
+/// The position compare of an axis, computed cycle by cycle. For a known motion, use
+/// position_compare.hpp.
 ///
 ///     LiveCompare camera({.mode = CompareMode::linear, .points = evenly(10, 1, 11), .pulse = 2e-5});
 ///     camera.arm();                                        // a motion begins at the first point
 ///     for (const OutputEdge& edge : camera.step(position, velocity, 1e-3).edges()) ...
 ///
-/// **Within a cycle** the axis moves by cycle_motion(). Crossings are roots of this motion, not
-/// samples: exact to 1e-12 s for a constant jerk. Times are in s, positions in u.
+/// **Within a cycle**, the axis is assumed to move by cycle_motion(). Crossings are roots of this
+/// motion, not samples: exact to 1e-12 s for a constant jerk. Times are in s, positions in u.
 ///
 /// **Arming** starts the list again, with the output off, from the position in the previous step.
-/// If arming comes late, or within a cycle, the points that the next step passes fire in that step.
-/// A point at the position of the axis fires in the next step as well. Nothing fires before arming,
-/// or after the last point.
+/// The points that the axis passes in the next step fire in that step, even if arm() was called
+/// within the cycle. A point at the position of the axis fires in the next step as well. No point
+/// fires before arming, or after the last point of the list.
 ///
 /// step() does not allocate, lock or throw. If the position is not finite, only time passes, and
-/// pulses end. If the velocity is not finite, it is computed from the positions.
+/// pulses end. If the velocity is not finite, step() computes it from the positions.
 class LiveCompare {
  public:
   /// Throws InputError like compared().
   explicit LiveCompare(const PositionCompare& compare);
 
   void arm();  ///< restarts the list; see above
-  /// Makes the next step move the axis to its position without motion: the axis passes no point.
+  /// Makes the next step move the axis to its position without passing a point.
   void place() { placed_ = false; }
 
   /// Computes the output. Arguments: the present position (u) and velocity (u/s) of the axis, and

@@ -37,8 +37,9 @@ struct ComparePoint {
 ///
 /// **Order.** The points of a list fire in their order only. Each point arms the next one, so a
 /// point that the axis does not pass blocks all later points (PMC600 manual 9.3). A point fires
-/// when the axis reaches or touches it, in either direction (to rounding); at once if the axis is
-/// already there. Pulses that overlap become one. Positions (u) are those of the setpoint.
+/// when the axis reaches or touches it, in either direction (to rounding). It fires at once if the
+/// axis is already at the point. Pulses that overlap become one pulse. Positions (u) are those of
+/// the setpoint.
 struct PositionCompare {
   CompareMode mode = CompareMode::fifo_time;
   /// One point for equal, less and greater; otherwise a list.
@@ -46,13 +47,13 @@ struct PositionCompare {
   double pulse = 0;  ///< s, > 0; for fifo_time and linear only
 };
 
-/// Throws InputError, with keys that count from 1 ("points[3].position"), if there are no points,
-/// or several in a mode with one point; if a number is not finite; if a pulse is missing, or given
-/// in a mode without pulses.
+/// Throws InputError, with keys that count from 1 ("points[3].position"), in these cases: no point,
+/// or several points in a mode with one point; a number that is not finite; a pulse that is
+/// missing, or given in a mode without pulses.
 void require_valid(const PositionCompare& compare);
 
-/// Returns `count` positions start + i * increment, so rounding does not accumulate (PMC600
-/// SetLinearPara). A count of 0 gives one position, as in the PMC600.
+/// Returns `count` positions start + i * increment (PMC600 SetLinearPara). Rounding does not
+/// accumulate. A count of 0 gives one position, as in the PMC600.
 std::vector<ComparePoint> evenly(double start, double increment, std::size_t count);
 
 /// A point that has fired.
@@ -87,17 +88,18 @@ struct CompareDevice {
   double latency = 0;             ///< s, >= 0: delay from the crossing to the output
 };
 
-/// Reports places where the hardware would fail. Rules:
+/// Reports conditions under which the hardware would fail. Rules:
 /// - "compare/speed" (broken): within one sample the axis covers the whole distance between two
-///   points, so the hardware can miss one. Required: speed < distance * sampling_frequency (HMPL
-///   manual 12.1).
+///   points, so the hardware can miss a point. Required: speed < distance * sampling_frequency
+///   (HMPL manual 12.1).
 /// - "compare/missed" (broken): points that never fire.
 /// - "compare/merged" (warning): pulses that overlap.
-/// - "compare/latency" (note): distance that the axis covers in one sample and the latency.
+/// - "compare/latency" (note): distance that the axis covers during one sample and the latency
+///   together.
 Report check(const PositionCompare& compare, const Trajectory& motion, const CompareDevice& device);
 
-/// Position compare in a plane: a point fires when both axes are within a band around it (PMC600
-/// manual 9.4).
+/// Position compare in a plane: a point fires when both axes are within a band around the point
+/// (PMC600 manual 9.4).
 struct PlaneCompare {
   struct Point {
     double x = 0, y = 0;  ///< u
@@ -105,15 +107,15 @@ struct PlaneCompare {
   };
   double x_band = 0;  ///< u, > 0: half of the band's width
   double y_band = 0;  ///< u, > 0: half of the band's width
-  /// True (mode 1): fires when, inside the band, one axis is exactly at the point; false: on
-  /// entering the band.
+  /// True (mode 1): a point fires when, inside the band, one axis is exactly at the point. False: a
+  /// point fires when the axes enter the band.
   bool equal = false;
   std::vector<Point> points = {};  ///< in the order in which they fire
   double pulse = 0;                ///< s, > 0: duration of the output
 };
 
-/// Returns the points that fire, in their order, as above. `position` and `velocity` of an event
-/// are those of x. Both motions cover the same interval.
+/// Returns the points that fire, in their order. `position` and `velocity` of an event are those of
+/// x. Requires motions over the same interval.
 std::vector<CompareEvent> compared(const PlaneCompare& compare, const Trajectory& x,
                                    const Trajectory& y);
 
@@ -124,14 +126,15 @@ Report check(const PlaneCompare& compare, const Trajectory& x, const Trajectory&
 namespace himc {
 
 /// Returns the position compare for positions of equal spacing: SetPT_StartPos, EndPos, Interval,
-/// PulseWidth. If start is above end, positions descend. Both ends fire if their distance is a
-/// whole number of intervals (to 1e-9 of one). pulse_width in ns, 20 to 80000 in steps of 20.
-/// Throws InputError with these names as keys.
+/// PulseWidth. If start is above end, positions descend. Both start and end fire if their distance
+/// is a whole number of intervals (to 1e-9 of an interval). pulse_width is in ns, 20 to 80000 in
+/// steps of 20. Throws InputError with these names as keys.
 PositionCompare position_trigger(double start, double end, double interval, int pulse_width);
 
 /// Returns the position compare for given positions: SetPT_PosArray, StateArray (one bit for each
-/// position), StartIndex, EndIndex (from 0). If start_index is above end_index, the axis travels
-/// backwards. At most 256 positions. Throws InputError with these names as keys.
+/// position), StartIndex, EndIndex (from 0). If start_index is above end_index, the positions fire
+/// in the order of an axis that travels backwards. At most 256 positions. Throws InputError with
+/// these names as keys.
 PositionCompare random_trigger(std::span<const double> positions, const std::vector<bool>& states,
                                std::size_t start_index, std::size_t end_index);
 

@@ -7,9 +7,9 @@
 #include "jounce/profiles/curve/curve.hpp"
 
 /// The time tables of PLCopen, as in a Leadshine PMC600 (PMC600 manual, volume 4, 4.1 and 5.2.3;
-/// the blocks are CODESYS's): MC_PositionProfile, MC_VelocityProfile, MC_AccelerationProfile, in s
-/// and the axis' unit u. The manual calls them PVT, but each has only one column in addition to the
-/// time.
+/// the blocks are those of CODESYS): MC_PositionProfile, MC_VelocityProfile,
+/// MC_AccelerationProfile. Times are in s, positions in the axis' unit u. The manual calls the
+/// tables PVT, but each has only one column in addition to the time.
 ///
 ///     using namespace jounce::pmc600;
 ///     const ProfileTable stages{.points = {{1, 10000}, {2, 40000}, {1, -10000}, {0.5, -5000}},
@@ -18,22 +18,22 @@
 ///     const Trajectory g = position_profile(stages, PositionRule::linear); // velocity steps
 ///     const Report report = velocity_steps(g);                             // lists these steps
 ///
-/// The manual states only that the stages are continuous. Here, as in the blocks of the same names
-/// of REXYGEN:
+/// The manual states only that the stages are continuous. These functions use the rules of the
+/// blocks with the same names in REXYGEN:
 ///
 ///     block                  between the points       continuous      begins with
 ///     MC_PositionProfile     cubic, or linear         velocity        the axis' position and velocity
 ///     MC_VelocityProfile     velocity linear          velocity        the axis' velocity
 ///     MC_AccelerationProfile acceleration linear      acceleration    the axis' acceleration
 ///
-/// A *stage* lasts the delta_time of its point and leads to this point; the first one begins at the
-/// state of the axis. If the table is absolute, the value at a point is scale * value + offset. If
-/// it is relative, the value is: value of the axis at Execute + offset + scale * (sum of the values
-/// so far). So the offset shifts the whole curve once, in the first stage.
+/// A *stage* lasts the delta_time of its point and leads to this point. The first stage begins at
+/// the state of the axis. In an absolute table, the value at a point is scale * value + offset. In
+/// a relative table, it is (value of the axis at Execute) + offset + scale * (sum of the values so
+/// far); the offset is therefore applied once, in the first stage.
 ///
-/// **Outside** the curve holds: the axis stands at the end position. If the table ends in motion,
-/// CODESYS puts the axis into errorstop unless another block takes over; velocity_steps()
-/// (warnings.hpp) reports this.
+/// **Outside**, the curve holds: the axis stands at the end position. If the table ends in motion,
+/// CODESYS puts the axis into error stop unless another block takes over; velocity_steps()
+/// (warnings.hpp) reports such an end.
 ///
 /// **Throws** InputError with the number of the controller's error: 325, 350, 375 for the number of
 /// points; 326, 351, 376 for a stage without duration.
@@ -51,7 +51,7 @@ struct ProfilePoint {
 /// A table: MC_TP_REF, MC_TV_REF or MC_TA_REF, with the inputs of its block.
 struct ProfileTable {
   std::vector<ProfilePoint> points = {};  ///< 1 to most_points
-  bool is_absolute = true;  ///< IsAbsolute; false: each value counts from the previous one
+  bool is_absolute = true;  ///< IsAbsolute; false: each value is relative to the previous point
   double scale = 1;         ///< PositionScale, VelocityScale or AccelerationScale; may be negative
   double offset = 0;        ///< Offset, in the unit of the scaled values
   std::optional<int> number_of_pairs = {};  ///< number of points that are played; default: all

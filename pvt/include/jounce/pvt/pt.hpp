@@ -11,8 +11,9 @@
 namespace jounce {
 
 /// Type of a segment of a PT table, with Googol's codes. The type determines the *rate* in the
-/// segment: the velocity or, over a master, the ratio. P and T are the segment's increments of
-/// position and time:
+/// segment: the velocity of a table over time, or the ratio of a table over a master. P and T are
+/// the segment's increments of position and time (or master position). "begin" is the rate at the
+/// start of the segment:
 ///
 ///     type       begins at                             ends at        rate at its start
 ///     normal     end rate of the previous segment;     2P/T - begin   continuous
@@ -23,10 +24,11 @@ namespace jounce {
 ///                first, of the motion before
 ///
 /// Sources: Googol iDEABOX Pro manual 7.4 (PT) and 7.6 (follow mode; only this mode has CONTINUE).
-/// The start rate of `stop` follows from its end rate and P.
+/// The start rate of `stop` follows from the end rate and P.
 enum class PtType : std::uint8_t { normal = 0, even = 1, stop = 2, continued = 3 };
 
-/// The end of a segment. Both numbers count from the table's origin (0, 0), which is not a point.
+/// The end of a segment. Both numbers count from the table's origin (0, 0), which is not a point of
+/// the table.
 struct PtPoint {
   double x = 0;         ///< s, or m of the master: ascending, the first above 0
   double position = 0;  ///< u
@@ -50,18 +52,19 @@ struct PtRate {
 ///
 /// The position is always continuous. The rate steps where an `even` or a `stop` segment begins,
 /// and where a `normal` segment is the first after a motion. The acceleration steps at every point.
-/// The curve passes every point exactly, to the rounding of its position. Lengths are differences
-/// of the given x, so a table whose x has grown to 1e12 has the resolution of its numbers.
+/// The curve passes every point exactly, to the rounding of its position. The length of a segment
+/// is the difference of the given x, so it loses digits if x is large (1e12).
 ///
 /// **Outside** [0, last x]: `hold` stands still at the end position, for every end rate. `wrap`
-/// repeats the positions. `advance` begins the next pass at the end of the previous one; every pass
-/// begins like the first (a first `normal` segment begins at rest; manual 7.4: "0 for the first").
+/// repeats the positions. `advance` begins the next pass at the end of the previous pass. Every
+/// pass begins like the first pass: if the first segment is `normal`, at rest (manual 7.4: "0 for
+/// the first").
 ///
 /// **Throws** InputError with the point (counted from 1) if there is no point, a number is not
 /// finite, x does not ascend, or `start_rate` is not finite.
 ///
-/// start_rate (u per unit of x): the initial rate of a `continued` first segment; other types
-/// ignore it.
+/// start_rate (u per unit of x) is the initial rate of a first segment of type `continued`; other
+/// types ignore it.
 template <class Over>
 Curve<Over> pt(std::span<const PtPoint> points, double start_rate = 0,
                Extrapolation outside = Extrapolation::refuse);
@@ -77,12 +80,12 @@ template <class Over>
 Curve<Over> pt_loops(std::span<const PtPoint> points, int loops, double start_rate = 0,
                      Extrapolation outside = Extrapolation::refuse);
 
-/// Warns of features that a controller would play without a message, with place and size. None is
+/// Warns of features that a controller plays without a message, with place and size. No finding is
 /// broken. Throws like pt(). Rates below `tolerance` times the greatest rate count as rounding.
 /// Rules:
 /// - those of velocity_steps() in warnings.hpp ("pt/velocity_step", "pt/end_velocity", "pt/wrap"),
 ///   with an advice for the type of the segment;
-/// - "pt/oscillation": four or more normal segments speed up and slow down in turn, because an
+/// - "pt/oscillation": four or more normal segments speed up and slow down in turn, because the
 ///   error of one increment continues with alternating sign. value: the greatest change of the rate
 ///   within a segment; where: the end of this segment.
 template <class Over>

@@ -22,10 +22,10 @@ enum class Binding {
   none,                ///< none: two knots are enough
   tolerance,           ///< tolerance of the position
   velocity_tolerance,  ///< tolerance of the first derivative
-  most,                ///< the number of knots, which determines the error
+  most,                ///< the number of knots (Target::most); it determines the error
 };
 
-/// "none", "tolerance", "velocity_tolerance", "most".
+/// Returns the binding as a word: "none", "tolerance", "velocity_tolerance", "most".
 const char* name(Binding binding);
 
 /// A table and its error.
@@ -35,15 +35,15 @@ struct Sampled {
   std::optional<Binding> binding = {};  ///< for a table of reduced() only
 };
 
-/// Returns the table through the curve at the given knots, which ascend strictly, from the start to
-/// the end of the curve. If a derivative steps at a knot, its right limit is used (at the end: the
-/// left limit).
+/// Returns the table through the curve at the given knots. Requires knots that ascend strictly,
+/// from the start to the end of the curve. If a derivative steps at a knot, the table gets its
+/// right limit (at the end: the left limit).
 template <class Over>
 Sampled sample(const Curve<Over>& f, Interpolation rule, const std::vector<double>& knots);
 
-/// Returns the table with these columns, which cover the interval of the curve, and its error. For
-/// a curve that repeats, a column whose values at both ends are equal to rounding gets exactly the
-/// first value at its end.
+/// Returns the table with the given columns and its error. Requires columns that cover the interval
+/// of the curve. If the curve repeats and the first and last value of a column are equal to
+/// rounding, the last value is replaced by the first.
 template <class Over>
 Sampled certified(const Curve<Over>& f, Interpolation rule, Columns columns);
 
@@ -51,7 +51,7 @@ Sampled certified(const Curve<Over>& f, Interpolation rule, Columns columns);
 template <class Over>
 Sampled sample(const Curve<Over>& f, Interpolation rule, std::size_t intervals);
 
-/// Returns the table with equal intervals in each segment of the curve: as few as keep the position
+/// Returns a table with equal intervals in each segment of the curve, as few as bring the position
 /// error within `tolerance` > 0 (unit of the position). A segment that the rule represents exactly
 /// gets one interval. All breaks of the curve are knots. Throws InputError if more than `most`
 /// knots would be necessary.
@@ -59,9 +59,9 @@ template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
                       const Limits& limits = {}, std::size_t most = 1'000'000);
 
-/// Throws InputError with this key if the tolerance is too small to be certified with doubles:
-/// below the greater of 1e-14 of the curve's greatest position and 1e-15 of the sum of a segment's
-/// terms.
+/// Throws InputError with this key if the tolerance is too small for a certificate in double
+/// precision. The least tolerance is the greater of 1e-14 of the curve's greatest position and
+/// 1e-15 of the sum of a segment's terms.
 template <class Over>
 void require_certifiable(const Curve<Over>& f, const char* key, double tolerance);
 

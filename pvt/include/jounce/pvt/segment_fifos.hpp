@@ -13,10 +13,10 @@
 
 namespace jounce {
 
-/// Two FIFOs of rows, and their player. Googol's PT and follow modes
-/// (jounce/controllers/googol/googol_pt.hpp, googol_follow.hpp) and rolling streams
-/// (jounce/axis/fifo_movement.hpp) use this class. It is a state machine without a clock. The
-/// constructor allocates all memory; nothing throws or waits.
+/// Two FIFOs of rows, and their player: a state machine without a clock. Googol's PT and follow
+/// modes (jounce/controllers/googol/googol_pt.hpp, googol_follow.hpp) and rolling streams
+/// (jounce/axis/fifo_movement.hpp) use this class. The constructor allocates all memory. Other
+/// members do not throw, allocate or wait.
 ///
 ///     SegmentFifos fifos(1024);
 ///     fifos.reset({.each = 32, .total = 64, .stream = true});
@@ -25,37 +25,37 @@ namespace jounce {
 ///     const Jet now = fifos.at(t);                               // each cycle; t does not descend
 ///
 /// **Two threads.** One *producer* pushes rows, clears FIFOs and queues switches. One *player*
-/// takes, starts and plays FIFOs. Neither ever waits. No row is read while it is written: the
-/// player reads only rows within the size of a FIFO, and it empties a FIFO only when the producer
-/// no longer writes to it (a stream has continued in the other FIFO; a table whose switch is queued
-/// accepts no more rows). Both threads may query the state.
+/// selects, starts and plays FIFOs. Neither thread waits for the other. No row is read while it is
+/// written: the player reads only rows within the size of a FIFO, and it empties a FIFO only when
+/// the producer no longer writes to it. (A stream has then continued in the other FIFO; a table
+/// whose switch is queued accepts no more rows.) Both threads may query the state.
 ///
 /// **Vocabulary.** x is the time or the position of the master. A *pass* plays one FIFO from its
-/// first row to its last. Its *origin* is x and position at the beginning of the pass: at the
-/// start, at the end of the previous pass, or at the switch. So the position is always continuous.
-/// The rows of a FIFO count from (0, 0), those of a stream from the layout's base.
+/// first row to its last. The *origin* of a pass is the x and the position at its beginning: those
+/// at the start, at the end of the previous pass, or at the switch. So the position is always
+/// continuous. The rows of a table count from (0, 0), those of a stream from Layout::base.
 ///
-/// **Tables** (Googol: static). Each FIFO is one table. It is played `loops` times, and kept so
-/// that it can be started again. A queued switch takes place at the end of the pass: the other FIFO
-/// is played, and the old one is emptied.
+/// **Tables** (Googol: static). Each FIFO is one table. The player plays it `loops` times; the FIFO
+/// keeps its rows, so that it can be started again. A queued switch takes place at the end of the
+/// pass: the player continues with the other FIFO, and the old one is emptied.
 ///
 /// **Stream** (Googol: dynamic). The two FIFOs together are one motion. When one FIFO is exhausted,
 /// it is emptied, and the other one continues at the last rate; so space becomes free in blocks of
-/// one FIFO. Functions ignore their argument `fifo`. Clear a stream that has ended before pushing
-/// the next one. An *open* stream ends only with its row marked `last`. If the rows run out before,
-/// the state stays `moving`: at() returns the values at the end of the last row, and plays new rows
-/// when they are pushed.
+/// one FIFO. Functions ignore their argument `fifo`. Clear a stream that has ended before you push
+/// the next one. An *open* stream ends only with its row marked `last`. If the rows run out
+/// earlier, the state stays `moving`: at() returns the values at the end of the last row, and plays
+/// new rows as soon as they are pushed.
 ///
-/// **Numbers.** The producer can give ascending numbers to its actions with stamp(). see() makes
-/// the actions up to a number visible to the player. So the motion depends on this number only, not
-/// on the timing of the threads. Without numbers, every action is visible at once. clear() has no
-/// number.
+/// **Numbers.** The producer can give ascending numbers to its actions with stamp(). The player
+/// makes the actions up to a number visible with see(). The motion then depends only on this
+/// number, not on the timing of the threads. Without numbers, every action is visible at once.
+/// clear() has no number.
 ///
 /// **Rates** are those of SegmentRow. An open rate is the end rate of the previous row; in the
 /// first row of a pass it is the end rate of the previous pass (0 in the first pass).
 ///
-/// **Backwards** x is followed to the beginning of the pass (in a stream: of the FIFO). There the
-/// axis stands still until x returns.
+/// **Backwards.** If x decreases, the axis moves backwards to the beginning of the pass (in a
+/// stream: of the FIFO). There it stands still until x returns.
 class SegmentFifos {
  public:
   /// Allocates two FIFOs of at most `most` rows.
@@ -64,24 +64,24 @@ class SegmentFifos {
   /// Sizes, kind and limits of both FIFOs.
   struct Layout {
     std::size_t each = 0;   ///< rows that each FIFO holds, at most `most`
-    std::size_t total = 0;  ///< rows that both hold together
+    std::size_t total = 0;  ///< rows that both FIFOs hold together
     bool stream = false;    ///< true: both FIFOs are one stream; false: each is a table
     bool open = false;      ///< true: an open stream, which ends only with its row marked `last`
     RowStart base = {};     ///< start of the first row of a stream
     RowLimits limits = {};  ///< limits that push() checks
   };
-  /// Empties both FIFOs and sets the layout. Call it only while no thread plays, and from one
+  /// Empties both FIFOs and sets the layout. Call reset() only while no thread plays, and from one
   /// thread at a time.
   void reset(const Layout& layout);
 
   enum class State : std::uint8_t {
     idle,     ///< not started since construction or reset()
     taken,    ///< a FIFO is selected and waits for start()
-    moving,   ///< it plays
+    moving,   ///< the FIFO is played
     ended,    ///< the last row has been played and ended at rest
     cut_off,  ///< the last row ended at a rate: an underrun, or a table with an open end
     left,     ///< leave() was called before the end
-    /// x was not finite, or more than 2^53 passes away; the axis keeps its position until the next
+    /// x was not finite, or more than 2^53 passes away. The axis keeps its position until the next
     /// start.
     lost,
   };
@@ -105,8 +105,8 @@ class SegmentFifos {
   /// Number of rows of the stream that have been played to their end.
   [[nodiscard]] std::uint64_t rows_played() const { return played_.load(); }
   /// The greatest magnitudes of rate, second and third derivative, and of a step of the rate, in
-  /// all rows pushed since the last reset. Rows that follow an open rate of a table are not
-  /// included, because their rates are not known.
+  /// all rows pushed since the last reset. In tables, rows after an open rate are not included,
+  /// because their rates are not known yet.
   [[nodiscard]] RowPeaks peaks() const;
 
   /// Range of positions.
@@ -114,31 +114,33 @@ class SegmentFifos {
     double lowest = 0;   ///< u
     double highest = 0;  ///< u
   };
-  /// The range of positions of the present pass; infinite if rates are open. For tables, call it in
-  /// the player thread.
+  /// Range of positions of the present pass; infinite if rates are open. For tables, call reach()
+  /// in the player thread.
   [[nodiscard]] Reach reach() const;
-  /// The range of positions of the pass that follows in the present state; nullopt if none follows.
+  /// Range of positions of the next pass in the present state; nullopt if the motion has no next
+  /// pass.
   [[nodiscard]] std::optional<Reach> next_reach() const;
 
   // ---- producer ----------------------------------------------------------------------------------
 
   /// Sets the number of the following actions.
   void stamp(std::uint64_t number) { stamp_ = number; }
-  /// Adds a row, or returns the reason why it is rejected. Limits are checked exactly, by equations
-  /// (1) to (3) of segment_row.cpp. A table ignores the mark `last`.
+  /// Adds a row, or returns the reason for rejecting the row. The check of the limits is exact, by
+  /// equations (1) to (3) of segment_row.cpp. A table ignores the mark `last`.
   RowRule push(int fifo, const SegmentRow& row);
   /// Returns what push() would return.
   [[nodiscard]] RowRule admits(int fifo, const SegmentRow& row) const;
   /// Ends an open stream with the rows pushed so far, as if the last one were marked `last`.
   /// Returns false if the stream is not open, has no rows, or does not end at rest.
   bool complete();
-  /// Empties a FIFO, or the whole stream. Returns false, without an effect, if it is in use.
+  /// Empties a FIFO, or the whole stream. If the FIFO is in use, returns false and changes nothing.
   bool clear(int fifo);
-  /// Sets the number of passes of a table; below 1: endless. It takes effect at the end of a pass.
+  /// Sets the number of passes of a table; below 1: endless. The number applies from the end of the
+  /// present pass.
   void set_loops(std::int64_t loops) { loops_.store(loops); }
   [[nodiscard]] std::int64_t loops() const { return loops_.load(); }
-  /// Queues a switch to the other FIFO at the end of the pass. Before the start, it is queued for
-  /// the end of the first pass. Returns false if tables have ended, or if the other FIFO has no
+  /// Queues a switch to the other FIFO at the end of the pass; before the start, at the end of the
+  /// first pass. Returns false for a stream, if the tables have ended, or if the other FIFO has no
   /// rows.
   bool queue_switch();
 
@@ -151,24 +153,28 @@ class SegmentFifos {
   /// Returns the direction in which a FIFO begins: the sign of the first displacement in its first
   /// 64 rows; 0: none.
   [[nodiscard]] int direction(int fifo) const;
-  /// Selects the FIFO to start. Returns false if it is empty, in use, being cleared, or a stream
-  /// that has ended. give_back() cancels the selection, or a start after which nothing was played.
+  /// take() selects the FIFO to start. It returns false if a FIFO is already selected or played, if
+  /// the FIFO is empty or being cleared, or if it is a stream that has ended and was not cleared.
+  /// give_back() cancels the selection, or a start after which nothing was played.
   bool take(int fifo);
   void give_back();
-  /// Plays the selected FIFO from these values of x and position (a stream: from its base).
+  /// Plays the selected FIFO. The pass begins at the given x and position; a stream begins at its
+  /// base.
   void start(double x, double position);
-  /// take() and start().
+  /// Calls take(), then start(x, position).
   bool start(int fifo, double x, double position);
 
-  /// Stops playing: the axis keeps its position. Tables are kept; a stream must be cleared.
+  /// Stops playing: the axis keeps its position. The rows of a table are kept; a stream must be
+  /// cleared.
   void leave();
 
-  /// Returns the position and its derivatives with respect to x, and plays up to x, which may be
-  /// many rows or passes ahead. Passes of a table are skipped in one step, so the time of a call
-  /// depends only on the number of rows. If nothing is played: the end position, at rest.
+  /// Plays up to x, and returns the position and its derivatives with respect to x. x may be many
+  /// rows or passes ahead. Passes of a table are skipped in one step, so the time of a call depends
+  /// only on the number of rows. If nothing is played, returns the end position, at rest.
   Jet at(double x);
 
-  /// End of the rows and the rate there, if the state is `ended` or `cut_off`.
+  /// End of the rows that were played, and the rate at this end, if the state is `ended` or
+  /// `cut_off`.
   struct End {
     double x = 0;         ///< s or m
     double position = 0;  ///< u

@@ -19,18 +19,19 @@ namespace jounce {
 ///     const Jet now = point(row, {0, 0}, 0, 512);          // 256, rate 1: Googol example 7-3
 ///     for (const SegmentRow& r : rows_of(table)) ...       // exactly the table
 ///
-/// **Degree** of the position as a function of x; *rate* is its first derivative:
+/// **Degree** of the position as a function of x. The *rate* is the first derivative. A row has
+/// different data for each degree:
 /// - 1: a straight line. No rate is used.
-/// - 2: p and one rate, at either end. If both are given, they must agree. NaN means open. If both
-///   rates are open, the row begins at the end rate of the previous row (Googol's NORMAL and
-///   CONTINUE). If only v_end is given, the row ends at this rate (STOP: 0).
+/// - 2: p and one rate, at the start or at the end. If both rates are given, they must agree. NaN
+///   means open. If both rates are open, the row begins at the end rate of the previous row
+///   (Googol's NORMAL and CONTINUE). If only v_end is given, the row ends at this rate (STOP: 0).
 /// - 3: p and both rates, as in a cubic Hermite table (PVT).
 /// - 5: p, both rates and both second derivatives, as in a quintic Hermite table (PVA).
 ///
-/// Numbers count from the start of the motion. Rows of degree 3 and 5 agree bit for bit with the
-/// table that they come from. Rows of degree 1 and 2 agree bit for bit with pt() of the same
-/// points, if the sums of x are exact (otherwise to rounding). Rows of a linear Table agree to one
-/// rounding of the position (Table multiplies by 1/length, pt() divides).
+/// x_end and p_end count from the start of the motion. Rows of degree 3 and 5 agree bit for bit
+/// with the table from which they are made. Rows of degree 1 and 2 agree bit for bit with pt() of
+/// the same points if the sums of x are exact, otherwise to rounding. Rows of a linear Table agree
+/// with it to one rounding of the position (Table multiplies by 1/length, pt() divides).
 struct SegmentRow {
   /// Value of a rate that is not given.
   static constexpr double open = std::numeric_limits<double>::quiet_NaN();
@@ -58,7 +59,7 @@ enum class RowRule : std::uint8_t {
   not_finite = 2,     ///< a number that the degree needs is not finite
   no_degree = 3,      ///< the degree is not 1, 2, 3 or 5
   not_ascending = 4,  ///< x does not ascend
-  /// Degree 2 with both rates: they do not lead from the start to the end of the row.
+  /// Degree 2 with both rates: the two rates do not lead from the start to the end of the row.
   rates_differ = 5,
   velocity = 6,       ///< the row exceeds the limit of the velocity
   acceleration = 7,   ///< the row exceeds the limit of the acceleration
@@ -90,12 +91,12 @@ struct RowPeaks {
   double position_min = 0, position_max = 0;
 };
 
-/// Returns the rates at both ends of a row. `from`: its start; `rate`: end rate of the previous
-/// row.
+/// Returns the rates at both ends of a row. `from` is the start of the row, `rate` the end rate of
+/// the previous row.
 PtRate rates(const SegmentRow& row, const RowStart& from, double rate);
 
-/// Returns the position and derivatives of a row at x; outside the row, those at its nearer end.
-/// Does not allocate.
+/// Returns the position and derivatives of a row at x. Outside the row, returns those at its nearer
+/// end. Does not allocate.
 Jet point(const SegmentRow& row, const RowStart& from, double rate, double x);
 
 /// Returns the exact extrema of the row's polynomial.
@@ -106,19 +107,19 @@ RowRule check(const SegmentRow& row, const RowStart& from);
 /// Checks the limits, with a tolerance of 1e-9 for rounding; returns the first broken rule.
 RowRule check(const RowPeaks& peaks, const RowLimits& limits);
 
-/// Returns the row as eight numbers, in the order of the members; `degree` and `last` are numbers.
-/// For messages and files. row_of() makes a row from such numbers; a degree that is not a whole
-/// number becomes 0, which check() rejects.
+/// columns_of() returns the row as eight numbers, in the order of the members; `degree` and `last`
+/// become numbers. Use it for messages and files. row_of() makes a row from these numbers. If the
+/// degree is not a whole number, it becomes 0, which check() rejects.
 std::array<double, 8> columns_of(const SegmentRow& row);
 SegmentRow row_of(const std::array<double, 8>& columns);
 
 /// Returns the rows of a PT table with Googol's types, played from rest at (0, 0).
 std::vector<SegmentRow> rows_of(std::span<const PtPoint> points);
-/// Returns the row of one point; `first`: it is the first row of its pass.
+/// Returns the row of one point. `first` is true for the first row of its pass.
 SegmentRow row_of(const PtPoint& point, bool first);
 
-/// Returns the rows of a table with its numbers unchanged. They are played from its first knot,
-/// start_of().
+/// rows_of() returns the rows of a table with its numbers unchanged. The rows are played from the
+/// first knot of the table, which start_of() returns.
 std::vector<SegmentRow> rows_of(const Table& table);
 RowStart start_of(const Table& table);
 

@@ -21,8 +21,8 @@ enum class Interpolation {
 /// Meaning of the first column of a table: time, or position of a master.
 enum class Domain { time, master };
 
-/// Instants of a table at equal distances, in time or master position: instant k is start + k *
-/// step, each operation rounded. m is the master's unit.
+/// Equally spaced instants for Table::sample(), in time or master position. Instant k is start + k
+/// * step, each operation rounded. m is the master's unit.
 struct Grid {
   double start = 0;  ///< s or m
   double step = 1;   ///< > 0, s or m
@@ -38,7 +38,7 @@ struct Columns {
 };
 
 /// A table: knots in columns, and the interpolation rule between them. Controllers and the executor
-/// use this form. It is a Signal, and its evaluation does not allocate.
+/// play motions as tables. A table is a Signal; its evaluation does not allocate.
 ///
 ///     Table table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap, columns);
 ///     double slave = table.jet(master)[0];
@@ -47,12 +47,14 @@ struct Columns {
 ///
 /// A table is immutable: copies share their knots.
 ///
-/// Evaluation (pvt/src/table/piece.hpp) gives the same result on every processor. The curve agrees
-/// to rounding. Intervals are half-open, the last one closed, as in a Curve.
+/// Evaluation (pvt/src/table/piece.hpp) gives the same result on every processor. The curve() of
+/// the table agrees to rounding. As in a Curve, an interval includes its start but not its end. The
+/// end of the table belongs to the last interval; but if the table repeats, Side::right gives the
+/// start of the next period.
 ///
-/// The constructor throws InputError, with the knot and the rule, for fewer than two knots, columns
-/// of unequal size, a column that the rule does not need or lacks, an x that does not ascend, and
-/// numbers that are not finite.
+/// The constructor throws InputError, with the knot and the rule, for fewer than two knots; columns
+/// of unequal size; a missing column, or a column that the rule does not use; an x that does not
+/// ascend; and numbers that are not finite.
 class Table {
  public:
   /// `outside`: policy for queries outside [start, end].
@@ -74,11 +76,11 @@ class Table {
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const;
 
   /// Writes the position and two derivatives at every x[i] to p[i], v[i], a[i]. The results are bit
-  /// for bit those of jet(), on every processor, but many times as fast if x ascends. Spans of
-  /// equal size (asserted). Does not allocate or throw.
+  /// for bit those of jet() on every processor, but many times as fast if x ascends. Requires spans
+  /// of equal size (asserted). Does not allocate or throw.
   void sample(std::span<const double> x, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
-  /// Evaluates at the instants of a grid; the number of instants is the size of p, v and a.
+  /// Writes the values at the instants of a grid. The size of p, v and a is the number of instants.
   void sample(const Grid& grid, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
 
@@ -90,7 +92,7 @@ class Table {
   /// Returns the interval from knot i to knot i + 1 as a segment.
   [[nodiscard]] Segment segment(std::size_t i) const;
 
-  /// The table as a curve. Throws InputError if Over does not agree with axis(), or if a
+  /// Returns the table as a curve. Throws InputError if Over does not agree with axis(), or if a
   /// coefficient is too large for a double.
   template <class Over>
   [[nodiscard]] Curve<Over> curve() const;
@@ -111,14 +113,14 @@ class Table {
   std::shared_ptr<const Knots> knots_;
 };
 
-/// Throws like table.curve(), but does not make the curve.
+/// Throws InputError like table.curve(), but does not make the curve.
 void require_curve(const Table& table);
 
 /// Returns the table in another unit of its first column: x times `factor` > 0, with derivatives
 /// adapted. For example, 1e-3 converts ms to s.
 Table stretched(const Table& table, double factor);
 
-/// Returns the word used in every file: "linear", "cubic_hermite", "quintic_hermite"; "time",
+/// Return the word used in every file: "linear", "cubic_hermite", "quintic_hermite"; "time",
 /// "master"; "refuse", "hold", "wrap", "advance".
 const char* name(Interpolation rule);
 const char* name(Domain axis);

@@ -7,23 +7,24 @@
 
 namespace jounce {
 
-/// Reports possibly unintended features of a table, as findings of Severity::warning. None is
-/// broken. Exact: extrema and one-sided limits, no samples.
+/// Report features of a table that are possibly not intended, as findings of Severity::warning. No
+/// finding is broken. Exact: extrema and one-sided limits, no samples.
 ///
 ///     const Trajectory f = table.curve<OverTime>();
 ///     Report beyond = overshoot(f);       // HMPL's example: segment 1 down to -188.7 mm
 ///     Report steps = velocity_steps(f);   // places where the velocity steps
 ///
-/// The overloads for a table return the findings of its curve, without making the curve. Over a
-/// master, "velocity" means geo_velocity. A value below `tolerance` (of the travel, or of the
-/// greatest velocity) counts as rounding.
+/// The overloads for a table return the findings of its curve, without making the curve. For a
+/// table over a master, "velocity" means geo_velocity. A value below `tolerance`, as a share of the
+/// travel or of the greatest velocity, counts as rounding.
 
-/// "warning/overshoot" for each segment that leaves the range between its two knots. value: the
-/// extreme position; limit: the position of the knot that is passed; margin: the negative excess as
-/// a share of the travel. For a cubic or a parabola, the advice gives the end velocities and a
-/// sufficient condition against overshoot: both have the direction of the chord and at most 3 times
-/// its slope (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980). Only a note if the end
-/// velocities have opposite directions, so that the segment must reverse.
+/// Returns "warning/overshoot" for each segment that leaves the range between its two knots. value:
+/// the extreme position; limit: the position of the knot that is passed; margin: the excess with a
+/// negative sign, as a share of the travel. For a cubic or a parabola, the advice gives the end
+/// velocities and a sufficient condition against overshoot: both velocities have the direction of
+/// the chord, and at most 3 times its slope (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980).
+/// If the end velocities have opposite directions, so that the segment must reverse, the finding is
+/// a note.
 template <class Over>
 Report overshoot(const Curve<Over>& f, double tolerance = 1e-9);
 Report overshoot(const Table& table, double tolerance = 1e-9);
@@ -32,7 +33,8 @@ Report overshoot(const Table& table, double tolerance = 1e-9);
 ///
 /// - "pt/velocity_step": at a break. If the curve holds outside, also from rest to its start.
 /// - "pt/end_velocity": the curve ends in motion; value: the velocity. If the curve holds, the axis
-///   stops there at once. If it refuses, this is only a note, because another motion must follow.
+///   stops at once at the end. If the curve refuses, the finding is a note, because another motion
+///   must follow.
 /// - "pt/wrap": from the end of a period to the start of the next.
 template <class Over>
 Report velocity_steps(const Curve<Over>& f, double tolerance = 1e-9);

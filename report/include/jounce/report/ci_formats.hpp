@@ -12,10 +12,10 @@
 /// (OASIS); "Code Quality report format" of the GitLab documentation. JUnit has no standard: these
 /// functions write the elements that Jenkins, GitLab and GitHub read.
 ///
-/// `quiet`: omits warnings. `strict`: counts a warning as a broken limit.
+/// `quiet` omits warnings. `strict` counts a warning as a broken limit.
 namespace jounce {
 
-/// Returns one line for each statement, in the form that compilers print: FILE:LINE:COLUMN:
+/// Returns one line for each diagnostic, in the form that compilers print: FILE:LINE:COLUMN:
 /// SEVERITY: MESSAGE [RULE].
 std::string to_text(const RunResult& run, bool quiet = false);
 
@@ -23,7 +23,7 @@ std::string to_text(const RunResult& run, bool quiet = false);
 std::string summary_line(const RunResult& run);
 
 /// Returns JSON: {"ok": ..., "status": ..., "files": [{"file": ..., "findings": [...]}]}, with all
-/// digits of each number. It contains every finding, including those that hold. A number that is
+/// digits of each number. It contains every finding, including satisfied limits. A number that is
 /// not finite is null.
 std::string to_json(const RunResult& run, bool strict = false);
 
@@ -31,23 +31,23 @@ std::string to_json(const RunResult& run, bool strict = false);
 /// [...]}.
 std::string to_json(const FileResult& file, bool strict = false);
 
-/// Returns GitHub workflow commands, the worst first, since GitHub shows only ten errors and ten
-/// warnings of a step. This format and the next two omit notes and limits that hold.
+/// Returns GitHub workflow commands, the worst diagnostics first, because GitHub shows only ten
+/// errors and ten warnings of a step. This format and the next two omit notes and satisfied limits.
 std::string to_github(const RunResult& run, bool quiet = false);
 
 /// Returns a GitLab Code Quality report.
 std::string to_gitlab(const RunResult& run, bool quiet = false);
 
 /// Returns SARIF 2.1.0, with the meaning and the remedy of each rule that occurs. The fingerprint
-/// of a result does not depend on its line or its numbers, so an alert remains the same when other
-/// parts of the file change.
+/// of a result depends neither on its line nor on its numbers, so an alert remains the same when
+/// other parts of the file change.
 std::string to_sarif(const RunResult& run, bool quiet = false);
 
 /// Returns JUnit XML: a suite for each file, and a case for each rule at each place, including
-/// those that hold. If a case has several failures, Jenkins shows only one.
+/// satisfied rules. If a case has several failures, Jenkins shows only one of them.
 std::string to_junit(const RunResult& run, bool strict = false);
 
-/// The formats of to_format().
+/// Returns the names of the formats of to_format().
 const std::vector<std::string>& run_formats();
 
 /// Selection of the findings that the text shows.

@@ -13,23 +13,24 @@
 
 namespace jounce {
 
-/// One of two versions of a curve, with its properties: from a spec, from a table, or made by a
-/// program.
+/// One of two versions of a curve, with its properties. The curve may come from a spec, from a
+/// table, or from a program.
 struct Version {
   std::string name;                     ///< name of the version, such as its file
   std::variant<Cam, Trajectory> curve;  ///< the curve
   Labels labels;                        ///< its units and the names of its segments
   std::vector<double> knots = {};       ///< places of the knots; empty: the breaks of the curve
-  /// A name for each knot, "end of 2 in step"; may be empty.
+  /// A name for each knot, such as "end of 2 in step"; may be empty.
   std::vector<std::string> knot_names = {};
-  std::optional<Limits> limits = {};  ///< nullopt: a kind without limits, such as a table
+  std::optional<Limits> limits = {};  ///< limits of the version; nullopt if it cannot have limits,
+                                      ///< such as a table
 };
 
 /// Tolerances within which two versions count as equal.
 ///
 /// Without any value, only rounding is permitted. `share` permits a share of the range of each
 /// quantity. `of` permits a difference of one quantity, in its unit. If `of` has a value for any
-/// quantity, and there is no share, the other quantities are shown but not judged.
+/// quantity, and `share` has none, the other quantities are shown but not judged.
 struct Tolerance {
   std::optional<double> share = {};              ///< share of the range of each quantity
   std::array<std::optional<double>, 4> of = {};  ///< for position, velocity, acceleration, jerk
@@ -41,7 +42,7 @@ std::optional<double> permitted(const Change& change, std::size_t order,
                                 const Tolerance& tolerance);
 
 /// A property in which two versions differ: "periodic", "unit of position", "limit geo_velocity".
-/// An empty text means that a version does not have it.
+/// An empty text means that the version does not have the property.
 struct Remark {
   std::string what;    ///< name of the property
   std::string before;  ///< value in the earlier version
@@ -65,26 +66,27 @@ struct Comparison {
   [[nodiscard]] bool equal() const;
 };
 
-/// Compares two versions: their curves exactly (see difference.hpp), and their interval, policy
-/// outside, units, and limits if both have some. `before` is converted to the units of `after`,
-/// unless one of them has no units. Throws InputError if one is over time and the other over a
-/// master, if units do not convert, or if the curves have no common interval.
+/// Compares two versions: their curves exactly (see difference.hpp), their interval, policy outside
+/// and units, and their limits if both have limits. `before` is converted to the units of `after`,
+/// unless one of them has no units. Throws InputError if one version is over time and the other
+/// over a master, if units do not convert, or if the curves have no common interval.
 Comparison compare(const Version& before, const Version& after, const Tolerance& tolerance = {});
 
-/// Returns the version in other units: curve, knots and limits. A unit that is unknown in either
-/// stays. Throws InputError (key "unit") if two units do not convert.
+/// Returns the version in other units: curve, knots and limits. If the old or the new unit is
+/// unknown, the numbers stay. Throws InputError (key "unit") if two units do not convert.
 Version in_units(Version version, const Units& units);
 
 /// Returns a text for people: one line for each quantity with its peaks and its largest difference,
-/// then knots and remarks. If there are more than `most` knots, the others are only counted.
+/// then knots and remarks. Only the first `most` knots are listed; the others are counted.
 std::string to_text(const Comparison& comparison, std::size_t most = 10);
 
 /// Returns {"equal": ..., "changes": {...}, "knots": [...], "remarks": [...]}, with all digits of
 /// each number.
 std::string to_json(const Comparison& comparison);
 
-/// Returns the tolerance of some texts, each a share of every range ("1e-6") or KEY=VALUE for one
-/// quantity ("position=0.01", "position=10 um"). Throws InputError (key "tolerance").
+/// Returns a tolerance from texts. Each text is a share of every range ("1e-6"), or KEY=VALUE for
+/// one quantity ("position=0.01", "position=10 um"). Throws InputError (key "tolerance") for any
+/// other text.
 Tolerance tolerance_of(const std::vector<std::string>& texts, const Labels& labels);
 
 }  // namespace jounce

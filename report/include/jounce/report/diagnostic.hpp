@@ -11,16 +11,16 @@
 
 namespace jounce {
 
-/// Severity of a statement about a file, in ascending order.
+/// Severity of a diagnostic, in ascending order.
 enum class Level : std::uint8_t {
-  good,     ///< a limit that holds
+  good,     ///< a satisfied limit
   note,     ///< a fact
   warning,  ///< permitted, but perhaps not intended
   broken,   ///< a limit is broken: exit status 1
   error,    ///< the file is invalid: exit status 2
 };
 
-/// Returns "ok", "note", "warning" or "error". (For machines, a broken limit is an error, too.)
+/// Returns "ok", "note", "warning" or "error". A broken limit is an "error", too.
 const char* severity(Level level) noexcept;
 
 /// A place in a file.
@@ -33,10 +33,11 @@ struct FilePlace {
 /// One statement about a file, with its place, for CI systems and editors: a finding of a check, an
 /// error in the input, or a difference from an accepted version.
 struct Diagnostic {
-  std::string rule;  ///< "limit/geo_velocity", "input/key"; `jounce explain RULE` describes it
+  std::string rule;  ///< "limit/geo_velocity", "input/key"; `jounce explain RULE` prints its
+                     ///< meaning
   Level level = Level::note;   ///< severity
-  FilePlace place;             ///< the place that the statement is about
-  FilePlace limit_place = {};  ///< the key that sets the limit; an empty file: none
+  FilePlace place;             ///< the place to which the statement refers
+  FilePlace limit_place = {};  ///< the key that sets the limit; an empty file: no such key
   std::string key = {};        ///< key at the place: "segment[2]", "limits.velocity"
   std::string axis = {};       ///< name of the axis, or of the part that was checked; may be empty
   std::string segment = {};    ///< number and name of the segment: "3 return"; may be empty
@@ -44,7 +45,7 @@ struct Diagnostic {
   std::string advice = {};     ///< remedy; may be empty
   std::string quantity = {};   ///< the quantity: "geo_velocity"; may be empty
   std::string unit = {};       ///< unit of value and limit
-  std::optional<double> value = {};   ///< the number found
+  std::optional<double> value = {};   ///< the number that was found
   std::optional<double> limit = {};   ///< its limit
   std::optional<double> margin = {};  ///< margin as a share of the limit; below 0: broken
   std::optional<double> where = {};   ///< time or master position of the finding
@@ -76,11 +77,11 @@ struct RunResult {
 };
 
 /// Returns all errors of a file, in the order of the document. The rule is "input/file" for an
-/// error about the whole file, otherwise "input/key". `file`: name for an error that has no
-/// document.
+/// error about the whole file, otherwise "input/key". `file` is the name of the file for errors
+/// without a document.
 std::vector<Diagnostic> diagnostics_of(const InputError& error, const std::string& file);
 
-/// Sorts statements: the worst first; statements of one level keep their order.
+/// Sorts diagnostics: the worst level first; within a level, the order stays.
 void sort(std::vector<Diagnostic>& diagnostics);
 
 }  // namespace jounce

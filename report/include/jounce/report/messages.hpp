@@ -18,8 +18,8 @@ struct Message {
   bool is_foreign = false;  ///< true for an error of a controller
 };
 
-/// Returns the messages with this number or name. Throws InputError (key "code") if there is none;
-/// the error contains the nearest name.
+/// Returns the messages with this number or name. If no message has it, throws InputError (key
+/// "code") with the nearest name.
 std::vector<Message> messages_named(const std::vector<Message>& all, const std::string& code);
 
 /// Returns number, name, meaning and remedy of each message as text.

@@ -39,41 +39,42 @@ struct SegmentGroup {
   std::size_t first = 0;  ///< index of the first piece
   std::size_t last = 0;   ///< index of the last piece
 };
-/// Returns the groups of a curve with this number of pieces. More than `most` groups are combined
-/// as evenly as possible.
+/// Returns the groups of a curve with this number of pieces. If there are more than `most` groups,
+/// neighbors are combined as evenly as possible.
 std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels,
                                  std::size_t most = std::numeric_limits<std::size_t>::max());
-/// Greatest number of rows in a text.
+/// Greatest number of rows of a table in a text.
 constexpr std::size_t rows_for_people = 60;
 
-/// Returns a number with six significant digits.
+/// Returns a number with six significant digits, as text.
 std::string rounded(double value);
 
-/// Returns one sentence: the number of broken findings and the worst one, or the smallest margin.
+/// Returns one sentence: the number of broken findings and the worst finding or, if none is broken,
+/// the smallest margin.
 std::string one_line(const Report& report, const Labels& labels);
 
 /// True if the finding is the peak of a derivative that has no limit, see add_not_limited().
 bool is_unlimited(const Finding& finding);
 
 /// True if the report has a finding that compares the motion with a limit of the machine. Findings
-/// about joints, tables or other computations do not count.
+/// on joints, tables or other computations do not count.
 bool has_limits(const Report& report);
 
 /// Returns "not limited: geo_acceleration (up to 0.16 mm/deg^2), geo_jerk (up to 0.02 mm/deg^3)";
-/// "" if no finding is_unlimited().
+/// "" if the report has no finding for which is_unlimited() is true.
 std::string not_limited_text(const Report& report, const Labels& labels);
 
 /// Returns a finding as a sentence: "geo_velocity -3.39227 pulse/pulse at 241.898 pulse (segment 3
 /// return) exceeds the limit -3 by 13.1 %".
 std::string sentence(const Finding& finding, const Labels& labels);
 
-/// Returns one line for each finding; broken ones are marked and have advice. If there are more
-/// than `most` findings, the others are only counted.
+/// Returns one line for each finding; broken findings are marked and have advice. Only the first
+/// `most` findings are listed; the others are counted.
 std::string full_text(const Report& report, const Labels& labels, std::size_t most = 10);
 
 /// Returns {"ok": ..., "findings": [...]}, with all digits of each number. In a finding, `segment`
-/// is the number of its entry in extrema_json(), from 1, and `piece` that of its piece of the
-/// curve. `limit` and `margin` are null if it has no limit.
+/// is the number of its entry in extrema_json(), from 1, and `piece` the number of its piece of the
+/// curve. If the finding has no limit, `limit` and `margin` are null.
 std::string to_json(const Report& report, const Labels& labels);
 
 /// Returns the exact extrema of each segment as a table for people, with at most rows_for_people
@@ -87,9 +88,9 @@ std::string extrema_json(const Curve<Over>& curve, const Labels& labels);
 std::string extrema_text(const Table& table, const Labels& labels);
 std::string extrema_json(const Table& table, const Labels& labels);
 
-/// Returns the JSON objects of the axes of a file, by name, as one: that of one axis unchanged; of
-/// several {"ok": ..., "axes": {"x": ..., "y": ...}}. `ok` is true if it is true for all axes, and
-/// is left out if they have none.
+/// Combines the JSON objects of the axes of a file, given by name. The object of a single axis is
+/// returned unchanged; for several, the result is {"ok": ..., "axes": {"x": ..., "y": ...}}. `ok`
+/// is true if it is true for all axes; it is omitted if the objects have no `ok`.
 std::string axes_json(const std::vector<std::pair<std::string, std::string>>& axes);
 
 }  // namespace jounce

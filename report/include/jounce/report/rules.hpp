@@ -6,19 +6,19 @@
 
 namespace jounce {
 
-/// A rule of findings, explained for a person who reads a report. (sentence() in report_text.hpp
-/// gives the sentence of a finding, with its numbers.)
+/// An explanation of a rule of findings, for a person who reads a report. (sentence() in
+/// report_text.hpp returns the sentence of a finding, with its numbers.)
 struct RuleInfo {
   const char* rule;     ///< the rule, "limit/position_max", or a family of rules, "limit/*"
   const char* meaning;  ///< one sentence: what was found
   const char* remedy;   ///< one sentence: what to do
 };
 
-/// Returns all rules, in families. Each Finding has a row for its rule or for the family of the
-/// rule.
+/// Returns the explanations of all rules, in families. Each finding has an entry for its rule or
+/// for the family of the rule.
 std::span<const RuleInfo> all_rules();
 
-/// Returns the row of a rule, or that of its family; null if there is neither.
+/// Returns the entry of a rule, or that of its family; null if neither has an entry.
 const RuleInfo* rule_info(std::string_view rule);
 
 }  // namespace jounce

@@ -28,10 +28,10 @@ struct AxisDriveSpec {
     double increments_per_rev = 0;  ///< increments of the encoder in one turn; a whole number, > 0
     double position_per_rev = 0;    ///< u, > 0: travel in one turn
     bool reversed = false;          ///< true: the drive counts in the opposite direction
-    /// u: greatest distance between setpoint and actual position for enabling; 0: a hundredth of a
-    /// turn.
+    /// u: greatest distance between setpoint and actual position at which the drive is enabled; 0:
+    /// a hundredth of a turn.
     double window = 0;
-    /// >= 1: number of cycles without data after which the drive has a fault.
+    /// >= 1: number of cycles without new data after which the drive has a fault.
     int silent_cycles = 50;
   };
 
@@ -43,9 +43,9 @@ struct AxisDriveSpec {
 
 struct Spec;
 
-/// Returns [drive] of a spec of kind "axis", read from its document; nullopt if there is none.
-/// Throws InputError, with the place in the document, like read_spec(), because the file of the
-/// model may have changed since.
+/// Returns [drive] of a spec of kind "axis", read from its document; nullopt if the spec has no
+/// [drive]. Throws InputError, with the place in the document, like read_spec(), because the file
+/// of the model may have changed since the spec was read.
 std::optional<AxisDriveSpec> axis_drive(const Spec& spec);
 
 }  // namespace jounce

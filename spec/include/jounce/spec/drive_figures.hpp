@@ -27,14 +27,15 @@ inline constexpr std::array all_drive_figures{DriveFigure::torque, DriveFigure::
 
 std::string name(DriveFigure figure);  ///< the name in the spec
 
-/// Returns the figure of a name; nullopt for any other name.
+/// Returns the figure with this name; nullopt if no figure has the name.
 std::optional<DriveFigure> drive_figure(const std::string& name);
 
-/// Returns the figure as read_spec() stores it: a response without a function, which is known only
-/// when the drive is known.
+/// Returns the figure as read_spec() stores it: a response without a function. The function can be
+/// made only when the drive is given.
 ShapeFigure asked(DriveFigure figure);
 
-/// Returns the drive's figure for a figure of a shape, by its name; nullopt if it is none.
+/// Returns the figure of a drive for a figure of a shape, by its name; nullopt if the shape's
+/// figure is not one of a drive.
 std::optional<DriveFigure> drive_figure(const ShapeFigure& figure);
 
 }  // namespace jounce

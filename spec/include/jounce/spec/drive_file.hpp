@@ -8,9 +8,10 @@
 
 namespace jounce {
 
-/// Writes a spec of kind "drive": every number of the drive that is not zero, its limits and its
-/// settling time, in the units of numbers(). `head`: a comment at its beginning; `beside`: comments
-/// by the key of a number ("mass[1].inertia"). Reading the result gives exactly the same drive.
+/// Returns the text of a spec of kind "drive": every number of the drive that is not zero, its
+/// limits and its settling time, in the units of numbers(). `head` is a comment at the beginning;
+/// `beside` has comments by the key of a number ("mass[1].inertia"). Reading the text gives exactly
+/// the same drive.
 std::string drive_text(const DriveSpec& drive, const Units& units, const std::string& head,
                        const std::map<std::string, std::string>& beside = {});
 

@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// Filter of a measured master, in its unit u and in s; see TrackerSpec in jounce/axis/tracker.hpp
+/// Filter of a measured master, in its unit u and in s. See TrackerSpec in jounce/axis/tracker.hpp
 /// and docs/executor/masters.md.
 struct TrackingSpec {
   double velocity = 0;      ///< u/s, required: greatest velocity of the master
@@ -19,9 +19,9 @@ struct TrackingSpec {
   int order = 3;            ///< 2: no lag at constant velocity; 3: no lag at constant acceleration
   double time_constant = 0.01;  ///< s, time constant of the filter
   double settle = 0.01;         ///< s, time in which the output returns to the estimate
-  double latency = 0;           ///< s, additional age of the measurements
-  double longest_age = 0.1;     ///< s, the master is lost if the last measurement is older
-  double jump = 0;  ///< u, greatest step between measurements; 0: velocity * longest_age
+  double latency = 0;           ///< s, additional age of each measurement when it arrives
+  double longest_age = 0.1;     ///< s, time without a measurement after which the master is lost
+  double jump = 0;  ///< u, a greater step between measurements is a jump; 0: velocity * longest_age
 };
 
 /// A master of a machine: section [master.NAME] of a spec of kind "machine".
@@ -32,8 +32,8 @@ struct TrackingSpec {
 ///     velocity = 1500          # mm/s
 ///     acceleration = 20000     # mm/s^2
 struct MachineMasterSpec {
-  /// A master whose samples arrive by the network under its name: from `jounce master`, or from a
-  /// line with the protocol.
+  /// A master whose samples arrive over the network under the name of the master: from `jounce
+  /// master`, or from a line that uses the protocol.
   struct External {
     TrackingSpec tracking = {};
   };
@@ -41,13 +41,13 @@ struct MachineMasterSpec {
   /// shared memory that is only read.
   struct Encoder {
     TrackingSpec tracking = {};
-    std::string axis = {};  ///< an axis of the machine; empty: `drive` is used
+    std::string axis = {};  ///< the axis of the machine whose drive is read; empty: `drive` is read
     std::optional<AxisDriveSpec::Shared> drive = {};  ///< the drive in shared memory
     double resolution = 0;                            ///< u, size of one count; 0: no quantization
     double noise = 0;                                 ///< u, rms of simulated noise; 0: none
     std::uint64_t seed = 1;                           ///< seed of the noise
   };
-  /// A virtual axis with this name. It plays a file when a command starts it.
+  /// A virtual axis with the name of the master. It plays a file when a command starts it.
   struct FromTable {
     /// A spec or a table over time; its path is relative to the machine's spec.
     std::string file = {};

@@ -30,7 +30,7 @@ struct FollowWhom {
 struct MachineSpec {
   struct Axis {
     std::string spec = {};                  ///< file of the axis; relative to the machine's file
-    std::optional<FollowWhom> follow = {};  ///< replaces [follow] of this file
+    std::optional<FollowWhom> follow = {};  ///< replaces [follow] in the file of the axis
     std::string key = {};                   ///< full key for messages: "axis[1]"
   };
   Document document;
@@ -40,7 +40,7 @@ struct MachineSpec {
 };
 
 /// Reads a machine. Returns nullopt if the file is a spec of another kind, or not a spec. Throws
-/// InputError, with the place, like read_spec(); also for an unknown key, an axis without a spec,
+/// InputError, with the place, like read_spec(), and for an unknown key, an axis without a spec,
 /// and an axis that occurs twice.
 std::optional<MachineSpec> read_machine(const std::string& path);
 /// Reads a machine spec from text; messages use `name` as the file name.

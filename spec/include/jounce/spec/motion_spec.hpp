@@ -23,11 +23,11 @@
 #include "jounce/pvt/compensation.hpp"
 
 /// Specs of motions over time: one struct for each `profile`, with the parameters of its generator.
-/// Numbers are in the spec's units, unless a member names the unit of a controller.
+/// Numbers are in the spec's units, unless a comment names the unit of a controller.
 
 namespace jounce {
 
-/// profile = "point_to_point": move_to(), on a modulo axis if there is a period.
+/// profile = "point_to_point": a move by move_to(); with `period`, on a modulo axis.
 struct PointToPointSpec {
   MotionState from, to;
   Bounds bounds;
@@ -36,7 +36,7 @@ struct PointToPointSpec {
   Direction direction = Direction::shortest;  ///< for a modulo axis only
 };
 
-/// profile = "velocity": move_velocity().
+/// profile = "velocity": a change of velocity by move_velocity().
 struct VelocitySpec {
   MotionState from;
   double velocity = 0;      ///< velocity at the end
@@ -113,11 +113,11 @@ struct Pmc600InchSpec {
   double from = 0;
   double distance = 0;  ///< signed
   Dynamics dynamics = {};
-  /// Time at which the button is released; omitted: not before the end.
+  /// Time at which the button is released; omitted: the button is held until the end.
   std::optional<double> released;
 };
 
-/// profile = "pmc600_jog": SMC_Jog of the PMC600.
+/// profile = "pmc600_jog": MC_Jog of the PMC600.
 struct Pmc600JogSpec {
   double from = 0;
   std::vector<pmc600::JogInput> inputs;  ///< the inputs, in order
@@ -137,7 +137,8 @@ using MoveSpec =
 struct AxesSpec {
   Sync sync = Sync::time;
   double duration = 0;         ///< least duration; 0: as short as possible
-  std::vector<AxisMove> axes;  ///< for a motion through points, only the bounds are used
+  std::vector<AxisMove> axes;  ///< bounds and goals of the axes; for a motion through points, only
+                               ///< the bounds are used
   /// Positions of all axes at each point; `sync` is then not used.
   std::vector<std::vector<double>> points;
   ViaSpec via = {};  ///< further options of a motion through points
@@ -152,7 +153,7 @@ struct MovingAverageSpec {
   double window = 0;  ///< window T of moving_average()
 };
 
-/// Retimes the motion to the [limits] of each axis: retimed().
+/// Retimes the motion with retimed(), to the [limits] of each axis.
 struct RetimeSpec {};
 
 /// A change in flight at a given time.
@@ -167,17 +168,18 @@ struct ChangeSpec {
 };
 
 /// A correction of one axis that depends on the positions of one or more axes. If the spec has
-/// several axes, they are given by name.
+/// several axes, the members name them.
 struct CompensateSpec {
   CompensationSpec table;  ///< grid and values of the correction
   std::string axis = {};   ///< the corrected axis; "": the only axis
-  /// One for each axis of the grid; "": the corrected axis itself.
+  /// One name for each axis of the grid; "": the corrected axis itself.
   std::vector<std::string> references = {};
-  std::optional<double> tolerance = {};  ///< tolerance of a fit, if no exact segment is possible
+  std::optional<double> tolerance = {};  ///< tolerance of a fit, if the result does not fit exact
+                                         ///< segments
 };
 
-/// An operator of [[then]]. Frequencies of ShaperSpec and NotchSpec are in Hz for any unit of time
-/// of the spec.
+/// An operator of [[then]]. Frequencies in ShaperSpec and NotchSpec are in Hz, for every unit of
+/// time of the spec.
 using Operator = std::variant<MovingAverageSpec, ShaperSpec, NotchSpec, RetimeSpec, OverrideSpec,
                               ChangeSpec, CompensateSpec>;
 

@@ -20,7 +20,7 @@ struct SpecParameter {
   double upper = 0;  ///< greatest permitted value
 };
 
-/// [[optimize.require]]: bounds for a key figure (jounce/design/key_figures.hpp). They are stored
+/// Bounds for a key figure (jounce/design/key_figures.hpp): [[optimize.require]]. They are stored
 /// as written ("400", "40 cm"), because the unit of the figure is known only when the design
 /// exists.
 struct FigureBound {

@@ -19,15 +19,14 @@ namespace jounce {
 struct PathSpec {
   Program program{1};  ///< commands of the path
   GroupLimits limits;  ///< [limits] of the axes and [path.limits]
-  /// [kinematics]: the joints of the machine. Spec::axes contains them after the axes of the
-  /// program.
+  /// The joints of the machine: [kinematics]. In Spec::axes, they follow the axes of the program.
   std::optional<JointSpace> joints = {};
   std::string source;  ///< name of the document to which the source lines of commands refer
   std::vector<GcodeEvent> events;  ///< words of a G-code program that do not move the axes
   GcodeMachine machine;            ///< settings for a G-code program that is given separately
-  /// [[override]]: requests under which the motion is played.
+  /// Changes of the override during the motion: [[override]].
   std::vector<FactorRequest> override_steps = {};
-  /// Lines that overlap in time, instead of rounded corners; omitted: rounded corners.
+  /// Options for lines that overlap in time, instead of rounded corners; omitted: rounded corners.
   std::optional<OverlapOptions> overlap = {};
   /// Greatest error of a fitted axis, in its unit. Omitted: 1e-9, or more for large coordinates.
   std::optional<double> tolerance = {};

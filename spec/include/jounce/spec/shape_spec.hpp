@@ -10,9 +10,10 @@
 
 namespace jounce {
 
-/// The load of the slave's motor, section [load], at the motor's shaft. At the slave position f the
-/// angle of the shaft is theta = 2 pi f / position_per_rev. Let r be the travel of the slave (m;
-/// rotary: rad) for one radian of the motor.
+/// The load of the slave's motor: section [load]. All values refer to the motor's shaft or to the
+/// slave, as their comments state. At the slave position f, the angle of the shaft is theta = 2 pi
+/// f / position_per_rev. Let r be the travel of the slave (m; for a rotary slave, rad) for one
+/// radian of the motor.
 ///
 ///     (1)  torque = (inertia + mass r^2) theta'' + damping theta' + torque
 ///                   + r (stiffness f + preload + force + mass gravity)
@@ -23,7 +24,7 @@ namespace jounce {
 ///
 /// The first two lines of (1) are linear in f, f', f''.
 struct LoadSpec {
-  /// Slave's unit: travel in one turn of the motor; its sign is the direction of the motor.
+  /// Travel in one turn of the motor, in the slave's unit; its sign is the direction of the motor.
   double position_per_rev = 0;
   double inertia = 0;      ///< kg m^2, at the motor
   double damping = 0;      ///< N m s/rad, at the motor
@@ -45,17 +46,17 @@ struct LoadSpec {
   std::optional<double> rms_torque = {};   ///< N m, over the cam
 };
 
-/// True if (1) is linear in f, f', f'': neither dry friction nor a lever.
+/// True if (1) is linear in f, f', f'', that is, if the load has neither dry friction nor a lever.
 bool is_linear(const LoadSpec& load);
 
-/// Returns the linear part of the torque of (1), as a quantity of a shape over the master, which
-/// runs at `speed` (master units in 1 s). `unit` is the slave's unit.
+/// Returns the linear part of the torque of (1), as a quantity of a shape over the master. The
+/// master runs at `speed` (master units in 1 s). `unit` is the slave's unit.
 LinearQuantity torque_of(const LoadSpec& load, double speed, const std::string& unit);
-/// Returns the speed of the motor, likewise.
+/// Returns the speed of the motor, as a quantity of a shape over the master, like torque_of().
 LinearQuantity motor_speed_of(const LoadSpec& load, double speed);
 
 /// Returns the whole torque of (1), positive in the direction in which the slave's position grows.
-/// Its peak, its rms, and its sign relative to the velocity are those of the motor.
+/// So its peak, its rms value, and its sign relative to the velocity are those of the motor.
 LoadTorque load_torque_of(const LoadSpec& load, double speed, const std::string& unit);
 
 /// Returns the energy (4) of a shape over the master, in J.
@@ -71,7 +72,8 @@ struct ShapeFigureSpec {
   bool times_length = false;  ///< true: the printed number is multiplied by the length of the run
 };
 
-/// Converts the computed value of a figure of a run of `length` to the printed number, and back.
+/// Convert the computed value of a figure, for a run of this length, to the printed number, and
+/// back.
 double shown(const ShapeFigureSpec& figure, double value, double length);
 double computed(const ShapeFigureSpec& figure, double shown);
 
@@ -81,10 +83,12 @@ struct ShapeSpec {
   std::optional<LoadSpec> load = {};                       ///< [load]
   std::vector<std::vector<WeightedFigure>> minimize = {};  ///< objectives, the most important first
   std::vector<Ceiling> ceilings = {};                      ///< upper limits of figures
-  /// The figures of `minimize`, then those of `ceilings`, in the order of CamRunOutcome::figures.
+  /// The figures of `minimize`, followed by those of `ceilings`, in the order of
+  /// CamRunOutcome::figures.
   std::vector<ShapeFigureSpec> figures = {};
   std::vector<Corridor> corridors = {};  ///< corridors for quantities
-  bool refine = false;                   ///< true: add knots where the optimum switches
+  bool refine = false;                   ///< true: add knots where the highest derivative of the
+                                         ///< optimum switches
 };
 
 }  // namespace jounce

@@ -33,12 +33,12 @@ namespace jounce {
 
 /// Conversion of a curve to a table: the rule, and a tolerance or a number of equal intervals.
 struct TableOptions {
-  /// Interpolation rule. Omitted: quintic_hermite; but cubic_hermite for a motion whose
-  /// acceleration steps, and for a spec of knots.
+  /// Interpolation rule. Omitted: quintic_hermite; for a motion whose acceleration steps, and for a
+  /// spec of knots, cubic_hermite.
   std::optional<Interpolation> rule;
   std::optional<double> tolerance;       ///< greatest position error, in the unit of the position
   std::optional<std::size_t> intervals;  ///< number of equal intervals, instead of a tolerance
-  /// For knots = "fewest": further requirements; rule and tolerance are the members above.
+  /// For knots = "fewest": further requirements. Rule and tolerance are the members above.
   std::optional<Target> target = {};
 };
 
@@ -57,8 +57,8 @@ enum class Boundaries {
   minimum_peak_acceleration,  ///< least peak of geo_acceleration: jounce/optimize/least_peak.hpp
 };
 
-/// Quantities of a cam that `jounce optimize` may change, and its objective: `free` of the knots,
-/// and section [optimize].
+/// Quantities of a cam that `jounce optimize` may change, and its objectives: the keys `free` of
+/// the knots, and section [optimize].
 struct OptimizeSpec {
   std::vector<FreeKnot> free;  ///< knots with free values
   /// Objectives, the most important first.
@@ -67,11 +67,11 @@ struct OptimizeSpec {
   std::optional<std::size_t> starts;   ///< number of starts of the search
   std::optional<double> tolerance;     ///< relative tolerance of the objective
   std::optional<double> seconds = {};  ///< s, greatest duration of the search
-  /// Free shapes of segments, if there are any; `minimize` above is then not used.
+  /// Free shapes of segments. If the spec has any, `minimize` above is not used.
   ShapeSpec shape = {};
 };
 
-/// The servo axis whose simulation validates the table: [drive] and [drive.limits].
+/// The servo axis that `jounce validate` simulates with the table: [drive] and [drive.limits].
 struct DriveSpec {
   Drive drive;
   DriveLimits limits;
@@ -87,7 +87,8 @@ struct DriveSpec {
   }
 };
 
-/// The cam follower whose simulation validates the lift: [follower] and [follower.limits].
+/// The cam follower that `jounce validate` simulates with the lift: [follower] and
+/// [follower.limits].
 struct FollowerSpec {
   SpringFollower follower;
   FollowerLimits limits;
@@ -100,17 +101,17 @@ struct DiscPart {
   DiscLimits limits;
   double tolerance = 0;              ///< tolerance of the contour, in `length`
   std::optional<double> hub_radius;  ///< radius of a circle in the drawing
-  std::string length;  ///< unit of all lengths: the slave's unit, or mm if the slave is an angle
+  std::string length;  ///< unit of all lengths: the slave's unit or, if the slave is an angle, mm
 };
 
 /// The configuration of an axis for `jounce run`, in addition to its [limits] over time.
 struct AxisSpec {
   /// [homing], as in jounce/axis/axis_config.hpp, in u and the spec's unit of time. A velocity or
-  /// acceleration of 0 was omitted.
+  /// acceleration of 0 means that the key is omitted.
   struct Homing {
     int method = 37;             ///< CiA 402 homing method (6098h)
     double search_velocity = 0;  ///< velocity of the search for the switch
-    double index_velocity = 0;   ///< velocity of the search for edge and index
+    double index_velocity = 0;   ///< velocity of the search for the edge and the index
     double acceleration = 0;
     double offset = 0;    ///< position value of the axis at the home position
     double timeout = 60;  ///< s, greatest duration
@@ -119,19 +120,19 @@ struct AxisSpec {
 
   double cycle = 1e-3;  ///< s, period of the cyclic thread
   double position = 0;  ///< u, position at the start
-  // Stops and supervision, see jounce/axis/axis_config.hpp; 0: omitted. Units: u and the spec's
-  // unit of time.
+  // Stops and supervision, see jounce/axis/axis_config.hpp. 0 means that the key is omitted. Units:
+  // u and the spec's unit of time.
   double modulo = 0;              ///< u, period of a modulo axis
   double stop_acceleration = 0;   ///< deceleration of a stop
   double stop_jerk = 0;           ///< jerk of a stop
   double abort_acceleration = 0;  ///< deceleration of an abort; 0: the setpoint freezes
   double limit_acceleration = 0;  ///< deceleration before a soft limit
   double following_error = 0;     ///< u, greatest following error
-  double following_time = 0;      ///< s, time for which it may be exceeded
+  double following_time = 0;      ///< s, time for which the following error may exceed the limit
   double in_position = 0;         ///< u, window for "in position"
-  double in_position_time = 0;    ///< s, time in this window
+  double in_position_time = 0;    ///< s, time for which the error must stay in the window
   double longest_gap = 0;         ///< s, greatest delay of a cycle; 0: 100 cycles
-  /// s; without a message for this time, the session ends and the streamer loses the axis.
+  /// s; after this time without a message, the session ends and the axis is free.
   double session_timeout = 1;
   bool require_home = false;  ///< true: motions to absolute positions are rejected before homing
   std::optional<Homing> homing = {};
@@ -146,18 +147,19 @@ struct AxisPart {
   std::string name;    ///< name of the axis
   Units units;         ///< units of the axis
   TableOptions table;  ///< conversion of its curve to a table
-  Limits limits;       ///< limits; per master unit for a cam
+  Limits limits;       ///< limits; of a cam, per master unit
   std::optional<DriveSpec> drive;
 };
 
 /// An output that fires during the motion of one axis: [compare] and [compare.device].
 struct CompareSpec {
-  std::string axis = {};  ///< the axis, if the spec has several; "path": the length along the path
+  std::string axis = {};  ///< the axis, if the spec has several; "path": the output fires at
+                          ///< lengths along the path
   /// For kind "axis": setpoint (`position`) or actual position.
   SwitchesOf of = SwitchesOf::position;
   PositionCompare compare;  ///< points and mode
   CompareDevice device;     ///< in the spec's unit of time
-  /// Modes "zone" and "zone_equal": compare in a plane of two axes.
+  /// Modes "zone" and "zone_equal": position compare in a plane of two axes.
   std::optional<PlaneCompare> plane = {};
   std::array<std::string, 2> plane_axes = {};  ///< names of these two axes
 };
@@ -181,14 +183,14 @@ struct Spec {
   Limits limits;                             ///< [limits]; of a cam: per master unit
   Limits slave;                      ///< for a cam: [limits.slave], over time, without positions
   std::optional<MasterSpec> master;  ///< for a cam: [master]
-  /// For a cam: the coupling with which `jounce stream` engages it; times in s.
+  /// For a cam: the coupling with which `jounce stream` engages the cam; times in s.
   std::optional<CouplingSpec> coupling;
   OptimizeSpec optimize;  ///< for a cam: [optimize]
   /// [[optimize.parameter]]: parameters that `jounce optimize` may change.
   std::optional<ParametersSpec> parameters;
   std::optional<DriveSpec> drive;  ///< [drive]
   std::optional<DiscPart> disc;    ///< for a cam: [disc]
-  /// For a cam: its knots define the motion of a load on a spring with this mode (Hz).
+  /// For a cam: the mode (Hz) of a load on a spring. The knots then define the motion of the load.
   std::optional<Mode> polydyne;
   std::optional<FollowerSpec> follower = {};  ///< for a cam with a master: [follower]
   AxisSwitches switches;                      ///< for kinds "axis" and "cam": [[switch]]
@@ -205,10 +207,10 @@ struct Spec {
   Spec& operator=(Spec&& other) noexcept;
   ~Spec();
 
-  /// All axes: those of kinds "axes" and "path", otherwise the only one.
+  /// Returns all axes: those of kinds "axes" and "path", otherwise the only one.
   [[nodiscard]] std::vector<AxisPart> parts() const;
 
-  /// True for a cam, given by knots or by a synchronous slave; false for a motion over time.
+  /// True for a cam (given by knots or by a synchronous slave); false for a motion over time.
   [[nodiscard]] bool over_master() const {
     return std::holds_alternative<CamSpec>(subject) || std::holds_alternative<SyncSpec>(subject);
   }
@@ -217,9 +219,9 @@ struct Spec {
 };
 
 /// Reads a spec (TOML, format version 1). Throws InputError with file, line, column, key, value and
-/// rule for an error of syntax, an unknown key (with the nearest possible one), a missing key, a
-/// wrong type, unit or version, a number that is not finite, and an unknown choice. Throws
-/// InputErrors if there are several errors that do not depend on each other.
+/// rule for an error of syntax, an unknown key (with the nearest known key), a missing key, a wrong
+/// type, unit or version, a number that is not finite, and an unknown word. If several errors do
+/// not depend on each other, throws InputErrors.
 Spec read_spec(const std::string& path);
 
 /// Reads a spec from text; messages use `name` as the file name.

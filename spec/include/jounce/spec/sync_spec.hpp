@@ -44,8 +44,8 @@ struct FollowPart {
 using SyncSpec = std::variant<GearSpec, GearCourse, GearInPosPart, FollowPart, RotaryKnifeSpec,
                               FlyingShear, Indexer>;
 
-/// Returns the travel of the master (m) after which the motion of the slave repeats; nullopt if it
-/// does not repeat.
+/// Returns the travel of the master (m) after which the motion of the slave repeats; nullopt if the
+/// motion does not repeat.
 std::optional<double> master_period(const SyncSpec& spec);
 
 }  // namespace jounce

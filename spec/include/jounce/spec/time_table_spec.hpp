@@ -11,11 +11,11 @@
 #include "jounce/pvt/profile_table.hpp"
 #include "jounce/pvt/pt.hpp"
 
-/// A spec of kind "pt": a time table that is played unchanged. Numbers are in the spec's units.
+/// Specs of kind "pt": time tables that are played unchanged. Numbers are in the spec's units.
 
 namespace jounce {
 
-/// A PT table: for a Googol iDEABOX, or for no particular controller.
+/// A PT table: for a Googol iDEABOX, or independent of a controller.
 struct PtSpec {
   std::vector<PtPoint> points;
   std::size_t loops = 1;      ///< number of passes; 0: endless
@@ -38,12 +38,12 @@ using TimeTableSpec = std::variant<PtSpec, ProfileTableSpec>;
 /// Returns the motion of the table. Throws InputError with the keys of the document.
 Trajectory motion_of(const TimeTableSpec& spec);
 
-/// Returns a name for each segment of the motion: "2 even", "pass 3: 2 even"; empty for a table of
+/// Returns a name for each segment of the motion: "2 even", "pass 3: 2 even". Empty for a table of
 /// the PMC600.
 std::vector<std::string> labels_of(const TimeTableSpec& spec);
 
-/// Returns the findings of the table: those of check_pt() or velocity_steps(), and of overshoot().
-/// They cover a table in several passes as a whole.
+/// Returns the findings of the table: those of check_pt() or velocity_steps(), and those of
+/// overshoot(). The findings of a table with several passes are those of all passes together.
 Report warnings_of(const TimeTableSpec& spec);
 
 }  // namespace jounce

@@ -12,7 +12,7 @@ struct MpiCalls;
 namespace jounce {
 
 /// The place of this process among those that mpirun has started (Open MPI, or another launcher
-/// with PMI). It is read from the environment, without MPI.
+/// with PMI). It is read from the environment, so it does not need MPI.
 struct MpiPlace {
   bool started = false;  ///< true if mpirun has started this process
   int rank = 0;          ///< number of this process, from 0
@@ -42,8 +42,9 @@ class MpiWorld {
 
   /// Returns a Farm over all processes. Rank 0 distributes the cases in batches of at most 20 ms of
   /// work and collects the lines; one of its threads also computes cases. The other ranks only
-  /// compute cases. Rank 0 throws InputError if the `identity` of a rank differs from its own,
-  /// because that rank reads other files. A world of one process uses its own threads.
+  /// compute cases. `identity` identifies the input: rank 0 throws InputError if the `identity` of
+  /// another rank differs, because that rank reads other files. If the world has one process, its
+  /// threads compute the cases.
   [[nodiscard]] Farm farm(std::string identity) const;
 
   /// Ends all processes at once, with this exit status.
@@ -55,7 +56,7 @@ class MpiWorld {
   int size_ = 1;
 };
 
-/// Returns the farm of a rank over any implementation of these calls.
+/// Returns the farm of a rank over any implementation of the MPI calls.
 Farm farm_over(const study_detail::MpiCalls& calls, int rank, int size, std::string identity);
 
 }  // namespace jounce

@@ -13,17 +13,18 @@ namespace jounce {
 struct SpecOptimum {
   std::string text;  ///< text for people: status, figures with their bounds, active limits
   std::string json;  ///< the contents of `text` as a JSON object, with all digits of each number
-  /// The text of the spec with the best values, otherwise unchanged; nullopt: the best result
+  /// The text of the spec with the best values, otherwise unchanged; nullopt if the best result
   /// breaks a limit.
   std::optional<std::string> spec = {};
 };
 
-/// Receives the share of the work that is done, 0 to 1, and the name of the present step. If it
-/// returns false, the optimizer stops with the best result so far.
+/// Receives the share of the work that is done, 0 to 1, and the name of the present step. To stop
+/// the optimizer with the best result so far, return false.
 using OptimumProgress = std::function<bool(double done, const std::string& step)>;
 
-/// Optimizes everything that a spec leaves free: the numbers of [[optimize.parameter]] if it has
-/// any; otherwise the segments of free shape; otherwise the knots of a cam, within their bounds.
+/// Optimizes everything that a spec leaves free: the numbers of [[optimize.parameter]] if the spec
+/// has any; otherwise the segments of free shape if it has any; otherwise the knots of a cam,
+/// within their bounds.
 ///
 ///     const SpecOptimum best = optimum_of(read_spec("cam.toml"));
 ///     std::cout << best.text;
@@ -33,13 +34,13 @@ using OptimumProgress = std::function<bool(double done, const std::string& step)
 /// consistent.
 SpecOptimum optimum_of(const Spec& spec, const OptimumProgress& keep_going = {});
 
-/// Optimizes segments of free shape, through a drive that follows the cam: see optimize_against().
-/// `drive`: a spec of kind "drive"; its unit of position must convert to that of the cam.
+/// Optimizes segments of free shape for a drive that follows the cam; see optimize_against().
+/// `drive` is a spec of kind "drive"; its unit of position must convert to that of the cam.
 SpecOptimum optimum_against(const Spec& spec, const Spec& drive,
                             const OptimumProgress& keep_going = {});
 
-/// Returns the optimized spec beside the given one: the peaks of the two specs, and for a path its
-/// duration and the proven bound of the duration.
+/// Returns a comparison of the given and the optimized spec: their peaks and, for a path, the
+/// duration with its proven lower bound.
 std::string improvement_text(const Spec& given, const Spec& optimized);
 /// Returns SpecOptimum::json with the peaks of the two specs.
 std::string improvement_json(const SpecOptimum& best, const Spec& given, const Spec& optimized);

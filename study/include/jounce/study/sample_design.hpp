@@ -11,8 +11,10 @@ namespace jounce {
 /// Distribution of the samples of a Monte Carlo analysis over the ranges of its random parameters.
 enum class Design {
   random,           ///< samples are independent
-  latin_hypercube,  ///< N samples: one in each N-th of the distribution of each parameter
-  sobol,  ///< Sobol's sequence: the same for N = 2^k, and even over several parameters at once
+  latin_hypercube,  ///< N samples: one in each of N equal shares of the distribution of each
+                    ///< parameter
+  sobol,  ///< Sobol's sequence: for N = 2^k like latin_hypercube, and also evenly spread over
+          ///< several parameters at once
 };
 
 /// The numbers between 0 and 1 from which the samples are made.
@@ -20,14 +22,14 @@ enum class Design {
 ///     const SampleDesign design(Design::sobol, 1, {"drive.mass[1].inertia", "move.velocity"}, 256);
 ///     design.at(0, 17);                        // of the first parameter in the eighteenth sample
 ///
-/// **Latin hypercube**: for each parameter, a permutation of the N-ths, and a place within each
-/// N-th. Both come from the random stream of the parameter (M. D. McKay, R. J. Beckman, W. J.
+/// **Latin hypercube**: for each parameter, a permutation of the N shares, and a place within each
+/// share. The random stream of the parameter determines both (M. D. McKay, R. J. Beckman, W. J.
 /// Conover, Technometrics 21, 1979).
 ///
 /// **Sobol**: each coordinate is combined (XOR) with random bits of its parameter. This random
-/// digital shift keeps the evenness of the sequence (P. L'Ecuyer, C. Lemieux, Recent advances in
-/// randomized quasi-Monte Carlo methods, 2002). The coordinates are assigned to the parameters in
-/// the order of the names.
+/// digital shift preserves the uniformity of the sequence (P. L'Ecuyer, C. Lemieux, Recent advances
+/// in randomized quasi-Monte Carlo methods, 2002). The coordinates are assigned to the parameters
+/// in the order of the names.
 class SampleDesign {
  public:
   SampleDesign() = default;  ///< Design::random
@@ -39,8 +41,8 @@ class SampleDesign {
   /// The distribution.
   [[nodiscard]] Design design() const { return design_; }
 
-  /// Returns the number for a parameter (its index) in a sample. Not for Design::random, whose
-  /// numbers come from Draw.
+  /// Returns the number between 0 and 1 for a parameter (its index) in a sample. Not for
+  /// Design::random; its numbers are drawn by Draw.
   [[nodiscard]] double at(std::size_t parameter, std::size_t sample) const;
 
  private:
@@ -48,10 +50,10 @@ class SampleDesign {
   std::uint64_t seed_ = 1;
   std::vector<std::string> names_;
   std::vector<std::vector<std::uint32_t>>
-      order_;  ///< order of a Latin hypercube: which N-th, by parameter and sample
+      order_;  ///< for a Latin hypercube: index of the interval, by parameter and sample
 };
 
-/// Returns the quantile u, between 0 and 1, of the standard normal distribution.
+/// Returns the u-quantile of the standard normal distribution; 0 < u < 1.
 double normal_quantile(double u);
 
 }  // namespace jounce

@@ -11,8 +11,8 @@
 
 namespace jounce {
 
-/// A spec whose numbers can be changed by key in its text. Comments, order and layout stay, so the
-/// difference to the given text is small.
+/// A spec whose numbers can be changed in its text, by key. Comments, order and layout stay, so the
+/// difference from the given text is small.
 ///
 ///     const SpecNumbers cam(read_spec("cam.toml").document);
 ///     cam.value("segment[2].end.master");                                  // 120
@@ -26,20 +26,20 @@ namespace jounce {
 /// same time.
 class SpecNumbers {
  public:
-  /// Uses only the name and the text of the document. Throws InputError if the text is not TOML;
-  /// only spec() checks that it is a spec.
+  /// Uses only the name and the text of the document. Throws InputError if the text is not TOML.
+  /// Only spec() checks that the text is a spec.
   explicit SpecNumbers(Document document);
 
   /// A new value for a number.
   struct Change {
     std::string key;   ///< key of the number
-    double value = 0;  ///< finite, in the unit that the file has at that place ("12.5 mm/s": mm/s)
+    double value = 0;  ///< finite, in the unit that the number has in the file ("12.5 mm/s": mm/s)
   };
 
-  /// Returns the number at this key, in the unit at that place.
+  /// Returns the number at this key, in the unit that it has in the file.
   [[nodiscard]] double value(const std::string& key) const;
-  /// Returns the unit that follows the number in the file; "" if there is none and the number is in
-  /// the unit of the spec.
+  /// Returns the unit that follows the number in the file; "" if the file gives no unit, so that
+  /// the unit of the spec applies.
   [[nodiscard]] std::string unit(const std::string& key) const;
   /// True if the number is written as a whole number: 12, but not 12.0 or "12 mm".
   [[nodiscard]] bool is_whole(const std::string& key) const;
@@ -52,7 +52,7 @@ class SpecNumbers {
 
  private:
   struct Place {
-    std::size_t begin = 0;  ///< bytes of the text
+    std::size_t begin = 0;  ///< first byte of the number in the text
     std::size_t end = 0;
     double value = 0;
     std::string unit = {};

@@ -23,42 +23,44 @@ struct SweepRow {
   std::size_t number = 0;       ///< number of the case, from 0
   std::vector<double> figures;  ///< one for each of SweepSpec::given; NaN if the case is impossible
   Verdict verdict = Verdict::impossible;  ///< verdict on the case
-  /// Unless `within`: the limit that is broken most, or why the case is impossible.
+  /// Empty for `within`; otherwise the limit that is broken most, or the reason why the case is
+  /// impossible.
   std::string why = {};
 };
 
 /// Computes and judges one case. Invalid numbers give a row, not an exception. Several threads may
-/// call it.
+/// call this function.
 SweepRow evaluated(const SweepSpec& spec, std::size_t number);
 
 /// Returns a row as one line of text, with all digits of each number, for journals and messages.
 std::string line_of(const SweepRow& row);
-/// Returns the row in a line; nullopt if the text is not a row of this sweep.
+/// Reads a row from a line; nullopt if the text is not a row of this sweep.
 std::optional<SweepRow> row_of(const std::string& line, const SweepSpec& spec);
 
-/// Returns the line of a case. Several threads call it at the same time.
+/// Computes a case and returns its line. Several threads call it at the same time.
 using MakeLine = std::function<std::string(std::size_t number)>;
 
-/// Receives the line of a case. Returns false to end the work. One thread at a time calls it.
+/// Receives the line of a case. To end the work, return false. Called by one thread at a time.
 using TakeLine = std::function<bool(std::size_t number, const std::string& line)>;
 
-/// Computes all these cases with MakeLine, in any order, and passes each line to TakeLine. Returns
-/// after the last one, or when TakeLine returns false. If MakeLine throws, the work ends, and the
-/// exception is thrown again.
+/// Computes all given cases with MakeLine, in any order, and passes each line to TakeLine. Returns
+/// after the last case, or when TakeLine returns false. If MakeLine throws, the work ends, and the
+/// exception is rethrown.
 using Farm =
     std::function<void(const std::vector<std::size_t>& numbers, const MakeLine&, const TakeLine&)>;
 
-/// Returns a farm of threads in this process; each thread takes the next case. `jobs`: number of
-/// threads; 0: one for each core.
+/// Returns a farm of threads in this process; each thread takes the next case. `jobs` is the number
+/// of threads; 0: one for each core.
 Farm on_threads(unsigned jobs = 0);
 
 /// Options of run_sweep().
 struct SweepOptions {
   Farm farm = on_threads();  ///< computes the cases
-  /// File from which the sweep continues, and which receives each new line; "": none.
+  /// File with the lines of finished cases; new lines are appended, and an interrupted sweep
+  /// continues from it. "": none.
   std::string journal = {};
-  /// Called after each case with the number of finished cases and the number of all cases. If it
-  /// returns false, the sweep stops. Optional.
+  /// Called after each case with the number of finished cases and the number of all cases. To stop
+  /// the sweep, return false. May be empty.
   std::function<bool(std::size_t done, std::size_t cases)> keep_going = {};
 };
 
@@ -70,16 +72,16 @@ struct SweepResult {
   bool complete = false;       ///< true if all cases are present
 };
 
-/// Runs a sweep. The rows do not depend on the number of processes or on the order of the cases.
+/// Runs a sweep. The rows depend neither on the number of processes nor on the order of the cases.
 ///
 ///     const SweepSpec spec = read_sweep("sweep.toml");
 ///     const SweepResult result = run_sweep(spec, {.journal = "results.csv.journal"});
 ///     if (!result.complete) ...                                // stopped: the same call resumes
 ///
 /// **The journal** receives the line of each case at once. After an interruption, the next run
-/// continues: cases in the journal are not computed again, except that of an incomplete last line.
-/// Throws InputError for a journal of another sweep, spec or program, and while another process
-/// uses it.
+/// continues: it computes only cases that are not in the journal, and the case of an incomplete
+/// last line. Throws InputError for a journal of another sweep, spec or program, and while another
+/// process uses the journal.
 SweepResult run_sweep(const SweepSpec& spec, const SweepOptions& options = {});
 
 }  // namespace jounce

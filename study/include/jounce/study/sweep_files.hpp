@@ -8,15 +8,15 @@
 namespace jounce {
 
 /// Returns a finished sweep as CSV: a head of comments (# key: value), a line of column names with
-/// their units, then a row for each case. A row contains the number of the case from 1, the
-/// parameters, the figures, the verdict and its reason. Figures of an impossible case are empty.
-/// Text in the last column is quoted if necessary.
+/// their units, and a row for each case. A row contains the number of the case (from 1), the
+/// parameters, the figures, the verdict and its reason. The figures of an impossible case are
+/// empty. Text in the last column is quoted if necessary.
 std::string to_csv(const SweepSpec& spec, const SweepResult& result);
 
 /// Returns a finished sweep as a NumPy file (format 1.0, 2.0 or 3.0): one structured array with a
-/// field for each column, whose name has no unit: numpy.load(file)["peak torque"]. The fields
-/// "case" and "verdict" are little-endian int64 (0: within the limits, 1: broken, 2: impossible);
-/// all others are float64, NaN if the case is impossible.
+/// field for each column. Names of fields have no unit: numpy.load(file)["peak torque"]. The fields
+/// "case" and "verdict" are little-endian 64-bit integers (0: within the limits, 1: broken, 2:
+/// impossible). All other fields are float64; they are NaN if the case is impossible.
 std::string to_npy(const SweepSpec& spec, const SweepResult& result);
 
 }  // namespace jounce

@@ -14,7 +14,7 @@
 
 namespace jounce {
 
-/// A listed parameter takes all of these values: a list, or a grid of equal steps.
+/// The values of a listed parameter, from a list or from a grid of equal steps.
 struct Values {
   std::vector<double> all;
 };
@@ -32,11 +32,11 @@ struct NormalSpread {
 
 /// A number of the spec that varies, in the unit that the spec has at that place.
 struct SweepParameter {
-  std::string key;   ///< its key, see SpecNumbers
-  std::string unit;  ///< its unit in the spec; "" if there is none
-  std::variant<Values, UniformSpread, NormalSpread> how;  ///< its values or its distribution
+  std::string key;   ///< key of the number, see SpecNumbers
+  std::string unit;  ///< unit of the number in the spec; "" if it has none
+  std::variant<Values, UniformSpread, NormalSpread> how;  ///< values or distribution of the number
 
-  /// True if it is random.
+  /// True if the parameter is random.
   [[nodiscard]] bool random() const { return !std::holds_alternative<Values>(how); }
 };
 
@@ -74,8 +74,8 @@ struct SweepLimit {
 ///
 /// **Cases** are all combinations of the listed values, each with all samples. They are numbered
 /// from 0: the sample changes fastest, then the last listed parameter. A random number depends only
-/// on the seed, the key and the number of the sample. Every combination therefore has the same
-/// samples, so combinations can be compared. `tolerance` is a share of the number in the spec: a
+/// on the seed, the key and the number of the sample. So every combination has the same samples,
+/// and combinations can be compared. `tolerance` is a share of the number in the spec; it gives a
 /// uniform distribution around this number.
 struct SweepSpec {
   static constexpr std::size_t most_cases = 10'000'000;  ///< greatest number of cases
@@ -88,8 +88,8 @@ struct SweepSpec {
   std::uint64_t seed = 1;                  ///< seed of the random numbers
   SampleDesign design = {};                ///< distribution of the samples
   bool optima = false;  ///< true: each case is first optimized by the [optimize] of the spec
-  /// Number of values that each case chooses itself, with `optima`; they are the last ones of
-  /// `given`.
+  /// Number of the values that the optimizer chooses in each case (`optima`). They are the last
+  /// entries of `given`.
   std::size_t chosen = 0;
   /// The figures that are computed, with their values for the given spec.
   std::vector<KeyFigure> given;
@@ -99,16 +99,15 @@ struct SweepSpec {
 
   /// True if at least one parameter is random.
   [[nodiscard]] bool random() const;
-  /// True if the samples are independent, so that a confidence interval can be given for a share of
-  /// them.
+  /// True if the samples are independent, so that a share of them has a confidence interval.
   [[nodiscard]] bool independent() const { return design.design() == Design::random; }
   /// Number of cases.
   [[nodiscard]] std::size_t cases() const;
   /// Returns the numbers of a case, in the order of the parameters.
   [[nodiscard]] std::vector<SpecNumbers::Change> numbers(std::size_t number) const;
   /// Returns the SHA-256 of everything on which the results depend: the texts of the sweep file and
-  /// of the spec, the result of the given spec (and thereby the files that the spec names), and
-  /// this program.
+  /// of the spec, this program, and the result of the given spec (which depends on the files that
+  /// the spec names).
   [[nodiscard]] Sha256 identity() const;
 
  private:

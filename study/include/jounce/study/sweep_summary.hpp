@@ -19,9 +19,10 @@ struct FigureSpread {
   double median = 0;                 ///< median
   double greatest = 0;               ///< greatest value
   double mean = 0;                   ///< mean
-  double deviation = 0;              ///< standard deviation, with n - 1; 0 for one case
-  std::size_t least_case = 0;        ///< index of its row in SweepResult::rows
-  std::size_t greatest_case = 0;     ///< index of its row in SweepResult::rows
+  double deviation = 0;              ///< standard deviation, computed with n - 1; 0 for one case
+  std::size_t least_case = 0;        ///< index of the row with the least value in SweepResult::rows
+  std::size_t greatest_case = 0;     ///< index of the row with the greatest value in
+                                     ///< SweepResult::rows
 };
 
 /// A share with its 95 % confidence interval.
@@ -43,12 +44,12 @@ struct SweepSummary {
   std::size_t broken = 0;             ///< number of rows that break a limit
   std::size_t impossible = 0;         ///< number of rows without a motion
   std::vector<FigureSpread> figures;  ///< one for each figure; empty if no case is possible
-  /// Share of the samples that are within all limits; nullopt: samples are not independent.
+  /// Share of the samples that are within all limits; nullopt if the samples are not independent.
   std::optional<Share> yield = {};
-  /// Index of the possible row with the smallest margin; nullopt: no row has one.
+  /// Index of the possible row with the smallest margin; nullopt: no row has a margin.
   std::optional<std::size_t> worst = {};
-  /// Indices of the rows in the Pareto front, among rows within all limits, in the order of the
-  /// first objective; empty without objectives.
+  /// Indices of the rows in the Pareto front: among the rows within all limits, in the order of the
+  /// first objective. Empty without objectives.
   std::vector<std::size_t> front;
 };
 
@@ -68,12 +69,13 @@ std::string numbers_text(const SweepSpec& spec, std::size_t number);
 /// Returns only the listed values of a case, which all samples of a combination have in common.
 std::string listed_text(const SweepSpec& spec, std::size_t number);
 
-/// Returns the index of a figure in SweepSpec::given, by its name. All figures in objectives and
-/// limits are there.
+/// Returns the index of a figure in SweepSpec::given, by its name. Every figure in objectives and
+/// limits has an index.
 std::size_t column_of(const SweepSpec& spec, const std::string& figure);
 
-/// Progress of a sweep in words, for SweepOptions::keep_going: "1200 of 5000, 2 min left". The time
-/// follows from the speed since the first call: cases of a journal take no time.
+/// Returns the progress of a sweep in words, for SweepOptions::keep_going: "1200 of 5000, 2 min
+/// left". The remaining time is estimated from the speed since the first call, because the cases of
+/// a journal take no time.
 class SweepClock {
  public:
   std::string text(std::size_t done, std::size_t cases);

@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// A number that was chosen, in the unit that the file has at that place.
+/// A number that was chosen, in the unit that it has in the file.
 struct TunedNumber {
   std::string key;        ///< key in the spec
   std::string unit;       ///< unit in the file; "1" for a pure number
@@ -23,7 +23,7 @@ struct TunedNumber {
 struct TunedFigure {
   std::string name;  ///< name of the figure
   std::string unit;  ///< its unit
-  /// Value for the given spec; nullopt: no motion is possible with it.
+  /// Value for the given spec; nullopt if the given spec has no motion.
   std::optional<double> given = {};
   double reached = 0;                   ///< value for the chosen numbers
   std::optional<double> at_least = {};  ///< required lower bound
@@ -34,37 +34,39 @@ struct TunedFigure {
 struct TuneOutcome {
   SearchOutcome search;              ///< result of the search
   std::vector<TunedNumber> numbers;  ///< the chosen numbers, in the order of the spec
-  /// The objective, then the required figures; empty if no choice is possible.
+  /// The objective, followed by the required figures; empty if no choice is possible.
   std::vector<TunedFigure> figures;
   std::vector<std::string> active;  ///< the limits that are reached or broken, as sentences
   Report report;                    ///< findings of the best choice, for every limit in the spec
   std::string text;                 ///< text of the spec with the best numbers, otherwise unchanged
 
-  /// True if the best choice keeps all limits.
+  /// True if the best choice satisfies all limits.
   [[nodiscard]] bool usable() const { return search.usable(); }
 };
 
 /// Chooses the numbers in [[optimize.parameter]] of a spec so that a key figure becomes minimal or
-/// maximal. The result keeps every limit of the spec (of check, and of the drive if the spec has a
-/// [drive]), and the requirements in [[optimize.require]].
+/// maximal. The result satisfies every limit of the spec (those of check and, if the spec has a
+/// [drive], those of the drive) and the requirements in [[optimize.require]].
 ///
 ///     TuneOutcome best = tune(read_spec("shear.toml"));
 ///     if (best.usable()) write("faster.toml", best.text);
 ///
-/// **Rounding.** The best numbers are rounded to as few digits as possible, as long as all limits
-/// hold and the figure loses at most half the tolerance.
+/// **Rounding.** The best numbers are rounded to as few digits as possible. All limits remain
+/// satisfied, and the figure loses at most half the tolerance.
 ///
-/// Each rule of the report is a separate constraint; for a limit of a curve, each bound and each
-/// segment is one. If the generator rejects a choice close to the best one, its reason is kept,
-/// because it limits the best choice. Throws InputError, with the place in the document, if the
-/// spec has no [[optimize.parameter]], for a figure that the spec does not have, for a bound
-/// without the unit of the figure, and for a number outside its range.
+/// **Constraints.** Each rule of the report is a separate constraint; for a limit of a curve, each
+/// bound and each segment is one. If the generator rejects a choice close to the best one, the
+/// outcome has its reason, because it limits the best choice.
+///
+/// **Errors.** Throws InputError, with the place in the document, if the spec has no
+/// [[optimize.parameter]], for a figure that the spec does not have, for a bound without the unit
+/// of the figure, and for a number outside its range.
 TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going = {});
 
 /// Returns the numbers that `jounce optimize` chooses for a path without [[optimize.parameter]]:
-/// each `corner`, from a hundredth of its value in the spec up to this value, for the least
-/// duration. No corner is therefore larger than the spec permits. Throws InputError, with the place
-/// in the document, if there is no corner, or if there are more than 20.
+/// each `corner`, for the least duration. A corner may vary from a hundredth of its value in the
+/// spec up to this value, so no corner is larger than the spec permits. Throws InputError, with the
+/// place in the document, if the path has no corner, or more than 20.
 ParametersSpec corner_parameters(const Spec& spec);
 
 }  // namespace jounce

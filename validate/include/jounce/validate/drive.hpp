@@ -13,8 +13,8 @@
 
 namespace jounce {
 
-/// Friction of a body against the frame: viscous friction, and dry friction that falls from its
-/// breakaway value to the Coulomb value with increasing speed w (Stribeck):
+/// Friction of a body against the frame: viscous friction and dry friction. With increasing speed
+/// w, the dry friction falls from its breakaway value to the Coulomb value (Stribeck):
 ///
 ///     T_f = b w + sign(w) (T_c + (T_s - T_c) exp(-(w / w_s)^2)),   |T_f| <= T_s at rest
 struct Friction {
@@ -24,22 +24,24 @@ struct Friction {
   double stribeck_velocity = 0;  ///< w_s, rad/s, >= 0; 0: the friction falls at once
 };
 
-/// A motor. A value marked "0: none" is not modeled, or not limited, if it is 0.
+/// A motor. In the comments below, "0: none" means: if the value is 0, the effect is not modeled,
+/// or the quantity is not limited.
 struct Motor {
-  double inertia = 0;         ///< rotor inertia, kg m^2, > 0
-  Friction friction = {};     ///< friction of the rotor
-  double torque_limit = 0;    ///< peak torque, N m, > 0
-  double rated_torque = 0;    ///< continuous torque, N m; 0: none
-  double rated_velocity = 0;  ///< greatest speed with the peak torque, rad/s; 0: none
-  double max_velocity = 0;    ///< speed at which the torque is 0, rad/s; linear in between; 0: none
+  double inertia = 0;          ///< rotor inertia, kg m^2, > 0
+  Friction friction = {};      ///< friction of the rotor
+  double torque_limit = 0;     ///< peak torque, N m, > 0
+  double rated_torque = 0;     ///< continuous torque, N m; 0: none
+  double rated_velocity = 0;   ///< greatest speed with the peak torque, rad/s; 0: none
+  double max_velocity = 0;     ///< speed at which the torque is 0, rad/s; from rated_velocity, the
+                               ///< torque falls linearly; 0: none
   double torque_constant = 0;  ///< N m/A; 0: none
   double resistance = 0;       ///< ohm; copper loss = resistance * current^2; 0: none
   double thermal_time = 0;     ///< thermal time constant of the winding, s, for I2t; 0: none
   double current_lag = 0;      ///< time constant of the current loop, s; 0: none
 };
 
-/// A mass of the drive train. The first one is connected to the motor, each further one to the
-/// previous mass.
+/// A mass of the drive train. The first mass is connected to the motor, each further mass to the
+/// previous one.
 struct Mass {
   double stiffness = 0;  ///< stiffness of the shaft or belt to the previous mass, N m/rad; 0: rigid
   double damping = 0;    ///< damping of this shaft or belt, N m s/rad, >= 0
@@ -48,43 +50,46 @@ struct Mass {
   double inertia = 0;      ///< kg m^2, > 0
   Friction friction = {};  ///< friction of this mass
   double load_torque = 0;  ///< constant torque against positive motion, N m
-  /// Torque of a horizontal arm by its weight, against positive motion, N m.
+  /// Torque that the weight of a horizontal arm exerts against positive motion, N m.
   double gravity_torque = 0;
   double gravity_angle = 0;  ///< angle of the arm from its hanging position, at position 0, rad
   double gravity_ratio = 1;  ///< turns of the arm for each turn of the motor
 };
 
-/// A pendulum at the last mass, such as the load of a crane or a liquid that sloshes. Its inertia
-/// is a share of that mass.
+/// A pendulum at the last mass, such as the load of a crane or a liquid that sloshes. The inertia
+/// of the pendulum is a share of the inertia of that mass.
 struct Pendulum {
-  double frequency = 0;  ///< natural frequency with its pivot held, Hz, > 0
+  double frequency = 0;  ///< natural frequency while the pivot is held, Hz, > 0
   double damping = 0;    ///< damping ratio, >= 0
-  double share = 0;      ///< its inertia as a share of the last mass, between 0 and 1
+  double share = 0;      ///< share of the last mass's inertia that belongs to the pendulum, between
+                         ///< 0 and 1
 };
 
-/// A position loop (P) and a velocity loop (PI), with feed-forwards of the reference.
+/// A position loop (P) and a velocity loop (PI), with feed-forward of velocity and torque.
 ///
 /// With `cycle` > 0, the controller is sampled. At each multiple of the cycle from the start of the
-/// run, it reads the reference and the angle of the motor, rounded to encoder counts. Its velocity
-/// is the difference of the angles over one cycle (0 at the first one). After `delay`, it outputs
-/// the torque, which is held for a cycle. The integral part uses Euler's rule.
+/// run, it reads the reference and the angle of the motor, rounded to encoder counts. The measured
+/// velocity is the difference of the angles over one cycle (0 in the first cycle). After `delay`,
+/// the controller outputs the torque, and holds it for a cycle. The integral part uses Euler's
+/// rule.
 struct Controller {
   double position_gain = 0;          ///< K_p, 1/s, > 0
   double velocity_gain = 0;          ///< K_v, N m s/rad, > 0
   double integral_time = 0;          ///< T_i of the velocity loop, s; 0: no integral part
   double velocity_feed_forward = 1;  ///< share of the reference velocity, >= 0; 1: all of it
-  /// Share of (whole inertia * reference acceleration), >= 0; 1: all of it.
+  /// Share of the torque for the whole inertia at the reference acceleration, >= 0; 1: all of it.
   double torque_feed_forward = 1;
-  /// Share of the viscous and Coulomb friction, >= 0; 1: all of it.
+  /// Share of the torque for viscous and Coulomb friction, >= 0; 1: all of it.
   double friction_feed_forward = 0;
   double cycle = 0;           ///< s; 0: a continuous controller
-  double delay = 0;           ///< time from the reading to the torque, s, >= 0
+  double delay = 0;           ///< time from the reading to the output of the torque, s, >= 0
   double encoder_counts = 0;  ///< counts in one turn of the motor; 0: exact
 };
 
-/// A servo axis: a motor, a chain of masses that it drives, and a controller. **All values refer to
-/// the motor shaft**: for a part behind a gear of ratio i, divide inertia, stiffness and damping by
-/// i^2 and torques by i. docs/validate/drive.md and drive_model.cpp contain the equations.
+/// A servo axis: a motor, a chain of masses that the motor drives, and a controller. **All values
+/// refer to the motor shaft**: for a part behind a gear of ratio i, divide inertia, stiffness and
+/// damping by i^2 and torques by i. docs/validate/drive.md and drive_model.cpp contain the
+/// equations.
 struct Drive {
   Motor motor = {};                       ///< the motor
   std::vector<Mass> train = {};           ///< the masses, from the motor on; empty: a rigid axis
@@ -97,7 +102,7 @@ struct Drive {
 /// Permitted values of a number of a drive. All numbers must be finite.
 enum class NumberRule { any, not_negative, positive, share /**< in (0, 1] */ };
 
-/// A number of a drive, by its name in specs, tolerances and identification.
+/// A number of a drive, with the name by which specs, tolerances and identification refer to it.
 struct DriveNumber {
   std::string key;          ///< "motor.inertia", "mass[1].stiffness", "motor.friction.coulomb"
   std::string unit;         ///< "kg m^2", "u/rev", or "1" for a pure number
@@ -108,10 +113,10 @@ struct DriveNumber {
 /// Returns all numbers of a drive. Masses are counted from 1.
 std::vector<DriveNumber> numbers(Drive& drive);
 
-/// Returns an example of an axis with the size of a 400 W servo. Its peak torque is 3.8 N m. Its
-/// load has five times the inertia of the motor, on a shaft that resonates near 80 Hz if the motor
-/// is held. Its loops are tuned by hand. The numbers are round and typical; they are not those of a
-/// product. Unit of the position: degrees of the motor shaft.
+/// Returns an example: an axis of the size of a 400 W servo. Its peak torque is 3.8 N m. Its load
+/// has five times the inertia of the motor, on a shaft that resonates near 80 Hz if the motor is
+/// held. Its loops are tuned by hand. The numbers are round and typical, not those of a product.
+/// The unit of the position is a degree of the motor shaft.
 Drive servo_400w();
 
 /// Returns a motor of the 400 W class with the values of its data sheet: Wittenstein premo SP,
@@ -122,8 +127,8 @@ Drive servo_400w();
 ///   constant 17.4 min.
 /// - Derived values: the peak torque is available up to 450 rad/s (power / torque); the copper loss
 ///   is 1.5 * 3.72 ohm * (rms current)^2.
-/// - The drive has no load and no friction (the data sheet has none), and loops for a load with the
-///   inertia of the motor.
+/// - The drive has no load and no friction, because the data sheet gives none. Its loops are tuned
+///   for a load with the inertia of the motor.
 ///
 /// Unit of the position: degrees.
 Drive wittenstein_premo_2d();
@@ -131,8 +136,8 @@ Drive wittenstein_premo_2d();
 /// Throws InputError for a value out of range, with the key of the number.
 void require_valid(const Drive& drive);
 
-/// Limits of a run. A value that is not given is not limited. All must be > 0. Unit u: the unit of
-/// the reference.
+/// Limits of a run, each > 0. A value that is not given is not limited. u is the unit of the
+/// reference.
 struct DriveLimits {
   std::optional<double> torque = {};           ///< peak torque of the motor, N m
   std::optional<double> rms_torque = {};       ///< rms torque of the motor, N m
@@ -144,7 +149,7 @@ struct DriveLimits {
   /// Greatest following error within DriveOptions::sync, u.
   std::optional<double> sync_following_error = {};
   std::optional<double> residual = {};  ///< greatest residual vibration after the end, u
-  /// Half-width of the band around the end of the reference, u.
+  /// Half of the width of the band around the end position of the reference, u.
   std::optional<double> settling_band = {};
   /// Time until the load stays within the settling band, s; requires the band.
   std::optional<double> settling_time = {};
@@ -162,12 +167,13 @@ struct DriveOptions {
   /// Number of samples, equally spaced over reference and standstill; for plots.
   std::size_t samples = 0;
   DriveLimits limits = {};          ///< limits for the findings
-  std::vector<Interval> sync = {};  ///< times in which the slave is in sync; within the reference
+  std::vector<Interval> sync = {};  ///< intervals in which the slave is in step; within the
+                                    ///< reference
   double tolerance = 1e-8;          ///< relative tolerance of the integration, 1e-12 to 1e-3
   long max_steps = 10'000'000;      ///< greatest number of steps of the integration, > 0
   /// True: the reference is one period of a motion without end, such as a cam on a rotating master.
-  /// The run is one period of the steady state, without a standstill (`settle` is not used). Only
-  /// for linear drives.
+  /// The run is one period of the steady state, without a standstill (`settle` is not used). For
+  /// linear drives only.
   bool periodic = false;
 };
 
@@ -175,7 +181,7 @@ struct DriveOptions {
 /// range. Keys: "settle", "limits.torque", ...
 void require_valid(const DriveOptions& options, const Drive& drive);
 
-/// A signed value where its magnitude is greatest, and the time.
+/// A signed value at the time at which its magnitude is greatest.
 struct Peak {
   double value = 0;  ///< the value
   double where = 0;  ///< time, s
@@ -186,7 +192,8 @@ struct Saturation {
   double from = 0;  ///< start, s
   double to = 0;    ///< end, s
   int sign = 0;     ///< 1: at the upper limit, -1: at the lower limit
-  /// True: at the start, the speed of the motor permitted less than the peak torque.
+  /// True: the torque at the start was limited by the speed of the motor, to less than the peak
+  /// torque.
   bool envelope = false;
 };
 
@@ -201,7 +208,7 @@ struct DriveSample {
   double velocity = 0;         ///< speed of the motor, rad/s
 };
 
-/// Energy over reference and standstill, J.
+/// Energy over the reference and the standstill, J.
 struct DriveEnergy {
   double driving = 0;      ///< mechanical work of the motor on the machine, >= 0
   double regenerated = 0;  ///< mechanical work of the machine on the motor, >= 0
@@ -222,15 +229,16 @@ struct DriveResult {
   Peak sync_following_error;       ///< greatest following error within DriveOptions::sync, u
   Peak residual;                   ///< greatest deviation load - reference after the end, u
   double residual_frequency = 0;   ///< frequency of the load's vibration after the end, Hz; 0: none
-  /// Time after the end, s; nullopt: no band is given, or the load did not settle.
+  /// Time from the end until the load stays within the band, s; nullopt: no band is given, or the
+  /// load did not settle.
   std::optional<double> settling_time = {};
-  /// Periods in which the following error exceeds its limit, if one is given. Their ends are zeros
-  /// of the solver's dense output. If the error exceeds the limit for less than half a step, the
-  /// vertex of a parabola detects it.
+  /// Periods in which the following error exceeds its limit, if a limit is given. Their ends are
+  /// zeros of the solver's dense output. A period shorter than half a step is detected by the
+  /// vertex of a parabola.
   std::vector<Interval> beyond_following_error = {};
   Peak swing;  ///< greatest deviation of the pendulum from the load, u
-  /// Greatest thermal load h of the winding, from the cold state: h' = ((T / rated_torque)^2 - h) /
-  /// thermal_time. 1 is the limit.
+  /// Greatest thermal load h of the winding, which is cold at the start: h' = ((T / rated_torque)^2
+  /// - h) / thermal_time. 1 is the limit.
   Peak i2t;
   DriveEnergy energy;                  ///< work and loss
   long impacts = 0;                    ///< number of impacts in connections with backlash
@@ -245,47 +253,50 @@ struct DriveResult {
   /// - "drive/saturation": always; broken if the torque reached its limit;
   /// - "drive/stability": broken if the loop is unstable (loop.hpp); otherwise absent;
   /// - "drive/exact": if there are samples and exact_opinion() returns a finding;
-  /// - "drive/integration": if the integration failed. A limit that was not exceeded before the
-  ///   failure then has no finding.
+  /// - "drive/integration": if the integration failed. Then a limit that was not exceeded before
+  ///   the failure has no finding.
   Report report;
 };
 
-/// Moves a drive along a reference over time, from rest at its start, then holds its end.
+/// Moves a drive along a reference over time, from rest at its start, then holds the end position
+/// of the reference.
 ///
 ///     Drive drive = servo_400w();
 ///     drive.position_per_rev = 10;                                 // mm: a screw of 10 mm pitch
 ///     const DriveResult run = drive_through(table, drive, {.limits = {.following_error = 0.5}});
 ///     if (!run.report.ok()) ...
 ///
-/// **Reference.** It is the signal that the executor interpolates: a Table over time, a Trajectory,
-/// or a Followed made from the curve of a table. The axis begins at rest at the first position of
-/// the reference, in equilibrium: constant loads twist the shafts, the integral part holds their
-/// torque (without one, a position error does), and no load is in the middle of a gap. If the
-/// reference begins or ends at a velocity, this acts as a step of the velocity.
+/// **Reference.** The signal that the executor interpolates: a Table over time, a Trajectory, or a
+/// Followed made from the curve of a table. The axis begins at rest at the first position of the
+/// reference, in equilibrium. Constant loads twist the shafts; the integral part (without one, a
+/// position error) holds their torque; no load is in the middle of a gap. A velocity at the start
+/// or end of the reference acts as a step of the velocity.
 ///
 /// **Method.** Saturation, backlash, dry friction and the direction of the power through a gear are
-/// modes. The switch between modes is found as a root, and the integration restarts there. The
-/// thermal load follows from the integral of T^2 in each step; it is exact except for changes of T
-/// within a step, which is much shorter than thermal_time.
+/// modes of the model. The switch from one mode to another is found as a root, and the integration
+/// restarts at this root. The thermal load follows from the integral of T^2 in each step; it is
+/// exact except for changes of T within a step, which is much shorter than thermal_time.
 ///
 /// **Accuracy.** Motor and load are within 1e-9 of the stroke of the exact solution, the rms torque
 /// within 1e-6 of its value. (Tests compare with matrix exponentials; usual errors are 2e-11 of the
-/// stroke, or 1e-8 if a move ends before the loop can follow.) Peaks come from parabolas through
-/// the steps of the solver, within 1e-4 of their value. The frequency comes from the zeros of the
-/// load's velocity, as long as the vibration is at least 1 % of its peak.
+/// stroke, or 1e-8 if a move ends before the loop can follow.) Peaks are computed by parabolas
+/// through the steps of the solver, within 1e-4 of their value. The frequency is computed from the
+/// zeros of the load's velocity, as long as the vibration is at least 1 % of its peak.
 ///
 /// **Periodic.** One period is integrated from the exact steady state (exact_period()). The finding
-/// "drive/periodic" gives the difference between its end and its start, as a share of the stroke or
-/// of the peak torque; it is broken above a hundred tolerances. It is also broken if the torque
-/// reaches its limit, because the initial state is that of a drive without this limit.
+/// "drive/periodic" gives the difference between the end and the start of the period, as a share of
+/// the stroke or of the peak torque. The rule is broken if the difference exceeds a hundred
+/// tolerances. It is also broken if the torque reaches its limit, because the initial state is that
+/// of a drive without this limit.
 ///
-/// **Errors.** Throws InputError for a drive, an option or a limit out of range, for a Table over a
-/// master, and, if `periodic`, for a signal without segments and like exact_period(). If the
-/// integration fails, there is no exception: see DriveResult::integration.
+/// **Errors.** Throws InputError for a drive, an option or a limit out of range, and for a Table
+/// over a master. If `periodic`, throws also for a signal without segments, and like
+/// exact_period(). A failed integration is not an exception: see DriveResult::integration.
 DriveResult drive_through(const SignalView& reference, const Drive& drive,
                           const DriveOptions& options = {});
 
-/// A Cam is not a motion over time. Combine it with a motion of its master first (Followed).
+/// Deleted: a Cam is not a motion over time. Combine it with a motion of its master first
+/// (Followed).
 DriveResult drive_through(const Cam& reference, const Drive& drive,
                           const DriveOptions& options = {}) = delete;
 

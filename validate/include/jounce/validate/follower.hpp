@@ -12,14 +12,14 @@
 
 namespace jounce {
 
-/// A cam follower that is held down by a spring (the polydyne model). One mass m represents all
-/// moving parts. The stiffness and the damping of the linkage are between the cam and the mass, the
-/// return spring is behind the mass.
+/// A cam follower that a spring holds down (the polydyne model). One mass m represents all moving
+/// parts. The linkage, with its stiffness and damping, is between the cam and the mass. The return
+/// spring is between the mass and the frame.
 ///
 ///     cam y --> [linkage k_l, c_l] --> mass m, x <-- [return spring k_s, c_s, preload F_0]
 ///
 /// The linkage can push, but not pull. When its force would become negative, the follower leaves
-/// the cam, until the tip meets the cam again. follower.cpp contains the equations.
+/// the cam. The flight ends when the tip meets the cam again. follower.cpp contains the equations.
 struct SpringFollower {
   double mass = 0;               ///< m, reduced to the cam, kg, > 0
   double linkage_stiffness = 0;  ///< k_l, N/m, > 0
@@ -34,7 +34,7 @@ struct SpringFollower {
 /// follower that is not pressed onto the cam (no preload and no spring).
 void require_valid(const SpringFollower& follower);
 
-/// Limits of a follower. A value that is not given is not limited, except least_force. Unit u: the
+/// Limits of a follower. A value that is not given is not limited, except least_force. u is the
 /// unit of the lift.
 struct FollowerLimits {
   std::optional<double> least_force = {};     ///< least contact force, N, >= 0; nullopt: 0
@@ -58,7 +58,7 @@ struct Flight {
   double from = 0;    ///< loss of the contact, s
   double to = 0;      ///< next contact, or the end of the run, s
   double height = 0;  ///< greatest gap, u
-  /// Speed of the tip relative to the cam at the next contact, m/s; 0: no contact any more.
+  /// Speed of the tip relative to the cam at the next contact, m/s; 0: no further contact.
   double impact_speed = 0;
 };
 
@@ -81,12 +81,12 @@ struct FollowerResult {
   std::vector<Flight> flights;          ///< periods without contact
   std::vector<FollowerSample> samples;  ///< samples, if requested
   /// Findings: "follower/contact" always (the least force and its limit; broken if the contact was
-  /// lost); "follower/force", "follower/impact", "follower/residual" for each limit that is given;
+  /// lost); "follower/force", "follower/impact", "follower/residual" for each given limit;
   /// "follower/integration" if the integration failed.
   Report report;
 };
 
-/// Moves a follower by a rotating cam. `lift`: the lift of the cam over time, a Followed.
+/// Moves a follower by a rotating cam. `lift` is the lift of the cam over time, usually a Followed.
 ///
 ///     const Followed lift(cam, shaft);                       // at 3000 rpm
 ///     SpringFollower valve{.mass = 0.2, .linkage_stiffness = 5e6, .linkage_damping = 100,
@@ -95,17 +95,19 @@ struct FollowerResult {
 ///     if (!run.flights.empty()) ...                            // floats: at run.flights[0].from
 ///
 /// The follower begins at rest on the cam, in equilibrium. The tip has no mass, so it stays on the
-/// cam when it lands: the linkage absorbs its speed, and only the mass can rebound, on the linkage.
+/// cam when it lands: the linkage absorbs the speed of the tip. Only the mass can rebound, on the
+/// linkage.
 ///
-/// **Accuracy.** Losses of contact and landings are found as events, within 1e-8 of a period of the
-/// exact instants. Forces are within 1e-7 of their peak. (Tests compare with closed forms.)
+/// **Accuracy.** Losses of contact and landings are found as events, to 1e-8 of a turn of the
+/// cam. Forces are within 1e-7 of their peak. (Tests compare with closed forms.)
 ///
 /// **Errors.** Throws InputError for a follower, an option or a limit out of range, and for a Table
-/// over a master. If the integration fails, there is no exception: see FollowerResult::integration.
+/// over a master. A failed integration is not an exception: see FollowerResult::integration.
 FollowerResult follow(const SignalView& lift, const SpringFollower& follower,
                       const FollowerOptions& options = {});
 
-/// A Cam is not a motion over time. Combine it with a motion of its master first (Followed).
+/// Deleted: a Cam is not a motion over time. Combine it with a motion of its master first
+/// (Followed).
 FollowerResult follow(const Cam& lift, const SpringFollower& follower,
                       const FollowerOptions& options = {}) = delete;
 

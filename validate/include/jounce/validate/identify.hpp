@@ -31,15 +31,16 @@ struct Recording {
 /// "time" or "command").
 Trajectory commanded_motion(const Recording& recording);
 
-/// The drive and those of its numbers that are fitted.
+/// A drive, and the choice of its numbers that are fitted.
 struct IdentifySpec {
-  Drive drive;                   ///< start of the fit; all other numbers are taken as correct
+  Drive drive;                   ///< start of the fit; the numbers that are not fitted are assumed
+                                 ///< to be correct
   std::vector<std::string> fit;  ///< keys of numbers(): "motor.inertia", "mass[1].stiffness"
   int max_iterations = 50;       ///< greatest number of iterations, >= 1
   double tolerance = 1e-8;       ///< relative tolerance of each integration, 1e-12 to 1e-3
 };
 
-/// A number that was fitted. Its interval contains the true number in 95 of 100 recordings, if the
+/// A number that was fitted. In 95 of 100 recordings its interval contains the true number, if the
 /// model is right and the noise of different samples is independent.
 struct FittedNumber {
   std::string key;   ///< key in numbers()
@@ -50,7 +51,8 @@ struct FittedNumber {
   double high = 0;   ///< upper end of the interval
 };
 
-/// Two numbers that the recording can hardly separate: their estimates depend on each other.
+/// Two numbers whose effects in the recording are hardly separable: the estimates depend on each
+/// other.
 struct Entangled {
   std::string first;       ///< key of the first number
   std::string second;      ///< key of the second number
@@ -66,8 +68,9 @@ struct ResidualTest {
   [[nodiscard]] bool failed() const { return value > limit; }
 };
 
-/// Quality of the fit for one recorded quantity. A residual is recorded value minus model. It is
-/// not tested if it is below the resolution of the recording or the error of the integration.
+/// Quality of the fit for one recorded quantity. A residual is the recorded value minus that of the
+/// model. It is not tested if it is below the resolution of the recording or the error of the
+/// integration.
 struct Explained {
   std::string quantity;  ///< "position", "velocity", "torque", "load"
   double before = 0;     ///< rms of the residuals at the start of the fit
@@ -78,7 +81,8 @@ struct Explained {
   /// Test of growth: mean square of the last third over that of the first third (F of Goldfeld and
   /// Quandt).
   ResidualTest growth = {};
-  ResidualTest worsening = {};     ///< mean square after the fit over that before it
+  ResidualTest worsening = {};     ///< test of worsening: mean square after the fit over that
+                                   ///< before the fit
   std::vector<double> model = {};  ///< values of the fitted model, one for each sample
 };
 
@@ -87,8 +91,9 @@ struct Identification {
   /// Status of a fit.
   enum class Status {
     converged,  ///< the fit is a minimum, all numbers are determined, and the residuals are noise
-    misfit,     ///< the fit is a minimum, but residuals are not white, or grow: the model is wrong
-    not_identifiable,  ///< the recording does not determine some of the numbers: see reason
+    misfit,     ///< the fit is a minimum, but the residuals are not white, or grow: the model is
+                ///< wrong
+    not_identifiable,  ///< the recording does not determine some of the numbers: see `reason`
     stalled,           ///< the greatest number of iterations was reached
     cancelled,         ///< stopped by the progress function
     failed,            ///< the model cannot be integrated at the start of the fit
@@ -99,7 +104,8 @@ struct Identification {
   std::vector<FittedNumber> numbers;  ///< the fitted numbers
   std::vector<Entangled> entangled;   ///< pairs with a correlation above 0.95, the strongest first
   std::vector<Explained> explained;   ///< quality of the fit of each recorded quantity
-  /// Sentences for the user: residuals that are not white, feed-forward that was kept.
+  /// Sentences for the user, for example on residuals that are not white, or on an unchanged
+  /// feed-forward.
   std::vector<std::string> notes;
   int iterations = 0;  ///< number of iterations
 
@@ -113,8 +119,8 @@ struct Identification {
 /// Returns the name of a status.
 const char* name(Identification::Status status);
 
-/// Receives the number of iterations so far, and the rms residual relative to that at the start. If
-/// it returns false, the fit stops.
+/// Receives the number of iterations so far, and the rms residual as a share of that at the start.
+/// To stop the fit, return false.
 using IdentifyProgress = std::function<bool(int iteration, double share)>;
 
 /// Fits numbers of a drive to a recorded run. The method is weighted least squares of the residuals
@@ -127,18 +133,20 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 ///     if (found.usable()) drive_through(table, found.drive);
 ///
 /// **Controller.** The fit changes the numbers of the machine, but not the output of the
-/// controller. For example, if an inertia is fitted, torque_feed_forward of the result gives the
-/// same feed-forward torque as at the start. A friction_feed_forward is rejected if friction is
-/// fitted.
+/// controller. For example, if an inertia is fitted, torque_feed_forward of the result is adapted
+/// so that the feed-forward torque is the same as at the start. If friction is fitted, a
+/// friction_feed_forward is rejected.
 ///
-/// **Positive numbers.** The logarithm of a number is fitted, so its sign cannot change. Its start
-/// must be greater than 0 (for NumberRule::any: not 0) and have the right order of magnitude.
+/// **Positive numbers.** The logarithm of a number is fitted, so the sign of the number cannot
+/// change. Its start must be greater than 0 (for NumberRule::any: not 0) and have the right order
+/// of magnitude.
 ///
-/// **Weights.** Each quantity is weighted by the standard deviation of its own noise. This is
-/// estimated from the residuals, and improved until it does not change any more.
+/// **Weights.** Each quantity is weighted by the standard deviation of its own noise. The fit
+/// estimates this deviation from the residuals, and repeats the estimate until it no longer
+/// changes.
 ///
-/// **Reference.** The axis is at rest at the start of `reference`, whose times are those of the
-/// recording.
+/// **Reference.** The times of `reference` are those of the recording. The axis is at rest at the
+/// start of `reference`.
 ///
 /// **Errors.** Throws InputError for an unknown key (the message lists the valid ones), a number
 /// that cannot be fitted, an invalid recording, and like require_valid(Drive).

@@ -14,9 +14,10 @@
 
 namespace jounce {
 
-/// Returns the key of a number for which a drive is not linear ("mass[1].backlash"), as in
-/// numbers(); nullopt if the drive is linear. The limits of the motor are ignored: a linear drive
-/// is solved as if it had none, which is correct as long as its torque is below them.
+/// Returns the key (as in numbers()) of a number that makes the drive nonlinear, such as
+/// "mass[1].backlash"; nullopt if the drive is linear. The limits of the motor are ignored: a
+/// linear drive is solved without limits, which is correct as long as the torque is below its
+/// limit.
 std::optional<std::string> nonlinearity(const Drive& drive);
 
 /// A mode of the closed loop: a free vibration or a free decay of the axis. Unit u: the unit of the
@@ -25,8 +26,8 @@ struct DriveMode {
   double frequency = 0;  ///< damped frequency, Hz; 0: no vibration
   double damping = 0;    ///< damping ratio; 1 if there is no vibration; negative: the mode grows
   double rate = 0;       ///< rate of the decay, 1/s
-  /// Amplitude of the mode at the load at the end of the reference, u: the envelope at that
-  /// instant. NaN if two modes are too similar to be separated.
+  /// Amplitude (envelope) of the mode at the load, u, at the end of the reference. NaN if two modes
+  /// are too similar to be separated.
   double residual = 0;
 };
 
@@ -37,8 +38,8 @@ struct ExactRun {
   double end_following_error = 0;    ///< following error at the end of the reference, u
 };
 
-/// Solves a linear drive along a reference, from rest at its start, like drive_through(), but
-/// without numerical integration:
+/// Solves a linear drive along a reference without numerical integration. Like drive_through(), it
+/// begins at rest at the start of the reference:
 ///
 ///     const std::vector<double> times = every_millisecond(table);
 ///     const ExactRun run = exact_run(table, servo_400w(), times);
@@ -49,13 +50,13 @@ struct ExactRun {
 /// (ladder.cpp contains the equations). A controller with a cycle is solved cycle by cycle; its
 /// delay need not be a multiple of the cycle.
 ///
-/// **Accuracy.** There is no step size and no tolerance. The error is rounding: up to 1e-11 of the
-/// stroke and of the peak torque, or 1e-10 with a cycle, since the controller then differentiates
-/// the last digit of the angle. (Tests compare with 30 digits.) One second of motion with a
-/// thousand outputs takes about 40 us.
+/// **Accuracy.** The method has no step size and no tolerance. The error is rounding: up to 1e-11
+/// of the stroke and of the peak torque. With a cycle it is 1e-10, because the controller then
+/// differentiates the last digit of the angle. (Tests compare with 30 digits.) One second of motion
+/// with a thousand outputs takes about 40 us.
 ///
-/// **Times** ascend, in s on the time axis of the reference, and do not begin before its start.
-/// After its end, the reference holds its last position.
+/// **Times** must ascend, and must not begin before the start of the reference (in s, on its time
+/// axis). After its end, the reference holds its last position.
 ///
 /// **Errors.** Throws InputError like require_valid(), for a drive that is not linear, for times
 /// that do not ascend or begin too early, and for a Table over a master.
@@ -68,49 +69,50 @@ ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const d
 ///     const ExactRun turn = exact_period(period, drive, times);    // times within the period
 ///
 /// The position may advance over a period (a rotary slave). A step of the velocity from the end of
-/// a period to its start is taken into account. The accuracy is that of exact_run(). The start is
-/// computed, x(0) = (I - exp(A T))^-1 c, and not approached by waiting (periodic.cpp). The sample
-/// at the end of the period is the limit from within the period. Throws InputError like
-/// exact_run(), for a controller with a cycle, for times after the end of the period, and for loops
-/// that do not decay.
+/// a period to its start is taken into account. The start of the steady state is computed, x(0) =
+/// (I - exp(A T))^-1 c, instead of simulating many periods (periodic.cpp). The sample at the end of
+/// the period is the limit from within the period. The accuracy is that of exact_run(). Throws
+/// InputError like exact_run(), for a controller with a cycle, for times after the end of the
+/// period, and for loops that do not decay.
 ExactRun exact_period(const Trajectory& period, const Drive& drive, std::span<const double> times);
 
-/// Returns the result of drive_through() without numerical integration, about ten times as fast,
-/// for the many cases of tolerances and sweeps. Returns nullopt if the drive is not linear, if its
-/// controller has a cycle, or if the required torque exceeds the limit of the motor at any instant.
+/// Returns the result of drive_through() without numerical integration, about ten times as fast.
+/// Use it for the many cases of tolerances and sweeps. Returns nullopt if the drive is not linear,
+/// if its controller has a cycle, or if the required torque exceeds the limit of the motor at any
+/// instant.
 ///
 ///     if (const auto run = exact_through(move, drive, {.limits = limits})) use(run->torque);
 ///
-/// All values except `samples` refer to the whole motion, not to instants. Peaks, crossings of a
-/// limit, and the zeros for settling time and frequency are isolated by bounds that hold everywhere
-/// (enclosure.cpp); peaks are within 1e-11 of their value. Work and squared torque are integrals in
-/// closed form. Only `i2t` is computed as in drive_through(), from the mean of T^2 over a step.
-/// There is no step size, so `tolerance` affects only the frequency, and `integration` counts the
-/// intervals that were examined. Values that drive_through() does not compute by parabolas agree
-/// within 1e-8 (checked by tests).
+/// All values except `samples` are exact for the whole motion, not only at certain instants. Peaks,
+/// crossings of a limit, and the zeros for settling time and frequency are isolated by bounds that
+/// hold everywhere (enclosure.cpp); peaks are within 1e-11 of their value. Work and squared torque
+/// are integrals in closed form. Only `i2t` is computed as in drive_through(), from the mean of T^2
+/// over a step. The method has no step size, so `tolerance` affects only the frequency, and
+/// `integration` counts the intervals that were examined. All values agree with drive_through()
+/// within 1e-8 (checked by tests), except those that drive_through() computes by parabolas.
 ///
 /// Throws InputError like drive_through().
 std::optional<DriveResult> exact_through(const Trajectory& reference, const Drive& drive,
                                          const DriveOptions& options = {});
 
-/// Returns all modes of a linear drive with a continuous controller, in ascending order of speed,
-/// with the amplitude that the reference leaves in each. Throws InputError like exact_run(), and
+/// Returns all modes of a linear drive with a continuous controller, in ascending order of speed.
+/// Each mode has the amplitude that the reference leaves. Throws InputError like exact_run(), and
 /// for a controller with a cycle.
 std::vector<DriveMode> free_vibration(const Trajectory& reference, const Drive& drive);
 
-/// Returns the modes without amplitudes.
+/// Returns all modes of a linear drive with a continuous controller, without amplitudes.
 std::vector<DriveMode> modes(const Drive& drive);
 
 /// Compares a run of drive_through() with the exact solution. The finding "drive/exact" gives the
-/// greatest difference of its samples, as a share of the stroke or of the peak torque, whichever is
-/// larger. It is broken above a hundred times the tolerance of the run. For a sampled controller,
-/// which differentiates the angle, the torque is compared with its torque for the whole stroke in
-/// one cycle.
+/// greatest difference of the samples, as a share of the stroke or of the peak torque, whichever is
+/// larger. It is broken if the difference exceeds a hundred times the tolerance of the run. For a
+/// sampled controller, which differentiates the angle, the torque is compared on another scale: the
+/// torque that the controller outputs for the whole stroke in one cycle.
 ///
-/// `periodic`: true if the run was a period of the steady state. Returns nullopt for a drive that
-/// is not linear, a torque that reached its limit, a signal without segments, an integration that
-/// failed, and a run without samples; also for a difference in an unstable loop, where rounding
-/// errors grow with the motion.
+/// `periodic` is true if the run was a period of the steady state. Returns nullopt for a drive that
+/// is not linear, a torque that reached its limit, a signal without segments, a failed integration,
+/// and a run without samples. Returns nullopt also for a difference in an unstable loop, where
+/// rounding errors grow with the motion.
 std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& drive,
                                      const DriveResult& run, double tolerance = 1e-8,
                                      bool periodic = false);
@@ -124,10 +126,9 @@ enum class DriveOutput {
 };
 
 /// Returns a function that computes an output at the given times (s after the start, ascending from
-/// 0) for any reference. The output is an affine function of the reference, so an optimizer
-/// computes it once for each basis function of a shape. A reference of another duration is
-/// accepted, too. `periodic`: the steady state, as in exact_period(). response() throws InputError
-/// like exact_run().
+/// 0) for any reference, of any duration. The output is an affine function of the reference, so an
+/// optimizer needs to compute it only once for each basis function of a shape. `periodic` selects
+/// the steady state, as in exact_period(). response() throws InputError like exact_run().
 std::function<std::vector<double>(const Trajectory&)> response(const Drive& drive,
                                                                DriveOutput output,
                                                                std::vector<double> times,

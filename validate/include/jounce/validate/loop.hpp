@@ -9,7 +9,8 @@
 
 namespace jounce {
 
-/// A stability margin of a loop, and the frequency at which the loop then oscillates.
+/// A stability margin of a loop, and the frequency at which the loop oscillates when the margin is
+/// used up.
 struct LoopMargin {
   double value = 0;      ///< gain margin, dB; phase margin, deg
   double frequency = 0;  ///< Hz
@@ -25,23 +26,24 @@ struct LoopPole {
 /// Stability of the loop of a drive, with its margins.
 struct LoopStability {
   bool stable = true;           ///< true if no pole grows
-  std::vector<LoopPole> poles;  ///< one pole of each conjugate pair, the one that grows most first
-  /// Gain margin: factor by which the gain can rise (positive) or fall (negative) until the loop
-  /// becomes unstable, whichever is smaller. For an unstable loop, it is always negative: the
-  /// distance to the nearest factor at which a pole crosses the stability limit. nullopt: no factor
-  /// makes a pole cross.
+  std::vector<LoopPole> poles;  ///< one pole of each conjugate pair; the pole that grows most is
+                                ///< the first
+  /// Gain margin: the factor (in dB) by which the gain can rise (positive) or fall (negative) until
+  /// the loop becomes unstable; of the two, the one of smaller magnitude. For an unstable loop it
+  /// is always negative: the distance to the nearest factor at which a pole crosses the stability
+  /// limit. nullopt: no factor makes a pole cross.
   std::optional<LoopMargin> gain;
-  /// Phase margin: additional lag (or lead) that is possible at |L| = 1; negative for an unstable
-  /// loop.
+  /// Phase margin: the additional lag (or lead) at |L| = 1 until the loop becomes unstable;
+  /// negative for an unstable loop.
   std::optional<LoopMargin> phase;
   /// For an unstable loop: the velocity gain, N m s/rad, below which the loop is stable; nullopt:
-  /// none.
+  /// no such gain.
   std::optional<double> velocity_gain;
 };
 
-/// Computes the poles and margins of the position loop and the velocity loop together, opened where
-/// the torque enters the motor. The open loop L is the velocity gain times everything else, so the
-/// gain margin is that of `velocity_gain`.
+/// Computes the poles and margins of the position loop and the velocity loop together. The loop is
+/// opened where the torque enters the motor. The open loop L is the velocity gain times all other
+/// factors, so the gain margin is that of `velocity_gain`.
 ///
 ///     const LoopStability loop = loop_stability(drive);
 ///     if (!loop.stable) ...  loop.poles.front().frequency      // Hz at which it starts to swing
@@ -51,18 +53,18 @@ struct LoopStability {
 /// and encoder counts are ignored. The loop is stable if no pole grows by more than the rounding of
 /// the eigenvalues.
 ///
-/// **Margins** are at crossings of |L| = 1 and of the negative real axis. These are bracketed on a
-/// grid of 200 frequencies a decade, finer around each pole, and bisected to rounding. Two
-/// crossings between neighboring points of the grid are missed.
+/// **Margins** are computed at the crossings of |L| = 1 and of the negative real axis. The
+/// crossings are bracketed on a grid of 200 frequencies a decade, finer around each pole, and
+/// bisected to rounding. Two crossings between neighboring points of the grid are missed.
 ///
 /// Source: K. J. Astrom, R. M. Murray, *Feedback Systems*, 2nd ed. 2021, 10.3 (margins).
 /// Throws InputError like require_valid(drive), and for a delay of more than 100 cycles.
 LoopStability loop_stability(const Drive& drive);
 
-/// Returns only the poles, in the order of LoopStability: much faster.
+/// Returns only the poles, in the order of LoopStability, much faster than loop_stability().
 std::vector<LoopPole> loop_poles(const Drive& drive);
 
-/// True if no pole grows by more than rounding. `poles`: from loop_poles().
+/// True if no pole grows by more than rounding. Requires the poles of loop_poles().
 bool is_stable(const std::vector<LoopPole>& poles);
 
 /// A point of the frequency response of the open loop.
@@ -74,8 +76,8 @@ struct LoopPoint {
 /// Returns L at the frequencies at which margins are searched, ascending.
 std::vector<LoopPoint> loop_response(const Drive& drive);
 
-/// Returns the finding "drive/stability", broken, if the loop is unstable; its `where` is the
-/// frequency in Hz. Returns nullopt if the loop is stable, or if loop_stability() throws.
+/// Returns the broken finding "drive/stability" if the loop is unstable; `where` is the frequency
+/// in Hz. Returns nullopt if the loop is stable, or if loop_stability() throws.
 std::optional<Finding> unstable_loop(const Drive& drive);
 
 }  // namespace jounce

@@ -6,8 +6,8 @@
 
 namespace jounce {
 
-/// A switch of a simulated machine. It is on in the range of `width` that begins at `position`.
-/// Unit u: the unit of the axis.
+/// A switch of a simulated machine. It is on in the range of `width` that begins at `position`. u
+/// is the unit of the axis.
 struct MachineSwitch {
   double position = 0;  ///< start of the range, in the coordinate of the machine, u
   /// Length of the range, u, > 0; infinite: no end.
@@ -16,14 +16,14 @@ struct MachineSwitch {
   double bounce = 0;      ///< time for which the contact bounces after each edge, s
 };
 
-/// The index of a simulated encoder: a pulse at `offset`, and one at every `period` from there in
+/// The index of a simulated encoder: a pulse at `offset`, and further pulses at every `period` in
 /// both directions.
 struct MachineIndex {
   double period = 0;  ///< distance between two pulses, u (unit of the axis), > 0
   double offset = 0;  ///< position of a pulse, in the coordinate of the machine, u
 };
 
-/// The sensors of a simulated machine. nullopt: the machine does not have this sensor.
+/// The sensors of a simulated machine. nullopt: the machine does not have the sensor.
 struct MachineSensorsSpec {
   /// Position of the machine when the encoder counts 0, u (unit of the axis).
   double encoder_offset = 0;
@@ -33,11 +33,12 @@ struct MachineSensorsSpec {
   std::optional<MachineIndex> index = {};      ///< index of the encoder
 };
 
-/// Returns a negative limit switch: on at positions below this one, u. `bounce`: see MachineSwitch.
+/// Returns a negative limit switch: on at positions below `position`, u. For `bounce`, see
+/// MachineSwitch.
 constexpr MachineSwitch negative_switch(double position, double bounce = 0) {
   return {.position = position, .inverted = true, .bounce = bounce};
 }
-/// Returns a positive limit switch: on from this position on, u.
+/// Returns a positive limit switch: on at and above `position`, u. For `bounce`, see MachineSwitch.
 constexpr MachineSwitch positive_switch(double position, double bounce = 0) {
   return {.position = position, .bounce = bounce};
 }

@@ -15,14 +15,14 @@ namespace jounce {
 
 namespace validate_detail {
 
-/// Returns the motion over time of a slave whose master runs at constant velocities; nullopt for
-/// another master.
+/// Returns the motion of a slave over time, for a master that moves at constant velocities; nullopt
+/// for any other master.
 std::optional<Trajectory> steady(const Followed& slave);
 
 }  // namespace validate_detail
 
 /// A view of any signal through one type, so that the integrators are compiled only once. A signal
-/// converts to it implicitly. The view refers to the signal and must not outlive it.
+/// converts to a view implicitly. The view refers to the signal, which must outlive the view.
 class SignalView {
  public:
   template <class S>
@@ -47,8 +47,8 @@ class SignalView {
   /// Returns the value and derivatives at x.
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const { return jet_(signal_, x, side); }
 
-  /// Returns the signal as segments, exactly, for a Trajectory, a Table over time, and a Followed
-  /// whose master runs at constant velocities; nullopt for any other signal.
+  /// Returns the signal as exact segments, for a Trajectory, a Table over time, and a Followed
+  /// whose master moves at constant velocities; nullopt for any other signal.
   [[nodiscard]] std::optional<Trajectory> trajectory() const { return trajectory_(signal_); }
 
   /// True if the signal is over a master position (a Cam, or a Table over a master), not over time.

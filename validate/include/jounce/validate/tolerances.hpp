@@ -54,15 +54,15 @@ struct ToleranceCase {
 
 /// Distribution of a figure, as a magnitude, over all cases.
 struct ToleranceSpread {
-  /// "torque", "rms_torque", "following_error", "residual", "driving_energy"; "settling_time" if a
-  /// settling_band is given (for a case that does not settle, it is the whole standstill, and
-  /// exceeds the limit); "i2t" if the motor has a thermal_time.
+  /// "torque", "rms_torque", "following_error", "residual", "driving_energy"; "i2t" if the motor
+  /// has a thermal_time; "settling_time" if a settling_band is given. (A case that does not settle
+  /// counts with the whole standstill as its time, and exceeds the limit.)
   std::string figure;
   std::string unit;    ///< "N m", "s", "1", or "u" for the unit of the reference
   double nominal = 0;  ///< value for the nominal numbers; NaN if that run failed
   double least = 0;    ///< least value
   double mean = 0;     ///< mean
-  /// Standard deviation of the cases (of corners, not a statistic of real machines).
+  /// Standard deviation over the cases. With corners, it is not a statistic of real machines.
   double deviation = 0;
   double most_of_all = 0;  ///< 99 % quantile of the cases
   ToleranceCase worst;     ///< the case with the greatest value
@@ -77,23 +77,24 @@ struct ToleranceResult {
   std::size_t failed = 0;                ///< number of cases whose integration failed
   std::size_t unstable = 0;              ///< number of cases whose loop is unstable (loop.hpp)
   std::vector<ToleranceSpread> figures;  ///< the figures
-  /// Findings: "tolerance/torque", "tolerance/following_error", ...: the worst case, for each limit
-  /// that is given; "tolerance/integration" if a case failed; "tolerance/stability" if the loop of
-  /// a case is unstable. A finding in the unit of the position has an empty unit.
+  /// Findings: "tolerance/torque", "tolerance/following_error", ...: the worst case, for each given
+  /// limit; "tolerance/integration" if a case failed; "tolerance/stability" if the loop of a case
+  /// is unstable. If the value is in the unit of the position, Finding::unit is empty.
   Report report;
 };
 
-/// Calls body(0) to body(count - 1), each once, in any order and in any number of threads.
+/// Calls body(0) to body(count - 1), each once. The calls may be in any order and in any number of
+/// threads.
 using ForEach =
     std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 
-/// Computes drive_through() for all cases: the behavior of machines that differ from the nominal
-/// one.
+/// Computes drive_through() for all cases, to predict the behavior of machines that differ from the
+/// nominal one.
 ///
-/// Each case has a fixed place in the result, which therefore does not depend on `for_each`. If
+/// Each case has a fixed place in the result, so the result does not depend on `for_each`. If
 /// for_each is omitted, the cases are computed one after another. Corners find the worst case if a
 /// figure rises or falls monotonically with each number, which is usual. Monte Carlo can find a
-/// resonance between the ends.
+/// worse case between the ends, such as a resonance.
 ///
 /// Throws InputError like drive_through(), for a key that is not in numbers() or occurs twice, and
 /// if an end of a tolerance is not valid for the drive.
@@ -101,8 +102,8 @@ ToleranceResult over_tolerances(const SignalView& reference, const Drive& drive,
                                 const DriveOptions& options, const ToleranceSpec& spec,
                                 const ForEach& for_each = {});
 
-/// Returns the numbers of all cases: a row for each case, in their order, and a column for each
-/// number.
+/// Returns the numbers of all cases: a row for each case, in the order of the cases, and a column
+/// for each number.
 std::vector<std::vector<double>> tolerance_cases(const Drive& drive, const ToleranceSpec& spec);
 
 }  // namespace jounce

@@ -18,7 +18,7 @@ struct WitnessOptions {
   long max_steps = 50'000'000;  ///< greatest number of steps, > 0
 };
 
-/// Greatest difference between the integral and the signal, relative to a scale.
+/// Greatest difference between the integral and the signal, as a share of a scale.
 struct Disagreement {
   double relative = 0;    ///< |integrated - signal| / scale
   double where = 0;       ///< time or master position of this difference
@@ -41,28 +41,28 @@ struct Witness {
 };
 
 /// Verifies a signal by an independent integration: an ODE solver integrates the jerk of the signal
-/// three times. It shares no code with the signal. The results are compared with the acceleration,
-/// velocity and position of the signal.
+/// three times, and the results are compared with the acceleration, velocity and position of the
+/// signal. The integration shares no code with the signal.
 ///
 ///     const Witness proof = witness(cam);      // a Trajectory, a Cam, a Followed, a Table, ...
 ///     if (!proof.report.ok()) ...
 ///
 /// **Method.** The integration begins with position, velocity and acceleration of the signal, and
 /// runs through the whole interval without a reset, so any error grows until the end. At a break,
-/// only the acceleration takes the step that the signal has. The comparison is made at the left
-/// limit of every break, and at four places between two breaks.
+/// only the acceleration gets the step of the signal. The results are compared at the left limit of
+/// every break, and at four places between two breaks.
 ///
 /// **What it proves**: position, velocity, acceleration and jerk of the signal are derivatives of
 /// each other, everywhere and not only at knots. **It does not prove** that they are the intended
 /// motion.
 ///
 /// **Accuracy.** Laws, S-curves and cams agree within 1e-12, a followed cam within 2e-11 (checked
-/// by tests). If the rounding of the signal's own values and breaks is larger than the limit, the
-/// limit is raised to it: over n cycles, to about (2 pi n)^2 roundings. The integration takes 20 to
-/// 100 steps for each interval between breaks, about 2 us each.
+/// by tests). If the rounding of the signal's own values and breaks exceeds the limit, the limit is
+/// raised to this rounding: over n cycles, to about (2 pi n)^2 roundings. The integration takes 20
+/// to 100 steps for each interval between breaks, about 2 us each.
 ///
 /// **Errors.** Throws InputError for an option out of range. A signal that is not finite, or an
-/// integration that fails, is no exception: see Witness::integration.
+/// integration that fails, does not throw: see Witness::integration.
 Witness witness(const SignalView& signal, const WitnessOptions& options = {});
 
 }  // namespace jounce

@@ -6,16 +6,16 @@
 #include <string_view>
 
 /// Access control of a server on the loopback address. Other computers cannot reach this address.
-/// But pages of other sites, in a browser on this computer, can send requests to it (cross-site
-/// request forgery), or make their own name point to it (DNS rebinding). These functions detect
-/// requests of these two kinds.
+/// But in a browser on this computer, pages of other sites can send requests to it (cross-site
+/// request forgery), or can make their own name refer to it (DNS rebinding). These functions detect
+/// such requests.
 ///
 ///     const std::string token = new_token();             // shown to the operator, never served
 ///     const std::string no = objection({.host = "evil.example:8080"}, 8080);  // empty: none
 ///     if (!same(token, given)) return 403;                // before any action
 namespace jounce::web {
 
-/// The headers of a request that show where it comes from. "": the header is missing.
+/// The headers of a request that show its origin. "": the header is missing.
 struct Origin {
   std::string host{};    ///< Host
   std::string origin{};  ///< Origin, which browsers send with every POST
@@ -32,7 +32,7 @@ std::string objection(const Origin& origin, std::uint16_t port);
 std::string new_token();
 
 /// True if two texts are equal. The duration of the comparison does not depend on the place of a
-/// difference.
+/// difference, so that the duration does not reveal the token.
 bool same(std::string_view a, std::string_view b);
 
 }  // namespace jounce::web

@@ -18,19 +18,19 @@
 
 namespace jounce::web {
 
-/// Makes a separate link for each thread that needs one. Several threads call it.
+/// Makes a new link; called for each thread that needs a link. Several threads call it.
 using MakeLink = std::function<std::unique_ptr<Transport>()>;
 
-/// The hold-to-run jogs of a live page. While its button is held, a browser repeats the request for
-/// a jog; each jog has a random number from the browser. As long as the requests continue, a thread
-/// of the jog sends the heartbeats that the axis needs.
+/// The hold-to-run jogs of a live page. While the button of a jog is held, the browser repeats its
+/// request. Each jog has a random number from the browser. As long as the requests continue, a
+/// thread sends the heartbeats that the axis needs.
 ///
 ///     Jogs jogs(make_link, key);
 ///     jogs.jog("feeder", -20, 4711);    // begins; the same again within 0.3 s: it continues
 ///     jogs.release("feeder", 4711);     // the button was released: the axis stops
 ///
 /// If the requests stop, the jog ends after 0.3 s. If this process ends, the executor stops the
-/// axis after 0.2 s. A jog that has ended does not begin again with the same number, so a late
+/// axis after 0.2 s. The number of a jog that has ended does not begin another jog, so a late
 /// request causes no motion.
 class Jogs {
  public:
@@ -60,10 +60,10 @@ class Jogs {
 
   MakeLink make_link_;
   std::optional<wire::Key> key_;
-  std::mutex mutex_;                                         // guards all below
+  std::mutex mutex_;                                         // guards the members below
   std::map<std::string, std::shared_ptr<Held>> held_;        // by axis
   std::set<std::pair<std::string, std::int64_t>> over_;      // numbers of finished jogs
-  std::deque<std::pair<std::string, std::int64_t>> oldest_;  // the same, oldest first
+  std::deque<std::pair<std::string, std::int64_t>> oldest_;  // contents of over_, the oldest first
 };
 
 }  // namespace jounce::web

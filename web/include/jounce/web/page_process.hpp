@@ -12,29 +12,29 @@
 /// A live page in its own process, started by the process that runs the axes.
 namespace jounce::web {
 
-/// The side of the parent: a page that is served as long as this object exists.
+/// The parent's side of a live page: the page is served as long as this object exists.
 ///
 ///     const PageProcess page(8080, {"jounce", "page", "--of-run", "feeder"}, notify);
 ///     print(page.address());
 ///
-/// The child process is this program again (/proc/self/exe), with the given words as its arguments;
-/// it calls serve_for_parent(). The parent opens the port, so it reports at once if the port is in
-/// use. It keeps the port and the token, so a page that is started again has the same address. The
-/// parent never accepts a connection. If the child ends, it is started again after a second, at
-/// most 5 times in a minute. When the parent ends, for any reason, the child ends, too. No function
-/// waits for the child.
+/// The child process runs this program again (/proc/self/exe), with the given words as its
+/// arguments. For these words, the program must call serve_for_parent(). The parent opens the port,
+/// so it can report at once if the port is in use. It keeps the port and the token, so a page that
+/// is started again has the same address. The parent never accepts a connection. If the child ends,
+/// the parent starts it again after a second, at most 5 times in a minute. When the parent ends,
+/// for any reason, the child ends, too. No function waits for the child.
 class PageProcess {
  public:
-  /// `words`: arguments of the child, beginning with the name of the program. `notify`: receives a
-  /// sentence when the child ends; called from another thread. Throws InputError for a port that is
-  /// in use, and std::system_error if no process can be started.
+  /// `words` are the arguments of the child, beginning with the name of the program. `notify`
+  /// receives a sentence when the child ends; it is called from another thread. Throws InputError
+  /// for a port that is in use, and std::system_error if no process can be started.
   PageProcess(std::uint16_t port, std::vector<std::string> words,
               std::function<void(const std::string& notice)> notify);
   ~PageProcess();
   PageProcess(const PageProcess&) = delete;
   PageProcess& operator=(const PageProcess&) = delete;
 
-  /// Address of the page, with the token: permits commands.
+  /// Address of the page, including the token. The token permits commands.
   [[nodiscard]] std::string address() const;
 
  private:
@@ -42,9 +42,9 @@ class PageProcess {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The side of the child: serves the page until the parent ends. The child has a lower priority
-/// than the parent, and the system ends it first if memory is short. `options.token` is not used.
-/// Returns false if no parent sends a token.
+/// The child's side: serves the page until the parent ends. The child has a lower priority than the
+/// parent, and the system ends it first if memory is short. `options.token` is not used, because
+/// the parent sends the token. Returns false if no parent sends a token.
 bool serve_for_parent(PanelOptions options, MakeLink make_link);
 
 }  // namespace jounce::web

@@ -20,7 +20,7 @@ struct PanelOptions {
   std::vector<std::string> axes{};  ///< names of the axes on the page
   std::optional<wire::Key> key{};   ///< key of the executors; nullopt: none
   std::string title{};              ///< title of the page
-  std::string token{};              ///< token that commands need, from new_token()
+  std::string token{};              ///< token that commands need; see new_token()
   std::string warning{};            ///< text at the top of the page; "": none
 };
 
@@ -31,19 +31,19 @@ struct PanelOptions {
 ///     print(panel.address());   // "http://127.0.0.1:8080/#3f0c...": permits commands
 ///
 /// The page acts as an operator. It receives the status messages of the axes and sends commands
-/// over the stream protocol, authenticated if there is a key. It should run in a process without
-/// axes. A stop does not wait for other commands. A viewer who does not have the full address can
-/// read, but cannot send commands.
+/// over the stream protocol; with a key, the commands are authenticated. Run it in a process
+/// without axes. A stop does not wait for other commands. A viewer without the token in the address
+/// can read, but cannot send commands.
 class Panel {
  public:
-  /// `listening`: the socket of the page. `make_link`: see MakeLink. Throws TransportError if the
-  /// link cannot be opened.
+  /// `listening` is the socket of the page. For `make_link`, see MakeLink. Throws TransportError if
+  /// the link cannot be opened.
   Panel(const PanelOptions& options, Listening listening, MakeLink make_link);
   ~Panel();
   Panel(const Panel&) = delete;
   Panel& operator=(const Panel&) = delete;
 
-  /// Address of the page, with the token: permits commands.
+  /// Address of the page, including the token. The token permits commands.
   [[nodiscard]] std::string address() const;
 
  private:

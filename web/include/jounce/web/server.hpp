@@ -19,18 +19,19 @@ struct Site {
   std::string page{};    ///< HTML, at /
   std::string script{};  ///< JavaScript, at /panel.js
   std::string style{};   ///< CSS, at /panel.css
-  /// Returns the next event, as JSON. `seen`: 0 for a new reader; the function sets it to what this
-  /// reader has received.
+  /// Returns the next event, as JSON. `seen` is 0 for a new reader; the function sets it to the
+  /// number of the event that this reader has received.
   std::function<std::string(std::int64_t& seen)> event;
-  std::function<Answer(const std::string& body)> obey;  ///< handles the body of a POST to /order
-  /// True for a command that must not wait for others: a stop.
+  std::function<Answer(const std::string& body)> obey;  ///< processes the body of a POST to /order
+  /// True for a command that must not wait for other commands: a stop.
   std::function<bool(const std::string& body)> urgent;
 };
 
 /// A socket that listens on 127.0.0.1. The destructor closes it.
 class Listening {
  public:
-  /// `port`: 0: any free port. Throws InputError for a port that is in use or not permitted.
+  /// Opens the socket. A `port` of 0 means any free port. Throws InputError for a port that is in
+  /// use or not permitted.
   explicit Listening(std::uint16_t port);
   /// Takes over a socket that already listens, inherited from another process.
   static Listening inherited(int descriptor);
@@ -38,11 +39,11 @@ class Listening {
   Listening(Listening&& other) noexcept;
   Listening& operator=(Listening&&) = delete;
 
-  /// Its port.
+  /// Port of the socket.
   [[nodiscard]] std::uint16_t port() const;
-  /// Its file descriptor, which this object owns.
+  /// File descriptor of the socket, which this object owns.
   [[nodiscard]] int descriptor() const { return descriptor_; }
-  int release();  ///< returns the descriptor, which the caller then owns
+  int release();  ///< returns the descriptor; the caller then owns it
 
  private:
   Listening() = default;
@@ -55,14 +56,14 @@ class Listening {
 ///     print("http://127.0.0.1:{}/#{}", server.port(), token);
 ///
 /// **Requests**: GET for the page, its script and its style; GET /events (server-sent events, 20 a
-/// second); POST /order. There is one request in each connection. A request with an objection() is
-/// rejected with status 403, and so is a command without the header X-Jounce-Token, before its body
-/// is read. The page can load nothing from other servers and cannot be shown in a frame.
+/// second); POST /order. A connection serves one request. A request with an objection() is rejected
+/// with status 403. A command without the header X-Jounce-Token is rejected in the same way, before
+/// its body is read. The page can load nothing from other servers and cannot be shown in a frame.
 ///
-/// **Limits**: a request has at most 8 KB of head and 1 KB of body, must state the length of its
+/// **Limits.** A request has at most 8 KB of head and 1 KB of body, must state the length of its
 /// body, and must arrive within request_seconds. The number of connections without the token is
-/// limited: a new one closes the oldest. The number of readers of events is limited: a new one with
-/// the token closes one without. A command therefore always gets a connection.
+/// limited: a new connection closes the oldest one. The number of readers of events is limited: a
+/// new reader with the token closes a reader without it. So a command always gets a connection.
 class Server {
  public:
   static constexpr int most_readers = 8;  ///< greatest number of readers of events

@@ -22,12 +22,12 @@ namespace jounce {
 /// this header depend on the policy of the cam outside its interval: periodic (wrap or advance),
 /// hold, or refuse.
 ///
-/// **Values** do not change: a jump at a joint remains, and check_continuity() finds it. A **cut**
-/// nearer to a break than 1e-13 of the master positions is made at the break. Segments that are not
-/// cut stay the same to the last digit. The lengths of the two parts of a cut segment have exactly
-/// its length as their sum.
+/// **Values** do not change: a jump at a joint remains, and check_continuity() reports it. If a
+/// **cut** is nearer to a break than 1e-13 of the master positions, the cut is made at the break.
+/// Segments that are not cut stay the same to the last digit. The two parts of a cut segment have
+/// lengths whose sum is exactly the length of the segment.
 ///
-/// **Throws** InputError, as documented for each function.
+/// **Errors.** Each function documents when it throws InputError.
 
 /// Returns the cam between two master positions, with the policy refuse. The interval may exceed
 /// that of `f`: a periodic cam continues with its next period, a cam that holds stays at rest.
@@ -35,10 +35,10 @@ namespace jounce {
 /// cam that refuses, or if the result would have more than 1e6 segments.
 Cam part(const Cam& f, double from, double to);
 
-/// Returns a periodic cam delayed by `phase`: g(x) = f(x - phase), over the same interval, for any
-/// finite phase. A step of the position at the end of the period becomes a step inside the
-/// interval. A slave that advances still advances. Throws InputError unless the cam wraps or
-/// advances.
+/// Returns a periodic cam delayed by `phase`: g(x) = f(x - phase), over the same interval. `phase`
+/// may be any finite number. A step of the position at the end of the period becomes a step inside
+/// the interval. A cam that advances still advances. Throws InputError unless the cam is periodic
+/// (wrap or advance).
 Cam phased(const Cam& f, double phase);
 
 /// Returns the cam for a master that moves in the opposite direction: g(master + x) = f(master -
@@ -48,16 +48,17 @@ Cam mirrored_about_master(const Cam& f, double master);
 /// Returns the cam of a slave that moves in the opposite direction: g(x) = 2 slave - f(x).
 Cam mirrored_about_slave(const Cam& f, double slave);
 
-/// Returns f, replaced by g on the interval of g. Throws InputError unless f contains this
+/// Returns f, with g in its place on the interval of g. Throws InputError unless f contains this
 /// interval.
 Cam replaced(const Cam& f, const Cam& g);
 
 /// Returns f up to the master position `at`, then g, then the rest of f. The result is longer than
-/// f by the length of g; the start of g does not matter. Throws InputError unless start <= at <=
-/// end.
+/// f by the length of g. The start of g has no effect. Throws InputError unless start <= at <= end
+/// of f.
 Cam inserted(const Cam& f, double at, const Cam& g);
 
-/// Returns f + g. The interval of the sum depends on the policies of both:
+/// Returns f + g. The policies of f and g outside their intervals determine the interval of the
+/// sum:
 ///
 /// | f, g | interval of the sum | outside |
 /// |---|---|---|
@@ -66,14 +67,15 @@ Cam inserted(const Cam& f, double at, const Cam& g);
 /// | one refuses | its own interval, over which the other extrapolates | refuse |
 /// | both refuse | their interval, which must be equal (to rounding) | refuse |
 ///
-/// Throws InputError "period" if the two periods have no common multiple (to 1e-12), or if one cam
-/// is periodic and the other holds: the sum is neither (take a `part` of each). Throws InputError
-/// "sum" if a segment needs more than three sines; the next overload accepts this.
+/// Throws InputError "period" in two cases: the two periods have no common multiple (to 1e-12); or
+/// one cam is periodic and the other holds, so the sum would be neither (take a `part` of each).
+/// Throws InputError "sum" if a segment needs more than three sines; the next overload accepts any
+/// number.
 Cam superimposed(const Cam& f, const Cam& g);
 
-/// Returns f + g for any number of sines. If the exact sum does not fit, polynomials replace the
-/// sines of `g`, within `tolerance` > 0 (unit of the slave). The error is certified (fitted.hpp);
-/// it is zero if nothing is replaced.
+/// Returns f + g for any number of sines. Where the exact sum does not fit, polynomials replace the
+/// sines of `g`, with an error of at most `tolerance` > 0 (unit of the slave). The error is
+/// certified (fitted.hpp); it is zero if nothing is replaced.
 Fitted<OverMaster> superimposed(const Cam& f, const Cam& g, double tolerance);
 
 }  // namespace jounce

@@ -8,10 +8,10 @@
 
 namespace jounce {
 
-/// Correction that lets a slave engage with a cam without a jump. It begins at the difference
-/// between slave and cam, ends at zero, and stays there. A correction over time is a Profile within
-/// limits. A correction over the master is a polynomial of the master's position, so it is at rest
-/// when the master is. A value type; nothing allocates.
+/// Correction that is added to a cam so that a slave engages without a jump. It begins at the
+/// difference between slave and cam, ends at zero, and stays at zero. A correction over time is a
+/// Profile within limits. A correction over the master is a polynomial of the master's position, so
+/// it stands still while the master stands still. A value type; does not allocate.
 class Correction {
  public:
   Correction() = default;  ///< no correction: zero everywhere
@@ -29,15 +29,15 @@ class Correction {
   /// master at t and its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, const Jet& master) const;
 
-  /// True if the correction is complete at t (s). Over the master: true while the master, at
-  /// position `master`, is beyond the distance.
+  /// True if the correction is complete at t (s). A correction over the master is complete while
+  /// the master, at position `master`, is farther than the distance from the origin.
   [[nodiscard]] bool done(double t, double master) const;
 
   /// Duration, s; 0 unless the correction is over time.
   [[nodiscard]] double duration() const { return kind_ == Kind::time ? profile_.duration() : 0; }
-  /// True if it is over the master.
+  /// True for a correction over the master.
   [[nodiscard]] bool follows_master() const { return kind_ == Kind::master; }
-  /// Its profile; empty unless it is over time.
+  /// The profile of a correction over time; otherwise empty.
   [[nodiscard]] const Profile& profile() const { return profile_; }
   /// False if a number of a correction over the master is not finite, as for a difference beyond
   /// 1e300.
@@ -54,7 +54,7 @@ class Correction {
   Profile profile_;
   double start_ = 0;        // s, or m for a correction over master
   double distance_ = 0;     // m
-  Segment ahead_, behind_;  // over the distance from the start, forwards and backwards
+  Segment ahead_, behind_;  // over the distance of the master from the start: forwards, backwards
 };
 
 }  // namespace jounce

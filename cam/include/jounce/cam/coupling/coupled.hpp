@@ -10,17 +10,17 @@
 namespace jounce {
 
 /// The motion of a slave over time for a given motion of the master, as a Signal. The coupling
-/// engages at the start of the master's motion, with its correction. (For a cam without coupling,
-/// see Followed.)
+/// engages at the start of the master's motion and applies its correction. For a cam without
+/// coupling, see Followed.
 ///
 ///     const Engagement in = engage(coupling, slave, master.jet(master.start()), master.start());
 ///     const Coupled motion(coupling, in.engaged, master);
 ///     const Jet now = motion.jet(0.5);
 ///
-/// Exact: the breaks are those of the master, the instants at which the master passes a break of
-/// the cam, and those of the correction. The motion ends when the master's motion and a correction
-/// over time have both ended. If the correction ends later, the master rests at its end position
-/// until then. A cam that runs once holds its end value, at rest.
+/// Exact. The breaks are those of the master, those of the correction, and the instants at which
+/// the master passes a break of the cam. The motion ends when both the master's motion and a
+/// correction over time have ended. If the correction ends later, the master rests at its end
+/// position in the meantime. A cam that runs once holds its end value, at rest.
 class Coupled {
  public:
   /// `engaged`: the result of engage() for this coupling and the start of `master`.
@@ -35,7 +35,7 @@ class Coupled {
     return jounce::point<OverTime>(jet(t, side));
   }
 
-  /// Time (s) from which the slave stays on its cam; nullopt if the master's motion ends before.
+  /// Time (s) from which the slave stays on its cam; nullopt if the master's motion ends earlier.
   [[nodiscard]] std::optional<double> in_sync() const { return in_sync_; }
 
  private:

@@ -29,38 +29,40 @@ inline constexpr std::size_t start_mode_count = 6;  ///< number of start modes
 const char* name(StartMode mode);
 
 /// Coupling of a slave to its master by a cam: MC_CamTableSelect and MC_CamIn in one. u is the unit
-/// of the slave, m that of the master; times are in s. The cam defines whether it is periodic:
-/// `with(cam, Extrapolation::wrap)` is periodic. A cam that holds or refuses runs once. Only a cam
-/// that holds may be engaged while the master is outside its interval: the slave waits at the end
-/// value of the cam.
+/// of the slave, m that of the master; times are in s. The policy of the cam determines whether it
+/// repeats: a cam that wraps or advances is periodic; a cam that holds or refuses runs once. If the
+/// master is outside the interval of a cam, the slave can engage only if the cam holds: the slave
+/// then waits at the end value of the cam.
 struct CouplingSpec {
   double master_scaling = 1;    ///< > 0
   double master_offset = 0;     ///< m, added after scaling
-  double slave_scaling = 1;     ///< > 0; to negate, mirror the cam
+  double slave_scaling = 1;     ///< > 0; for a negative scale, mirror the cam
+                                ///< (mirrored_about_slave())
   double slave_offset = 0;      ///< u, added after scaling
-  bool master_absolute = true;  ///< false: the master's position at the start counts as 0
-  bool slave_absolute = true;   ///< false: the cam is shifted to the slave's position at the start
+  bool master_absolute = true;  ///< false: the master's position at the engagement counts as 0
+  bool slave_absolute = true;   ///< false: the cam is shifted to the slave's position at the
+                                ///< engagement
   StartMode start = StartMode::absolute;  ///< default: at once, with a jump
   /// u/s, > 0: limit of a correction's velocity; for ramp_in...
   std::optional<double> velocity_diff = {};
   /// u/s^2, > 0: limit while the correction speeds up; for ramp_in...
   std::optional<double> acceleration = {};
-  /// u/s^2, > 0: limit while it slows down; default: acceleration.
+  /// u/s^2, > 0: limit while the correction slows down; default: acceleration.
   std::optional<double> deceleration = {};
-  /// u/s^3, > 0; omitted: no limit, the acceleration of the correction steps.
+  /// u/s^3, > 0; omitted: no limit, so the acceleration of the correction steps.
   std::optional<double> jerk = {};
   /// m, > 0: length of the correction in master travel; for ramp_in_distance.
   std::optional<double> distance = {};
   /// u, > 0: period of a rotary slave; omitted: the slave is linear.
   std::optional<double> slave_period = {};
-  /// m, > 0. The master has jumped if it deviates by more than this from the position that its
-  /// velocity predicts, or if it becomes valid again after NaN. A slave with a ramp absorbs the
-  /// jump by another correction. Omitted: jumps are not detected, and the slave follows them.
+  /// m, > 0. The master has jumped if its position differs by more than this from the one that its
+  /// velocity predicts, or if it is valid again after NaN. A slave with a ramp absorbs the jump by
+  /// another correction. Omitted: the coupling does not detect jumps, and the slave follows them.
   std::optional<double> master_jump = {};
 };
 
-/// Throws InputError if a number is not finite or not positive, and if a ramp lacks its parameters:
-/// velocity_diff and acceleration for ramp_in..., distance for ramp_in_distance.
+/// Throws InputError if a number is not finite or not positive, or if a parameter of the ramp is
+/// missing: ramp_in... needs velocity_diff and acceleration, ramp_in_distance needs distance.
 void require_valid(const CouplingSpec& spec);
 
 /// The reason why an engagement is impossible, or `ok`.
@@ -71,8 +73,9 @@ enum class CouplingStatus : std::uint8_t {
   /// ramp_in_pos, ramp_in_neg: a linear slave would have to move in the other direction.
   would_reverse,
   master_stands,  ///< ramp_in_distance: the slave moves, but the master is at rest
-  no_ramp,        ///< no correction exists within the limits: numbers beyond 1e50
-  window_missed,  ///< no cycle was in the window around an engage position that the master passed
+  no_ramp,        ///< the limits or the state contain numbers beyond 1e50, so no correction exists
+  window_missed,  ///< the master passed an engage position, but no cycle was in the window around
+                  ///< it
 };
 /// Returns the status as a word: "would_reverse", ...
 const char* name(CouplingStatus status);
@@ -94,12 +97,13 @@ const char* explain(CouplingStatus status);
 ///     (1)  y(t) = slave_scaling CAM(X(t)) + n advance + origin + c(t)
 ///          X(t) = master_scaling x(t) + master offset
 ///
-/// x is the master position, n the number of whole periods, `advance` the change of the slave in
-/// each period. The correction c begins at the difference between slave and cam (position,
-/// velocity, acceleration) and ends at rest at zero. It keeps velocity_diff, acceleration,
-/// deceleration and jerk. So nothing jumps, for any motion of the master, with one exception: the
-/// master enters a cam that begins with a velocity. The origins, a table of the start modes and the
-/// end of a period are described in docs/cam/coupling.md. Throws InputError like require_valid().
+/// x is the master position, n the number of whole periods, and `advance` the change of the slave
+/// in each period. `origin` is slave_offset or, for a relative cam, the shift to the slave. The
+/// correction c begins at the difference between slave and cam (position, velocity, acceleration)
+/// and ends at rest at zero, within velocity_diff, acceleration, deceleration and jerk. So the
+/// slave does not jump, for any motion of the master, with one exception: the master enters a cam
+/// that begins with a velocity. docs/cam/coupling.md describes the origins, the start modes and the
+/// end of a period. Throws InputError like require_valid().
 class Coupling {
  public:
   explicit Coupling(Cam cam, const CouplingSpec& spec = {});
@@ -109,7 +113,8 @@ class Coupling {
   [[nodiscard]] bool periodic() const { return placement_.periodic; }
   /// True if the cam is shifted to the slave: start = relative, or slave_absolute = false.
   [[nodiscard]] bool slave_relative() const;
-  /// Placement of the cam before engaging. For a relative cam it assumes master and slave at 0.
+  /// Placement of the cam before the engagement. For a relative cam, master and slave are assumed
+  /// at 0.
   [[nodiscard]] const Placement& placement() const { return placement_; }
   /// Jump of the slave's setpoint at the end of each period, u. For an absolute slave: the scaled
   /// stroke of a period, reduced by whole slave periods. For a relative slave: 0.
@@ -126,8 +131,8 @@ class Coupling {
   Jet reach_{};
 };
 
-/// The state of a coupling. engage() creates it, step() advances it (coupling_cycle.hpp). A small
-/// value type.
+/// The state of a coupling. engage() creates it; step() returns the next state
+/// (coupling_cycle.hpp). A small value type.
 struct Engaged {
   Placement placement;    ///< placement of the cam since the engagement
   Correction correction;  ///< present correction
@@ -145,13 +150,14 @@ struct Engagement {
   explicit operator bool() const { return status == CouplingStatus::ok; }
 };
 
-/// Engages a slave in the given state. `master`: position of the master and its derivatives with
-/// respect to time, at time t (s). Sends no setpoint; does not allocate.
+/// Engages a slave in the given state. `master` is the position of the master and its derivatives
+/// with respect to time, at time t (s). Returns the new state; sends no setpoint. Does not
+/// allocate.
 Engagement engage(const Coupling& coupling, const MotionState& slave, const Jet& master, double t);
 
 /// Returns the setpoint of the slave and its derivatives with respect to time. A pure function of
-/// its arguments. `cam`: the cam, or a Table of it. `side`: as in placed(); at the joint of two
-/// periods it selects the limit from before or from after. Does not allocate.
+/// its arguments. `cam` is the cam, or a Table of it. `side` has the meaning of placed(): at the
+/// joint of two periods it selects the limit from before or from after. Does not allocate.
 template <class C>
 Jet point(const C& cam, const Engaged& engaged, const Jet& master, double t,
           Side side = Side::right) {
@@ -179,9 +185,9 @@ inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& ma
 /// A jump counts if it exceeds 1e-9 of the slave's range and 1e-12 of its position.
 Report check(const Coupling& coupling, const MotionState& slave, const Jet& master);
 
-/// Reports the ends of a cam that runs once, if the cam moves there by more than 1e-9 of its
-/// greatest slope ("coupling/begin", "coupling/end"; never broken). The behavior of the slave at
-/// such an end is selected with the movement (CamEnd in jounce/axis/live_cam.hpp).
+/// Reports the ends at which a cam that runs once moves by more than 1e-9 of its greatest slope.
+/// The rules are "coupling/begin" and "coupling/end"; they are never broken. CamEnd in
+/// jounce/axis/live_cam.hpp selects the behavior of the slave at such an end.
 Report check_ends(const Cam& cam);
 
 }  // namespace jounce

@@ -10,16 +10,17 @@
 
 namespace jounce {
 
-/// A released slave, which keeps its velocity (PMC600 manual 6.2, MC_CamOut). u is the slave's
-/// unit.
+/// A slave after its release (PMC600 manual 6.2, MC_CamOut): it continues at its velocity. u is the
+/// slave's unit.
 struct Released {
   double t = 0;     ///< s, time of the release
   Profile profile;  ///< motion from the release on, until the acceleration is zero
 };
 
-/// Releases a slave at time t (s): it keeps its velocity. `slave`: its position and derivatives
-/// with respect to time. With a jerk limit (u/s^3) the acceleration falls to zero and the slave
-/// returns to its velocity at the release. Without one, the acceleration is zero at once.
+/// Releases a slave at time t (s): it continues at its velocity. `slave` is its position and
+/// derivatives with respect to time. With a jerk limit (u/s^3), the acceleration falls to zero, and
+/// the slave then returns to the velocity that it had at the release. Without a jerk limit, the
+/// acceleration is zero at once.
 Released cam_out(const Jet& slave, double t, std::optional<double> jerk = {});
 
 /// Returns the setpoint of a released slave at t (s), and its derivatives with respect to time.
@@ -27,23 +28,25 @@ Jet point(const Released& released, double t);
 
 /// Result of one cycle.
 struct Stepped {
-  /// ok; the reason why the start mode could not ramp in; or not_finite.
+  /// ok; not_finite; or the reason why the start mode could not ramp in.
   CouplingStatus status = CouplingStatus::ok;
   Engaged engaged{};     ///< state for the next cycle
   Jet slave{};           ///< setpoint: u, u/s, u/s^2, u/s^3
   bool in_sync = false;  ///< true if the correction is complete
   bool jumped = false;   ///< true if the master has jumped by more than master_jump
-  /// Number of period ends that were passed since the last cycle (EndOfProfile); negative if
-  /// backwards.
+  /// Number of period ends that the master has passed since the last cycle (EndOfProfile); negative
+  /// if it moves backwards.
   int periods = 0;
-  /// s, time of the last of these ends: in (before, now]; if backwards, in [before, now).
+  /// s, time of the last of these period ends: in (before, now], or in [before, now) if the master
+  /// moves backwards.
   double end_time = 0;
-  /// Set if the slave was released: at the exact instant at which the master left a cam that runs
-  /// once, or now, if no correction could absorb a jump of the master.
+  /// Set if the slave was released. The release is at the exact instant at which the master left a
+  /// cam that runs once, or now if no correction could absorb a jump of the master.
   std::optional<Released> released{};
 };
 
-/// One cycle of a coupling: the setpoint of the slave, and the events since the last cycle.
+/// Computes one cycle of a coupling: the setpoint of the slave, and the events since the last
+/// cycle.
 ///
 ///     Engaged state = engage(coupling, slave, master(0), 0).engaged;
 ///     for (double t = 1e-3; ; t += 1e-3) {
@@ -52,23 +55,24 @@ struct Stepped {
 ///       state = now.engaged;
 ///     }
 ///
-/// A pure function; does not allocate. The times of the samples must ascend.
+/// A pure function; does not allocate. Requires ascending times.
 ///
 /// **Master.** The slave is on its cam, except for the correction, for any motion of the master. It
-/// accelerates by the chain rule and runs backwards along the same cam. It follows the noise of a
-/// measured master, multiplied by the slope of the cam. So filter a measured master, and pass the
-/// velocity and acceleration of the filter.
+/// accelerates by the chain rule, and moves backwards along the same cam if the master moves
+/// backwards. The slave follows the noise of a measured master, multiplied by the slope of the cam.
+/// Therefore filter a measured master, and pass the velocity and acceleration of the filter.
 ///
-/// **Jumps of the master.** With master_jump, `jumped` reports a jump. A slave with a ramp then
-/// keeps its motion and ramps in again; any other slave jumps with the master. If the start mode
-/// cannot ramp in (`status` has the reason: the slave would have to reverse, or the master is at
-/// rest), ramp_in is used instead. If there are no limits for ramp_in, the coupling ends.
+/// **Jumps of the master.** If master_jump is given, `jumped` reports a jump. A slave with a ramp
+/// then continues its motion and ramps in again; any other slave jumps with the master. If the
+/// start mode cannot ramp in, because the slave would have to reverse or the master is at rest,
+/// ramp_in replaces it and `status` has the reason. If no limits for ramp_in are given, the
+/// coupling ends.
 ///
 /// **Invalid master.** While the master is NaN (status `not_finite`), the slave keeps its position.
 /// The next valid master counts as a jump.
 Stepped step(const Coupling& coupling, const Engaged& engaged, const Sample& now);
 
-/// The condition at which a coupling engages, or replaces another one.
+/// The condition on which a coupling engages, or replaces another one.
 struct Trigger {
   enum class When : std::uint8_t {
     now,              ///< at once
@@ -76,9 +80,9 @@ struct Trigger {
     master_position,  ///< when the master passes the position `position`
   };
   When when = When::now;
-  /// X, the master's position on the cam; for a periodic cam, in every period.
+  /// The master's position X on the cam; for a periodic cam, this position in every period.
   double position = 0;
-  /// m; 0: at the exact instant; otherwise in the first cycle within this distance of X.
+  /// m; 0: at the exact instant; > 0: in the first cycle within this distance of X.
   double window = 0;
 };
 
@@ -91,16 +95,16 @@ void require_valid(const Trigger& trigger, const Cam& cam, const std::string& pr
 struct Due {
   /// window_missed: the master passed the window without a cycle in it.
   CouplingStatus status = CouplingStatus::ok;
-  std::optional<Sample> at{};  ///< time and master at the instant; nullopt: not yet
+  std::optional<Sample> at{};  ///< time and master at the instant of the trigger; nullopt: not yet
 };
-/// Returns whether a trigger fires between two cycles, and at which instant.
+/// Returns whether a trigger fires between two cycles, and the instant.
 Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, const Sample& before,
         const Sample& now);
 
-/// Engages `next` at an instant `at`, from the state in which the slave follows `running` at that
-/// instant. At a period's end, a relative cam begins exactly at the end of the previous cam, even
-/// if that one does not close. There is no output at the instant itself: the next cycle sends the
-/// first new setpoint.
+/// Engages `next` at the instant `at`, from the state in which the slave follows `running` at this
+/// instant. At the end of a period, a relative cam begins exactly at the end of the previous cam,
+/// even if the previous cam does not end at its start position. The function returns no setpoint
+/// for the instant itself: the next cycle sends the first new setpoint.
 Engagement exchange(const Coupling& running, const Engaged& engaged, const Coupling& next,
                     const Sample& at);
 

@@ -9,18 +9,18 @@
 
 namespace jounce {
 
-/// The chain rule: the derivatives with respect to time of f(x(t)). `f`: value and derivatives with
-/// respect to x, at x(t); `x`: position and derivatives with respect to time. Equations (1) to (3)
-/// are those of Followed.
+/// Returns the derivatives with respect to time of f(x(t)), by the chain rule. `f` is the value
+/// with its derivatives with respect to x, at x(t); `x` is the position with its derivatives with
+/// respect to time. For equations (1) to (3), see Followed.
 inline Jet chained(const Jet& f, const Jet& x) {
   return {f[0], f[1] * x[1],                                                  // (1)
           f[2] * x[1] * x[1] + f[1] * x[2],                                   // (2)
           f[3] * x[1] * x[1] * x[1] + 3 * f[2] * x[1] * x[2] + f[1] * x[3]};  // (3)
 }
 
-/// True if a master moves backwards on the given side of an instant: the sign of its first
-/// derivative that is not zero. So a master at rest that is about to move backwards counts as
-/// moving backwards.
+/// True if a master moves backwards on the given side of an instant. The first derivative of x that
+/// is not zero determines the direction, so a master at rest that is about to move backwards counts
+/// as moving backwards.
 inline bool backwards(const Jet& x, Side side = Side::right) {
   const double s = side == Side::right ? 1 : -1;
   if (x[1] != 0) return x[1] < 0;
@@ -28,9 +28,9 @@ inline bool backwards(const Jet& x, Side side = Side::right) {
   return x[3] < 0;
 }
 
-/// Throws InputError if a master passes more than 2e6 breaks of a cam in its periods `first` to
-/// `last`, or reaches the period 1e15. This is far beyond any machine, and prevents that memory
-/// runs out.
+/// Throws InputError if the master passes more than 2e6 breaks of a cam in the periods `first` to
+/// `last`, or reaches the period 1e15. Both limits are far beyond any machine. The check prevents
+/// the program from running out of memory.
 void require_few_periods(double first, double last, std::size_t breaks);
 
 /// The motion over time of a slave that follows a master: cam(master(t)). It is a Signal.

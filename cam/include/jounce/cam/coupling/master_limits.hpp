@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// Acceleration and jerk of the master that may occur together with its velocity: magnitudes, >= 0.
-/// u is the slave's unit, m the master's.
+/// Greatest acceleration and jerk of the master at the speed in question: magnitudes, >= 0. u is
+/// the slave's unit, m the master's.
 struct MasterRates {
   double acceleration = 0;  ///< m/s^2
   double jerk = 0;          ///< m/s^3
@@ -24,7 +24,7 @@ struct MasterLimit {
   double where = 0;  ///< master position (m) at which the slave reaches its limit
 };
 
-/// Returns the greatest speed of the master at which the slave keeps its limits.
+/// Returns the greatest speed of the master at which the slave stays within its limits.
 ///
 ///     Limits slave{.velocity = 2, .acceleration = 40, .jerk = 4000};   // u/s, u/s^2, u/s^3
 ///     MasterLimit steady = greatest_master_velocity(cam, slave);
@@ -36,14 +36,14 @@ struct MasterLimit {
 ///
 ///     (1)  f' w,   f'' w^2 + f' a,   f''' w^3 + 3 f'' w a + f' j
 ///
-/// The result is the greatest w at which these values exceed no limit, for any position on the cam
-/// and any sign of a and j. Exact, not sampled: every maximum over the cam is an isolated extremum
-/// (see roots.hpp). The accuracy is about 1e-12.
+/// The result is the greatest w at which these values exceed no limit, for any position on the cam,
+/// and for every sign of a and j. Exact, not sampled: every maximum over the cam is an isolated
+/// extremum (see roots.hpp). The error is about 1e-12.
 ///
-/// **Steps.** A step of f (inside, or at the end of a period) permits no speed if there is any
-/// limit. A step of f' permits none if acceleration or jerk has a limit. A step of f'' permits none
-/// if the jerk has a limit. The value is then 0, and `where` is the place of the step. A step
-/// counts if it exceeds 1e-9 of the travel or of the derivative's peak, as in rises().
+/// **Steps.** No speed is permitted in these cases: f steps (inside, or at the end of a period) and
+/// any limit is given; f' steps and acceleration or jerk has a limit; f'' steps and the jerk has a
+/// limit. The value is then 0, and `where` is the position of the step. A step counts if it exceeds
+/// 1e-9 of the travel or of the derivative's peak, as in rises().
 ///
 /// A value of 0 also means that the given acceleration and jerk of the master alone exceed a limit.
 /// Omitted limits do not apply; position limits are ignored. Throws InputError if a limit is not
@@ -51,9 +51,9 @@ struct MasterLimit {
 MasterLimit greatest_master_velocity(const Cam& cam, const Limits& slave,
                                      const MasterRates& rates = {});
 
-/// Returns the greatest acceleration or deceleration (magnitude, m/s^2) of a master that runs at
-/// `velocity` (m/s, >= 0, in either direction), at any position on the cam, while its jerk is at
-/// most `jerk` (m/s^3).
+/// Returns the greatest acceleration or deceleration (magnitude, m/s^2) that a master may have
+/// while it runs at `velocity` (m/s, >= 0, in either direction), at any position on the cam.
+/// Requires that its jerk is at most `jerk` (m/s^3).
 MasterLimit greatest_master_acceleration(const Cam& cam, const Limits& slave, double velocity,
                                          double jerk = 0);
 

@@ -11,8 +11,8 @@
 namespace jounce {
 
 /// A knot: the joint of two segments of a cam, or one of its ends. Derivatives are with respect to
-/// the master's position. An omitted derivative follows from the adjacent laws; if they leave it
-/// free, it is zero, or chosen as in boundaries.hpp. u is the slave's unit, m the master's.
+/// the master's position. The adjacent laws determine an omitted derivative; if they leave it free,
+/// it is zero, or chosen as in boundaries.hpp. u is the slave's unit, m the master's.
 struct CamKnot {
   double master = 0;                            ///< m, master position
   double slave = 0;                             ///< u, slave position
@@ -20,16 +20,16 @@ struct CamKnot {
   std::optional<double> geo_acceleration = {};  ///< u/m^2
 };
 
-/// A condition at a point inside a segment, for laws through points. Splines take positions only.
-/// The law `hermite` takes slave, geo_velocity and geo_acceleration at each point, and geo_jerk at
-/// all points or at none. A point at an end of the segment gives the derivatives that the knot
-/// omits, and its geo_jerk.
+/// A condition at a point inside a segment, for laws through points. Splines accept positions only.
+/// The law `hermite` accepts slave, geo_velocity and geo_acceleration at each point, and geo_jerk
+/// at all points or at none. A point at an end of the segment supplies the derivatives that the
+/// knot omits, and geo_jerk.
 struct CamPoint {
   double master = 0;                            ///< m, master position
   std::optional<double> slave = {};             ///< u, slave position
   std::optional<double> geo_velocity = {};      ///< u/m
   std::optional<double> geo_acceleration = {};  ///< u/m^2
-  std::optional<double> geo_jerk = {};  ///< u/m^3; permitted at the ends of the segment, too
+  std::optional<double> geo_jerk = {};          ///< u/m^3; also at the ends of the segment
   double tolerance = 0;  ///< u, >= 0: permitted deviation of the slave; for quintic_spline only
 };
 
@@ -47,7 +47,7 @@ struct CamSegment {
 struct CamSpec {
   CamKnot start;
   std::vector<CamSegment> segments;
-  /// True: periodic, with the last knot equal to the first; false: holds its end values.
+  /// True: periodic, with the last knot equal to the first. False: the cam holds its end values.
   bool periodic = false;
   /// Period of a rotary slave, u, for a periodic cam. The cam then ends a whole number of turns
   /// from its start and continues from there (Extrapolation::advance).
@@ -61,18 +61,18 @@ struct CamDesign {
   std::vector<std::size_t> origin;
 };
 
-/// Returns all knots of the spec, start included, with every derivative filled in. A value comes
-/// from the first of these sources that gives one:
+/// Returns all knots of the spec, start included, with every derivative filled in. Each value has
+/// the first of these sources that gives one:
 /// - the knot;
-/// - an adjacent line, dwell or law from rest, which requires it;
-/// - an adjacent law that defines it itself (a sine's reversal, a spline's end), if the neighbor
-///   accepts it;
+/// - an adjacent line, dwell or law from rest, which requires the value;
+/// - an adjacent law that determines the value (the reversal of a sine, the end of a spline), if
+///   the neighbor accepts it;
 /// - zero.
 ///
-/// The first and the last knot of a periodic cam are the same knot. A law between different ends
-/// (R-U: rest to reversal) has its rest at the end with acceleration zero. If such a law takes an
-/// inflection, and the knot of its reversal gives the acceleration, the inflection follows from the
-/// acceleration.
+/// The first and the last knot of a periodic cam are the same knot. A law between different states
+/// (R-U: rest to reversal) has its rest at the end whose acceleration is zero. If the law accepts
+/// an inflection, and the knot of its reversal gives an acceleration, the acceleration determines
+/// the inflection.
 ///
 /// Throws InputError if
 /// - master positions do not ascend;
@@ -85,15 +85,15 @@ std::vector<CamKnot> resolved_knots(const CamSpec& spec);
 /// Makes the exact cam. Throws like resolved_knots().
 CamDesign design(const CamSpec& spec);
 
-/// Returns the pieces of each segment of the spec. They are linear in the values at its knots
-/// (law.hpp), unless a law's orientation or inflection follows from these values. Throws like
-/// resolved_knots(), and for a law through points.
+/// Returns the pieces of each segment of the spec, which are linear in the values at its knots
+/// (law.hpp). Exception: the values may also determine the orientation or the inflection of a law.
+/// Throws like resolved_knots(), and for a law through points.
 std::vector<std::vector<LawPiece>> shapes(const CamSpec& spec);
 
 /// Returns the transition of a segment of the spec (counted from 0) in the notation of VDI 2143:
 /// "R-G", "U-R", ... The letters follow from the values of the cam, to 1e-9 of their peaks in the
-/// segment: R rest, G constant velocity, U reversal (acceleration without velocity), B motion
-/// (both).
+/// segment: R velocity and acceleration 0, G velocity without acceleration, U acceleration without
+/// velocity, B velocity and acceleration.
 std::string transition(const CamDesign& made, std::size_t segment);
 
 }  // namespace jounce

@@ -14,9 +14,9 @@ namespace jounce {
 ///     (1)  X = master_scaling x + master_offset
 ///     (2)  y = slave_scaling CAM(X) + n advance + slave_offset,    n: whole periods before X
 ///
-/// A cam that is not periodic holds its end values outside. The functions below take as a cam any
-/// type with start(), end(), length() and jet(x, side): a Cam, or a Table over the master. u is the
-/// slave's unit, m the master's.
+/// Outside its interval, a cam that is not periodic holds its end values. The functions below
+/// accept as a cam any type with start(), end(), length() and jet(x, side), such as a Cam, or a
+/// Table over the master. u is the slave's unit, m the master's.
 
 /// Scale and offset of a cam, for the master and for the slave.
 struct Placement {
@@ -33,12 +33,13 @@ struct Placement {
 
 /// A position on a cam, reduced to one period: X = period * length + at.
 struct Spot {
-  double at = 0;  ///< m, in [start, start + length); includes the end if the cam is not periodic
-  double period = 0;   ///< number of whole periods; 0 if the cam is not periodic
+  double at = 0;      ///< m, in [start, start + length); for a cam that is not periodic, the end is
+                      ///< included
+  double period = 0;  ///< number of whole periods; 0 if the cam is not periodic
   bool inside = true;  ///< true if X is within the cam, or outside only by rounding
 };
 
-/// Reduces the position X to a cam that begins at `start`.
+/// Returns the place of the position X on a cam that begins at `start`.
 inline Spot spot(double X, double start, double length, bool periodic) {
   if (periodic) {
     const double at = wrapped(X, start, length);
@@ -49,9 +50,9 @@ inline Spot spot(double X, double start, double length, bool periodic) {
   return {at, 0, std::abs(X - at) <= at_place * length};
 }
 
-/// Reduces the position X of a periodic cam, approached from one side. A position within `near` of
-/// the joint between two periods counts as on the joint: from the left it is the end of a period,
-/// from the right the start of the next.
+/// Returns the place of the position X on a periodic cam, approached from one side. A position
+/// within `near` of the joint between two periods counts as on the joint: from the left as the end
+/// of a period, from the right as the start of the next.
 inline Spot spot_on(Side side, double X, double start, double end, double near) {
   const Spot s = spot(X, start, end - start, true);
   const bool behind = s.at - start <= near;
@@ -61,8 +62,8 @@ inline Spot spot_on(Side side, double X, double start, double end, double near) 
 }
 
 /// Returns the motion of the slave, [y, y', y'', y'''] with respect to time, for a master at [x,
-/// x', x'', x''']. `side` selects the limit after (right) or before (left) an instant. While the
-/// master moves backwards, right and left limits of the cam are exchanged, as in Followed.
+/// x', x'', x''']. `side` selects the limit before (left) or after (right) an instant. While the
+/// master moves backwards, the right and left limits of the cam are exchanged, as in Followed.
 template <class C>
 Jet placed(const C& cam, const Placement& p, const Jet& x, Side side = Side::right) {
   const double k = p.master_scaling;

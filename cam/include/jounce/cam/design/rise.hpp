@@ -20,9 +20,9 @@ namespace jounce {
 ///     }
 ///
 /// **Vocabulary.** A *rise* (or a fall) lies between two successive breaks at which the slave
-/// rests, with zero velocity on both sides of each break. A dwell is not a rise, and neither is an
-/// interval that returns to its start position. Positions are those of the cam: master m, slave u.
-/// A rise across the end of a period continues beyond the cam's end.
+/// rests, with zero velocity on both sides of each break. A dwell is not a rise; an interval that
+/// returns to its start position is not a rise either. Master (unit m) and slave (unit u) positions
+/// are those of the cam. A rise across the end of a period continues beyond the cam's end.
 ///
 /// "Zero" and "does not step" mean: within 1e-9 of the greatest magnitude of the derivative in the
 /// rise (of the velocity: in the whole cam).
@@ -30,8 +30,8 @@ struct Rise {
   Cam cam;                ///< this part of the cam, as a cam
   std::size_t first = 0;  ///< index of its first segment in the original cam
   double stroke = 0;      ///< u, from its start to its end, signed, not 0
-  /// Ranges inside the rise of the value and of four derivatives with respect to the master, by
-  /// order: u, u/m, ..., u/m^4.
+  /// Ranges inside the rise: of the value and of its derivatives with respect to the master up to
+  /// order 4, in u, u/m, ..., u/m^4.
   std::array<Range, 5> ranges{};
   /// The greatest n (0 to 4) such that f', ..., f^(n) are zero at both ends and do not step between
   /// them.
@@ -42,13 +42,13 @@ struct Rise {
   [[nodiscard]] double length() const { return cam.length(); }  ///< m
 };
 
-/// Returns all rises of a cam, in order. Outside its interval, a cam that holds is at rest, a
-/// periodic cam continues at its other end, and a cam that refuses has no neighbor, so nothing
-/// steps there.
+/// Returns all rises of a cam, in order. Outside its interval, a cam that holds is at rest, and a
+/// periodic cam continues at its other end. A cam that refuses has no neighbors, so no derivative
+/// steps at its ends.
 std::vector<Rise> rises(const Cam& cam);
 
 /// Returns the whole cam as one rise, for any states at its ends. Throws InputError("stroke", ...)
-/// if it ends at its start position.
+/// if the cam ends at its start position.
 Rise as_rise(const Cam& law);
 
 }  // namespace jounce

@@ -22,20 +22,21 @@ struct CamRun {
   double slave_to = 0;    ///< u, slave position at `to`
 };
 
-/// Returns the runs of a cam, in the order of the master. They meet at turning points (isolated,
-/// not sampled: roots.hpp) and at the ends of dwells. A movement below 1e-15 of a segment's
-/// magnitude counts as rest. A jump of the position also ends a run.
+/// Returns the runs of a cam, in the order of the master. Successive runs meet at a turning point
+/// (isolated, not sampled: roots.hpp), at an end of a dwell, or at a jump of the position. A
+/// movement below 1e-15 of a segment's magnitude counts as rest.
 std::vector<CamRun> runs(const Cam& cam);
 
-/// Master positions at which the slave has a given position: a single one (from == to), or a dwell.
+/// Master positions at which the slave has a given position: a single position (from == to), or the
+/// interval of a dwell.
 struct MasterSpan {
   double from = 0;  ///< m
   double to = 0;    ///< m
 };
 
 /// Returns all master positions within the cam's interval at which the slave is at `slave`,
-/// ascending. For a cam that wraps, the end is omitted if the start is included; a dwell across the
-/// end gives two spans. Throws InputError if the position is not finite.
+/// ascending. For a cam that wraps, the end is omitted if the start is in the result; a dwell
+/// across the end gives two spans. Throws InputError if `slave` is not finite.
 std::vector<MasterSpan> positions_for(const Cam& cam, double slave);
 
 }  // namespace jounce

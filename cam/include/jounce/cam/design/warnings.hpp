@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// Reports permitted but possibly unintended features of a cam, as findings of Severity::warning.
-/// None of them is broken.
+/// Reports features of a cam that are permitted but possibly not intended, as findings of
+/// Severity::warning. No finding is broken.
 ///
 ///     CamDesign made = design(spec);
 ///     Report odd = warnings(made.cam, made.origin);
@@ -18,10 +18,11 @@ namespace jounce {
 /// For each segment of the design (`value` and `limit` are those of the finding):
 ///
 /// - "warning/overshoot": the slave moves beyond both end positions. value: the extreme position;
-///   limit: the end position that is passed. Only a note if the end velocities make it inevitable.
-/// - "warning/reversal": the velocity changes sign although the slave moves in the same direction
-///   at both ends, or rests at one or both of them. value: the greatest velocity backwards; limit:
-///   0. Only a note if the segment ends behind its start, so that it must reverse.
+///   limit: the end position that the slave passes. A note, not a warning, if the end velocities
+///   make the overshoot inevitable.
+/// - "warning/reversal": the velocity changes sign, although the slave moves in one direction at
+///   both ends, or rests at an end. value: the greatest velocity backwards; limit: 0. A note, not a
+///   warning, if the segment ends behind its start, so that it must reverse.
 /// - "warning/velocity_overshoot": between rest and a constant velocity (VDI 2143: R-G, G-R) the
 ///   velocity exceeds the constant velocity. value: the peak velocity; limit: the constant
 ///   velocity.
@@ -33,17 +34,17 @@ namespace jounce {
 /// The advice for an R-G or G-R quintic uses rho = slope * length / stroke: no reversal for rho <=
 /// 5/2, no velocity overshoot for rho >= 5/3.
 ///
-/// For each joint, and for the ends of a cam that wraps or holds, there is one finding for the
+/// For each joint, and for the ends of a cam that wraps or holds, there is one finding, for the
 /// lowest derivative that steps: "joint/position", "joint/geo_velocity", "joint/geo_acceleration"
-/// or "joint/geo_jerk" (only a note). value: size of the step; limit: tolerance for rounding, 1e-9
-/// of the derivative's peak (of the travel for the position).
+/// or "joint/geo_jerk" (always a note). value: size of the step; limit: tolerance for rounding,
+/// 1e-9 of the derivative's peak (for the position: of the travel).
 ///
-/// The margin is the negative excess, as a share of the cam's travel or of the derivative's peak in
-/// the cam. An excess up to 1e-9 does not count.
+/// The margin is the excess over the limit with a negative sign, as a share of the cam's travel or
+/// of the derivative's peak in the cam. An excess up to 1e-9 does not count.
 ///
-/// `origin[i]`: segment of the design to which segment i of the cam belongs (CamDesign::origin).
-/// Omitted: each segment of the cam is a segment of the design. A finding names the segment of the
-/// cam that contains the worst position.
+/// `origin[i]` is the segment of the design to which segment i of the cam belongs
+/// (CamDesign::origin). If `origin` is omitted, each segment of the cam is a segment of the design.
+/// Finding::segment is the segment of the cam that contains the worst position.
 Report warnings(const Cam& cam, std::span<const std::size_t> origin = {});
 
 }  // namespace jounce

@@ -30,17 +30,17 @@ enum class Rotation { counterclockwise, clockwise };
 ///     Contour profile = contour(disc, -8, 0.001);   // see disc_contour.hpp
 ///
 /// **Vocabulary.** The *base circle* is the smallest circle of the profile around the cam's center;
-/// the slave is at its least position there. *Lift* is the slave's position above that. The *pitch
-/// curve* is the path of the roller's center in the frame of the cam. The *profile*, which the
-/// roller touches, is parallel to the pitch curve at the distance of the roller's radius. The
-/// *pressure angle* is the angle between the normal of the profile, along which the cam pushes, and
-/// the direction in which the roller center moves.
+/// on it, the slave is at its least position. *Lift* is the slave's position above its least
+/// position. The *pitch curve* is the path of the roller's center in the frame of the cam. The
+/// *profile* is the curve that the roller touches: it is parallel to the pitch curve, at the
+/// distance of the roller's radius. The *pressure angle* is the angle between the normal of the
+/// profile, along which the cam pushes, and the direction in which the roller center moves.
 ///
-/// **Frame.** The origin is the cam's center, and the cam is drawn at master 0. A translating
-/// follower then moves along +y at x = offset. A positive offset lowers the pressure angle of the
-/// rise if the cam turns counterclockwise, and raises it if the cam turns clockwise. The pivot of
-/// an arm is at (centre_distance, 0), with the roller on the +y side; lift turns the arm clockwise,
-/// away from the cam.
+/// **Frame.** The origin is the cam's center, and the frame shows the cam at master position 0. A
+/// translating follower then moves along +y at x = offset. A positive offset lowers the pressure
+/// angle of the rise if the cam turns counterclockwise, and raises it if the cam turns clockwise.
+/// The pivot of an arm is at (centre_distance, 0), with the roller on the +y side; lift turns the
+/// arm clockwise, away from the cam.
 struct DiscSpec {
   Follower follower = Follower::translating;  ///< kind of follower
   double base_radius = 0;                     ///< u, > 0: radius of the base circle
@@ -49,10 +49,10 @@ struct DiscSpec {
   double arm_length = 0;                      ///< u, > 0; for an oscillating follower
   double centre_distance = 0;                 ///< u, > 0; for an oscillating follower
   Rotation rotation = Rotation::counterclockwise;
-  /// rad of the cam per master unit; default: a master in deg.
+  /// rad of the cam per master unit; the default applies to a master in deg.
   double angle = std::numbers::pi / 180;
-  /// rad of the arm per slave unit, for a slave that is the angle of the arm. Omitted: the slave is
-  /// the travel of the roller's center along its arc, so the factor is 1 / arm_length.
+  /// rad of the arm per slave unit, for a slave that is the angle of the arm. If omitted, the slave
+  /// is the travel of the roller's center along its arc, and the factor is 1 / arm_length.
   std::optional<double> arm_angle = {};
 };
 
@@ -66,22 +66,23 @@ struct Place {
 struct DiscPoint {
   Place centre;   ///< center of the roller, on the pitch curve
   Place contact;  ///< contact point on the profile
-  Place normal;   ///< unit normal of both curves, outwards
+  Place normal;   ///< unit normal of pitch curve and profile, outwards
   /// rad; positive if the side force on the follower has the direction of the cam's rotation, as on
-  /// the rise; beyond pi/2 the follower jams.
+  /// the rise. The follower jams beyond pi/2.
   double pressure_angle = 0;
   double pitch_curvature = 0;  ///< 1/u; positive where the pitch curve is convex
 };
 
 /// A plate cam and its follower: an immutable value.
 ///
-/// The cam must close: its length is one turn, or one turn divided by an integer (the number of
-/// lobes), and it ends at its start position. The plate cam is periodic for any policy of the given
-/// cam.
+/// The length of the cam must be one turn, or one turn divided by an integer (the number of lobes),
+/// and the cam must end at its start position. The disc is periodic, for any policy of the cam
+/// outside its interval.
 ///
-/// **Throws** InputError if a length is not finite or has the wrong sign; if the cam does not
-/// close; if the offset is not less than base radius plus roller radius; and if the arm does not
-/// reach the base circle or swings through the line between both centers ("arm_length").
+/// **Throws** InputError if a length is not finite or has the wrong sign; if the cam does not end
+/// at its start position; if the offset is not less than base radius plus roller radius; and if the
+/// arm does not reach the base circle or swings through the line between the centers of cam and arm
+/// ("arm_length").
 class Disc {
  public:
   Disc(const Cam& cam, const DiscSpec& spec);
@@ -91,7 +92,8 @@ class Disc {
   [[nodiscard]] const DiscSpec& spec() const { return spec_; }
 
   /// Position of the roller at lift 0. For a translating follower: height above the cam's center,
-  /// u. For an oscillating one: angle between the arm and the line of centers, rad.
+  /// u. For an oscillating follower: angle between the arm and the line from the pivot to the cam's
+  /// center, rad.
   [[nodiscard]] double start() const { return start_; }
 
   /// Returns the geometry at any master position. Where the velocity steps, each side gives its own
@@ -105,8 +107,8 @@ class Disc {
 };
 
 /// The exact ranges over one turn. Nothing is sampled: the search discards an interval only if an
-/// enclosure (interval arithmetic, second order) excludes a greater value, and it brackets a peak
-/// only if the enclosure of the second derivative excludes zero.
+/// enclosure (interval arithmetic, second order) excludes a greater value. It brackets a peak only
+/// if the enclosure of the second derivative excludes zero.
 struct DiscExtremes {
   Range pressure_angle;   ///< rad: max is that of the rise, min that of the return
   Range pitch_curvature;  ///< 1/u: max is the most convex, min the most concave
@@ -122,15 +124,15 @@ DiscExtremes extremes(const Disc& disc);
 struct Interference {
   double circle = 0;   ///< master position at which the circle touches
   double covered = 0;  ///< master position of the covered point
-  double depth = 0;    ///< u, depth of this point inside the circle
+  double depth = 0;    ///< u, depth of the covered point inside the circle
 };
 
 /// Searches for an overlap: a circle of the given radius rolls around the outside of the profile
 /// and cuts into a distant part of it. The circle is the roller (roller_radius) or a larger cutter.
-/// Returns the deepest overlap, with its depth to 1e-3 of the radius, or nullopt if there is none.
-/// The result is proven by enclosures over all pairs of intervals. A clearance below 1e-5 of the
-/// radius counts as an overlap of depth 0. Undercuts and narrow hollows (within a quarter turn of
-/// the tangent) follow from the curvature; this function does not find them.
+/// Returns the deepest overlap, with its depth to 1e-3 of the radius, or nullopt if the profile has
+/// no overlap; enclosures over all pairs of intervals prove the result. A clearance below 1e-5 of
+/// the radius counts as an overlap of depth 0. Undercuts and narrow hollows (within a quarter turn
+/// of the tangent) follow from the curvature; this function does not detect them.
 std::optional<Interference> interference(const Disc& disc, double radius);
 
 /// Limits of the disc; an omitted limit does not apply. The radius of the profile must always be >
@@ -148,13 +150,13 @@ struct DiscLimits {
 /// "disc/cutter_radius", "disc/corner". Throws InputError for a limit out of range.
 Report check(const Disc& disc, const DiscLimits& limits);
 
-/// Returns the least base radius with which the cam keeps the limits of pressure angle and profile
-/// radius. The rest of `spec` is used as it is; its base_radius is ignored. nullopt if there is
-/// none. The result keeps both limits (exact extrema); a radius smaller by 1e-9 of it breaks one of
-/// them.
+/// Returns the least base radius with which the cam satisfies the limits of pressure angle and
+/// profile radius; nullopt if no radius does. spec.base_radius is ignored. The extrema at the
+/// result are exact; a radius smaller by 1e-9 of it breaks one of the limits.
 ///
-/// The search increases the radius in steps of 2 % (translating), or 1/400 of the reach of the arm
-/// (oscillating), and returns the first result. So it can miss a narrower range of smaller radii.
+/// The search increases the radius in steps and returns the first result. A step is 2 %
+/// (translating), or 1/400 of the reach of the arm (oscillating). The search can therefore miss a
+/// narrow range of smaller radii.
 std::optional<double> least_base_radius(const Cam& cam, const DiscSpec& spec,
                                         const DiscLimits& limits);
 

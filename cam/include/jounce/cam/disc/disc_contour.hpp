@@ -27,9 +27,9 @@ enum class Pieces { lines, arcs };
 /// itself, -roller_radius the profile, cutter_radius - roller_radius the path of the center of a
 /// cutter.
 ///
-/// No point of the true curve is farther than `tolerance` (u, > 0) from the contour: each piece is
-/// accepted by a bound over its whole length (equations (1) and (2) in disc_contour.cpp), not by
-/// samples. Its vertices lie on the curve, include every break of the cam, and close exactly. If
+/// No point of the true curve is farther than `tolerance` (u, > 0) from the contour. A bound over
+/// the whole length of each piece proves this (equations (1) and (2) in disc_contour.cpp), not
+/// samples. The vertices lie on the curve, include every break of the cam, and close exactly. If
 /// the cam is undercut, the contour includes the loops of the parallel curve.
 ///
 /// Throws InputError("tolerance", ...) if the tolerance is not positive or below 1e-10 of the cam's

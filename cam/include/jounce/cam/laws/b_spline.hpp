@@ -33,12 +33,12 @@ struct BSplineSpec {
 std::vector<Segment> b_spline(const BSplineSpec& spec);
 
 /// Returns the spline of the given degree (1 to 7) through the points, with degree - 1 continuous
-/// derivatives. The knots are chosen so that it always exists (Schoenberg, Whitney 1953). For an
-/// odd degree, the knots are the points, without the first and the last (degree - 1) / 2 inner ones
-/// (for 3 and 5: SplineEnds::not_a_knot). For an even degree, they are halfway between the points.
-/// The error is of order h^(degree + 1) for points at distance h. Degrees above 5 oscillate between
-/// unevenly spaced points. Throws InputError like quintic_spline(), for a degree out of range, and
-/// for fewer than degree + 1 points.
+/// derivatives. The function chooses the knots so that the spline always exists (Schoenberg,
+/// Whitney 1953). For an odd degree, the knots are the points, without the first and the last
+/// (degree - 1) / 2 inner ones (for 3 and 5: SplineEnds::not_a_knot). For an even degree, the knots
+/// are halfway between the points. For points at distance h, the error is of order h^(degree + 1).
+/// Degrees above 5 oscillate between unevenly spaced points. Throws InputError like
+/// quintic_spline(), for a degree out of range, and for fewer than degree + 1 points.
 BSplineSpec interpolating_b_spline(const std::vector<SplinePoint>& points, int degree);
 
 /// Returns a Bezier curve over `length` (m) with degree + 1 control values (u); degree 0 to 11. It
@@ -48,11 +48,11 @@ BSplineSpec interpolating_b_spline(const std::vector<SplinePoint>& points, int d
 /// finite.
 Segment bezier(double length, std::span<const double> control);
 
-/// Returns Bezier curves of one degree between successive breaks (m). Neighbors share a control
-/// value, so there are (breaks - 1) * degree + 1 of them. The value is continuous; the continuity
-/// of derivatives depends on the control values (see check_continuity()). Throws InputError like
-/// bezier(), for a degree outside 1 to 11, breaks that do not ascend, and a wrong number of control
-/// values.
+/// Returns Bezier curves of one degree between successive breaks (m). Neighboring curves share a
+/// control value, so the number of control values is (breaks - 1) * degree + 1. The value is
+/// continuous; the continuity of derivatives depends on the control values (see
+/// check_continuity()). Throws InputError like bezier(), for a degree outside 1 to 11, for breaks
+/// that do not ascend, and for a wrong number of control values.
 std::vector<Segment> bezier_chain(std::span<const double> breaks, std::span<const double> control,
                                   int degree);
 

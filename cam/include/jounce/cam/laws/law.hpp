@@ -33,7 +33,8 @@ enum class Law {
   modified_sine,   ///< modified sine
   modified_trapezoid,          ///< modified trapezoid
   modified_constant_velocity,  ///< modified sine around a straight part
-  scca,                        ///< sine, constant and cosine acceleration in given shares (scca())
+  scca,                        ///< sine, constant and cosine acceleration in given shares; see
+                               ///< scca() below
   gutman13,                    ///< Gutman: two harmonics
   freudenstein13,              ///< Freudenstein: two harmonics
   freudenstein135,             ///< Freudenstein: three harmonics
@@ -49,7 +50,7 @@ enum class Law {
 /// reversal, B motion.
 enum class Ends {
   given,        ///< B: velocity and acceleration are those of the knots
-  straight,     ///< G: the velocity is the mean velocity of the segment
+  straight,     ///< G: the law requires the mean velocity of the segment
   standing,     ///< R: rest, and no stroke
   moving,       ///< R or G: any velocity, with acceleration 0
   moving_free,  ///< any velocity; the law determines the acceleration
@@ -63,7 +64,7 @@ struct LawInfo {
   const char* name = "";      ///< the word of the spec: "modified_sine"
   const char* title = "";     ///< the name in words: "Modified sine"
   Ends ends = Ends::given;    ///< permitted states at its ends
-  bool inflection = false;    ///< true if it takes LawForm::inflection
+  bool inflection = false;    ///< true if the law accepts LawForm::inflection
   const char* use = "";       ///< typical use
   const char* strength = "";  ///< advantages
   const char* weakness = "";  ///< disadvantages
@@ -90,14 +91,14 @@ struct LawForm {
 /// Throws InputError if the law does not accept the form, or if a value is out of range.
 void require_valid(Law law, const LawForm& form);
 
-/// A piece of a law over z in [0, 1], as shapes that are multiplied by the values at its ends.
-/// Every law is linear in these values. With the stroke h = p1 - p0, the length L, and the velocity
-/// v and acceleration a with respect to the master at both ends (0: start, 1: end),
+/// A piece of a law over z in [0, 1], as shapes that are multiplied by the values at the ends of
+/// the law. Every law is linear in these values. With the stroke h = p1 - p0, the length L, and the
+/// velocity v and acceleration a with respect to the master at both ends (0: start, 1: end),
 ///
 ///     f = p0 + h rise + v0 L enter + v1 L leave + a0 L^2 bend_in + a1 L^2 bend_out
 ///
-/// So `rise` is the law from 0 to 1 at rest. The shape of a value that the law does not take is
-/// zero. The lengths of all pieces of a law have the sum 1.
+/// So `rise` is the law from 0 to 1, from rest to rest. If a law does not use a value, the shape of
+/// this value is zero. The lengths of all pieces of a law have the sum 1.
 struct LawPiece {
   Segment rise;      ///< factor of the stroke h
   Segment enter;     ///< factor of v0 L
@@ -120,17 +121,18 @@ std::vector<Segment> normalised(Law law, const LawForm& form = {});
 bool has_own_shape(Law law);
 bool is_spline(Law law);  ///< true for cubic_spline and quintic_spline
 
-/// Sine-constant-cosine acceleration. In each half: a quarter sine over the share b, a constant
-/// over c, a quarter cosine over d; b + c + d = 1, each >= 0. Between the halves the velocity is
-/// constant over the share `straight` in [0, 1) of the whole. Members (b,c,d): parabola (0,1,0),
-/// simple sine (0,0,1), cycloid (1/2,0,1/2), modified sine (1/4,0,3/4), modified trapezoid
-/// (1/4,1/2,1/4); with a straight share, modified constant velocity (1/4,0,3/4) and sine-straight
-/// (0,0,1). Source: R. Norton, Cam Design and Manufacturing Handbook, ch. 3.
+/// Returns the rise with sine-constant-cosine acceleration (SCCA). Each half has a quarter sine
+/// over the share b, a constant over c, and a quarter cosine over d; b + c + d = 1, each >= 0.
+/// Between the halves the velocity is constant over the share `straight`, in [0, 1), of the whole.
+/// The laws of this family are, as (b, c, d): parabola (0, 1, 0), simple sine (0, 0, 1), cycloid
+/// (1/2, 0, 1/2), modified sine (1/4, 0, 3/4), modified trapezoid (1/4, 1/2, 1/4); and with a
+/// straight share, modified constant velocity (1/4, 0, 3/4) and sine-straight (0, 0, 1). Source: R.
+/// Norton, Cam Design and Manufacturing Handbook, ch. 3.
 std::vector<Segment> scca(double b, double c, double d, double straight = 0);
 
-/// Returns the lambda with which an R-U law ends with the normalized acceleration f''(1) =
-/// -`deceleration` (stroke 1, length 1). The deceleration must exceed least_deceleration(law),
-/// which belongs to lambda = 0. For the R-U laws that take an inflection.
+/// Returns the inflection lambda with which an R-U law ends with the normalized acceleration f''(1)
+/// = -`deceleration` (stroke 1, length 1). Requires a law that accepts an inflection, and a
+/// deceleration above least_deceleration(law), which belongs to lambda = 0.
 double inflection_for(Law law, double deceleration);
 /// Returns the deceleration -f''(1) of an R-U law for lambda = 0.
 double least_deceleration(Law law);

@@ -13,18 +13,18 @@ namespace jounce {
 struct LawAlias {
   const char* name = "";  ///< "cycloidal"
   Law law = Law::line;
-  const char* note = "";  ///< a difference, as a clause; may be empty
+  const char* note = "";  ///< the difference from the law of Jounce, as a clause; may be empty
 };
 
-/// All of them, in the order of the laws.
+/// Returns all other names, in the order of the laws.
 std::span<const LawAlias> law_aliases();
 
-/// Returns the law that another tool calls `name`, in any case and with any spaces and signs: "Mod.
-/// Sine", "poly-5". A law of Jounce in another spelling is found as well, but not its name itself.
-/// Null if there is none.
+/// Returns the law that another tool calls `name`, in upper or lower case and with any spaces and
+/// signs: "Mod. Sine", "poly-5". Finds also the name of a law of Jounce in another spelling, but
+/// not in its own spelling. Returns null if no law has the name.
 const LawAlias* law_alias(std::string_view name);
 
-/// `is called "inclined_sine" here`, with the note.
+/// Returns a clause for an error: `is called "inclined_sine" here`, with the note.
 std::string rule_of(const LawAlias& alias);
 
 }  // namespace jounce

@@ -15,8 +15,9 @@ struct Condition {
   double value = 0;  ///< u/m^order
 };
 
-/// Returns the polynomial of least degree that meets all conditions; at most 12 conditions (degree
-/// 11). Any combination is permitted, such as an acceleration without a position at the same place.
+/// Returns the polynomial of least degree that satisfies all conditions; at most 12 conditions
+/// (degree 11). Any combination is permitted, such as an acceleration at a place without a
+/// position.
 ///
 ///     const Segment f = polynomial(90, std::vector<Condition>{
 ///         {0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {40, 0, 12}, {90, 0, 30}, {90, 1, 0}, {90, 2, 0}});

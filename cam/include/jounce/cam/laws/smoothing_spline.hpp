@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// A curve through points with tolerances: the one with the least integral of geo_jerk^2 among all
-/// that pass every point within its tolerance.
+/// The smoothest curve through points with tolerances: of all curves that pass every point within
+/// its tolerance, the one with the least integral of geo_jerk^2.
 ///
 ///     SplineSpec measured{.points = {{0, 0}, {60, 11.7, 0.5}, {120, 30.2, 0.5}, {180, 40}}};
 ///     measured.start = measured.end = {.geo_velocity = 0, .geo_acceleration = 0};
@@ -16,22 +16,22 @@ namespace jounce {
 ///     Cam cam(s.segments, 0, Extrapolation::hold);
 ///     double bound = s.square_jerk - s.gap;             // no permitted curve has less
 ///
-/// The curve is a quintic spline. Its joints are the points with zero tolerance, which it passes
-/// exactly, and the points where it uses up the tolerance. It has no joint at other points. If all
-/// tolerances are zero, it is quintic_spline().
+/// The curve is a quintic spline. Its joints are the points with zero tolerance, which the curve
+/// passes exactly, and the points where the curve uses the whole tolerance. Other points are not
+/// joints. If all tolerances are zero, the curve is quintic_spline().
 struct SmoothingSpline {
   std::vector<Segment> segments;     ///< from the master of the first point to that of the last
-  std::vector<std::size_t> touched;  ///< indices of the points at which there is a joint
+  std::vector<std::size_t> touched;  ///< indices of the points that are joints
   double square_jerk = 0;            ///< integral of geo_jerk^2, u^2/m^5
   double gap = 0;     ///< proven: no curve within the tolerances has less than square_jerk - gap
   int solutions = 0;  ///< number of linear systems that were solved
 };
 
-/// Computes the curve by an active-set method for a strictly convex quadratic program. Each
-/// tolerance is kept to within 1e-9 of its value, plus the rounding of the slave positions. If a
-/// parabola (periodic: a constant) keeps all tolerances, square_jerk is zero and the curve is such
-/// a parabola: the one through the first, the middle and the last point, or the nearest one that
-/// the tolerances permit.
+/// Computes the curve by an active-set method for a strictly convex quadratic program. The result
+/// exceeds no tolerance by more than 1e-9 of it, plus the rounding of the slave positions. If a
+/// parabola (periodic: a constant) is within all tolerances, square_jerk is zero and the curve is
+/// such a parabola: the one through the first, the middle and the last point, or the nearest one
+/// that the tolerances permit.
 ///
 /// Throws InputError like quintic_spline(); for fewer than three points; for a tolerance that is
 /// negative or not finite; for SplineEnds::not_a_knot; and for periodic ends with different

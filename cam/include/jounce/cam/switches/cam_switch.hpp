@@ -21,46 +21,48 @@ namespace jounce {
 ///     SwitchTimes edges = switch_times(glue, master);   // all edges of a given motion, exact
 ///     CamSwitches bits(glue);                           // cycle by cycle: cam_switches.hpp
 ///
-/// **Vocabulary.** A *switch* is a range of positions. A *track* is one output, which is on while
-/// one of its switches is on. The *range* is closed, [first_on_position, last_on_position]: it
-/// contains an axis that stops on a boundary (to rounding, 1e-12 of the positions). On a rotary
-/// axis (`period`), a range whose last position is below its first one crosses the end of the
-/// period.
+/// **Vocabulary.** A *track* is one output. A *switch* belongs to a track and has a range of
+/// positions; the output is on while one of the track's switches is on. The *range* is closed,
+/// [first_on_position, last_on_position]: an axis that stops on a boundary is in the range (to
+/// rounding, 1e-12 of the positions). On a rotary axis (`period`), a range whose last position is
+/// below its first one crosses the end of the period.
 ///
 /// **Direction.** A switch of one direction is on while the axis is in the range and has last moved
-/// in this direction; a reversal inside the range changes the output.
+/// in this direction. So a reversal inside the range changes the output.
 ///
 /// **Time mode.** The switch is on for `duration` after the axis passes first_on_position (in the
 /// direction of the switch). Each further passage restarts the duration.
 ///
-/// **Compensation** c of an edge at position p (s; negative: early, positive: late, as in PLCopen).
-/// The edge occurs when the position x and the velocity v of the axis satisfy
+/// **Compensation** is a time c in s for each edge: negative for early, positive for late, as in
+/// PLCopen. The edge at position p occurs when the position x and the velocity v of the axis
+/// satisfy
 ///
 ///     (1)  x(t) - c v(t) = p,
 ///
-/// which is c after the crossing at the present velocity, as in common controllers. It is exact at
-/// constant velocity; at an acceleration a the error is c^2 a / (2 v). The lower boundary is an on
-/// edge for an axis that moves forwards, and an off edge for one that moves backwards; on and off
-/// edges have their own c. The on edge of one boundary and the off edge of the other are combined
-/// as levels. If the off edge comes first, the switch stays off; it never stays on.
+/// that is, at the time c after the axis would pass p at its present velocity, as in common
+/// controllers. At constant velocity, the time of the edge is exact; at an acceleration a, its
+/// error is c^2 a / (2 v). For an axis that moves forwards, the lower boundary of the range is the
+/// on edge and the upper one the off edge; for an axis that moves backwards, they are exchanged. On
+/// edges and off edges have their own c. If compensation places the off edge before the on edge,
+/// the switch stays off; it never stays on.
 ///
-/// **Hysteresis** h (in the unit of the position). After an edge at p, there is no further edge at
-/// p until the axis has left the interval from p - h to p + h. If it leaves on the side that it
-/// came from, the reverse edge occurs there. So a first edge is never late, and an oscillating axis
-/// does not make the output chatter. A reversal changes the direction of the axis when it has moved
-/// back by more than h.
+/// **Hysteresis** is a distance h in the unit of the position. After an edge at p, no further edge
+/// occurs at p until the axis has left the interval from p - h to p + h. If the axis leaves on the
+/// side from which it came, the reverse edge occurs at that moment. So the first edge is never
+/// late, and an oscillating axis does not make the output chatter. A reversal changes the direction
+/// of the axis when the axis has moved back by more than h.
 ///
-/// Positions are in the axis' unit u, times in s. Nothing is sampled.
+/// Positions are in the axis' unit u, times in s. All edges are computed, not sampled.
 
 /// Direction in which a switch works.
 enum class AxisDirection : std::uint8_t { both, positive, negative };
 /// Condition of a switch: a range of positions, or a duration after a position.
 enum class CamSwitchMode : std::uint8_t { position, time };
 
-/// The position that the switches use.
+/// The position that the switches of an axis use.
 enum class SwitchesOf : std::uint8_t {
   position,  ///< position of the axis, u
-  master,    ///< position of its master, in its unit
+  master,    ///< position of the axis' master, in the master's unit
   actual,    ///< actual position of its drive, u
 };
 
@@ -74,17 +76,17 @@ struct CamSwitch {
   std::optional<double> duration = {};  ///< s, > 0; in time mode
 };
 
-/// Options of one track: an entry of PLCopen's MC_TRACK_REF, with inversion and with the initial
-/// value of SMC_GetTappetValue (PMC600 manual 6.2).
+/// Options of one track: an entry of PLCopen's MC_TRACK_REF. Two options are added: the inversion,
+/// and the initial value of SMC_GetTappetValue (PMC600 manual 6.2).
 struct SwitchTrack {
   int track = 1;                ///< 1 to 32
   double on_compensation = 0;   ///< s; negative: early
   double off_compensation = 0;  ///< s; negative: early
   double hysteresis = 0;        ///< u, >= 0
   bool inverted = false;        ///< true: the output is inverted
-  /// Its bit in EnableMask; the output of a disabled track is off, even if inverted.
+  /// Bit of the track in EnableMask. The output of a disabled track is off, even if inverted.
   bool enabled = true;
-  /// The output before it can be computed: before the first position, and in a range of one
+  /// The output while it cannot be computed yet: before the first position, and in a range of one
   /// direction until the axis has moved.
   bool initial = false;
 };
@@ -106,12 +108,12 @@ struct CamSwitchSpec {
 /// - A track is 1 to 32 (601, 602), has at most one entry of options, and has at least one switch
 ///   (600).
 /// - All numbers are finite, `period` is greater than 0, a hysteresis is at least 0.
-/// - Position mode: there is a last_on_position and no duration. It is above the first position or,
-///   on a rotary axis, anywhere else within one period of it.
-/// - Time mode: there is a duration and no last_on_position. The compensations leave some of the
+/// - Position mode: last_on_position is given, duration is not. The last position is above the
+///   first one; on a rotary axis, it may be anywhere else within one period of the first one.
+/// - Time mode: duration is given, last_on_position is not. The compensations leave some of the
 ///   duration: duration + off_compensation - on_compensation > 0.
-/// - The hysteresis is less than each range of its track, than the gap between the ends of a range
-///   on a rotary axis, and than half a period.
+/// - The hysteresis is less than each range of its track, less than half a period and, on a rotary
+///   axis, less than the gap between the ends of a range.
 void require_valid(const CamSwitchSpec& spec);
 
 /// The switches of an axis, and the position that they use.
@@ -134,9 +136,9 @@ struct SwitchTimes {
 };
 
 /// Returns the edges of a given motion over its interval, at the exact instants that satisfy (1).
-/// `position` is the motion of the position that the switches use: that of a master, or of a slave
-/// as composed(cam, master). A track that goes on and off at the same instant has no edge there.
-/// Throws InputError like require_valid().
+/// `position` is the motion of the position that the switches use: that of a master, or that of a
+/// slave, composed(cam, master). A track that goes on and off at the same instant has no edge at
+/// that instant. Throws InputError like require_valid().
 SwitchTimes switch_times(const CamSwitchSpec& spec, const Trajectory& position);
 
 /// Returns the word of the spec: "both", "positive", "negative"; "position", "time".

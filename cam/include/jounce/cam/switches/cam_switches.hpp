@@ -34,21 +34,24 @@ struct SwitchStep {
 ///     for (const SwitchEdge& edge : bits.step(30.05, 100, 1e-3).edges())
 ///       latch(edge.track, edge.on, edge.time);             // edge.time: s after the previous step
 ///
-/// **Within a cycle** the axis moves on the cubic through position and velocity at both ends, which
-/// is exact for a constant jerk. Its crossings are computed on that cubic, as in switch_times(). If
-/// the cubic is implausible (noise, a jump), a straight line replaces it: the axis passes every
-/// switch between both positions, and the step returns both edges. Velocities of opposite sign at
-/// the ends mean that the axis has reversed within the cycle.
+/// **Within a cycle**, the axis is assumed to move on the cubic through the positions and
+/// velocities at both ends, which is exact for a constant jerk. The edges are computed on this
+/// cubic, as in switch_times(). If the cubic is implausible (noise, a jump), a straight line
+/// replaces it: the axis then passes every switch between both positions, and the step returns the
+/// on edge and the off edge. Velocities of opposite sign at the ends mean that the axis has
+/// reversed within the cycle.
 ///
-/// **Accuracy** of an edge, measured with cycles of 1 ms: 1e-12 s at constant acceleration; below 1
-/// us for S-curve, trapezoidal and sinusoidal masters. A step of the acceleration within a cycle dt
-/// causes an error of at most dt^2 / (32 T), if the axis has accelerated from rest for T seconds.
+/// **Accuracy** of the time of an edge, measured with cycles of 1 ms: 1e-12 s at constant
+/// acceleration; below 1 us for S-curve, trapezoidal and sinusoidal masters. If the acceleration
+/// steps within a cycle dt, T seconds after the axis began to accelerate from rest, the error is at
+/// most dt^2 / (32 T).
 ///
-/// **Rotary axes** may give positions that wrap, or that continue. Of the positions that differ by
-/// whole periods, the one nearest to the position predicted by the velocities is used.
+/// **Rotary axes** may have positions that wrap, or positions that continue. Of the positions that
+/// differ by whole periods, step() uses the one nearest to the position that the velocities
+/// predict.
 ///
-/// step() returns an edge in the step after the edge. For an output terminal that switches by time
-/// stamp, include one cycle and the delay of the terminal in the compensations.
+/// step() returns an edge in the step after the edge. If an output terminal switches by time stamp,
+/// include one cycle and the delay of the terminal in the compensations.
 ///
 /// step() does not allocate, lock or throw. If an argument is not finite, the step changes nothing,
 /// and its time is added to the next step. The constructor throws like require_valid().
@@ -63,9 +66,8 @@ class CamSwitches {
   /// the time since the previous step (s, > 0).
   const SwitchStep& step(double position, double velocity, double dt);
 
-  /// Makes the next step move the axis to its position without motion, as after a new reference or
-  /// a new master. The axis passes no switch; outputs may change, at time 0 of that step. Durations
-  /// continue.
+  /// Makes the next step move the axis to its position without passing a switch, as after homing or
+  /// for a new master. Outputs may change at time 0 of that step. Durations continue.
   void place() { placed_ = false; }
 
   /// Enables the tracks of the mask from the next step on: bit k - 1 is track k (PLCopen
@@ -87,7 +89,7 @@ class CamSwitches {
   double position_ = 0;  // unreduced
   double local_ = 0;     // reduced into [0, period)
   double velocity_ = 0;
-  double elapsed_ = 0;      // since the last position
+  double elapsed_ = 0;      // time since the last position, s
   std::int64_t turns_ = 0;  // turns by which the frame moves after this step
   SwitchStep step_;
 };

@@ -13,10 +13,10 @@
 ///     const Profile move = begin(0, {.abs_trgt = 2000}, axis);                    // 2.01 s
 ///     const Trajectory there_and_back = repetitive(0, {.abs_trgt = 2000}, axis, 6, 500);
 ///
-/// **Jerk** is an exponent. The acceleration rises in 2^Jerk / 16384 s, so the jerk is Accel (or
-/// Decel) divided by this time. Jerk = 0 means no jerk limit: a trapezoid.
+/// **Jerk** is an exponent, not a jerk. The acceleration rises in the time 2^Jerk / 16384 s, so the
+/// jerk is Accel (or Decel) divided by this time. Jerk = 0 means no jerk limit: a trapezoid.
 ///
-/// **Errors**: functions throw InputError for a value out of the range of the manual.
+/// **Errors**: the functions throw InputError for a value out of the range that the manual gives.
 namespace jounce::agito {
 
 inline constexpr double sample_time = 1.0 / 16384;  ///< sampling period of the controller, s
@@ -25,7 +25,7 @@ inline constexpr double sample_time = 1.0 / 16384;  ///< sampling period of the 
 struct Settings {
   double accel = 0;       ///< Accel, user units/s^2, 100 to 2e9
   double decel = 100000;  ///< Decel, user units/s^2, 100 to 2e9
-  /// Speed, user units/s, -6e7 to 6e7; the sign is the direction of a jog, otherwise unused.
+  /// Speed, user units/s, -6e7 to 6e7. The sign is the direction of a jog; other motions ignore it.
   double speed = 0;
   int jerk = 0;  ///< Jerk, 0 to 9: exponent, see above
 };
@@ -36,10 +36,10 @@ struct Target {
   std::int32_t rel_trgt = 0;  ///< RelTrgt, user units from the present position
 };
 
-/// Returns the time in which the acceleration rises, s: 2^jerk samples; 0 for the exponent 0.
+/// Returns the time in which the acceleration rises, s: 2^jerk / 16384; 0 for the exponent 0.
 double jerk_time(int jerk);
 
-/// Returns the target of a Begin at `position`, user units.
+/// Returns the target position of a Begin at `position`, user units.
 double resolved(const Target& target, double position);
 
 /// Returns the settings as Dynamics. Throws InputError for a speed of 0.
@@ -49,15 +49,16 @@ Dynamics dynamics(const Settings& settings);
 Profile begin(double position, const Target& target, const Settings& settings);
 
 /// Changes the target, speed, acceleration or deceleration of a running motion at the time t, s.
-/// RelTrgt counts from the position at t. Jerk cannot be changed in motion: give the present one.
+/// RelTrgt counts from the position at t. The controller cannot change Jerk in motion: pass the
+/// present value.
 Trajectory begin(const Trajectory& running, double t, const Target& target,
                  const Settings& settings);
 
 /// Begin in MotionMode 0 (jog): moves at Speed, in the direction of its sign, without end.
 Profile jog(const MotionState& from, const Settings& settings);
 
-/// Stop at the time t, s: comes to rest with Decel. Speed is not used. An acceleration at t first
-/// falls with the jerk of Accel, or of Decel if Accel is 0.
+/// Stop at the time t, s: comes to rest with Decel. Speed is not used. If the axis has an
+/// acceleration at t, the acceleration first falls with the jerk of Accel (of Decel if Accel is 0).
 Trajectory stop(const Trajectory& running, double t, const Settings& settings);
 
 /// MotionMode 2 (repetitive PTP) between `position` and the target. `strokes` >= 1: number of
@@ -65,9 +66,9 @@ Trajectory stop(const Trajectory& running, double t, const Settings& settings);
 Trajectory repetitive(double position, const Target& target, const Settings& settings, int strokes,
                       double rpt_wait = 0);
 
-/// Returns the settings (manual 4.10) with which a repetitive PTP over 2 * amplitude approximates a
-/// sine. With the amplitude A (user units) and `frequency` F (Hz), they are Accel = Decel = 32 A
-/// F^2 and Speed = 8 A F. Two moves without a wait last 1 / F. The velocity is a triangle whose
+/// Returns the settings with which a repetitive PTP over 2 * amplitude approximates a sine (manual
+/// 4.10). For the amplitude A (user units) and the `frequency` F (Hz), they are Accel = Decel = 32
+/// A F^2 and Speed = 8 A F. Two moves without a wait take 1 / F. The velocity is a triangle whose
 /// peak is Speed.
 Settings quasi_sine(double amplitude, double frequency);
 
@@ -75,13 +76,13 @@ Settings quasi_sine(double amplitude, double frequency);
 struct SpeedChange {
   double position = 0;   ///< SpeedChgPos: position of the change, user units
   double new_speed = 0;  ///< SpeedChgNew: new speed, user units/s, -6e7 to 6e7
-  /// SpeedChgDir: when crossed upwards (1), downwards (-1), or in either direction (0).
+  /// SpeedChgDir: direction of the crossing: upwards (1), downwards (-1), or either (0).
   int direction = 0;
 };
 
-/// Returns the motion with the speed changed when it first crosses the position in that direction.
-/// If there is no crossing, returns the motion unchanged. `target`: target of the motion, user
-/// units.
+/// Returns the motion with a change of the speed when it first crosses the position in the given
+/// direction. Without such a crossing, returns the motion unchanged. `target` is the target of the
+/// motion, user units.
 Trajectory with_speed_change(const Trajectory& running, double target, const Settings& settings,
                              const SpeedChange& change);
 

@@ -16,16 +16,16 @@ namespace jounce {
 ///     cam.units = {"deg", "mm"};                         // if the file has none
 ///
 /// V is dY/dX and A is d2Y/dX2, as in a Table. Numbers are written in their shortest exact form, so
-/// every value is restored exactly (a REAL: to its 24 bits).
+/// reading the file restores every value exactly (a REAL: to its 24 bits).
 ///
-/// **Data that a format does not have** (units, the policy outside, the number of knots, the hash)
-/// is written as comments, if the format permits comments (`keeps_notes`). When the comments are
-/// read again, the table is restored exactly, and a truncated or changed file is rejected. A file
-/// from another tool has no such comments: its units are empty, and its policy outside is `hold`.
-/// The file does not define whether the cam is periodic, since a controller defines this when it
+/// **Comments.** A format has no place for the units, the policy outside, the number of knots, and
+/// the hash. If it permits comments (`keeps_notes`), these data are written as comments. Reading
+/// the comments restores the table exactly, and rejects a truncated or changed file. A file from
+/// another tool has no such comments: its units are empty, and its policy outside is `hold`. Such a
+/// file does not state whether the cam is periodic, because a controller defines this when it
 /// selects the table (MC_CamTableSelect).
 
-/// Throws InputError for a table over time, since the formats are for cams.
+/// Throws InputError for a table over time, because the formats are for cams.
 void require_cam(const CamFormat& format, const Table& table);
 
 /// Returns the text of the table in the format. Throws InputError for a table over time, for an
@@ -34,23 +34,23 @@ std::string exchange_text(const CamFormat& format, const TableFile& file);
 
 /// One cam of a file.
 struct ExchangeCam {
-  std::string name;  ///< name of its reference, array or tag; "" in formats without names
-  TableFile file;    ///< its table, units and provenance
-  std::vector<std::string> unread = {};  ///< a phrase for each part of the file that was not read
+  std::string name;  ///< name of the cam's reference, array or tag; "" in formats without names
+  TableFile file;    ///< table of the cam, with its units and provenance
+  std::vector<std::string> unread = {};  ///< one phrase for each part of the file that was not read
 };
 
-/// Reads a text in any readable format; it may contain several cams, which are returned in the
-/// order of their references. `name`: name of the file for errors. `decimal_comma`: reads 0,5 as
-/// 0.5 in columns that are not separated by commas.
+/// Reads a text in any readable format. The text may contain several cams; they are returned in the
+/// order of their references. `name` is the name of the file for errors. If `decimal_comma` is
+/// true, 0,5 is read as 0.5, in columns that are not separated by commas.
 ///
-/// Throws InputError with file, line, key, value and rule for a wrong number of columns, text that
-/// is not a finite number (the error names a decimal comma), knots that do not ascend, a number of
-/// knots or a hash that does not match, and a format that cannot be read.
+/// Throws InputError with file, line, key, value and rule for a wrong number of columns; for text
+/// that is not a finite number (the error names a decimal comma); for knots that do not ascend; for
+/// a number of knots or a hash that does not match; and for a format that cannot be read.
 std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
                                              bool decimal_comma = false);
 
-/// Reads a file that contains exactly one cam. Throws like parse_exchange_cams(), and for several
-/// cams.
+/// Reads a file that contains exactly one cam. Throws like parse_exchange_cams(), and if the file
+/// contains several cams.
 TableFile parse_exchange(const std::string& text, const std::string& name,
                          bool decimal_comma = false);
 

@@ -16,12 +16,12 @@
 ///                                        .percent = 50});
 ///     const Trajectory later = move_absolute(fly.curve(), 300, {.pos = 80000, .vel = 50, .acc = 1});
 ///
-/// **Percent** (manual 7.7.1) is 100 * 2 ta / (2 ta + te). ta is the time in which the acceleration
-/// rises (and in which it falls), te the time at constant acceleration. 0 is a trapezoid; 100 has
-/// no part at constant acceleration. `acc` is the peak acceleration, so a change of velocity dv
-/// takes dv / (acc (1 - percent/200)).
+/// **Percent** (manual 7.7.1) is 100 * 2 ta / (2 ta + te). In a ramp, ta is the time in which the
+/// acceleration rises (and the time in which it falls), and te is the time at constant
+/// acceleration. 0 gives a trapezoid; with 100, no part has a constant acceleration. `acc` is the
+/// peak acceleration, so a change of velocity dv takes dv / (acc (1 - percent/200)).
 ///
-/// **Errors**: functions throw InputError for a value out of the range of the manual.
+/// **Errors**: the functions throw InputError for a value out of the range that the manual gives.
 namespace jounce::googol {
 
 /// Greatest |position|, pulse (manual I-144).
@@ -44,14 +44,15 @@ struct Trap {
 Profile trap(const Trap& move);
 
 /// Changes the target or the velocity of a running motion at the time t, ms (GT_SetPos, GT_SetVel,
-/// GT_Update). `from` and `vel_start` are not used. The rules are those of with_target().
+/// GT_Update). `from` and `vel_start` are not used. For the rules, see with_target().
 Trajectory trap(const Trajectory& running, double t, const Trap& move);
 
 /// Parameters of a jog: GT_PrfJog, GT_SetJogPrm, GT_SetVel (manual 7.3).
 struct Jog {
   double acc = 0;  ///< acceleration, pulse/ms^2, > 0
   double dec = 0;  ///< deceleration, pulse/ms^2; 0: acc
-  /// 0 to below 1: the share 2 ta / (2 ta + te) of a ramp, see Percent; larger is gentler.
+  /// Share 2 ta / (2 ta + te) of a ramp, 0 to below 1 (see Percent above); a larger share is
+  /// gentler.
   double smooth = 0;
 };
 
@@ -61,14 +62,14 @@ struct JogVelocity {
   double vel = 0;   ///< new velocity, pulse/ms, signed
 };
 
-/// Returns the motion from any state to the velocity `vel`, pulse/ms, which it then keeps. If the
-/// axis already accelerates, the jerk is that of `smooth` for a ramp between rest and the greater
-/// of the two velocities.
+/// Returns the motion from any state to the velocity `vel`, pulse/ms, which the axis then keeps.
+/// The jerk is that of `smooth` for a ramp over the change of velocity. If the axis already
+/// accelerates, it is that of a ramp between rest and the greater of the two velocities.
 Profile jog(const MotionState& from, double vel, const Jog& parameters);
 
 /// Returns the motion through several velocities, one after another, from standstill at `from`,
-/// pulse. Times ascend. The motion begins at the first time and ends when the last velocity is
-/// reached.
+/// pulse. Times must ascend. The motion begins at the first time and ends when the axis reaches the
+/// last velocity.
 Trajectory jog(double from, std::span<const JogVelocity> velocities, const Jog& parameters);
 
 /// A move on the fly: GT_MoveAbsolute (manual 7.7, I-103).
@@ -85,7 +86,7 @@ struct MoveAbsolute {
 Profile move_absolute(const MoveAbsolute& move);
 
 /// Replaces a running motion at the time t, ms; `from` is not used. The jerk of each ramp is that
-/// of `percent` for a ramp from rest to `vel`. The rules are those of with_target().
+/// of `percent` for a ramp from rest to `vel`. For the rules, see with_target().
 Trajectory move_absolute(const Trajectory& running, double t, const MoveAbsolute& move);
 
 /// A move from standstill with start and end velocities: GT_MoveAbsoluteEx (manual 7.7, I-104). The
@@ -105,10 +106,10 @@ struct MoveAbsoluteEx {
   int dec_end_percent = 0;    ///< decEndPercent: deceleration at the end, % of dec
 };
 
-/// Returns the move. The acceleration rises from accStartPercent of acc to acc, and the
-/// deceleration finally falls from dec to decEndPercent of dec. Both take the same time ta as in a
-/// full ramp, so `percent` keeps its meaning. Throws InputError if the distance is too short for
-/// the change from vel_start to vel_end.
+/// Returns the move. The acceleration rises from accStartPercent of acc to acc; at the end, the
+/// deceleration falls from dec to decEndPercent of dec. Each takes the time ta of a full ramp, so
+/// `percent` keeps its meaning. Throws InputError if the distance is too short for the change from
+/// vel_start to vel_end.
 Profile move_absolute_ex(const MoveAbsoluteEx& move);
 
 /// Direction of a velocity move: MC_POSITIVE_DIRECTION, MC_NEGATIVE_DIRECTION,
@@ -125,7 +126,7 @@ struct MoveVelocity {
   Direction direction = Direction::positive;  ///< direction; `current` at standstill: positive
 };
 
-/// Returns the motion from any state to the velocity, which it then keeps.
+/// Returns the motion from any state to the velocity, which the axis then keeps.
 Profile move_velocity(const MotionState& from, const MoveVelocity& move);
 /// Replaces a running motion at the time t, ms.
 Trajectory move_velocity(const Trajectory& running, double t, const MoveVelocity& move);

@@ -11,25 +11,25 @@
 ///     axis.pt_start(0, now);
 ///     every cycle: position = axis.at(t)[0];  and push more points
 ///
-/// Manual: 7.4, I-113 to I-120, I-148, I-149. docs/decisions/0030-follow-tables.md defines what the
-/// manual leaves open.
+/// Manual: 7.4, I-113 to I-120, I-148, I-149. docs/decisions/0030-follow-tables.md defines the
+/// behavior that the manual does not define.
 namespace jounce::googol {
 
-/// Reason why an instruction is rejected. bad_argument is return code 7, all others are return code
-/// 1.
+/// Reason for rejecting an instruction. The return code is 7 for bad_argument, and 1 for all
+/// others.
 enum class Refusal : std::uint8_t {
   none,
   bad_argument,  ///< a value out of its range
   wrong_mode,    ///< the axis is not in the mode of this instruction
   moving,        ///< the axis moves
   not_moving,    ///< the axis does not move
-  in_use,        ///< the FIFO, or the stream that it belongs to, is being played
+  in_use,        ///< the FIFO is being played, or belongs to a stream that is being played
   full,          ///< the FIFO has no space
   empty,         ///< the FIFO has no segment
   no_master,     ///< no master was set
 };
 
-/// Returns the code of the instruction: 0: done, 1: a condition is not met, 7: bad argument.
+/// Returns the return code of the instruction. 0: done, 1: a condition is not met, 7: bad argument.
 int return_code(Refusal refusal);
 /// Returns one sentence: the reason and the remedy.
 const char* explain(Refusal refusal);
@@ -42,10 +42,10 @@ constexpr bool is_fifo(int fifo) {
   return fifo == 0 || fifo == 1;
 }
 
-/// Adds a point with its type. The first point of an empty table or stream must be of the type
-/// normal, and begins at rest. Returns none, or the rule that the point breaks.
+/// Adds a point with its type. The first point of an empty table or stream must have the type
+/// `normal`; it begins at rest. Returns none, or the rule that the point breaks.
 RowRule push(SegmentFifos& fifos, int fifo, const PtPoint& point);
-/// Returns the refusal of the instruction for a row that breaks this rule.
+/// Returns the refusal that an instruction returns for a row that breaks this rule.
 Refusal refusal_of(RowRule rule);
 
 /// Two FIFOs of PT segments on one axis. Functions return Refusal::none, or one of the refusals
@@ -56,8 +56,8 @@ class PtFifos {
 
   /// GT_PrfPt: selects PT mode and empties both FIFOs. Refusal: moving.
   Refusal prf_pt(PtMode mode);
-  /// GT_SetPtMemory: segments of each FIFO: 0: 32 (default), 1: 1024. Empties both FIFOs. Refusals:
-  /// wrong_mode, moving, bad_argument.
+  /// GT_SetPtMemory: selects the number of segments of each FIFO: 0: 32 (default), 1: 1024. Empties
+  /// both FIFOs. Refusals: wrong_mode, moving, bad_argument.
   Refusal set_pt_memory(int memory);
   /// GT_SetPtLoop: number of passes; 0: endless. No effect in dynamic mode. Refusals: wrong_mode;
   /// bad_argument below 0.
@@ -74,15 +74,15 @@ class PtFifos {
   /// GT_PtClear: empties a FIFO. Refusals: wrong_mode; in_use (static mode: this FIFO is being
   /// played; dynamic mode: the axis moves).
   Refusal pt_clear(int fifo);
-  /// GT_PtStart at `time`, ms, from `position`, pulse. Refusals: wrong_mode, moving, empty;
-  /// bad_argument if one of them is not finite.
+  /// GT_PtStart: starts at `time`, ms, from `position`, pulse. Refusals: wrong_mode, moving, empty;
+  /// bad_argument if `time` or `position` is not finite.
   Refusal pt_start(int fifo, double time, double position = 0);
 
   /// Returns the position, pulse, and its derivatives at `time`, ms. `time` must not decrease from
   /// call to call.
   Jet at(double time);
-  /// State of the FIFOs. cut_off: no segments were left at a nonzero velocity, or the table ended
-  /// at one (the abnormal stop of manual 7.4).
+  /// State of the FIFOs. `cut_off` is the abnormal stop of manual 7.4: the segments ran out, or the
+  /// table ended, at a nonzero velocity.
   [[nodiscard]] SegmentFifos::State state() const { return fifos_.state(); }
 
  private:

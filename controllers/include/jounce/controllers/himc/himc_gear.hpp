@@ -17,18 +17,18 @@ namespace jounce::himc {
 
 inline constexpr int axis_count = 16;  ///< number of axes of a controller; axes are 0 to 15
 
-/// Error of a gear function: the low 16 bits of the controller's code. The high bits are 0x83aa,
-/// where aa is the axis.
+/// Error of a gear function: the low 16 bits of the controller's error code. The high 16 bits are
+/// 0x83aa, where aa is the axis.
 enum class GearError : std::uint16_t {
   ok = 0,
   disabled = 0x0078,      ///< an axis of the pair is not enabled
   synchronised = 0x00a0,  ///< DisableGear while the gear is engaged: call GearOut first
-  is_master = 0x00aa,     ///< the slave is the master of another gear: HIMC permits no chains
-  /// The master is not an axis, the slave itself, or a slave; or the slave already has another
-  /// master.
+  is_master = 0x00aa,     ///< the slave is the master of another gear: HIMC does not permit chains
+  /// The master is not an axis, is the slave itself, or is the slave of another gear; or the slave
+  /// already has another master.
   bad_link = 0x01c2,
   bad_slave = 0x01cc,    ///< the slave is not an axis
-  bad_ratio = 0x01d6,    ///< 0 or not finite
+  bad_ratio = 0x01d6,    ///< the ratio is 0 or not finite
   not_enabled = 0x0fa0,  ///< GearIn, GearOut or DisableGear without EnableGear
   in_cam = 0x0fa1,       ///< the slave follows a cam
 };
@@ -58,24 +58,24 @@ struct GearAnswer {
 };
 
 /// EnableGear: makes a pair. A master may have several slaves. A slave has one master and cannot be
-/// a master itself. Enabling the same pair again is not an error.
+/// a master. To enable the same pair again is not an error.
 GearAnswer enable_gear(const Gears& gears, int master, int slave);
 
-/// GearIn: engages at the command positions of both axes, or changes the ratio from these positions
-/// on. There is no ramp: if the master moves, the velocity of the slave steps.
+/// GearIn: engages at the given command positions of both axes, or changes the ratio from these
+/// positions on. The gear has no ramp: if the master moves, the velocity of the slave steps.
 GearAnswer gear_in(const Gears& gears, int master, int slave, double ratio, double master_position,
                    double slave_position);
 
-/// GearOut: releases the slave, which keeps its velocity. No effect and no error if it is not
-/// engaged.
+/// GearOut: releases the slave, which keeps its velocity. If the slave is not engaged, has no
+/// effect and returns no error.
 GearAnswer gear_out(const Gears& gears, int slave);
 
-/// DisableGear: dissolves the pair. Rejected while the gear is engaged, since the slave would
-/// continue without a command.
+/// DisableGear: dissolves the pair. Returns an error while the gear is engaged, because the slave
+/// would then continue without a command.
 GearAnswer disable_gear(const Gears& gears, int slave);
 
-/// GetGearRatio; 0 without a gear. This function and the next ones return 0 or false for a number
-/// that is not an axis.
+/// GetGearRatio: returns the ratio; 0 without a gear. This function and the three that follow
+/// return 0 or false for a number that is not an axis.
 double gear_ratio(const Gears& gears, int slave);
 /// True if the slave is engaged.
 bool is_in_gear(const Gears& gears, int slave);
@@ -84,8 +84,8 @@ bool is_gear_master(const Gears& gears, int axis);
 /// True if the axis is the slave of a pair.
 bool is_gear_slave(const Gears& gears, int axis);
 
-/// Returns the position of an engaged slave for a command position of the master. It is computed
-/// from both positions at GearIn, so it does not drift.
+/// Returns the position of an engaged slave for a command position of the master. The function
+/// computes it from the positions at GearIn, so the slave does not drift.
 double gear_position(const Gears& gears, int slave, double master_position);
 
 }  // namespace jounce::himc

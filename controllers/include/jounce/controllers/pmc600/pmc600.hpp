@@ -21,28 +21,28 @@
 /// 226, 251, 276, 301, 16#FFFFFF7 to 16#FFFFFF9).
 namespace jounce::pmc600 {
 
-/// Law of a change of velocity (manual 4.1, "velocity mode"). The laws and names are those of
+/// Law of a change of velocity (manual 4.1, "velocity mode"). The names and laws are those of
 /// SMC_INT_VELMODE in CODESYS.
 enum class VelocityMode {
   /// Constant acceleration.
   trapezoid = 0,
-  /// Each ramp of the trapezoid becomes a sin^2 of the velocity in the same time. The peak
-  /// acceleration is therefore pi/2 times the given one.
+  /// The velocity of each ramp follows a sin^2, in the time of the ramp of the trapezoid. So the
+  /// peak acceleration is pi/2 times the given acceleration.
   sigmoid = 1,
-  /// Like sigmoid, but the given acceleration is the peak: ramps take pi/2 times as long.
+  /// Like sigmoid, but the given acceleration is the peak: a ramp takes pi/2 times as long.
   sigmoid_limit = 2,
-  /// Acceleration as a trapezoid, with the given jerk: the velocity consists of parabolas and
+  /// The acceleration is a trapezoid with the given jerk; the velocity consists of parabolas and
   /// lines.
   quadratic = 3,
 };
 
-/// MC_MoveAbsolute from standstill (5.2.2); MC_MoveRelative is move_absolute(from, from + distance).
-/// Mode quadratic needs a jerk > 0; the other modes do not use it.
+/// MC_MoveAbsolute from standstill (5.2.2); MC_MoveRelative is move_absolute(from, from +
+/// distance). Mode quadratic needs a jerk > 0; the other modes do not use it.
 Trajectory move_absolute(double from, double to, const Dynamics& dynamics,
                          VelocityMode mode = VelocityMode::trapezoid);
 
-/// Default of StartVel and EndSecondVel, u/s. If the velocity of the move is lower, the velocity is
-/// used.
+/// Default of StartVel and EndSecondVel, u/s. If the velocity of the move is lower than the
+/// default, it replaces the default.
 inline constexpr double default_end_velocity = 20;
 
 /// LS_MoveAbs and LS_MoveRel (manual 5.2.4): a trapezoid whose velocity steps from rest to a start
@@ -58,20 +58,20 @@ struct LsMove {
 };
 
 /// Returns the move. It ends at `to` with end_second_velocity; the axis then stands still. If the
-/// distance is too short to change from one of these velocities to the other, the higher one is
-/// reduced.
+/// distance is too short for the change from start_velocity to end_second_velocity, or back, the
+/// higher of these velocities is reduced.
 Profile ls_move(const LsMove& move);
 
 /// LS_MoveVel from standstill: the velocity steps to start_velocity (at most |velocity|), changes
-/// to `velocity` (u/s, signed), and stays.
+/// to `velocity` (u/s, signed), and then stays constant.
 Profile ls_move_velocity(double from, double velocity, double acceleration,
                          double start_velocity = default_end_velocity);
 
-/// LS_PositionToVelocity (manual 5.2.4): two moves without a stop in between. Arrays contain the
-/// values of the first and of the second move.
+/// LS_PositionToVelocity (manual 5.2.4): two moves without a stop between them. Arrays have one
+/// entry for each move.
 struct PositionToVelocity {
   double from = 0;        ///< start position, u
-  bool relative = false;  ///< MoveMode; true: each end position counts from the previous one
+  bool relative = false;  ///< MoveMode; true: an end position is relative to the previous position
   std::array<double, 2> end_pos{};                     ///< end positions, u
   std::array<double, 2> velocity{10, 10};              ///< u/s, > 0
   std::array<double, 2> acceleration{10, 10};          ///< u/s^2, > 0
@@ -81,13 +81,13 @@ struct PositionToVelocity {
 };
 
 /// Returns the two moves as one motion. The axis passes end_pos[0] without acceleration, at the
-/// lower of the two velocities. It passes more slowly if the first move is too short to reach this
-/// velocity, or the second one too short to stop from it. If the direction reverses, the axis comes
-/// to rest at end_pos[0].
+/// lower of the two velocities. If the first move is too short to reach this velocity, or the
+/// second move too short to stop from it, the axis passes end_pos[0] more slowly. If the direction
+/// reverses, the axis comes to rest at end_pos[0].
 Trajectory position_to_velocity(const PositionToVelocity& move);
 
-// Functions for any running motion; t: time of the change, s. LS_MoveAbsChangePosVel is
-// with_target(); LS_MoveChangeVel, MC_Halt and MC_Stop are with_velocity().
+// Functions for any running motion; t is the time of the change, s. For LS_MoveAbsChangePosVel use
+// with_target(); for LS_MoveChangeVel, MC_Halt and MC_Stop use with_velocity().
 
 /// MC_MoveAdditive: from t on, moves to the previous target plus `distance` (u), with these
 /// dynamics. After a velocity command (a motion that ends at a velocity), `distance` counts from
@@ -96,9 +96,9 @@ Trajectory move_additive(const Trajectory& running, double t, double distance,
                          const Dynamics& dynamics);
 
 /// MC_MoveSuperImposed: from t on, adds a second motion over `distance` (u) to the running one.
-/// dynamics.velocity is its VelocityDiff. If `abort` (s) is given, the added motion stops then with
-/// its deceleration, and the running one continues. After a velocity command: the same as
-/// move_additive().
+/// dynamics.velocity is the VelocityDiff of the added motion. If `abort` (s) is given, the added
+/// motion stops at that time with its deceleration, and the running motion continues. After a
+/// velocity command, the function acts like move_additive().
 Trajectory move_superimposed(const Trajectory& running, double t, double distance,
                              const Dynamics& dynamics, std::optional<double> abort = {});
 
@@ -107,16 +107,16 @@ Trajectory move_superimposed(const Trajectory& running, double t, double distanc
 Trajectory inch(double from, double distance, const Dynamics& dynamics,
                 std::optional<double> released = {});
 
-/// Inputs of MC_Jog from a time on. Both inputs at once mean no motion.
+/// Inputs of MC_Jog from the given time on. If both inputs are on, the axis does not move.
 struct JogInput {
   double time = 0;        ///< s
   bool forward = false;   ///< the input JogForward
   bool backward = false;  ///< the input JogBackward
 };
 
-/// MC_Jog from standstill. Times ascend strictly. `max_velocity` (u/s), if given, limits the
-/// velocity. The motion begins with the first input and ends when the velocity of the last one is
-/// reached.
+/// MC_Jog from standstill. Times must ascend strictly. `max_velocity` (u/s), if given, limits the
+/// velocity. The motion begins with the first input and ends when the axis reaches the velocity of
+/// the last input.
 Trajectory jog(double from, std::span<const JogInput> inputs, const Dynamics& dynamics,
                std::optional<double> max_velocity = {});
 

@@ -25,8 +25,8 @@ struct EngageTexts {
 /// unit of the member, and for an input without a spec with [coupling].
 EngageState engage_state(const Input& input, const EngageTexts& texts);
 
-/// Returns the report of `jounce check` for one axis: checked(), the peaks without a limit, and a
-/// warning if there are no limits at all.
+/// Returns the report of `jounce check` for one axis: that of checked(), the peaks without a limit,
+/// and a warning if no limits are given.
 Report axis_report(const Input& input, int continuity = 1, const EngageState& at = {});
 
 /// The check of all axes of a file, and of the path that they follow.
@@ -34,7 +34,7 @@ struct FileCheck {
   std::vector<Report> reports;           ///< one for each axis
   std::optional<PathSummary> path = {};  ///< if the axes have a plan
 
-  /// `strict`: a warning counts as a broken limit.
+  /// True if no limit is broken. `strict` counts a warning as a broken limit.
   [[nodiscard]] bool ok(bool strict = false) const;
 };
 /// `reports` of the axes, such as axis_report().

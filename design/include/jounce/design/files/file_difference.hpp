@@ -19,8 +19,9 @@ struct FileDifference {
   [[nodiscard]] bool equal() const;
 };
 
-/// Compares the axes of two files; the paths name the files. `tolerance` returns the tolerance for
-/// the numbers of an axis with these labels. Throws InputError like paired_axes() and compare().
+/// Compares the axes of two files; the paths are the names of the files. `tolerance` returns the
+/// tolerance for the numbers of an axis with the given labels. Throws InputError like paired_axes()
+/// and compare().
 FileDifference file_difference(std::vector<Input> before, std::vector<Input> after,
                                const std::string& before_path, const std::string& after_path,
                                const std::function<Tolerance(const Labels&)>& tolerance);
@@ -28,7 +29,8 @@ FileDifference file_difference(std::vector<Input> before, std::vector<Input> aft
 /// Returns the answer of `jounce diff`: for two paths their durations and lengths, then each
 /// comparison.
 std::string to_text(const FileDifference& difference);
-/// {"equal": ..., ...} of one axis, or {"axes": {...}, "equal": ...}; "path" for two paths.
+/// Returns {"equal": ..., ...} for one axis, or {"axes": {...}, "equal": ...} for several; with
+/// "path" for two paths.
 std::string to_json(const FileDifference& difference);
 
 }  // namespace jounce

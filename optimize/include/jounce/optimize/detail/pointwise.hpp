@@ -11,8 +11,8 @@
 #include "jounce/optimize/shape.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 
-/// Figures that are computed from a function of a few linear quantities at each place, and that are
-/// not convex: power, torque with friction and gravity, energy.
+/// Figures that are not convex: power, torque with friction and gravity, energy. At each place,
+/// such a figure is a function of a few linear quantities.
 namespace jounce::optimizer {
 
 /// The function g(x, q_0(x), q_1(x), ...) on an interval of a shape on which it is smooth:
@@ -47,7 +47,7 @@ struct Pointwise {
   std::function<std::vector<Wave>(const std::vector<Segment>& shape, double begin)> waves = {};
 };
 
-/// Returns the figure in that form; nullopt for a convex figure. `begin`: x at the start of the
+/// Returns the figure as a Pointwise; nullopt for a convex figure. `begin`: x at the start of the
 /// shapes.
 std::optional<Pointwise> pointwise(const ShapeFigure& figure, double begin);
 

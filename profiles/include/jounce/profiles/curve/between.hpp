@@ -13,23 +13,25 @@ namespace jounce {
 ///     const Trajectory first_second = between(move, 0, 1);       // a part of it
 ///     const Trajectory delayed = between(move, -0.5, move.end());  // at rest for half a second
 ///
-/// If the interval reaches beyond f, the policy of f fills the missing part: with `hold` the end
-/// value at rest, with `wrap` and `advance` the periods before and after (at most 1e6 segments).
-/// The result has the policy of f, except that a part of a periodic curve holds. Exact: only `from`
-/// and `to` are new breaks. Throws InputError if from >= to, if the interval reaches beyond an f
-/// that refuses positions outside, or if a periodic curve would need more segments.
+/// The policy of f (key `outside`) fills the part of the interval that f does not cover: `hold`
+/// with the end value at rest, `wrap` and `advance` with the periods before and after (at most 1e6
+/// segments). The result has the policy of f. Exception: a part of a periodic curve has the policy
+/// `hold`. The result is exact: the only new breaks are `from` and `to`.
+///
+/// Throws InputError if from >= to, if the interval exceeds that of an f with the policy `refuse`,
+/// or if a periodic curve would need more segments.
 template <class Over>
 Curve<Over> between(const Curve<Over>& f, double from, double to);
 
-/// Returns f delayed by `delay`, over [start, end + late]; 0 <= delay <= late, in the unit of the
-/// curve's variable. Before and after its motion f is at rest. A filter adds several such curves.
-/// For a periodic f the interval stays [start, end].
+/// Returns f delayed by `delay`, over [start, end + late]. Requires 0 <= delay <= late, in the unit
+/// of the curve's variable. Before and after its motion f is at rest. If f is periodic, the
+/// interval of the result is [start, end]. Filters such as shaped() add several delayed curves.
 template <class Over>
 Curve<Over> delayed(const Curve<Over>& f, double delay, double late);
 
-/// Throws InputError unless f begins and ends at rest, to 1e-9 of its peak velocity. A filter
-/// requires this of an f that is not periodic, because holding a moving end would stop it in zero
-/// time.
+/// Throws InputError if f is not periodic and begins or ends in motion, that is, faster than 1e-9
+/// of its peak velocity. Filters call this function: outside its interval such an f is held at its
+/// end value, so a motion at the end would stop in zero time.
 template <class Over>
 void require_resting_ends(const Curve<Over>& f);
 

@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// Finds the interval of ascending breaks that contains a position, in constant time. Curve and
-/// Table use it before every evaluation.
+/// Finds the interval of ascending breaks that contains a position, in nearly constant time. Curve
+/// and Table use the index in every evaluation.
 ///
 ///     const std::vector<double> breaks{0, 90, 90.5, 360};
 ///     const BreakIndex index(breaks);
@@ -20,18 +20,18 @@ namespace jounce {
 ///     std::size_t last = index.find(breaks, 1e9, Side::right);                   // 2: clamped
 ///
 /// **How.** The length from the first to the last break is divided into equal *cells*, two for each
-/// interval. The index stores how many interior breaks lie before each cell. It does not store the
-/// breaks, which stay with their owner. Size: 8 bytes for each interval, nothing for up to `few`
-/// intervals. At most 2^32 - 1 breaks.
+/// interval. The index stores the number of interior breaks before each cell, not the breaks. It
+/// needs 8 bytes for each interval, and nothing for up to `few` intervals. It can index at most
+/// 2^32 - 1 breaks.
 ///
 /// **Intervals** are counted from 0. They are half-open: [breaks[i], breaks[i + 1]) for
 /// Side::right, (breaks[i], breaks[i + 1]] for Side::left. A position before the first break
-/// belongs to the first interval, a position after the last break to the last. The result is
-/// exactly that of a search through all breaks: in a cell with many breaks, find() bisects. Throws
-/// only std::bad_alloc.
+/// belongs to the first interval, and a position after the last break to the last interval. The
+/// result is exactly that of a search through all breaks: find() bisects in a cell with many
+/// breaks. Only the constructor throws, and only std::bad_alloc.
 class BreakIndex {
  public:
-  static constexpr std::size_t few = 4;  ///< up to this number of intervals no cells are stored
+  static constexpr std::size_t few = 4;  ///< up to this number of intervals, no cells are stored
   static constexpr std::size_t per_interval = 2;  ///< cells for each interval
 
   BreakIndex() = default;
@@ -43,8 +43,9 @@ class BreakIndex {
     return side == Side::right ? find<Side::right>(breaks, x) : find<Side::left>(breaks, x);
   }
 
-  /// Returns the index of the first interval that overlaps the cell of x: never above that of
-  /// find(x), and rarely far below. It reads no break, so a caller can use it to prefetch.
+  /// Returns the index of the first interval that overlaps the cell of x. This index never exceeds
+  /// that of find(x), and is rarely far below. The function reads no break, so a caller can use the
+  /// result to prefetch the breaks.
   [[nodiscard]] std::size_t near(double x) const { return before_.empty() ? 0 : before_[cell(x)]; }
 
  private:

@@ -14,14 +14,16 @@ namespace jounce {
 ///     Trajectory slow = composed(move, clock);
 ///     Trajectory slave = composed(cam, master);               // cam: a Cam, master: a Trajectory
 ///
-/// **Vocabulary.** The value of the *inner* curve is the variable of the outer curve. The inner
-/// curve is a clock (path time over time) or a master. The *outer* curve is a motion over path
-/// time, or a cam.
+/// **Vocabulary.** The *inner* curve is a clock (path time over time) or a master. The *outer*
+/// curve is a motion over path time, or a cam. The value of the inner curve is the variable of the
+/// outer curve.
 ///
-/// **Breaks** of the result are those of the inner curve, and every place where the inner curve
-/// passes a break of the outer curve (isolated as in roots.hpp). **Outside** its interval the
-/// result has the policy of the inner curve. Where the inner curve leaves the interval of the outer
-/// curve, the policy of the outer curve applies: `hold` gives a rest, `wrap` the next period.
+/// **Breaks** of the result are the breaks of the inner curve, and every place where the inner
+/// curve passes a break of the outer curve (isolated as in roots.hpp).
+///
+/// **Outside** its interval, the result has the policy of the inner curve. Where the inner curve
+/// leaves the interval of the outer curve, the policy of the outer curve applies: `hold` gives a
+/// rest, `wrap` the next period.
 ///
 /// **Exact if it fits a Segment.** On each piece,
 /// - the product of the two degrees is at most 11;
@@ -32,19 +34,22 @@ namespace jounce {
 /// trapezoidal master (2). A quintic cannot run on a cubic clock; see composed_within().
 ///
 /// Throws InputError("composed", ...) with the place if a piece does not fit. Throws
-/// InputError("inner", ...) if the inner curve leaves the interval of an outer curve that refuses
-/// (by more than rounding), or if one inner segment passes more than 1e6 segments of a periodic
-/// outer curve.
+/// InputError("inner", ...) in two cases:
+/// - The inner curve leaves, by more than rounding, the interval of an outer curve with the policy
+///   `refuse`.
+/// - One inner segment passes more than 1e6 segments of a periodic outer curve.
 ///
-/// The result ends exactly where the inner curve ends. Exception: an inner curve from a large
-/// negative start to about 0, whose segment lengths have fewer digits than its end.
+/// The result ends exactly where the inner curve ends, with one exception: if the inner curve runs
+/// from a large negative start to about 0, the sum of its segment lengths has fewer digits than its
+/// end.
 template <class Outer, class Inner>
 Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner);
 
-/// Returns outer(inner(x)) for any degrees and sines: exact on every piece that fits, otherwise a
-/// fit within `tolerance` (in the unit of the value) whose error is certified, see fitted.hpp.
-/// Throws InputError("tolerance", ...) unless the tolerance is positive and above rounding (1e-14
-/// of the magnitude of the outer curve), and InputError("inner", ...) like composed().
+/// Returns outer(inner(x)) for any degrees and sines. Every piece that fits a Segment is exact. Any
+/// other piece is a fit within `tolerance` (in the unit of the value) with a certified error; see
+/// fitted.hpp. Throws InputError("tolerance", ...) unless the tolerance is positive and above
+/// rounding (1e-14 of the magnitude of the outer curve), and InputError("inner", ...) like
+/// composed().
 template <class Outer, class Inner>
 Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inner,
                               double tolerance);

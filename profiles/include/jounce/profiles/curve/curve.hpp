@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// An immutable piecewise function of one variable. Every generator returns one; checks, samplers,
-/// validators and streams take one.
+/// An immutable piecewise function of one variable. Every generator of motions returns a curve.
+/// Checks, samplers, validators and streams read curves.
 ///
 ///     Trajectory move = trapezoid({.to = 50, .velocity = 10, .acceleration = 20}).curve();
 ///     Motion now = move.at(0.25);               // position, velocity, acceleration, jerk
@@ -20,19 +20,22 @@ namespace jounce {
 ///     Trajectory both = concatenated(move, back);
 ///     Report report = check(both, {.velocity = 10});
 ///
-/// **Vocabulary.** The curve runs over time (a Trajectory) or over the master's position (a Cam):
-/// its *variable*. A *segment* is one formula. The *breaks* are the start, the points where
-/// segments meet, and the end, so there is one more break than segments. Segments store lengths;
-/// breaks are start plus their running sum.
+/// **Vocabulary.** The *variable* of a curve is time (a Trajectory) or the master's position (a
+/// Cam). A *segment* is one formula. The *breaks* are the start, the points where segments meet,
+/// and the end, so a curve has one more break than segments. Segments store their lengths; a break
+/// is the start plus the sum of the lengths before it.
 ///
-/// **Intervals.** Segments are half-open, the last one closed: at a break the curve has the value
-/// of the segment that begins there (right-continuous). Side::left selects the limit from the left.
+/// **Intervals.** A segment includes its start but not its end. So at a break the curve has the
+/// value of the segment that begins there (right-continuous). Side::left selects the limit from the
+/// left. The end of the curve belongs to the last segment; but if the curve is periodic,
+/// Side::right gives the start of the next period.
 ///
-/// **Outside [start, end]** the policy given at construction applies; see Extrapolation in jet.hpp.
+/// **Outside [start, end]**, the policy given to the constructor applies; see Extrapolation in
+/// jet.hpp.
 ///
-/// **Throws** InputError if there is no segment, if a length is not finite and positive, if a
-/// coefficient is not finite, or if start is not finite or so large that rounding removes a whole
-/// length. Other members throw nothing. Evaluation never allocates.
+/// **Throws.** The constructor throws InputError if there is no segment, if a length is not finite
+/// and positive, if a coefficient is not finite, or if start is not finite or so large that start +
+/// length rounds to start. Other members do not throw. Evaluation never allocates.
 template <class Over>
 class Curve {
  public:
@@ -58,7 +61,7 @@ class Curve {
     return point<Over>(jet(x, side));
   }
 
-  /// Writes at(x[i]) to out[i] for all i; fastest if x ascends. Both spans have the same size.
+  /// Writes at(x[i]) to out[i] for all i. Requires spans of the same size. Fastest if x ascends.
   void sample(std::span<const double> x, std::span<Point> out) const;
 
  private:
@@ -73,44 +76,47 @@ class Curve {
 using Trajectory = Curve<OverTime>;
 using Cam = Curve<OverMaster>;
 
-// ---- algebra: each returns a new curve over the same axis -------------------------------------
+// ---- algebra: each function returns a new curve over the same variable -------------------------
 
 /// Returns the first derivative, as a curve over the same variable.
 template <class Over>
 Curve<Over> derivative(const Curve<Over>& f);
 
-/// Returns the integral of f: start_value at start(), continuous at every break. Throws InputError
-/// if a segment already has degree 11.
+/// Returns the integral of f, which has the value `start_value` at start() and is continuous at
+/// every break. Throws InputError if a segment already has degree 11.
 template <class Over>
 Curve<Over> integral(const Curve<Over>& f, double start_value = 0);
 
-/// f moved by dx in its variable and by dy in value.
+/// Returns f moved by dx along its variable and by dy in its value.
 template <class Over>
 Curve<Over> shifted(const Curve<Over>& f, double dx, double dy = 0);
 
-/// f with its value multiplied by `factor`, and its variable (start included) by `stretch` > 0.
+/// Returns f with its value multiplied by `factor`, and its variable (start included) by `stretch`
+/// > 0.
 template <class Over>
 Curve<Over> scaled(const Curve<Over>& f, double factor, double stretch = 1);
 
-/// f backwards over the same interval: g(start + u) = f(end - u).
+/// Returns f backwards over the same interval: g(start + u) = f(end - u).
 template <class Over>
 Curve<Over> reversed(const Curve<Over>& f);
 
-/// f, then g, which begins at the end of f. Values do not change: a step of the value stays, and
-/// check_continuity() finds it. The result has the policy of f outside.
+/// Returns f followed by g, which is moved along the variable to begin at the end of f. Values do
+/// not change: if g begins with another value, the result has a step, which check_continuity()
+/// reports. The result has the policy of f.
 template <class Over>
 Curve<Over> concatenated(const Curve<Over>& f, const Curve<Over>& g);
 
-/// f, repeated `times` >= 1 times.
+/// Returns f repeated `times` times, one after the other, with unchanged values. Throws InputError
+/// if times < 1.
 template <class Over>
 Curve<Over> repeated(const Curve<Over>& f, int times);
 
-/// f + g over the same interval, with the breaks of f and g. Throws InputError if a piece needs
-/// more than three sines, or if the intervals differ by more than rounding.
+/// Returns f + g over their common interval, with the breaks of both curves. Throws InputError if a
+/// piece needs more than three sines, or if the intervals of f and g differ by more than rounding.
 template <class Over>
 Curve<Over> sum(const Curve<Over>& f, const Curve<Over>& g);
 
-/// f with another policy outside.
+/// Returns f with another policy outside its interval.
 template <class Over>
 Curve<Over> with(const Curve<Over>& f, Extrapolation outside);
 

@@ -23,19 +23,19 @@ namespace jounce {
 ///
 /// **Vocabulary.** The *difference* is after - before, over the interval that both curves share.
 /// Each change is in the unit of its quantity; its place is a time or a master position. *Rounding*
-/// is an upper bound of the effect of rounding in the numbers of both curves at that place. A
-/// difference of at most this size counts as none.
+/// is an upper bound of the error that the finite digits of both curves cause at a place. A
+/// difference of at most this size counts as zero.
 ///
-/// **Exact.** The difference of two segments is a segment, and its extrema are isolated, not
-/// sampled. If both segments together have more than three sines of different frequency, the piece
-/// is divided until the Taylor polynomial of each sine is accurate to that rounding.
+/// **Exact.** The difference of two segments is a segment. Its extrema are isolated, not sampled.
+/// If both segments together have more than three sines of different frequency, the piece is
+/// divided until the Taylor polynomial of each sine has an error below the rounding.
 ///
 /// **Throws** InputError("interval", ...) if the curves share no interval.
 
-/// The curve after - before, with its rounding.
+/// The curve after - before, with bounds of its rounding.
 template <class Over>
 struct Difference {
-  Curve<Over> curve;  ///< refuses positions outside
+  Curve<Over> curve;  ///< its policy outside is `refuse`
   /// For each segment of the curve: rounding of the value and of its three derivatives.
   std::vector<Jet> rounding;
 };
@@ -44,10 +44,10 @@ Difference<Over> difference(const Curve<Over>& before, const Curve<Over>& after)
 
 /// The change of one quantity: of the value or of one of its derivatives.
 struct Change {
-  /// The signed difference of largest magnitude. A place where it is within rounding counts only if
-  /// there is no other.
+  /// The signed difference of largest magnitude. A place where the difference is within rounding
+  /// counts only if no other place has a larger one.
   Extremum largest;
-  double rounding = 0;  ///< at the place of `largest`
+  double rounding = 0;  ///< rounding at the place of `largest`
   Range before;         ///< range of the first curve, over its whole length
   Range after;          ///< range of the second curve
 
@@ -75,8 +75,8 @@ struct KnotChange {
     Jet jet{};  ///< value and derivatives from the right; at the end of the curve from the left
   };
 
-  std::optional<Knot> before = {};  ///< none: the knot was added
-  std::optional<Knot> after = {};   ///< none: the knot was removed
+  std::optional<Knot> before = {};  ///< empty: the knot was added
+  std::optional<Knot> after = {};   ///< empty: the knot was removed
 
   /// True if the knot's time or master position changed by more than rounding. False if only one
   /// curve has the knot.
@@ -84,10 +84,10 @@ struct KnotChange {
   std::array<bool, 3> changed{};  ///< true if changed: value, first, second derivative
 };
 
-/// Returns all changed knots in ascending order. The knots of a curve are given as ascending
-/// positions in [start, end]; default: its breaks. Knots at the same position (to 1e-12 of it) are
-/// the same knot. Of the other knots between two unchanged positions, two count as one knot that
-/// moved if each is the nearest to the other.
+/// Returns all changed knots in ascending order. The knots of each curve are given as ascending
+/// positions in [start, end]; by default they are its breaks. Knots at the same position (to 1e-12
+/// of it) are the same knot. Between two such positions, a knot of `before` and a knot of `after`
+/// count as one knot that moved if each is the nearest to the other.
 template <class Over>
 std::vector<KnotChange> knot_changes(const Curve<Over>& before,
                                      std::span<const double> knots_before, const Curve<Over>& after,

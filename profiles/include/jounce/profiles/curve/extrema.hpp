@@ -8,12 +8,12 @@
 
 namespace jounce {
 
-/// An extreme value of a curve, and its place. If the value is only a one-sided limit, `side` is
-/// the side.
+/// An extreme value of a curve, and its place.
 struct Extremum {
   double value = 0;         ///< in the unit of the value or its derivative
   double where = 0;         ///< time or master position
-  Side side = Side::right;  ///< side from which the value is approached
+  Side side = Side::right;  ///< side from which the curve approaches the value; matters only at a
+                            ///< jump
 };
 
 /// The least and the greatest value.
@@ -30,8 +30,8 @@ using Ranges = std::array<Range, 4>;
 
 /// Returns the exact range of the derivative of this order (0: the value, at most 3) over the whole
 /// curve. At a jump, both one-sided limits count. Critical points are isolated, not sampled (see
-/// roots.hpp). Of equal extrema, the first is returned. Accurate to rounding: about 1e-15 of the
-/// curve's magnitude.
+/// roots.hpp). Of several equal extrema, the result has the first. The error is rounding: about
+/// 1e-15 of the curve's magnitude.
 template <class Over>
 Range extrema(const Curve<Over>& f, int order);
 
@@ -43,7 +43,7 @@ Ranges extrema(const Curve<Over>& f);
 template <class Over>
 Range segment_range(const Curve<Over>& f, std::size_t segment, int order);
 
-/// Returns the range of one order on a segment that extends from `start` to `end`.
+/// Returns the range of one derivative on a segment that extends from `start` to `end`.
 Range segment_range(const Segment& f, double start, double end, int order);
 
 /// Returns the ranges of all four orders on one segment, or on the segments first, ..., last - 1.
@@ -58,12 +58,13 @@ struct Jump {
   double where = 0;  ///< time or master position
 };
 
-/// Returns the largest step (in magnitude) of the derivative of this order; 0 if there is none. It
-/// considers
+/// Returns the largest step (in magnitude) of the derivative of this order; 0 if the derivative has
+/// no step. The function considers
 /// - all interior breaks;
-/// - for a curve that wraps, the step from its end to its start (for one that advances, from order
-///   1);
-/// - for a curve that holds, from order 1, the steps from rest at its start and to rest at its end.
+/// - for a curve with the policy `wrap`, the step from its end to its start (with the policy
+///   `advance`, only from order 1);
+/// - for a curve with the policy `hold`, from order 1, the steps from rest at its start and to rest
+///   at its end.
 template <class Over>
 Jump largest_jump(const Curve<Over>& f, int order);
 

@@ -5,23 +5,23 @@
 
 namespace jounce {
 
-/// A curve that approximates a function, with a bound of its error. For functions that do
-/// not fit a Segment.
+/// A curve that approximates a function, with a bound of its error. It stands for a function that
+/// does not fit a Segment.
 ///
 ///     Fitted<OverMaster> slave = composed_within(cam, camshaft, 1e-9);   // degree 25: not exact
 ///     double error = slave.error[0];                    // <= 1e-9, certified
 ///     double jerk_error = slave.error[3];
 ///     Report report = check(slave.curve, limits);       // a curve like any other
 ///
-/// **How.** The curve consists of polynomials of degree 11. At both ends of each piece they have
-/// the value and the first five derivatives of the function, so the joints are as smooth as the
-/// function. Pieces are halved until the error bound is within the tolerance. A piece that
-/// fits a Segment stays exact.
+/// **How.** The curve consists of polynomials of degree 11. At both ends of each piece, the
+/// polynomial has the value and the first five derivatives of the function, so the joints are as
+/// smooth as the function. Pieces are halved until the error bound is within the tolerance. A piece
+/// of the function that fits a Segment is exact.
 ///
-/// **Certified.** `error` bounds |curve - function| and the difference of each of the first three
-/// derivatives. The bound comes from a bound of the twelfth derivative over the whole piece, not
-/// from samples. Rounding is not included: about 1e-14 of the magnitude, times 10^order for the
-/// derivatives on a piece of length 1.
+/// **Certified.** `error` bounds |curve - function| and the errors of the first three derivatives.
+/// Each bound follows from a bound of the twelfth derivative over the whole piece, not from
+/// samples. Rounding is not included: about 1e-14 of the magnitude of the value. For the derivative
+/// of order k, on a piece of length 1, rounding is 10^k times as large.
 template <class Over>
 struct Fitted {
   Curve<Over> curve;
@@ -29,8 +29,8 @@ struct Fitted {
 };
 
 /// Returns f with polynomials in place of its sines. Throws InputError("tolerance", ...) unless the
-/// tolerance (in the unit of the value) is positive and above the rounding of f, 1e-14 of its
-/// magnitude.
+/// tolerance (in the unit of the value) is positive and above rounding (1e-14 of the magnitude of
+/// f).
 template <class Over>
 Fitted<Over> polynomial_within(const Curve<Over>& f, double tolerance);
 

@@ -15,13 +15,15 @@ using Jet = std::array<double, 4>;
 /// is right.
 enum class Side { right, left };
 
-/// Policy for queries outside [start, end]. It is chosen when a curve or a table is made.
+/// Policy for queries outside [start, end] (key `outside` of a spec). It is set when a curve or a
+/// table is made.
 enum class Extrapolation {
-  /// A query outside is an error of the caller: asserts in a debug build, holds in a release build.
+  /// A query outside is a programming error. A debug build asserts; a release build returns the end
+  /// value at rest.
   refuse,
   hold,  ///< the end value, at rest
   wrap,  ///< periodic: the query is reduced to [start, end)
-  /// Like wrap, but each period begins at the end value of the previous one (a rotary slave).
+  /// Like wrap, but each period begins at the end value of the previous period (a rotary slave).
   advance,
 };
 
@@ -50,7 +52,7 @@ struct Transfer {
 };
 
 /// Tags of the variable of a curve: a Curve<OverTime> is a Trajectory, a Curve<OverMaster> is a
-/// Cam. As types they keep a program from playing one as the other.
+/// Cam. Because the types differ, a program cannot play a cam as a trajectory by mistake.
 struct OverTime {
   using Point = Motion;
   static constexpr std::array<const char*, 4> names{"position", "velocity", "acceleration", "jerk"};
@@ -61,8 +63,9 @@ struct OverMaster {
                                                     "geo_jerk"};
 };
 
-/// Returns std::fmod(u, length) exactly, for u >= 0 and length > 0, but several times as fast: if
-/// the quotient is correct, the fused multiply-add gives the remainder without rounding.
+/// Returns std::fmod(u, length) exactly, for u >= 0 and length > 0, but several times as fast. If
+/// the quotient rounds to the correct whole number, the fused multiply-add gives the remainder
+/// without rounding; otherwise std::fmod() does.
 inline double remainder_of(double u, double length) {
   const double quotient = u / length;
   if (!(quotient < 0x1p53)) return std::fmod(u, length);
@@ -71,7 +74,7 @@ inline double remainder_of(double u, double length) {
   return left >= 0 && left < length ? left : std::fmod(u, length);
 }
 
-/// Reduces x to [start, start + length), as Extrapolation::wrap and advance do.
+/// Returns x reduced to [start, start + length), as Extrapolation::wrap and advance reduce it.
 inline double wrapped(double x, double start, double length) {
   const double u = x - start;
   const double turned = remainder_of(std::abs(u), length);
@@ -81,10 +84,10 @@ inline double wrapped(double x, double start, double length) {
 
 /// A position reduced to one period.
 struct InPeriod {
-  double at = 0;     ///< in [start, end); `end` for a left limit at the end
-  double turns = 0;  ///< whole number of periods from `at` to the position
+  double at = 0;     ///< in [start, end); for Side::left in (start, end]
+  double turns = 0;  ///< whole number of periods from `at` to the original position
 };
-/// Reduces x to [start, end), or to (start, end] for Side::left.
+/// Returns x reduced to [start, end), or to (start, end] for Side::left.
 inline InPeriod in_period(double x, Side side, double start, double end) {
   const double length = end - start;
   double at = wrapped(x, start, length);

@@ -11,16 +11,16 @@ struct Turned {
   double turns = 0;     ///< whole number of turns; exact up to 2^53
 };
 
-/// Reduces a position to one turn. This is ModRev of Agito, and SetRollover with GetRolloverTurns
+/// Reduces a position to one turn, as ModRev of Agito does, and SetRollover with GetRolloverTurns
 /// of HIMC (HMPL manual 5.3.39).
 ///
 ///     Turned spot = rolled(-10, 360);               // 350 in turn -1
 ///     double far = rolled(1e15 + 90, 360).position; // exact for any number of turns
 ///
-/// The remainder is exact. For x below zero, position = remainder + period is rounded once; if it
-/// rounds to a whole period, the result is position 0 of the next turn. Throws InputError if the
-/// period is not positive, if x is not finite, or if the number of turns exceeds the range of a
-/// double.
+/// The remainder is exact for x >= 0. For x < 0, position = remainder + period is rounded once; if
+/// the sum rounds to a whole period, the result is position 0 of the next turn. Throws InputError
+/// if the period is not positive, if x is not finite, or if the number of turns exceeds the range
+/// of a double.
 Turned rolled(double x, double period);
 
 /// Returns turns * period + position, rounded once.
@@ -32,13 +32,13 @@ enum class Direction {
   negative = -1,
   shortest = 0,
   positive = 1,
-  current = 2,  ///< the direction in which the axis moves now; at rest the shortest
-  fastest = 3,  ///< the direction that needs less time from the present state
+  current = 2,  ///< the direction in which the axis moves now; for an axis at rest, like `shortest`
+  fastest = 3,  ///< the direction that takes less time from the present state
 };
 
 /// Target of a move on a modulo axis.
 struct ModuloTarget {
-  /// Not ok: the reason why there is no target (only for current, fastest, positive and negative).
+  /// Not ok: the reason why there is no target. Possible for every direction except `shortest`.
   MoveStatus status = MoveStatus::ok;
   double distance = 0;  ///< u, signed, from the present position
   double position = 0;  ///< u, not reduced: present position + distance
@@ -59,13 +59,14 @@ struct ModuloTarget {
 ///   cannot stop before the target, it stops there one turn later. An axis that moves in the other
 ///   direction stops first, and the target is counted from the stopping point. No motion if the
 ///   axis is at the target (within 1e-12 of a turn).
-/// - **fastest** takes the target with the least duration (`durations`) among the nearest targets
-///   on both sides of the present position and of the stopping point. Of equal durations, the
-///   shorter distance wins, then the positive direction.
+/// - **current**: the direction of the present velocity; for an axis at rest, shortest.
+/// - **fastest** considers the nearest targets on both sides of the present position and of the
+///   stopping point, and takes the one with the least duration (see durations() in move.hpp). Of
+///   equal durations, the shorter distance wins, then the positive direction.
 ///
-/// Exact for any number of turns, because the distance is computed from remainders. Keep the
-/// position of an endless axis reduced and plan by distance: a sum of 1e12 turns loses digits.
-/// Throws InputError if the period is not positive or a value is not finite.
+/// The distance is exact for any number of turns, because it is computed from remainders. Keep the
+/// position of an endless axis reduced to one turn, and plan by distance: a position of 1e12 turns
+/// has too few digits. Throws InputError if the period is not positive or a value is not finite.
 ModuloTarget modulo_target(const MotionState& from, double to, Direction direction, double period,
                            const Bounds& bounds);
 

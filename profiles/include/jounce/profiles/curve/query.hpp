@@ -6,8 +6,8 @@
 
 namespace jounce {
 
-/// Answers to frequent questions of a planner, by formulas: no profile is built. Each needs at most
-/// one quartic equation and a few iterations.
+/// Answers to frequent questions of a planner, by formulas. No function builds a profile. Each
+/// needs at most one quartic equation and a few iterations.
 ///
 ///     const Ramp ramp{.acceleration = 20, .jerk = 100};               // u/s^2, u/s^3
 ///     const auto stop = stopping({.velocity = 10}, ramp);             // 0.7 s, 3.5 u
@@ -17,14 +17,15 @@ namespace jounce {
 ///     if (!entry) ...                                                 // no such motion exists
 ///
 /// **Vocabulary.** A *ramp* is a change of velocity that begins and ends at zero acceleration. A
-/// *span* is a distance with a velocity at each end, both in the direction of travel.
+/// *span* is a distance with given velocities at its two ends.
 ///
 /// **Units**: u, u/s, u/s^2, u/s^3 and s. Distances and velocities are positive in the direction of
 /// travel.
 ///
-/// **Impossible questions** return nothing: there is no such motion; a value is not finite; a limit
-/// is not positive; a limit or a nonzero distance is below 1e-30; or a finite input is above 1e30.
-/// Nothing throws or allocates. With an infinite jerk, the answers are those of trapezoids.
+/// **No answer.** A function returns nothing (std::nullopt) in these cases: no such motion exists;
+/// a value is not finite; a limit is not positive; a limit or a nonzero distance is below 1e-30; or
+/// a finite input is above 1e30. The functions do not throw or allocate. If the jerk is infinite,
+/// the answers are those of trapezoids.
 ///
 /// **Accuracy**: the relative error is at most 1e-14 if the question is well-conditioned. Results
 /// do not depend on the unit. The derivation is in query.cpp.
@@ -43,9 +44,9 @@ struct Extent {
   double distance = 0;  ///< u, signed
 };
 
-/// Returns the ramp from velocity v0 to v1 (u/s, any sign). With dv = v1 - v0, its duration is T =
-/// |dv|/a + a/j if it reaches the acceleration limit a, otherwise 2 sqrt(|dv|/j). Its distance is
-/// (v0 + v1)/2 T.
+/// Returns the duration T and the distance of the ramp from velocity v0 to v1 (u/s, any sign). With
+/// dv = v1 - v0 and the limits a and j of the ramp, T = |dv|/a + a/j if the ramp reaches the
+/// acceleration a, otherwise T = 2 sqrt(|dv|/j). The distance is (v0 + v1)/2 T.
 std::optional<Extent> ramp_between(double v0, double v1, const Ramp& ramp) noexcept;
 
 /// Velocity (u/s) and acceleration (u/s^2) of an axis at the beginning of a stop; any sign.
@@ -54,33 +55,34 @@ struct Moving {
   double acceleration = 0;
 };
 
-/// Duration and distance of the fastest stop, to v = a = 0. An acceleration beyond the ramp's limit
-/// is first reduced as fast as the jerk permits. With infinite jerk it counts as 0.
+/// Returns the duration and the distance of the fastest stop, which ends at zero velocity and
+/// acceleration. If the present acceleration exceeds the ramp's limit, the stop first reduces it as
+/// fast as the jerk permits. If the jerk is infinite, the present acceleration counts as 0.
 std::optional<Extent> stopping(const Moving& now, const Ramp& ramp) noexcept;
 
 /// Returns the highest velocity from which one ramp leads to exit_velocity within the distance.
-/// Both arguments and the result are >= 0; the result is at least exit_velocity. Read backwards in
-/// time, it is the highest velocity that a ramp can reach from exit_velocity over this distance.
+/// Arguments and result are >= 0; the result is at least exit_velocity. By symmetry in time, the
+/// result is also the highest velocity that a ramp can reach from exit_velocity over this distance.
 std::optional<double> entry_velocity(double distance, double exit_velocity,
                                      const Ramp& ramp) noexcept;
 
-/// Velocities at both ends of a span, and its velocity limit: u/s, >= 0. Neither end exceeds the
-/// limit.
+/// Velocities at both ends of a span, and the velocity limit between them: u/s, >= 0. The
+/// velocities at the ends must not exceed the limit.
 struct SpanEnds {
   double entry = 0;                                           ///< velocity at the start
   double exit = 0;                                            ///< velocity at the end
   double velocity = std::numeric_limits<double>::infinity();  ///< limit, > 0; default: none
 };
 
-/// Returns the peak velocity of the fastest motion over distance > 0 between the given velocities,
-/// with zero acceleration at both ends. Nothing if the distance is too short for the ramp between
-/// them.
+/// Returns the peak velocity of the fastest motion over the given distance > 0, between the
+/// velocities of `ends`. The acceleration is zero at both ends. Returns nothing if the distance is
+/// too short for the ramp from entry to exit.
 std::optional<double> peak_velocity(double distance, const SpanEnds& ends,
                                     const Ramp& ramp) noexcept;
 
-/// Returns the duration of the fastest motion over distance > 0 between the given velocities: the
-/// ramp to the peak velocity, the cruise and the ramp to the exit. Equal to that of move_to()
-/// between the same states.
+/// Returns the duration of the fastest motion over the given distance > 0, between the velocities
+/// of `ends`. The motion consists of a ramp to the peak velocity, a cruise, and a ramp to the exit
+/// velocity. The duration equals that of move_to() between the same states.
 std::optional<double> minimum_duration(double distance, const SpanEnds& ends,
                                        const Ramp& ramp) noexcept;
 

@@ -9,18 +9,21 @@ namespace jounce {
 
 /// Writes every s in (0, 1) where f vanishes to `out`, in ascending order. `out` is cleared first.
 ///
-/// Nothing is sampled. A piece is discarded only if an enclosure of f over it excludes zero. A
-/// piece is finished only if the enclosure of f' excludes zero, so that its only root can be
-/// bracketed. The enclosure is the hull of the Bernstein coefficients, with each sine replaced by
-/// its Taylor polynomial and remainder.
+/// Nothing is sampled. The function computes an *enclosure* of f over a piece: an interval that
+/// contains all values of f there. A piece is discarded only if the enclosure of f excludes zero. A
+/// piece is finished only if the enclosure of f' excludes zero, so that the piece has at most one
+/// root, which is then bracketed. The enclosure is the hull of the Bernstein coefficients, with
+/// each sine replaced by its Taylor polynomial and remainder.
 ///
-/// `flat` >= 0 is the size below which |f| counts as zero. A stretch where |f| stays below it gives
-/// one point, its middle. A root of even multiplicity gives at least one point within 1e-7 of it.
+/// `flat` >= 0 is the size below which |f| counts as zero. A stretch on which |f| stays below
+/// `flat` gives one point: its middle. A root of even multiplicity gives at least one point within
+/// 1e-7 of the root.
 void roots(const Segment& f, double flat, std::vector<double>& out);
 
 /// Returns every position where the derivative of this order (0: the value) equals `level`, in
-/// ascending order. A break counts if the level is reached on one of its sides. A stretch that
-/// stays at the level (to rounding) gives its start. Throws InputError if the level is not finite.
+/// ascending order. A break counts if the derivative reaches the level on one of its sides. A
+/// stretch that stays at the level (to rounding) gives the start of the stretch. Throws InputError
+/// if the level is not finite.
 template <class Over>
 std::vector<double> crossings(const Curve<Over>& f, int order, double level);
 

@@ -8,7 +8,8 @@
 
 namespace jounce {
 
-/// A sine term: amplitude * sin(angle * s + phase) for s in [0, 1], the position in the segment.
+/// A sine term: amplitude * sin(angle * s + phase), where s in [0, 1] is the position in the
+/// segment.
 struct SineTerm {
   double amplitude = 0;  ///< in the unit of the value
   double angle = 0;      ///< rad over the whole segment
@@ -20,10 +21,10 @@ struct SineTerm {
 ///     f(s) = c[0] + c[1] s + ... + c[degree] s^degree + sum of sine terms,   s = u / length
 ///
 /// u is the distance from the start of the segment, in the unit of the curve's variable (s, deg,
-/// pulse, ...). Every coefficient is in the unit of the value, so a stretched segment differs only
-/// in `length`. The capacity (degree 11, three sines) makes every profile and every classical cam
-/// law exact; only the degree in use is evaluated. Derivatives, shifted, scaled and reversed
-/// segments and parts are again segments; `sum` returns nothing if the result does not fit.
+/// pulse, ...). Every coefficient is in the unit of the value, so stretching a segment changes only
+/// `length`. With degree 11 and three sines, every profile and every classical cam law is exact.
+/// Evaluation costs only the degree in use. Derivatives, parts, and shifted, scaled and reversed
+/// segments are segments again. sum() and integral() return nothing if the result does not fit.
 struct Segment {
   static constexpr int max_degree = 11;  ///< greatest degree of the polynomial
   static constexpr int max_sines = 3;    ///< greatest number of sine terms
@@ -44,29 +45,30 @@ double value(const Segment& f, double s);
 /// Returns the derivative with respect to u. Exact: the degree falls by one, sines stay sines.
 Segment derivative(const Segment& f);
 
-/// Returns the integral over u that begins at `start_value`. Nothing if the degree would exceed
-/// max_degree.
+/// Returns the integral over u, which has the value `start_value` at u = 0. Returns nothing if the
+/// degree would exceed max_degree.
 std::optional<Segment> integral(const Segment& f, double start_value);
 
 /// Returns the segment backwards: g(u) = f(length - u).
 Segment reversed(const Segment& f);
 
-/// Returns the part from s0 to s1, s0 < s1, as a segment. Outside [0, 1] the formula is continued.
+/// Returns the part from s0 to s1 as a segment. Requires s0 < s1. Outside [0, 1] the formula
+/// continues.
 Segment part(const Segment& f, double s0, double s1);
 
-/// g = factor * f + offset.
+/// Returns g = factor * f + offset.
 Segment scaled(const Segment& f, double factor, double offset = 0);
 
-/// f + g; both have the same length. Sines of the same frequency are merged. Nothing if more than
-/// max_sines remain.
+/// Returns f + g. Requires segments of the same length. Sines of the same frequency are merged.
+/// Returns nothing if more than max_sines remain.
 std::optional<Segment> sum(const Segment& f, const Segment& g);
 
 /// Returns an upper bound of |f| over the segment: the sum of the magnitudes of all terms. Rounding
-/// errors are relative to it.
+/// errors are proportional to this bound.
 double magnitude(const Segment& f);
 
-/// Hermite interpolation: the segment of degree 3 (cubic) or 5 (quintic) with the given values at
-/// its ends. p: value, v and a: its first and second derivative with respect to u.
+/// Return the segment of degree 3 (cubic) or 5 (quintic) with the given values at its ends (Hermite
+/// interpolation). p is the value; v and a are its first and second derivative with respect to u.
 Segment cubic(double length, double p0, double v0, double p1, double v1);
 Segment quintic(double length, double p0, double v0, double a0, double p1, double v1, double a1);
 

@@ -8,9 +8,10 @@
 
 namespace jounce {
 
-/// Common interface of curves, tables and followed cams. A signal has a domain [start, end],
-/// ascending breaks where a derivative may jump (both ends included), and a jet (the value with
-/// three derivatives) at every position. Sampling, validation and streaming take any signal.
+/// Common interface of curves, tables and followed cams. A signal has a domain [start, end];
+/// ascending breaks, including both ends, at which a derivative may jump; and a jet (the value with
+/// three derivatives) at every position. Functions that sample, validate or stream accept any
+/// signal.
 template <class S>
 concept Signal = requires(const S& signal, double x, Side side) {
   { signal.start() } -> std::convertible_to<double>;

@@ -25,7 +25,8 @@ struct Bound {
 /// Margin between the limit and the worst value of the range, relative to the bound's scale.
 double room_of(const Bound& bound, const Range& range);
 
-/// A value beyond the limit by less than this share of the scale counts as equal to it: rounding.
+/// A value that exceeds the limit by less than this share of the scale counts as equal to the
+/// limit, because of rounding.
 inline constexpr double forgiven = 1e-12;
 
 /// Collects the ranges of all segments and makes the report.

@@ -3,8 +3,8 @@
 
 namespace jounce::profiles_detail {
 
-// Shares of a quantity by which rounding may change it, by the way in which it was computed: two numbers
-// that differ by less count as equal. Each leaves a factor of ten or more to the error that it permits.
+// Relative tolerances for rounding, one for each origin of a number. Two numbers that differ by
+// less than this share of their magnitude count as equal.
 
 inline constexpr double rounded_input = 1e-9;   ///< given by a file or another program
 inline constexpr double rounded_sum = 1e-12;    ///< the sum or the chain of many values

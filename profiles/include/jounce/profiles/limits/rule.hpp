@@ -13,7 +13,7 @@ enum class RuleFamily : std::uint8_t {
   none,        ///< no rule
   limit,       ///< a quantity against its limit
   unlimited,   ///< the peak of a quantity that has no limit
-  objective,   ///< the place where a minimized figure takes its value
+  objective,   ///< the place where a quantity that is minimized has its peak
   continuity,  ///< a step at a joint, against the required order of continuity
   table,       ///< a table against its exact curve
   joint,       ///< a step at a joint that is permitted

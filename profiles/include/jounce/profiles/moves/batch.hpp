@@ -5,8 +5,8 @@
 
 namespace jounce {
 
-/// Durations of many independent moves at once on one core, for planners that compare thousands of
-/// candidates.
+/// Columns of many independent moves, whose durations minimum_durations() computes at once on one
+/// core. For planners that compare thousands of candidates.
 ///
 ///     const std::vector<double> distances = ..., limits = ...;   // a million moves
 ///     std::vector<double> seconds(distances.size());
@@ -14,8 +14,8 @@ namespace jounce {
 ///                       seconds);
 ///
 /// Every move has limits of velocity, acceleration and jerk, and zero acceleration at its ends. A
-/// column holds one value for each move, or one value for all moves. query.hpp answers the same
-/// question for a single move. u is the axis' unit.
+/// column holds either one value for each move, or a single value that applies to all moves. For
+/// one move, query.hpp computes the same. u is the axis' unit.
 struct MoveColumns {
   std::span<const double> distance;      ///< u, of either sign
   std::span<const double> entry = {};    ///< velocity at the start, u/s, any sign; empty: 0
@@ -25,14 +25,15 @@ struct MoveColumns {
   std::span<const double> jerk;          ///< limit, u/s^3, > 0; infinite: the acceleration steps
 };
 
-/// Writes the least duration of every move (s) to `durations`. It is NaN if no move exists: a limit
-/// is not positive, the velocity at an end exceeds the limit, or a value is not finite or out of
-/// the range of query.hpp (1e-30 to 1e30). If `peak` is not empty, it receives the signed velocity
-/// of the cruise, or the peak velocity of a move without cruise (u/s). `durations`, `peak` and the
-/// columns with one value for each move have the same size (asserted).
+/// Writes the least duration of every move (s) to `durations`. The duration is NaN if no move
+/// exists: a limit is not positive, the velocity at an end exceeds the limit, or a value is not
+/// finite or out of the range of query.hpp (1e-30 to 1e30). If `peak` is not empty, it receives the
+/// signed velocity of the cruise, or the peak velocity of a move without cruise (u/s). Requires
+/// (asserts) that `durations`, a nonempty `peak` and every column with one value for each move have
+/// the same size.
 ///
-/// Uses the widest vectors of the processor (AVX-512, AVX2, or the baseline). The relative
-/// difference to the scalar result is at most 1e-12. Does not allocate or throw.
+/// Uses the widest vectors of the processor (AVX-512, AVX2, or the baseline). The result differs
+/// from that of query.hpp by at most 1e-12, relatively. Does not allocate or throw.
 void minimum_durations(const MoveColumns& moves, std::span<double> durations,
                        std::span<double> peak = {}) noexcept;
 

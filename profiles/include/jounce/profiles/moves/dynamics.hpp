@@ -5,8 +5,8 @@
 
 namespace jounce {
 
-/// Dynamics of a command, as PLCopen blocks and most controllers define them: magnitudes, and a
-/// separate `deceleration` while the axis slows down. The unit of length u is arbitrary.
+/// Dynamics of a command, as PLCopen blocks and most controllers define them: magnitudes, with a
+/// separate `deceleration` for the time while the axis slows down. u is the axis' unit.
 ///
 ///     const Dynamics axis{.velocity = 10, .acceleration = 20, .deceleration = 10, .jerk = 200};
 ///     const Trajectory running = point_to_point(0, 50, axis).curve();
@@ -40,23 +40,23 @@ Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& 
 // ---- in flight -------------------------------------------------------------------------------
 
 /// Returns `running` until the time t (s), then the fastest motion to rest at `target` (u). If the
-/// axis has passed the target, or can no longer stop there, it stops and returns. A velocity above
-/// the new dynamics.velocity is reduced first.
+/// axis has passed the target, or can no longer stop before the target, it stops and moves back. A
+/// velocity above the new dynamics.velocity is reduced first.
 ///
 /// If acceleration and deceleration differ, a motion that must reverse stops first, then moves
 /// back.
 ///
 /// If jerk and deceleration_jerk differ, each applies in its own phase, provided that the motion
-/// goes to one velocity and then to rest, or only stops. So commanding the same move again changes
-/// nothing. Otherwise, if the axis must reverse or the target is too near, the larger jerk applies
-/// to the rest of the move: with the smaller one, an axis that is speeding up could not avoid
-/// exceeding its velocity.
+/// changes to one velocity and then to rest, or only stops. So repeating a command changes nothing.
+/// Otherwise, that is, if the axis must reverse or the target is too near, the larger jerk applies
+/// to the rest of the move: with the smaller one, an axis that is speeding up would exceed its
+/// velocity.
 Trajectory with_target(const Trajectory& running, double t, double target,
                        const Dynamics& dynamics);
 
-/// Returns `running` until the time t (s), then the change to `velocity` (u/s, signed;
-/// dynamics.velocity is not used). The result ends when the velocity is reached: at t, if `running`
-/// already has it.
+/// Returns `running` until the time t (s), then the change to `velocity` (u/s, signed).
+/// dynamics.velocity is not used. The result ends when the axis reaches the velocity; if `running`
+/// already has this velocity at t, the result ends at t.
 Trajectory with_velocity(const Trajectory& running, double t, double velocity,
                          const Dynamics& dynamics);
 

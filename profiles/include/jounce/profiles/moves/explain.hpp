@@ -8,7 +8,7 @@
 namespace jounce {
 
 /// Returns the sentence of explain(status), completed with the numbers of the rejected move: a
-/// value and its bound, or a duration and the possible ones.
+/// value and its bound, or the requested duration and the possible ones.
 ///
 ///     const MoveResult move = move_to(from, to, bounds);
 ///     if (!move) throw std::runtime_error(explain(move.status, from, to, bounds));

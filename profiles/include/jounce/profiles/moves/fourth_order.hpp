@@ -25,10 +25,10 @@ struct FourthOrderSpec {
   double jounce = 0;        ///< u/s^4, > 0
 };
 
-/// Returns the move, which is symmetric in time. If the velocity limit is not reached, it is
-/// time-optimal. Otherwise its duration is within 0.1 % of the minimum, which would take infinitely
-/// many phases. Throws InputError for a value out of range, and for a jounce so high that its
-/// phases are too short to be represented.
+/// Returns the move, which is symmetric in time. If the velocity limit is not reached, the move is
+/// time-optimal. Otherwise its duration exceeds the minimum by at most 0.1 %; the exact minimum
+/// would need infinitely many phases. Throws InputError for a value out of range, and for a jounce
+/// so high that its phases are too short to be represented.
 ///
 /// Source: Lambrechts, Boerlage, Steinbuch, "Trajectory planning and feedforward design for
 /// electromechanical motion systems", Control Engineering Practice 13 (2005). With a cruise, the

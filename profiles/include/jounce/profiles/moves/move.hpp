@@ -12,9 +12,9 @@
 namespace jounce {
 
 /// Bounds of a move, separate for each direction: u, u/s, u/s^2, u/s^3, signed. Every max is > 0
-/// and every min is < 0 (positions: min < max). An infinite value means no limit. Without jerk
-/// limits the motion is of second order: the acceleration steps. Without acceleration limits it is
-/// of first order: the velocity steps. u is the axis' unit.
+/// and every min is < 0; for positions, min < max. An infinite value means no limit. Without jerk
+/// limits the motion is of second order: the acceleration steps. Without limits of acceleration and
+/// jerk it is of first order: the velocity steps. u is the axis' unit.
 struct Bounds {
   static constexpr double none = std::numeric_limits<double>::infinity();  ///< no limit
 
@@ -26,8 +26,8 @@ struct Bounds {
   bool operator==(const Bounds&) const = default;
 };
 
-/// Returns bounds that are equal in both directions. The arguments are magnitudes > 0; default: no
-/// limit.
+/// Returns bounds that are equal in both directions. The arguments are magnitudes > 0; an omitted
+/// argument means no limit.
 constexpr Bounds within(double velocity, double acceleration = Bounds::none,
                         double jerk = Bounds::none) {
   return {.velocity_min = -velocity,
@@ -42,14 +42,15 @@ constexpr Bounds within(double velocity, double acceleration = Bounds::none,
 enum class MoveStatus : std::uint8_t {
   ok,
   not_finite,  ///< a state or the duration is not finite, or its magnitude exceeds 1e50
-  /// One of: max <= 0, min >= 0, NaN, a finite magnitude outside 1e-50 to 1e50, or a highest
-  /// limited derivative that is limited in one direction only.
+  /// A bound is invalid: a max <= 0, a min >= 0, NaN, or a finite magnitude outside 1e-50 to 1e50.
+  /// Or the highest derivative that has a limit is limited in one direction only.
   invalid_bounds,
   target_outside,  ///< the velocity or acceleration of the target is outside the bounds
-  /// Reaching (or leaving) the acceleration of the target needs a velocity outside the bounds.
+  /// The axis can reach (or leave) the acceleration of the target only with a velocity outside the
+  /// bounds.
   target_unreachable,
-  /// No move keeps the position limits: from the start, the axis cannot stop before a limit; or the
-  /// motion of the target crosses a limit.
+  /// No move stays within the position limits: the axis cannot stop before a limit, or the motion
+  /// of the target crosses a limit.
   position_limit,
   too_short,  ///< the requested duration is below the minimum
   blocked,    ///< the requested duration lies in a blocked interval
@@ -70,7 +71,7 @@ struct MoveResult {
   explicit operator bool() const noexcept { return status == MoveStatus::ok; }
 };
 
-/// Returns the time-optimal move between two states that keeps the bounds.
+/// Returns the time-optimal move between two states that stays within the bounds.
 ///
 ///     const Bounds axis = within(2, 10, 100);                        // u/s, u/s^2, u/s^3
 ///     const MoveResult move = move_to({.position = 0}, {.position = 1}, axis);
@@ -78,13 +79,15 @@ struct MoveResult {
 ///     const Motion now = move.profile.at(0.1);
 ///
 /// **A start outside the bounds** (for example after a limit was lowered in flight) returns inside
-/// them by one rule. The acceleration returns at full jerk. The velocity is never higher than on
-/// the fastest return that ends at its limit with zero acceleration, but the axis may brake harder
-/// than that. Once inside, the velocity stays inside. Of all such motions the move is the shortest.
+/// as follows. The acceleration returns at full jerk. The velocity is never higher than on the
+/// fastest return that ends at its limit with zero acceleration; the axis may brake harder than on
+/// that return. Once inside, the velocity stays inside. The move is the shortest of all such
+/// motions.
+///
 /// A target at rest is not passed, and the axis does not reverse, if the fastest stop does not pass
-/// it. The acceleration limit has one exception: the start brakes harder than the limit, towards a
-/// target at rest that the axis would pass with the limit. Then the deceleration stays above the
-/// limit, by only as much as the stop needs, and never above that of the start.
+/// the target. The acceleration limit has one exception: the axis is braking harder than the limit
+/// at the start, and with the limit would pass a target at rest. Then the deceleration stays above
+/// the limit, by only as much as the stop needs, and never above that of the start.
 ///
 /// **The target** must be inside the bounds. A quantity that may step (such as the acceleration of
 /// a second-order motion) steps to its target value at the end.
@@ -92,21 +95,21 @@ struct MoveResult {
 /// **Accuracy.** The duration is the true minimum, to rounding. The move ends exactly at `to`.
 /// Results do not depend on the unit.
 ///
-/// **Position limits.** If a position limit forbids the shortest motion, the axis first stops at a
-/// point as near to the target as the limit allows. Such a move keeps the limits, but is not always
-/// the shortest.
+/// **Position limits.** If a position limit excludes the shortest motion, the axis first stops at
+/// the point nearest to the target that the limit allows. Such a move stays within the limits, but
+/// is not always the shortest.
 ///
 /// Does not allocate or throw. Derivation: docs/generators/move.md.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// Returns a move with exactly this duration, >= 0 s. Of the possible moves, it prefers one of low
-/// velocity, then of low accelerations.
+/// Returns a move with exactly this duration (s, >= 0). Of the possible moves, the function prefers
+/// the one with the lower velocity, then the one with the lower accelerations.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds,
                    double duration) noexcept;
 
-/// The possible durations of a move between two states: every duration >= `minimum`, except the
-/// blocked intervals. Blocked intervals are open, ascending, and exist only if the axis moves at
-/// one of the ends.
+/// The possible durations of a move between two states: every duration >= `minimum`, except those
+/// in the blocked intervals. Blocked intervals are open and ascending. They exist only if the axis
+/// moves at one of the ends.
 struct Durations {
   struct Interval {
     double from = 0;  ///< s
@@ -125,8 +128,9 @@ struct Durations {
 /// Returns the possible durations of move_to(from, to, bounds).
 Durations durations(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
-/// Returns the fastest change to a velocity (u/s) with the given acceleration (u/s^2), at any
-/// position (PLCopen MC_MoveVelocity). A start outside the bounds returns inside as in move_to().
+/// Returns the fastest change to a velocity (u/s), at any position (PLCopen MC_MoveVelocity). The
+/// move ends with the given acceleration (u/s^2). A start outside the bounds returns inside as in
+/// move_to().
 MoveResult move_velocity(const MotionState& from, double velocity, const Bounds& bounds,
                          double acceleration = 0) noexcept;
 

@@ -20,7 +20,8 @@ struct MotionState {
   bool operator==(const MotionState&) const = default;
 };
 
-/// A motion over time in compact form, as the time generators make it: 192 bytes, no heap.
+/// A motion over time in compact form, as the generators of motions over time return it: 192 bytes,
+/// no heap.
 ///
 ///     Profile move = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100});
 ///     double T = move.duration();          // s
@@ -31,7 +32,7 @@ struct MotionState {
 /// constant: the jerk (order 3), the acceleration (order 2; it steps between phases), or the
 /// velocity (order 1). Phases that do not occur are omitted.
 ///
-/// The motion begins exactly at start() and ends exactly at end(), which is not always at rest.
+/// The motion begins exactly at start() and ends exactly at end(). Either state may be in motion.
 /// Outside [0, duration()], at() returns the state at the nearer end, with jerk 0.
 class Profile {
  public:
@@ -47,9 +48,9 @@ class Profile {
   Profile(const MotionState& start, int order) noexcept
       : start_(start), end_(start), order_(static_cast<std::uint8_t>(order)) {}
 
-  /// Makes a whole motion at once; the fastest way to make one. Each phase refers to its value by
-  /// an index into `values`, counted from 1; index 0 means the value zero. Phases without duration
-  /// are omitted. Neighboring phases of equal value stay separate.
+  /// Makes a whole motion at once, faster than with add(). Each phase refers to its value by an
+  /// index into `values`, counted from 1; index 0 means the value zero. Phases without duration are
+  /// omitted. Neighboring phases of equal value stay separate.
   using Values = std::array<double, 4>;
   struct Step {
     double duration;     ///< s
@@ -79,14 +80,15 @@ class Profile {
   /// Adds a phase whose value is the sum value + more. The limit of four different values applies
   /// to the terms, not to the sums.
   void add(double duration, double value, double more) noexcept;
-  /// Returns this profile with the values of its phases multiplied by a factor, between two other
-  /// states.
+  /// Returns this profile with the values of its phases multiplied by a factor, and with the given
+  /// start and end.
   [[nodiscard]] Profile scaled(double factor, const MotionState& start,
                                const MotionState& end) const noexcept;
-  /// Returns the rest of the motion from time t: begins with the state at t, ends at end().
+  /// Returns the rest of the motion from time t (s): it begins with the state at t and ends at
+  /// end().
   [[nodiscard]] Profile after(double t) const noexcept;
-  /// Sets the nominal state at the end of the last phase. at() and curve() return it at the end, so
-  /// that rounding in the phases has no effect there.
+  /// Sets the nominal state at the end of the last phase. At the end, at() and curve() return this
+  /// state, so that rounding in the phases has no effect.
   void finish(const MotionState& end) noexcept { end_ = end; }
 
   /// Order of the highest derivative, 1 to 3.
@@ -95,13 +97,13 @@ class Profile {
   [[nodiscard]] Phase phase(std::size_t i) const noexcept {
     return {duration_[i], term(code_[i] % terms) + term(code_[i] / terms)};
   }
-  /// Exact state at the start and at the end.
+  /// Exact states at the start and at the end.
   [[nodiscard]] const MotionState& start() const noexcept { return start_; }
   [[nodiscard]] const MotionState& end() const noexcept { return end_; }
   [[nodiscard]] double duration() const noexcept;  ///< s
 
-  /// Returns the position and three derivatives at t (s). At a step of the highest derivative: the
-  /// value after it.
+  /// Returns the position and its three derivatives at t (s). At a step of the highest derivative,
+  /// returns the value after the step.
   [[nodiscard]] Motion at(double t) const noexcept;
 
   /// Returns this motion as a curve that begins at 0 s and holds outside. Throws InputError if the

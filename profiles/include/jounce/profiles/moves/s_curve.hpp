@@ -24,12 +24,12 @@ struct SCurveSpec {
   double velocity = 0;           ///< u/s, > 0; not reached by a short move
   double acceleration = 0;       ///< u/s^2, > 0; not reached by a short move
   double deceleration = 0;       ///< u/s^2; 0: the same as acceleration
-  double jerk = 0;               ///< u/s^3, > 0, while the axis speeds up
-  double deceleration_jerk = 0;  ///< u/s^3, while it slows down; 0: the same as jerk
+  double jerk = 0;               ///< u/s^3, > 0, while speeding up
+  double deceleration_jerk = 0;  ///< u/s^3, while slowing down; 0: the same as jerk
 };
 
-/// Returns the time-optimal move under the limits. The speeding-up and the slowing-down part each
-/// have their own acceleration and jerk. Throws InputError for a value out of range.
+/// Returns the time-optimal move under the limits. The part that speeds up and the part that slows
+/// down each have their own acceleration and jerk. Throws InputError for a value out of range.
 Profile s_curve(const SCurveSpec& spec);
 
 }  // namespace jounce

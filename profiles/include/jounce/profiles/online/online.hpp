@@ -9,9 +9,9 @@
 
 namespace jounce {
 
-/// Generator of setpoints for N axes, called once in each cycle. Targets, bounds and all other
-/// settings may change at any time. It plans a new motion only if the present motion no longer fits
-/// them. u is the unit of an axis.
+/// Generator of setpoints for N axes. Call step() once in each cycle. Targets, bounds and all other
+/// settings may change at any time; the generator plans a new motion only if the present one no
+/// longer fits the settings. u is the unit of an axis.
 ///
 ///     OnlineGenerator<2> xy(Sync::time);
 ///     xy.set_bounds(0, within(2, 10, 100));          // u/s, u/s^2, u/s^3
@@ -20,8 +20,9 @@ namespace jounce {
 ///     xy.set_target(1, {.position = -0.5});
 ///     while (!xy.step(0.001).arrived) output(xy[0].position, xy[1].position);
 ///
-/// **Start.** Every axis begins at rest at position 0. It takes part once it has bounds. Until it
-/// has a target, it comes to rest. After a target with a velocity, it continues at this velocity.
+/// **Start.** Every axis begins at rest at position 0. An axis takes part as soon as it has bounds.
+/// Without a target, it comes to rest. When an axis reaches a target with a velocity, it continues
+/// at this velocity.
 ///
 /// **Errors.** Nothing allocates, locks or throws. An axis index must be less than N. A setter
 /// rejects invalid bounds, states and targets with a status that is not ok; the previous value
@@ -32,8 +33,8 @@ class OnlineGenerator {
   /// `sync`: synchronization of the axes; see Sync in synchronise.hpp.
   explicit OnlineGenerator(Sync sync = Sync::none) noexcept : sync_(sync) {}
 
-  /// Sets the state of an axis: at the beginning, or if something else has moved the axis. The next
-  /// setpoint continues from this state.
+  /// Sets the state of an axis. Call at the beginning, or after something else has moved the axis.
+  /// The next setpoint continues from this state.
   MoveStatus set_state(std::size_t axis, const MotionState& state) noexcept {
     return axes_[axis].set_state(state);
   }
@@ -43,23 +44,23 @@ class OnlineGenerator {
                         MoveGoal goal = MoveGoal::state) noexcept {
     return axes_[axis].set_target(goal, target);
   }
-  /// Sets a velocity (u/s) as the goal, at any position. A velocity beyond the bounds is replaced
-  /// by their limit.
+  /// Sets a velocity (u/s) as the goal, at any position. If the velocity exceeds a bound, the bound
+  /// replaces it.
   MoveStatus set_velocity(std::size_t axis, double velocity) noexcept {
     return axes_[axis].set_target(MoveGoal::velocity, {0, velocity, 0});
   }
-  /// Sets the bounds of an axis. Velocity limits of 0 are permitted: one forbids its direction. If
-  /// both are 0, or a limit of acceleration or jerk is 0, the axis comes to rest under its previous
-  /// limits and stays there.
+  /// Sets the bounds of an axis. A velocity limit of 0 is permitted: the axis then cannot move in
+  /// this direction. If both velocity limits are 0, or a limit of acceleration or jerk is 0, the
+  /// axis comes to rest under its previous limits and stays at rest.
   MoveStatus set_bounds(std::size_t axis, const Bounds& bounds) noexcept {
     return axes_[axis].set_bounds(bounds);
   }
   /// Enables or disables an axis. A disabled axis comes to rest as fast as possible; the other axes
   /// do not wait for it. Default: enabled.
   void set_enabled(std::size_t axis, bool enabled) noexcept { axes_[axis].set_enabled(enabled); }
-  /// Sets the tolerance (u and u/s) for new targets. If a new target differs from that of the
-  /// present motion by no more than the tolerance, the present motion continues; the axis then ends
-  /// within the tolerance of the new target. Default 0: only rounding is permitted.
+  /// Sets the tolerance (u and u/s) for new targets. If a new target differs from the present one
+  /// by no more than the tolerance, the present motion continues and ends within the tolerance of
+  /// the new target. Default 0: targets that differ only by rounding count as equal.
   void set_tolerance(std::size_t axis, double position, double velocity = 0) noexcept {
     axes_[axis].set_tolerance(position, velocity);
   }
@@ -68,8 +69,8 @@ class OnlineGenerator {
     regroup_ = regroup_ || sync != sync_;
     sync_ = sync;
   }
-  /// Makes the duration of motions that are planned from now on a multiple of `grid` (s). Default
-  /// 0: any duration.
+  /// Rounds the duration of all motions planned after this call up to a multiple of `grid` (s).
+  /// Default 0: any duration.
   void set_grid(double grid) noexcept { grid_ = std::max(0.0, grid); }
 
   /// Advances all axes by dt >= 0 s, and plans motions if necessary.
@@ -90,8 +91,8 @@ class OnlineGenerator {
   }
   /// Returns the reason why an axis does not move to its goal, or ok.
   [[nodiscard]] MoveStatus status(std::size_t axis) const noexcept { return axes_[axis].status(); }
-  /// Returns the bounds of the present motion. Their limits of acceleration and jerk may be wider
-  /// than those that were set, as long as the axis would otherwise pass its target.
+  /// Returns the bounds of the present motion. While the axis would otherwise pass its target,
+  /// these limits of acceleration and jerk may be wider than those that were set.
   [[nodiscard]] const Bounds& in_force(std::size_t axis) const noexcept {
     return axes_[axis].in_force();
   }

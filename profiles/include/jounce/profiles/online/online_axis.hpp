@@ -6,7 +6,7 @@
 namespace jounce::profiles_detail {
 
 /// One axis of an OnlineGenerator: its settings and its present motion. docs/generators/online.md
-/// derives when the present motion is kept.
+/// derives in which cases the axis continues its present motion.
 class OnlineAxis {
  public:
   // Settings, as in OnlineGenerator.
@@ -40,8 +40,9 @@ class OnlineAxis {
   [[nodiscard]] bool takes_part() const noexcept {
     return bounded_ && status_ == MoveStatus::ok && !must_stop() && (stale_ || !ended());
   }
-  /// Returns the axis' part of a common motion, from its present state. The bounds are those of the
-  /// rule for lowered limits; with `widened`, the wider ones of that rule, if there are any.
+  /// Returns the axis' part of a common motion, from its present state, with the bounds that the
+  /// rule for lowered limits gives (docs/generators/online.md). `widened` selects the wider bounds
+  /// of that rule, if it has any.
   [[nodiscard]] AxisMove move(bool widened) const noexcept;
   [[nodiscard]] bool can_widen() const noexcept;  ///< true if the wider bounds differ
   /// Rest of the present motion.

@@ -9,8 +9,8 @@ namespace jounce {
 
 /// Result of OnlineGenerator::step().
 struct OnlineStep {
-  /// The reason why an axis cannot move to its goal. `not_straight` also while the axes move off
-  /// the requested line because no motion on the line keeps the bounds.
+  /// The reason why an axis cannot move to its goal. It is `not_straight` also while the axes move
+  /// off the requested line because no motion on the line stays within the bounds.
   MoveStatus status = MoveStatus::ok;
   std::size_t axis = 0;  ///< the first axis with this status, if it is not ok
   bool arrived = false;  ///< true if every enabled axis is at its goal

@@ -9,10 +9,10 @@
 
 namespace jounce {
 
-/// A request for a speed factor: from `time` on, the motion runs at `factor` times its planned
-/// speed. Factor 0 holds the motion (feed hold).
+/// A request for a speed factor: from `time` on, the axes move at `factor` times the planned speed.
+/// Factor 0 holds the motion (feed hold).
 struct FactorRequest {
-  double time = 0;    ///< s, on the time axis of the motion as it is played
+  double time = 0;    ///< s, on the time axis of the overridden motion
   double factor = 1;  ///< 0 <= factor <= OverrideSpec::maximum
 };
 
@@ -33,7 +33,7 @@ struct FactorRamp {
   bool granted = true;
 };
 
-/// A motion as it is played.
+/// A motion with its overrides applied.
 struct Overridden {
   Trajectory clock;               ///< path time (s) over time (s); its velocity is the factor
   std::vector<Trajectory> axes;   ///< position of each axis over time: composed(axis, clock), exact
@@ -52,33 +52,34 @@ struct Overridden {
 ///     const Overridden held = overridden(axes, limits, {{{2, 0}, {4, 1}}});  // hold, resume
 ///     const Motion now = held.axes[0].at(3);  // at rest, on the path
 ///
-/// **Ramps.** The factor changes along a ramp with limited first and second derivative. There are
-/// eight ramp shapes, from gentle to sharp at either end. Each is made as steep as the limits of
-/// every axis permit over the whole ramp (by the exact `check`; to 0.3 %), and the one that ends
-/// first is taken. If no shape is possible at once, the ramp begins later: at a break of the plan,
-/// or at a quarter of the stretch between two breaks. For example, a plan that brakes at its limit
-/// cannot brake harder.
+/// **Ramps.** The factor changes along a ramp whose first and second derivatives are limited. The
+/// function tries eight ramp shapes, from gentle to sharp at either end. It makes each shape as
+/// steep as the limits of every axis permit over the whole ramp (by the exact check(), to 0.3 %),
+/// and takes the ramp that ends first. If no shape is possible at once, the ramp begins later: at a
+/// break of the plan, or at a quarter of the stretch between two breaks. For example, a plan that
+/// brakes at its limit cannot brake harder.
 ///
-/// In a cruise, a hold is as fast as the axis can stop. While the plan accelerates or brakes, a
-/// hold takes up to about three times as long as a stop (measured over four plans; on average 1.0
-/// to 1.5 times), unless the motion ends first. The search takes about a millisecond for each
-/// request: call it during planning, not in the control cycle.
+/// **Duration.** In a cruise, a hold is as fast as the axis can stop. While the plan accelerates or
+/// brakes, a hold takes up to about three times as long as a stop (measured over four plans; on
+/// average 1.0 to 1.5 times), unless the motion ends first. The search takes about a millisecond
+/// for each request: call this function during planning, not in the control cycle.
 ///
-/// **Guarantees.** If the plan keeps the limits of velocity, acceleration and jerk, so does the
-/// result, at every instant and for all requests. A change that would break a limit begins later,
-/// or is not executed (`granted`). A hold that would end after the motion is not executed. A factor
-/// above 1 is reduced to what the rest of the plan permits. Steps of the plan's acceleration (as in
-/// a trapezoid) remain steps; they do not count as jerk.
+/// **Guarantees.** If the plan stays within the limits of velocity, acceleration and jerk, so does
+/// the result, at every instant and for all requests. A change that would break a limit begins
+/// later, or is not executed (`granted` is false). A hold that would end after the motion is not
+/// executed. A factor above 1 is reduced to the value that the rest of the plan permits. Steps of
+/// the plan's acceleration (as in a trapezoid) remain steps and do not count as jerk.
 ///
 /// A request replaces a ramp in progress and continues from its present state. The curves end at
-/// the end of the path or, if the motion does not reach it, with the last ramp. They hold there.
+/// the end of the path or, if the motion does not reach the end, with the last ramp. Outside, they
+/// hold.
 ///
 /// Throws InputError if
 /// - the number of limits differs from the number of axes, or an axis has no limit of velocity,
 ///   acceleration or jerk;
-/// - the plan breaks a limit (the error has the limit, the place and the amount), also at the first
-///   factor;
-/// - a factor is out of range, or the times do not ascend or precede the start;
+/// - the plan itself, or the plan at the first factor, breaks a limit (the error has the limit, the
+///   place and the amount);
+/// - a factor is out of range, the times do not ascend, or the first one is before the start;
 /// - the axes have different intervals, or none of them moves;
 /// - the first factor is 0 and no request starts the motion;
 /// - composed() throws: a plan of degree 4 or more does not fit the ramp of a clock (degree 3).

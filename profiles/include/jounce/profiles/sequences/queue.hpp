@@ -30,19 +30,19 @@ namespace jounce {
 ///
 /// **Units.** The axis' unit u: u, u/s, u/s^2, u/s^3. Times in s from the start of the queue.
 ///
-/// **Throws** InputError for bad input; its key counts commands from 1. Magnitudes above 1e30 and
-/// limits below 1e-30 are bad input, and so are a queue of duration 0 and a command that would
-/// begin in a state beyond the range of move_to(). Every other queue has a motion.
+/// **Throws** InputError for bad input; its key counts commands from 1. Bad input is a magnitude
+/// above 1e30, a limit below 1e-30, a queue of duration 0, or a command that would begin in a state
+/// beyond the range of move_to(). Every other queue has a motion.
 
 /// When a command begins, relative to the previous command. The numbers are those of the
 /// controllers.
 enum class BufferMode : std::uint8_t {
-  aborting = 0,  ///< at once, when it is issued; ends the running command and all that wait
-  buffered = 1,  ///< when the previous command is done: at rest, or in velocity
+  aborting = 0,  ///< at once, when issued; ends the running command and removes all that wait
+  buffered = 1,  ///< when the previous command is done, that is, at rest or in velocity
   /// At the end position of the previous command, with the lower of the two command velocities.
   blending_low = 2,
   blending_previous = 3,  ///< like blending_low, with the velocity of the previous command
-  blending_next = 4,      ///< like blending_low, with its own velocity
+  blending_next = 4,      ///< like blending_low, with the velocity of this command
   blending_high = 5,      ///< like blending_low, with the higher of the two velocities
 };
 
@@ -57,7 +57,8 @@ struct MoveRelative {
   double distance = 0;  ///< u, signed
 };
 
-/// MC_MoveVelocity: a change to the velocity of the command's dynamics. Done when it is reached.
+/// MC_MoveVelocity: a change to the velocity of the command's dynamics. Done when the axis reaches
+/// the velocity.
 struct MoveVelocity {
   int direction = 1;  ///< 1 or -1
 };
@@ -65,7 +66,7 @@ struct MoveVelocity {
 /// MC_Halt: a stop, at any position. Done at rest.
 struct Halt {};
 
-/// Waits in the state in which the previous command ended: at rest, or (after MoveVelocity) in
+/// Waits in the state in which the previous command ended: at rest or, after MoveVelocity, in
 /// velocity.
 struct Dwell {
   double time = 0;  ///< s, >= 0; need not be a multiple of a cycle (PMC600 manual 7.2.6, GroupWait)
@@ -97,7 +98,7 @@ struct QueueSpec {
 
 /// Outcome of a command.
 enum class CommandState : std::uint8_t {
-  done,     ///< it reached its target or velocity
+  done,     ///< the axis reached the command's target or velocity
   aborted,  ///< CommandAborted: while it ran, or before it began (then end == begin)
 };
 
@@ -105,7 +106,7 @@ enum class CommandState : std::uint8_t {
 struct CommandRecord {
   double begin = 0;    ///< s, a break of the trajectory
   double end = 0;      ///< s, a break of the trajectory
-  double target = 0;   ///< u, the end position; of an aborted command the intended one
+  double target = 0;   ///< u, the end position; for an aborted command, its intended end position
   double planned = 0;  ///< u/s, the junction velocity that the mode of the next command requires
   double reached = 0;  ///< u/s, the velocity at `end`
   CommandState state = CommandState::done;
@@ -123,14 +124,14 @@ struct QueuedMotion {
 ///
 /// 1. A junction is passed exactly at the end position, with acceleration 0, at the velocity that
 ///    the mode requires. The velocity is lower in two cases. If the move before the junction is too
-///    short, it is the highest that this move can reach. If the moves after it are too short, it is
-///    the highest from which they all can keep their junction velocities and the last one can stop.
-///    All moves of a batch are considered.
+///    short, the junction velocity is the highest that this move can reach. If the moves after the
+///    junction are too short, it is the highest from which all of them can keep their junction
+///    velocities and the last one can stop. All moves of a batch are considered.
 /// 2. The junction velocity is 0 if the next command reverses, covers no distance, or dwells. After
 ///    MoveVelocity and Halt the next command begins when they are done, in every mode.
-/// 3. No move overshoots its end, except the first move of a batch if the axis is too fast for it
-///    at its beginning. If the following moves permit, the axis then passes the end faster than
-///    planned. Otherwise it overshoots, returns, and begins the next move at rest.
+/// 3. No move overshoots its end, except the first move of a batch, if the axis is too fast at the
+///    beginning of the batch. If the following moves permit, the axis then passes the end faster
+///    than planned. Otherwise it overshoots, returns, and begins the next move at rest.
 /// 4. An aborting command begins with the position, velocity and acceleration at that moment. The
 ///    acceleration counts as 0 if the aborted motion has no jerk limit.
 /// 5. Each command keeps its own dynamics, with two exceptions. A command that begins with a

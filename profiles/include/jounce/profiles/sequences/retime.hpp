@@ -14,22 +14,22 @@ namespace jounce {
 ///     const double k = least_stretch(motion, axis);   // 1.25: must take 25 % longer
 ///     const Trajectory fits = retimed(motion, axis);  // reaches a limit at some instant
 ///
-/// least_stretch() returns the least k > 0 for which the motion keeps the limits of velocity,
-/// acceleration and jerk, if its duration is multiplied by k: velocity is divided by k,
-/// acceleration by k^2, jerk by k^3. The result is a closed form from the exact extrema, so no
-/// faster motion has the same shape. It is below 1 if the motion has a margin to every limit. Steps
-/// of the acceleration (infinite jerk) remain steps and do not count. Position limits are ignored,
-/// because retiming does not change the positions.
+/// least_stretch() returns the factor k for the duration: the least k > 0 with which the motion
+/// stays within the limits of velocity, acceleration and jerk. Retiming divides the velocity by k,
+/// the acceleration by k^2 and the jerk by k^3. The factor is below 1 if the motion has a margin to
+/// every limit. The factor follows from the exact extrema in closed form, so no faster motion of
+/// the same shape exists. Steps of the acceleration (infinite jerk) remain steps and do not count.
+/// Position limits are ignored, because retiming does not change the positions.
 ///
-/// Throws InputError for limits out of range, and if no limit determines k: none is given, or only
-/// limits of derivatives that are zero everywhere.
+/// Throws InputError for limits out of range, and if no limit determines k: no limit is given, or
+/// the limited derivatives are zero everywhere.
 double least_stretch(const Trajectory& motion, const Limits& limits);
 
-/// Returns the least k for axes that move together: one k that is enough for all. Both spans have
+/// Returns the least k that is enough for all of several axes that move together. Requires spans of
 /// the same size.
 double least_stretch(std::span<const Trajectory> axes, std::span<const Limits> limits);
 
-/// Returns the motion with its duration multiplied by least_stretch(); its start time stays.
+/// Returns the motion with its duration multiplied by least_stretch(), from the same start time.
 Trajectory retimed(const Trajectory& motion, const Limits& limits);
 
 }  // namespace jounce

@@ -26,29 +26,30 @@ namespace jounce {
 /// after it.
 MotionState state_at(const Trajectory& f, double t);
 
-/// Returns the state from which a new command with this jerk (u/s^3; 0: no limit) begins at t. Its
-/// acceleration is zero if the command has no jerk limit. It is also zero if the acceleration of
-/// `f` around t is bounded by steps, as in a trapezoid: it can then step at t as well.
+/// Returns the state at t from which a new command with this jerk (u/s^3; 0: no limit) begins. The
+/// acceleration of the state is zero in two cases: the command has no jerk limit, or the
+/// acceleration of `f` steps around t, as in a trapezoid, so that it may step at t as well.
 MotionState state_for(const Trajectory& f, double t, double jerk);
 
-/// f from its start to t > f.start(): shortened, or continued as described above. A t that differs
-/// from a break only by rounding counts as the break.
+/// Returns f from its start to t, cut or continued as described above. Requires t > f.start(). A t
+/// that differs from a break only by rounding counts as the break.
 Trajectory until(const Trajectory& f, double t);
 
-/// `running` until t >= its start, then `next`, whose own start time does not matter. `next` should
-/// begin in state_at(running, t). If t is the start, the result is `next` alone, from there. The
+/// Returns `running` until t >= its start, then `next`, whose own start time has no effect. `next`
+/// should begin in state_at(running, t). If t is the start, the result is `next` alone, from t. The
 /// result holds outside if it ends at rest; otherwise it refuses.
 Trajectory spliced(const Trajectory& running, double t, const Trajectory& next);
 
-/// Continues with a sequence of profiles; profiles without duration are omitted.
+/// Like spliced() above, with a sequence of profiles as the continuation; profiles without duration
+/// are omitted.
 Trajectory spliced(const Trajectory& running, double t, std::span<const Profile> next);
 inline Trajectory spliced(const Trajectory& running, double t, const Profile& next) {
   return spliced(running, t, std::span(&next, 1));
 }
 
-/// Returns the sum of two motions, over an interval that contains both; outside its interval each
-/// is continued as described above. Exact; throws like sum() if more than three sines would be
-/// needed.
+/// Returns the sum of two motions over an interval that contains the intervals of both. Outside its
+/// own interval, each motion is continued as described above. Exact; throws like sum() if a piece
+/// needs more than three sines.
 Trajectory superimposed(const Trajectory& f, const Trajectory& g);
 
 }  // namespace jounce

@@ -8,11 +8,11 @@
 
 namespace jounce {
 
-/// Kind of goal of an axis.
+/// Kind of goal of an axis. `to` is AxisMove::to.
 enum class MoveGoal : std::uint8_t {
-  state,     ///< to the position, velocity and acceleration of `to`, all at the same instant
-  velocity,  ///< to the velocity and acceleration of `to`, at any position
-  /// To a moving target, which is at `to` when the motion begins and keeps the velocity of `to`.
+  state,     ///< the position, velocity and acceleration of `to`, all at the same instant
+  velocity,  ///< the velocity and acceleration of `to`, at any position
+  /// A moving target, which is at `to` when the motion begins and keeps the velocity of `to`.
   moving,
 };
 
@@ -21,20 +21,20 @@ struct AxisMove {
   MotionState from, to;             ///< start state and goal
   Bounds bounds;                    ///< limits of this axis
   MoveGoal goal = MoveGoal::state;  ///< kind of the goal
-  /// False: the axis takes no part; its profile stays at `from` and has no duration.
+  /// False: the axis takes no part. Its profile stays at `from` and has no duration.
   bool enabled = true;
-  /// A motion from `from` to the goal that is known to keep the bounds, or null. It is used if no
-  /// faster motion is found, or if the common duration equals its duration.
+  /// A motion from `from` to the goal that stays within the bounds, if one is available; otherwise
+  /// null. It is used if no faster motion is found, or if the common duration equals its duration.
   const Profile* under_way = nullptr;
 };
 
 /// Synchronization of several axes.
 enum class Sync : std::uint8_t {
   none,   ///< each axis takes its own shortest time
-  time,   ///< all arrive at the same instant: the earliest at which every axis can
-  phase,  ///< all arrive together and stay on a straight line from start to goal
-  /// Like time, except that an axis whose target is at rest moves as fast as it can and waits
-  /// there.
+  time,   ///< all axes arrive together, as early as possible
+  phase,  ///< all axes arrive together and stay on a straight line from start to goal
+  /// Like time, except that an axis whose target is at rest takes its own shortest time and waits
+  /// at the target.
   time_if_moving,
   phase_or_time,  ///< phase if the states are on one line, otherwise time
 };
@@ -49,13 +49,13 @@ struct Synchronised {
 /// Plans one profile for each axis and writes them to `out`; both spans have the same size. Every
 /// duration is at least `minimum_duration` (s). With `grid` > 0 (s) it is a multiple of `grid`.
 ///
-/// With Sync::phase, the status is `not_straight` in these cases; the path is never bent:
+/// With Sync::phase, the status is `not_straight` (the path is never bent) in these cases:
 /// - The states are not on the line from start to goal: velocities and accelerations must be
-///   proportional to the distances. Velocity goals form a line in the space of velocities. For
-///   moving targets the line is measured relative to the targets.
+///   proportional to the distances. For velocity goals, the line lies in the space of velocities.
+///   For moving targets, the line is measured relative to the targets.
 /// - The axes have different kinds of goals.
-/// - An axis inside its bounds cannot stay inside them on the line. The axis with the least jerk in
-///   proportion to its distance limits how fast all accelerations fall.
+/// - An axis inside its bounds cannot stay inside them on the line. On a line, the axis with the
+///   least jerk in proportion to its distance limits how fast the accelerations of all axes fall.
 ///
 /// A start outside the bounds: see move_to(). Does not allocate or throw.
 Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,

@@ -19,16 +19,16 @@ namespace jounce {
 ///     motion.stopping_duration - motion.duration;    // s, time saved by not stopping
 ///
 /// **Vocabulary.** A *stretch* is the motion between two successive points. All axes begin and end
-/// it together. It keeps the bounds of every axis, and is jerk-limited if the bounds have a jerk.
-/// It is not a straight line in space. A *turning point* of an axis is a point after which the axis
-/// reverses or keeps its position: its velocity is 0 there.
+/// a stretch together. A stretch stays within the bounds of every axis, and is jerk-limited if the
+/// bounds include a jerk. It is not a straight line in space. A *turning point* of an axis is a
+/// point after which the axis reverses or keeps its position: its velocity is 0 at this point.
 ///
 /// **Limits of a stretch** replace the limits of the axes in this stretch.
 ///
-/// **Limits of the norm** apply to the length of the vector of all axes, which have the same unit.
-/// In a stretch with the distances d_i and d = sqrt(d_1^2 + d_2^2 + ...), axis i gets the share
-/// |d_i| / d of the limit. This keeps the norm everywhere, and a straight path can use the whole
-/// limit.
+/// **Limits of the norm** apply to the length of the vector of all axes, which must have the same
+/// unit. In a stretch with the distances d_i and d = sqrt(d_1^2 + d_2^2 + ...), axis i gets the
+/// share |d_i| / d of the limit. So the norm stays within the limit everywhere, and a straight path
+/// can use the whole limit.
 
 /// Velocities and accelerations of all axes at one end of the motion.
 struct ViaRates {
@@ -41,10 +41,9 @@ struct ViaSpec {
   std::vector<Bounds> axes;  ///< bounds of each axis
   /// u; at least two points, each with one position for each axis.
   std::vector<std::vector<double>> points;
-  ViaRates start = {};  ///< at the first point
-  ViaRates end = {};    ///< at the last point
-  std::vector<std::vector<Bounds>> stretches =
-      {};  ///< stretches of each, an axis each; empty: `axes`
+  ViaRates start = {};                              ///< at the first point
+  ViaRates end = {};                                ///< at the last point
+  std::vector<std::vector<Bounds>> stretches = {};  ///< bounds [stretch][axis]; empty: `axes`
   /// Velocity, acceleration and jerk of the norm; its position has no limit.
   Limits norm = {};
 };
@@ -62,25 +61,30 @@ struct ViaMotion {
   std::vector<Trajectory> axes;
   std::vector<ViaKnot> knots;  ///< one for each point
   double duration = 0;         ///< s
-  /// s, of the same motion with a stop at every inner point; infinite if the axes cannot stop at
-  /// one.
+  /// Duration in s of the same motion with a stop at every inner point; infinite if the axes cannot
+  /// stop at one of them.
   double stopping_duration = 0;
   bool stops = false;  ///< true if no motion better than stopping at every point was found
 };
 
 /// Plans the motion.
-/// - One axis: the shortest motion through the points that does not reverse between points of one
-///   direction. Points in one direction cost no time. The search covers the acceleration at turning
-///   points.
-/// - Several axes: the search covers velocities and accelerations at the points (coordinate by
+/// - One axis: the shortest motion through the points that does not reverse between points that
+///   follow each other in one direction. Such points cost no time. The search varies the
+///   acceleration at turning points.
+/// - Several axes: the search varies velocities and accelerations at the points (coordinate by
 ///   coordinate, from a feasible start; the result is reproducible). It finds a local optimum,
-///   which is never longer than the motion with a stop at every point, but not proven to be the
+///   which is never longer than the motion with a stop at every point, but is not proven to be the
 ///   shortest. No axis reverses between two points.
 ///
-/// Throws InputError if there are fewer than two points; if a point has the wrong number of axes,
-/// equals the previous point, or has a position that is not finite, above 1e30 or outside the
-/// position bounds; for bounds that move_to() rejects; and if no motion that keeps the bounds
-/// without a reversal was found from the velocities at an end. Every other input has a motion.
+/// Throws InputError
+/// - if there are fewer than two points;
+/// - if a point has the wrong number of axes, equals the previous point, or has a position that is
+///   not finite, above 1e30 or outside the position bounds;
+/// - for bounds that move_to() rejects;
+/// - if no motion without a reversal was found that starts or ends with the given velocities and
+///   stays within the bounds.
+///
+/// Every other input has a motion.
 ViaMotion via(const ViaSpec& spec);
 
 }  // namespace jounce

@@ -20,13 +20,13 @@ namespace jounce {
 /// continuous. No peak of velocity, acceleration or jerk grows (a step of the acceleration counts
 /// as infinite jerk).
 ///
-/// **Interval.** f must begin and end at rest; it stands still before and after. The result covers
-/// [start, end + T] and holds outside. For a curve that wraps, the average continues across its
-/// ends; the result covers the same interval and wraps.
+/// **Interval.** Before and after its interval, f stands still; it must begin and end at rest. The
+/// result covers [start, end + T] and holds outside. If f is periodic, the average continues across
+/// its ends; the result then has the interval and the policy of f.
 ///
 /// **Accuracy.** The value is accurate to rounding (about 1e-14 of the stroke), because each piece
 /// is integrated separately. The rounding error of the acceleration grows with 1 / T^2, to about
-/// 1e-6 of its peak at the shortest window.
+/// 1e-6 of the acceleration's peak at the shortest window.
 ///
 /// Throws InputError unless the window is 1e-5 to 10000 times the curve's length; if the curve
 /// begins or ends in motion (append the stop first); if a degree would exceed 11; or if a piece

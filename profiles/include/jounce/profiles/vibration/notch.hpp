@@ -10,38 +10,39 @@ namespace jounce {
 ///
 ///     (1)  H(s) = (s^2 + 2 D0 w s + w^2) / (s^2 + 2 D w s + w^2),   w = 2 pi frequency
 ///
-/// Its zeros cancel a mode of damping D0. Its poles replace the mode by a well-damped one.
+/// The zeros of the filter cancel a vibration mode of damping D0. Its poles add a well-damped mode
+/// of the same frequency.
 struct NotchSpec {
   double frequency = 0;     ///< Hz, > 0
   double damping = 1;       ///< D of the poles, >= 0.05
   double mode_damping = 0;  ///< D0 of the zeros, >= 0 and < damping
-  /// The filtered motion decays after the end of the given one. This tail is cut when the rest of
-  /// it is below this share of the travel; > 0 and < 1.
+  /// The filtered motion decays after the end of the given motion. The filter cuts this tail when
+  /// the rest of it is below this share of the travel; > 0 and < 1.
   double settled = 1e-6;
 };
 
 /// A filtered motion and its error. u is the axis' unit.
 struct Notched {
   Trajectory motion;  ///< the filtered motion; begins with the original one and ends at rest
-  /// u; bound of the difference to the exact response at all times, except for rounding (about
+  /// Bound in u of the difference from the exact response at all times, except for rounding (about
   /// 1e-15 of the travel).
   double error = 0;
 };
 
-/// Returns the motion behind the filter.
+/// Returns the response of the filter to the motion f.
 ///
 ///     const Notched quiet = notched(move, {.frequency = 5.5});
 ///     const double left = residual_vibration(quiet.motion, {5.5});  // about `settled`
 ///
-/// The exact response to a piecewise polynomial contains decaying exponentials, which no Segment
-/// holds. They are replaced by Taylor polynomials of degree 10 over steps of an eighth of a radian,
-/// with a bounded remainder. When the rest of the tail is below `settled` times the travel, a
-/// quintic ends the motion at rest. `error` bounds both approximations. The acceleration of the
-/// result is continuous where that of f is continuous. f counts as at rest before and after its
-/// interval, even if it refuses.
+/// The exact response to a piecewise polynomial contains decaying exponentials, which do not fit a
+/// Segment. Taylor polynomials of degree 10 over steps of an eighth of a radian replace them, with
+/// a bounded remainder. When the rest of the tail is below `settled` times the travel, a quintic
+/// ends the motion at rest. `error` bounds both approximations. The acceleration of the result is
+/// continuous where that of f is continuous. Before and after its interval, f counts as at rest,
+/// even if its policy is `refuse`.
 ///
-/// Throws InputError for a value out of range, for a motion that wraps or does not move, and for a
-/// motion so long that it needs more than a million steps.
+/// Throws InputError for a value out of range, for a motion that is periodic or does not move, and
+/// for a motion so long that it needs more than a million steps.
 Notched notched(const Trajectory& f, const NotchSpec& spec);
 
 }  // namespace jounce

@@ -9,15 +9,17 @@
 
 namespace jounce {
 
-/// Kind of input shaper. A shaper removes the vibration of the mode that it is made for (ei: down
-/// to its tolerance). The kinds differ in the error of the frequency that they permit, and in the
-/// time by which they lengthen the motion (in damped periods).
+/// Kind of input shaper. A shaper removes the vibration of one mode; the kind ei reduces it to a
+/// tolerance. The kinds differ in the error of the frequency that they permit, and in the time that
+/// they add to the motion. A period is a damped period of the mode.
 enum class ShaperKind {
-  /// Zero vibration: two impulses, half a period longer; needs the frequency within a few percent.
+  /// Zero vibration: two impulses, half a period longer; permits an error of the frequency of a few
+  /// percent.
   zv,
   /// Zero vibration and derivative: three impulses, one period longer; permits about 14 % error.
   zvd,
-  /// Extra insensitive: three impulses, one period longer; leaves `tolerance`, permits about 20 %.
+  /// Extra insensitive: three impulses, one period longer; permits about 20 % error; leaves
+  /// `tolerance`.
   ei,
 };
 
@@ -41,23 +43,23 @@ struct ShaperSpec {
 ///     const double left = residual_vibration(quiet, {5.5, 0.03});      // 0, to rounding
 ///
 /// Sources: Smith 1957 (zv), Singer & Seering 1990 (zvd), Singhose, Seering & Singer 1994 (ei). For
-/// a damped mode, ei has the amplitudes of the undamped shaper, scaled by the decay of the mode. So
-/// exactly `tolerance` remains at the mode. At the two neighboring frequencies where the undamped
-/// shaper leaves no vibration, little remains.
+/// a damped mode, the amplitudes of ei are those of the undamped shaper, scaled by the decay of the
+/// mode. So exactly `tolerance` remains at the frequency of the mode, and little remains at the two
+/// neighboring frequencies where the undamped shaper leaves no vibration.
 ///
 /// Throws InputError for a mode or tolerance out of range; for ei also if the damping of the mode
 /// alone leaves less than the tolerance.
 std::vector<Impulse> shaper(const ShaperSpec& spec);
 
-/// Returns the combination of two shapers: for two modes, or for one mode with a larger permitted
-/// error. Throws InputError like require_valid().
+/// Returns the convolution of two shapers, which suppresses two modes, or one mode with a larger
+/// permitted error. Throws InputError like require_valid().
 std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impulse> b);
 
 /// Returns the curve through a shaper: the sum of copies of f, each delayed by the time of an
-/// impulse and multiplied by its amplitude. Exact; longer than f by the time of the last impulse. f
-/// must begin and end at rest, and counts as at rest outside (even if it refuses). A curve that
-/// wraps is shaped across its ends. If all impulses are positive, the result keeps the limits that
-/// f keeps.
+/// impulse and multiplied by its amplitude. Exact. The result is longer than f by the time of the
+/// last impulse. f must begin and end at rest, and counts as at rest outside its interval (even if
+/// it refuses). A periodic curve is shaped across its ends. If all impulses are positive, the
+/// result stays within all limits that f satisfies.
 ///
 /// Throws InputError if there is no impulse; if the times do not ascend from 0, or the amplitudes
 /// do not have the sum 1; if the last impulse comes later than 10000 lengths of f; if f begins or

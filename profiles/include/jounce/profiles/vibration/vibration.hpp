@@ -19,16 +19,17 @@ struct Mode {
 };
 
 /// One impulse of an input shaper: the time and amplitude of a copy of the command. The amplitudes
-/// have the sum 1.
+/// of a shaper have the sum 1.
 struct Impulse {
   double time = 0;       ///< s, >= 0
   double amplitude = 1;  ///< share of the command
 };
 
-/// Returns the residual vibration of a mode after a shaper: the vibration after its last impulse,
-/// divided by that after a single impulse of amplitude 1 at the same instant. 0: none; 1: as
-/// without a shaper. Closed form (Singer & Seering 1990, J. Dyn. Sys. Meas. Control 112, eq. 3).
-/// Throws InputError for a mode out of range, and like require_valid().
+/// Returns the residual vibration of a mode after a shaper. It is the vibration after the last
+/// impulse, divided by the vibration after a single impulse of amplitude 1 at the same instant. 0
+/// means no vibration; 1 means as much as without a shaper. Closed form (Singer & Seering 1990, J.
+/// Dyn. Sys. Meas. Control 112, eq. 3). Throws InputError for a mode out of range, and like
+/// require_valid().
 double residual_vibration(std::span<const Impulse> impulses, const Mode& mode);
 
 /// The greatest residual vibration over a band of frequencies, and its frequency.
@@ -44,9 +45,10 @@ struct WorstResidual {
 WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, double low,
                              double high);
 
-/// Returns the residual vibration after a motion, in the curve's unit u: the amplitude of the free
-/// vibration of a load that obeys (1) and is at rest before the motion, at the instant at which the
-/// motion ends. Before and after its interval, f is at rest; steps of the position are permitted.
+/// Returns the residual vibration after a motion, in the curve's unit u. It is the amplitude of the
+/// free vibration of a load that obeys (1), at the instant at which the motion ends; before the
+/// motion, the load is at rest. Before and after its interval, the motion is at rest; steps of the
+/// position are permitted.
 ///
 /// Exact: a closed form for polynomials and sines. The error is rounding, about 1e-15 of the travel
 /// for each segment. Throws InputError for a mode out of range.

@@ -7,8 +7,9 @@
 
 namespace jounce {
 
-/// residual_vibration() with its phase, in u; the magnitude of the result is residual_vibration().
-/// It is linear: the phasor of a sum of motions over the same time is the sum of their phasors.
+/// Returns residual_vibration() with its phase, in u: the magnitude of the result is
+/// residual_vibration(). The function is linear: the phasor of a sum of motions over the same time
+/// is the sum of their phasors.
 std::complex<double> residual_phasor(const Trajectory& motion, const Mode& mode);
 
 /// The possible modes of a machine: all frequencies and dampings within these ranges.

@@ -7,8 +7,8 @@
 
 namespace jounce::spec_detail {
 
-/// A share: a number such as 0.05, or a text such as "5 %". Throws InputError, with its place, for
-/// anything else.
+/// Returns a share, which is a number such as 0.05 or a text such as "5 %"; nullopt if the key is
+/// missing. Throws InputError, with its place, for any other value.
 std::optional<double> optional_share(TomlReader& table, const char* key);
 
 }  // namespace jounce::spec_detail

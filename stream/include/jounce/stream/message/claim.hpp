@@ -14,13 +14,15 @@ namespace jounce {
 
 /// Times of a claim.
 struct ClaimOptions {
-  Nanos repeat = std::chrono::milliseconds(30);  ///< time between two requests during the start
-  int asked = 10;                                ///< number of requests before the claim is up
-  Nanos again = std::chrono::seconds(1);         ///< time between two requests after that
+  /// Time between two requests before the claim is up.
+  Nanos repeat = std::chrono::milliseconds(30);
+  int asked = 10;                         ///< number of requests before the claim is up
+  Nanos again = std::chrono::seconds(1);  ///< time between two requests when the claim is up
 };
 
 /// The claim of an executor to its names, as a pure state machine without thread, clock or link.
-/// Every executor of a network runs one, with the names of its axes and a random number, its boot.
+/// Every executor of a network has one. It is made from the names of the axes and a random number
+/// for this start of the executor, its boot.
 ///
 ///     Claim claim({"feeder", "knife"}, random_id());
 ///     claim.receive(message, now);                       // each arrived message
@@ -29,24 +31,26 @@ struct ClaimOptions {
 ///     if (claim.up()) ...                                // all names are this executor's
 ///
 /// **The rule.** If two executors have the same name, an executor that is up wins over one that
-/// starts; otherwise the smaller boot wins. An executor asks before it is up, and continues to ask
-/// afterwards, because two networks may be connected later, or messages may have been lost before.
+/// starts; otherwise the smaller boot wins. An executor sends requests before it is up. It
+/// continues to send them afterwards, because two networks may be connected later, or messages may
+/// have been lost.
 ///
-/// **Exactly one.** An executor gives up only if it receives a claim that contains its boot. The
-/// other executor has then received its claim, applies the same rule, and wins. Messages recorded
-/// in an earlier run never contain this boot. Decision 0063 gives the proof.
+/// **Exactly one** executor wins. Executor A gives up only if it receives a claim of an executor B
+/// that contains the boot of A. So B has received the claim of A, applies the same rule, and wins.
+/// Messages recorded in an earlier run never contain the present boot of A. Decision 0063 gives the
+/// proof.
 class Claim {
  public:
   /// `names`: names of the axes. `boot` > 0: a random number, different at each start.
   Claim(std::vector<std::string> names, std::int64_t boot, ClaimOptions options = {});
 
-  /// Takes a message that has arrived.
+  /// Processes a message that has arrived.
   void receive(const wire::Message& message, Nanos now);
   /// Returns the messages to send now.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
 
-  /// True if the claim has asked as often as required, and has waited for answers. Before this
-  /// call, receive all messages that wait on the link.
+  /// True if the claim is up: poll() has sent `asked` requests, and the time for answers is over.
+  /// Before this call, receive all messages that wait on the link.
   [[nodiscard]] bool up() const { return up_; }
   /// The name that another executor owns; nullopt: none.
   [[nodiscard]] const std::optional<std::string>& lost() const { return lost_; }
@@ -68,8 +72,8 @@ class Claim {
   std::vector<wire::Message> outgoing_;
 };
 
-/// Claims the names over the link, until this executor owns them or has lost one. Messages on other
-/// channels are dropped meanwhile. Returns true if the executor owns all names.
+/// Claims the names over the link. Returns true if this executor owns all names, and false if
+/// another executor owns one of them. Drops messages on other channels in the meantime.
 bool claim_names(Transport& link, Claim& claim, const std::optional<wire::Key>& key,
                  const Clock& clock);
 

@@ -17,7 +17,8 @@ struct Command {
   std::int32_t command = 0;                ///< number of the command in its session, see Arm
   CommandKind kind = CommandKind::enable;  ///< kind of the command
   std::int64_t at = -1;                    ///< tick in which the axis executes it; -1: the next one
-  CommandValues value{};                   ///< its fields, in the order of CommandInfo::fields
+  /// Fields of the command, in the order of CommandInfo::fields.
+  CommandValues value{};
 };
 
 /// Returns the message for a command. `at`: tick in which the axis executes it; -1: the next one.

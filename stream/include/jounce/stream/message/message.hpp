@@ -17,21 +17,21 @@
 #include "jounce/stream/message/command.hpp"
 #include "jounce/stream/message/queue.hpp"
 
-/// The messages of version 2 of the stream protocol, as values. docs/stream-protocol.md defines
-/// their senders and their order. stream/lcm/*.lcm defines their layout on the wire; wire.hpp
+/// The messages of version 2 of the stream protocol, as values. docs/stream-protocol.md defines who
+/// sends them, and in which order. stream/lcm/*.lcm defines their layout on the wire; wire.hpp
 /// converts between the values and the bytes.
 namespace jounce::wire {
 
-/// Version of the protocol in each message.
+/// Version of the protocol, contained in each message.
 inline constexpr std::int32_t protocol_version = 2;
 /// Greatest number of doubles in a chunk, which is sent as one datagram.
 inline constexpr std::size_t chunk_values = 7680;
-/// Doubles in a message of 12.8 KB. Credit, the number of messages that may be in transit, counts
-/// such messages.
+/// Doubles in a message of 12.8 KB, the unit in which credit is counted. Credit is the number of
+/// messages that may be in transit.
 inline constexpr std::size_t message_values = 1600;
 /// Doubles of buffer space for each message of credit.
 inline constexpr std::size_t credit_values = 2048;
-/// Length of the name of an executor, with a final zero, bytes.
+/// Length of a name (Message::executor), with a final zero, bytes.
 inline constexpr std::size_t executor_bytes = 24;
 inline constexpr std::size_t unit_bytes = 16;  ///< length of a unit, with a final zero, bytes
 /// Length of a reason as text, with a final zero, bytes.
@@ -52,17 +52,17 @@ enum class StopMode : std::int8_t {
   abort = 1,  ///< the fastest stop of the axis
 };
 
-/// Reason why the executor rejects a message; name(Refusal) gives its name.
+/// Reason why the executor rejects a message; name(Refusal) returns the name of the reason.
 enum class Refusal : std::int8_t {
   none = 0,         ///< accepted
   busy = 1,         ///< another program owns the axis in its session
-  unknown_session,  ///< no header has opened this session: the executor was restarted
+  unknown_session,  ///< no message has opened this session: the executor may have restarted
   /// The session was released, has timed out, or was ended by a stop of an operator.
   session_ended,
   bad_header,  ///< the header is inconsistent, or differs from an earlier one with the same index
   too_large,   ///< the table has more knots than the executor permits
   out_of_memory,  ///< the executor's memory for tables is full
-  bad_chunk,      ///< a chunk does not match its header
+  bad_chunk,      ///< a chunk does not match the header of its table
   hash_mismatch,  ///< all chunks have arrived, but the table differs from the announced one
   bad_table,      ///< the table is invalid: see the reason
   table_missing,  ///< the table to be armed has not arrived completely
@@ -70,7 +70,7 @@ enum class Refusal : std::int8_t {
   wrong_unit,     ///< a table over time that is not in s, or a master in another unit
   not_armed,      ///< a start, but nothing is armed
   axis,           ///< rejected by the axis: see the reason
-  /// The message does not contain the newest challenge of the executor; the answer contains it.
+  /// The message does not contain the newest challenge of the executor. The reply contains it.
   stale_challenge,
   bad_queue,      ///< the queue is inconsistent, or differs from an earlier one with the same index
   bad_rows,       ///< rows do not match their queue, or earlier rows
@@ -81,7 +81,8 @@ enum class Refusal : std::int8_t {
 };
 inline constexpr int refusals = 22;  ///< number of refusals
 
-/// Outcome of an accepted start. A start for later is checked again when it takes place.
+/// Outcome of a start that the axis has accepted. A start that waits is checked again when it takes
+/// place.
 enum class StartOutcome : std::int8_t {
   none = 0,     ///< no start was accepted in this session
   waiting = 1,  ///< waits for its tick, its master position, or the end of the present motion
@@ -106,16 +107,17 @@ enum class Progress : std::int8_t {
 /// Next action of an axis, after the present motion.
 enum class Next : std::int8_t {
   nothing = 0,
-  armed = 1,    ///< a table is armed and waits for a start
+  armed = 1,    ///< a motion is armed and waits for a start
   waiting = 2,  ///< a start was accepted and waits for its tick
 };
 
 // ---- from the streamer -------------------------------------------------------------------------
 
-/// Announces a table. The first header of a session opens the session.
+/// Announces a table. A Header can open a session, and so can a Queue or a Heartbeat.
 struct Header {
   std::uint32_t table = 0;     ///< index of the table in the session, 0 to 63
-  Sha256 hash{};               ///< content_hash(table, units); zeros: it follows in a later header
+  Sha256 hash{};               ///< content_hash(table, units); zeros: the hash follows in a later
+                               ///< header
   Domain axis = Domain::time;  ///< variable of the table
   Interpolation rule = Interpolation::linear;     ///< interpolation rule
   Extrapolation outside = Extrapolation::refuse;  ///< policy outside the table
@@ -141,15 +143,15 @@ struct Chunk {
 
 /// Arms a motion.
 ///
-/// The commands of a session have ascending numbers, from 1. If a number is repeated, the answer
-/// repeats the recorded outcome. A number below the last one is ignored, so that a late start
+/// The commands of a session have ascending numbers, from 1. If a number is repeated, the executor
+/// repeats the recorded outcome. A command with a lower number is ignored, so that a late start
 /// cannot follow a stop.
 struct Arm {
   std::int32_t command = 0;      ///< number of the command
   ArmMode mode = ArmMode::play;  ///< the motion that the axis plays
   Sha256 slave{};                ///< hash of the slave's table
   Sha256 master{};               ///< hash of the master's table; zeros except for follow_table
-  /// Coupling of a slave's table over a master; its master_jump is not transmitted.
+  /// Coupling of a slave's table over a master. Its member master_jump is not transmitted.
   CouplingSpec coupling{};
   std::uint32_t queue = 0;     ///< for ArmMode::queue: index of the queue, 64 to 127
   std::uint8_t bank = 0;       ///< for a static queue: the bank that is played first
@@ -165,7 +167,8 @@ struct Start {
   double position = 0;
 };
 
-/// Stops the axis. In session 0, it is a stop of an operator, which also ends the present session.
+/// Stops the axis. In session 0, it is the stop of an operator, which also ends the session of the
+/// axis.
 struct Stop {
   std::int32_t command = 0;        ///< number of the command
   StopMode mode = StopMode::stop;  ///< kind of the stop
@@ -186,7 +189,8 @@ struct Ack {
   std::uint32_t next = 0;    ///< all chunks below this number have arrived
   std::uint64_t mask = 0;    ///< bit i: chunk next + 1 + i has arrived
   std::uint32_t credit = 0;  ///< number of chunks, from `next` on, that may be in transit
-  bool complete = false;     ///< true: the table is complete, its hash matches, and it is stored
+  bool complete = false;     ///< true: the table is complete, its hash matches, and the executor
+                             ///< has stored it
   Refusal refusal = Refusal::none;  ///< reason why the table is rejected
   std::string reason{};             ///< the reason as text; may be empty
 };
@@ -196,22 +200,22 @@ struct Reply {
   std::int64_t boot = 0;               ///< see Ack
   std::int32_t command = 0;            ///< number of the command
   Outcome outcome = Outcome::pending;  ///< outcome of the command
-  Refusal refusal = Refusal::none;     ///< reason why it is rejected
+  Refusal refusal = Refusal::none;     ///< reason for rejecting the command
   std::int32_t cause = 0;              ///< for Refusal::axis: number of the Cause
   std::string reason{};                ///< the reason as text; may be empty
 };
 
-/// Acknowledges the rows of a queue. Arrays contain a value for each of the two banks.
+/// Acknowledges the rows of a queue. Arrays have one entry for each of the two banks.
 struct QueueAck {
   std::int64_t boot = 0;              ///< see Ack
   std::uint32_t queue = first_queue;  ///< index of the queue
-  /// All messages with rows below this number have been taken.
+  /// All messages with rows below this number have been accepted.
   std::array<std::uint32_t, 2> next{};
   std::array<std::uint64_t, 2> mask{};   ///< bit i: message next + 1 + i has arrived
   std::array<std::uint32_t, 2> space{};  ///< free rows after those of the messages below `next`
   std::int64_t played = 0;  ///< number of rows that were played since the queue was opened
   Progress progress = Progress::none;  ///< progress of the motion
-  Refusal refusal = Refusal::none;     ///< reason why the queue was rejected; it stays
+  Refusal refusal = Refusal::none;     ///< reason for rejecting the queue; permanent
   std::int64_t row = -1;               ///< index of the rejected row in its bank, from 0; -1: none
   std::string reason{};                ///< the reason as text; may be empty
 };
@@ -220,18 +224,18 @@ struct QueueAck {
 /// 2^(i-1) us to below 2^i us, class 15 all others.
 using Histogram = std::array<std::int32_t, 16>;
 
-/// Bits of Status::unwritten: a file that ended before the run, or was never created.
+/// Bits of Status::unwritten: files that ended before the end of the run, or were never created.
 enum Unwritten : std::uint8_t { log_unwritten = 1, record_unwritten = 2, black_box_unwritten = 4 };
 
-/// Status of an axis. It is sent every few milliseconds; only the newest one is valid.
+/// Status of an axis, sent every few milliseconds. Only the newest status is valid.
 struct Status {
   State state = State::disabled;  ///< state of the axis
-  Next next = Next::nothing;      ///< its next action
+  Next next = Next::nothing;      ///< next action of the axis
   std::int64_t tick = 0;          ///< number of the tick
   std::int64_t cycle_ns = 1;      ///< duration of a tick, ns, > 0
   double master_position = 0;     ///< position of the master, in its unit; NaN: no master
   double slave_position = 0;      ///< commanded position, in the unit of the axis
-  double slave_velocity = 0;      ///< commanded velocity, that unit per s
+  double slave_velocity = 0;      ///< commanded velocity, in the unit of the axis per s
   /// First bytes of the hash of the slave's table; zeros: none.
   std::array<std::uint8_t, 8> table{};
   std::int32_t last_error = 0;  ///< number of the Cause of the fault; 0: no fault
@@ -253,7 +257,7 @@ struct Status {
   std::int64_t boot = 0;             ///< see Ack
   /// Number of packets that were not valid messages, since the executor started.
   std::int64_t rejected = 0;
-  /// Number of rejected packets whose authentication (mac) was wrong.
+  /// Number of these packets whose authentication code (mac) was wrong.
   std::int64_t not_authentic = 0;
   Histogram lateness{};                     ///< delays of the starts of the cycles
   Histogram computing{};                    ///< computing times of the cycles
@@ -280,10 +284,10 @@ struct Event {
   std::int64_t count = 0;
   EventKind kind = EventKind::compare;  ///< kind of the output
   std::uint32_t number = 1;             ///< number of the output, from 1
-  bool on = false;                      ///< true: it was switched on
+  bool on = false;                      ///< true: the output was switched on
   std::int64_t tick = 0;                ///< tick in which it was detected
-  double offset_s = 0;                  ///< time from the edge to the instant of that tick, s, >= 0
-  double position = 0;  ///< position at the edge, of the signal that the output depends on
+  double offset_s = 0;                  ///< time from the edge to the instant of this tick, s, >= 0
+  double position = 0;  ///< position at the edge, of the axis or master on which the output depends
 };
 
 // ---- from a master -----------------------------------------------------------------------------
@@ -293,7 +297,7 @@ struct Master {
   std::int64_t seq = 0;  ///< number of the message, >= 0, ascending
   /// Time of the measurement by the clock of the sender, ns, >= 0, ascending.
   std::int64_t stamp_ns = 0;
-  /// Number of that clock; it increases when the clock is changed or restarted.
+  /// Number of the sender's clock. It increases when the clock is changed or restarted.
   std::int32_t clock = 0;
   bool valid = false;                 ///< false: the master is lost, or its position is unknown
   double position = 0;                ///< position, finite
@@ -301,8 +305,8 @@ struct Master {
   std::string unit{};                 ///< unit of the position; not empty
 };
 
-/// State of a master in an executor. Message::executor contains the name of an axis that follows
-/// the master, or of the machine's first axis.
+/// State of a master in an executor. Message::executor is the name of an axis that follows the
+/// master, or of the machine's first axis.
 struct MasterStatus {
   std::int64_t boot = 0;  ///< see Ack
   std::string master{};   ///< name of the master
@@ -319,12 +323,12 @@ struct MasterStatus {
 
 // ---- between executors --------------------------------------------------------------------------
 
-/// An executor claims, or already owns, the name Message::executor.
+/// An executor claims, or already owns, the name in Message::executor.
 struct Claim {
   std::int64_t boot = 0;  ///< see Ack
-  /// Boot of the executor to which this is the answer; 0: a question to all.
+  /// Boot of the executor that this message answers; 0: a request to all executors.
   std::int64_t rival = 0;
-  bool up = false;  ///< true: it accepts commands; false: it is starting
+  bool up = false;  ///< true: the executor accepts commands; false: it is starting
 };
 
 /// Any content of a message.
@@ -333,13 +337,14 @@ using Body = std::variant<Header, Chunk, Arm, Start, Stop, Heartbeat, Ack, Reply
 
 /// A message of the protocol.
 struct Message {
-  std::string executor;  ///< name of the executor: 1 to 23 of the characters A-Z a-z 0-9 _ -
+  std::string executor;  ///< Name of the axis of an executor: 1 to 23 of the characters A-Z a-z 0-9
+                         ///< _ -. In a Master: name of the master.
   /// Session, > 0; 0: no session (a Status of a free axis, a message of an operator, Master, Event,
   /// MasterStatus, Claim).
   std::int64_t session = 0;
   Body body;  ///< the content
-  /// From an executor: the challenge that commands must contain. To an executor: the challenge
-  /// received last, 0 at first. See Receiver.
+  /// From an executor: the challenge that commands must contain. To an executor: the challenge that
+  /// the sender received last, 0 at first. See Receiver.
   std::int64_t challenge = 0;
 };
 
@@ -358,8 +363,9 @@ struct Cut {
 
   /// Returns the number of knots in chunk `seq` of a table with this number of knots.
   [[nodiscard]] std::uint32_t knots_of(std::uint32_t seq, std::uint32_t knots) const;
-  /// Returns the number of chunks that fit into the buffer space of this number of messages of
-  /// message_values. Longer chunks use up to credit_values per message. At least 1.
+  /// Returns the number of chunks that fit into the buffer space for this number of messages of
+  /// message_values doubles; at least 1. (Longer chunks use up to credit_values doubles for each
+  /// message.)
   [[nodiscard]] std::uint32_t chunks_for(std::uint32_t messages) const;
 };
 /// Divides a table into chunks. `values`: doubles in a full chunk, 4 to chunk_values.
@@ -369,7 +375,7 @@ Cut cut(const Header& header);
 
 /// True if the text is a valid name of an executor.
 bool is_executor_name(std::string_view name);
-/// The rule of is_executor_name(), for errors.
+/// The rule of is_executor_name(), for error messages.
 inline constexpr const char* executor_name_rule =
     "must have 1 to 23 characters, each a letter A-Z or a-z, a digit, _ or -";
 

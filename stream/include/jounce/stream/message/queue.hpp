@@ -11,9 +11,9 @@
 #include "jounce/base/hash.hpp"
 #include "jounce/pvt/table.hpp"
 
-/// Queues of rows, which an axis plays while more rows arrive. A rolling stream is a dynamic queue:
-/// for motions that are longer than the memory, or computed while they are played. The banks of a
-/// queue are Googol's FIFOs.
+/// Queues of rows, which an axis plays while more rows arrive. A rolling stream is a dynamic queue.
+/// Use it for motions that are longer than the memory, or that are computed during the motion. The
+/// banks of a queue are Googol's FIFOs.
 ///
 ///     Queue{.queue = 64, .units = {"s", "mm"}, .capacity = 1024, .prefill = 200,
 ///           .origin = 120, .lowest = 0, .highest = 80};   // from 120 mm, at most to 200 mm
@@ -21,29 +21,30 @@
 ///          .rows = {{.x_end = 0.1, .p_end = 2, .v_end = 40, .order = RowOrder::cubic}}};
 ///
 /// **Origin and range.** A queue announces its origin and its range of positions. An axis rejects
-/// the queue if the axis stands elsewhere, or if its own range is narrower. Rows that leave the
-/// announced range are rejected; if that cannot be detected before, the axis stops.
+/// the queue if the axis stands elsewhere, or if the position range of the axis is narrower. Rows
+/// that leave the announced range are rejected. If the axis would leave the range for another
+/// reason, it stops.
 ///
 /// **Units**: u is the unit of the position p, m that of x (s over time).
 namespace jounce::wire {
 
 inline constexpr std::size_t rows_each = 200;  ///< greatest number of rows in a message: 12.8 KB
-/// First index of a queue; tables have lower ones.
+/// First index of a queue; tables have lower indices.
 inline constexpr std::uint32_t first_queue = 64;
 inline constexpr std::uint32_t last_queue = 127;  ///< last index of a queue
 
 /// The polynomial of a row between its two ends.
 enum class RowOrder : std::int8_t {
   linear = 1,  ///< given by p at both ends
-  /// Given by p at both ends and one v: v_start or v_end, the other is NaN. With both NaN, it
-  /// continues at v_end of the previous row.
+  /// Given by p at both ends and one of v_start and v_end; the other is NaN. If both are NaN, the
+  /// row begins at the velocity at the end of the previous row.
   quadratic = 2,
   cubic = 3,    ///< given by p and v at both ends
   quintic = 5,  ///< given by p, v and a at both ends
 };
 
-/// One piece of the curve. x and p count from the origin of its bank. A row begins at the end of
-/// the previous one.
+/// One piece of the curve. It begins at the end of the previous row. x and p count from the origin
+/// of the bank.
 struct Row {
   double x_end = 0;                  ///< end of the row, m, greater than that of the previous row
   double p_end = 0;                  ///< position at the end, u
@@ -82,7 +83,7 @@ struct Queue {
   std::int8_t event_direction = 0;       ///< for pass: direction of the master, 1 or -1
   std::uint32_t prefill = 1;             ///< number of rows that a start requires
   /// False: the axis must stand at `origin`, the start of the first row. True: rows count from the
-  /// position of the axis.
+  /// position of the axis at the start.
   bool relative = false;
   double origin = 0;  ///< start of the first row, u; 0 if relative
   /// Lowest position of the whole motion, relative to its start, u, <= 0.
@@ -98,17 +99,17 @@ bool operator==(const Queue& a, const Queue& b);
 struct Rows {
   std::uint32_t queue = first_queue;  ///< index of the queue
   std::uint8_t bank = 0;              ///< 0 or 1; 0 in a dynamic queue
-  /// Number of the message in its queue and bank, from 0; continues after a clear.
+  /// Number of the message in its queue and bank, from 0. After a clear, the numbers continue.
   std::uint32_t seq = 0;
   std::uint64_t first_row = 0;  ///< number of rows of this bank in all previous messages
   std::vector<Row> rows{};      ///< 1 to 200 rows
 };
 
-/// Returns the error of a queue as a sentence; "" if there is none.
+/// Returns the error of a queue as a sentence; "" if the queue is valid.
 std::string contradiction(const Queue& queue);
 
-/// Returns the number of rows that a sender can put into a bank: both banks together for a dynamic
-/// queue.
+/// Returns the number of rows for which a bank has space. In a dynamic queue, this is the space of
+/// both banks.
 std::uint32_t room(const Queue& queue);
 
 }  // namespace jounce::wire

@@ -12,7 +12,7 @@ struct Refused {
   wire::Refusal refusal = wire::Refusal::none;  ///< none: accepted
   std::string reason;                           ///< may be empty
 
-  /// True if it is a refusal.
+  /// True if the message was rejected.
   explicit operator bool() const { return refusal != wire::Refusal::none; }
 };
 
@@ -25,10 +25,10 @@ struct TableInUnits {
   const Units& units;
 };
 
-/// Returns the reason why these tables cannot be armed in this mode, or none. The slave's table
-/// must be over time or over a master, as the mode requires. For follow_table, the master's table
-/// must be over time, and its position must have the unit of x of the slave's table. Each table
-/// over time must be in s. `master`: null if the mode has none.
+/// Returns the reason why these tables cannot be armed in this mode, or none. The rules: the
+/// slave's table is over time or over a master, as the mode requires. For follow_table, the
+/// master's table is over time, and its position has the unit of x of the slave's table. Each table
+/// over time is in s. `master` is null if the mode has no table of the master.
 Refused misfit(wire::ArmMode mode, TableInUnits slave, const TableInUnits* master);
 
 }  // namespace jounce

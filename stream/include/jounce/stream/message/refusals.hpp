@@ -7,7 +7,7 @@
 
 namespace jounce::wire {
 
-/// A refusal explained, for the author of a streamer and the operator of a machine.
+/// A refusal with an explanation, for the author of a streamer and the operator of a machine.
 struct RefusalInfo {
   Refusal refusal;      ///< the refusal
   const char* name;     ///< its name

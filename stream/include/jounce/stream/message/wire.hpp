@@ -24,24 +24,25 @@ enum class Reject {
   too_short,       ///< shorter than type, magic number and version
   wrong_magic,     ///< not a message of Jounce
   wrong_version,   ///< another version of the protocol
-  unknown_type,    ///< a hash of a type that this version does not have
-  wrong_length,    ///< another length than that of its type
+  unknown_type,    ///< the hash of no type of this version
+  wrong_length,    ///< not the length of its type
   wrong_checksum,  ///< changed during transmission
   bad_field,       ///< an enumeration, a count or a name is out of range
-  /// The authentication code (mac) does not match the key; or there is one, but no key is set.
+  /// The authentication code (mac) does not match the key; or the packet has one, but no key is
+  /// set.
   not_authentic,
 };
 inline constexpr std::size_t reject_count = 8;  ///< number of reasons
 /// Returns the name of a reason.
 const char* name(Reject reject);
 
-/// Encodes a message, with an authentication code if there is a key. Throws InputError for a name,
-/// unit or count that does not fit into the wire format. A reason that is too long is shortened.
+/// Encodes a message. With a key, adds an authentication code. Throws InputError for a name, unit
+/// or count that does not fit into the wire format. Shortens a reason that is too long.
 Bytes encode(const Message& message, const std::optional<Key>& key = {});
 
-/// Decodes a message. With a key, a message whose authentication code is missing or wrong is
-/// rejected before its fields are read. For any input, the function does not throw and does not
-/// read beyond the bytes.
+/// Decodes a message. With a key, rejects a message whose authentication code is missing or wrong,
+/// before reading its fields. For any input, the function does not throw and does not read beyond
+/// the bytes.
 std::variant<Message, Reject> decode(std::span<const std::byte> bytes,
                                      const std::optional<Key>& key = {});
 

@@ -16,15 +16,15 @@ namespace jounce {
 /// Returns the number of bytes of the knots that a consistent header announces.
 std::size_t bytes_of(const wire::Header& header);
 
-/// A table in transit. Its columns are filled chunk by chunk, in any order, and its complete
-/// leading part is hashed.
+/// A table in transit. Chunks may arrive in any order; they fill the columns of the table. The
+/// leading part without gaps is hashed.
 class Assembly {
  public:
-  /// Allocates the memory for all knots, so check their number before. The header must be
-  /// consistent.
+  /// Allocates the memory for all knots, so check their number first. Requires a consistent header.
   explicit Assembly(const wire::Header& header);
 
-  /// Adds a chunk; a repeated one has no effect. Returns false if it does not match the header.
+  /// Adds a chunk; a repeated chunk has no effect. Returns false if the chunk does not match the
+  /// header.
   bool add(const wire::Chunk& chunk);
 
   /// All chunks below this number have arrived.
@@ -34,8 +34,8 @@ class Assembly {
   /// True if all chunks have arrived.
   [[nodiscard]] bool complete() const { return next_ == cut_.chunks; }
 
-  /// Returns the table made from the received data, if its hash is the announced one; otherwise a
-  /// refusal. Call it once, for a complete assembly.
+  /// Returns the table if the hash of the received data is the announced one; otherwise a refusal.
+  /// Requires a complete assembly. Call once.
   [[nodiscard]] std::variant<StoredTable, Refused> finish(const Sha256& announced);
 
  private:

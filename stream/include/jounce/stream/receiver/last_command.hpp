@@ -12,8 +12,8 @@ namespace jounce {
 /// Returns the number of a command; 0: the message is not a command.
 std::int32_t command_number(const wire::Body& body);
 
-/// The newest command of a sender, and its outcome. Numbers ascend, and each command gets one
-/// outcome.
+/// The newest command of a sender, and its outcome. The numbers of the commands ascend, and each
+/// command gets one outcome.
 ///
 ///     LastCommand last(boot);
 ///     if (last.begin(LastCommand::Kind::start, start.command)) ...   // else old or repeated
@@ -26,10 +26,11 @@ class LastCommand {
   /// `boot`: random number of the executor's start, which each reply carries.
   explicit LastCommand(std::int64_t boot) { reply_.boot = boot; }
 
-  /// Returns true if the command is newer than the recorded one; it then replaces it and waits for
-  /// its outcome. A repeated command gets its reply again; an older one does not.
+  /// Returns true if the command is newer than the recorded one. The command then replaces the
+  /// recorded one and waits for its outcome. For a repeated command, the reply becomes due again;
+  /// an older command has no effect.
   bool begin(Kind kind, std::int32_t number);
-  /// Replaces the recorded command by one of any number: the first one of another sender.
+  /// Replaces the recorded command by one with any number: the first command of another sender.
   void replace(Kind kind, std::int32_t number);
   /// Forgets the recorded command.
   void clear() { *this = LastCommand(reply_.boot); }
@@ -40,9 +41,9 @@ class LastCommand {
   /// Makes the reply due again.
   void repeat() { due_ = true; }
 
-  /// True if a command of this number would prove that its sender is alive: a new one, or one that
+  /// True if a command of this number proves that its sender is alive: a new command, or one that
   /// waits for its outcome. The number 0 (a message that is not a command) is a proof only before
-  /// the first command, because a repeated message may come from any sender, or from the network.
+  /// the first command; later, such a message may be a repetition by any sender or by the network.
   [[nodiscard]] bool is_news(std::int32_t number) const;
   /// True if the command of this number is the recorded one, and waits for its outcome.
   [[nodiscard]] bool waits(std::int32_t number) const;

@@ -12,9 +12,10 @@ namespace jounce {
 /// Options of a MasterIntake.
 struct MasterIntakeOptions {
   std::string unit;  ///< unit of the master in this executor
-  /// True: messages are authenticated, so an earlier epoch (clock) is never accepted again.
+  /// True: messages are authenticated, so a later message from an earlier epoch (see below) is
+  /// never accepted.
   bool keyed = false;
-  /// Without a key: if the sender has been silent for this time, any epoch is accepted again.
+  /// Without a key: after a silence of this length, a message of any epoch is accepted.
   Nanos forget = std::chrono::seconds(1);
 };
 
@@ -26,8 +27,8 @@ struct MasterIntakeOptions {
 ///
 /// An epoch is a period in which the sender uses one clock (Master::clock); a later epoch has a
 /// greater number. Within an epoch, `seq` and `stamp_ns` ascend. Messages that are repeated, late,
-/// or in another unit are counted, and have no other effect. If two senders have the same name, the
-/// later one is accepted and the other one rejected, so the master never alternates between them.
+/// or in another unit are only counted. If two senders have the same name, the one with the later
+/// epoch is accepted and the other one rejected, so the master never alternates between them.
 class MasterIntake {
  public:
   explicit MasterIntake(MasterIntakeOptions options) : options_(std::move(options)) {}

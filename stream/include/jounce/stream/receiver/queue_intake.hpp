@@ -15,9 +15,9 @@ namespace jounce {
 
 /// Limits of the queues of a receiver.
 struct QueueLimits {
-  std::uint32_t most_rows = 0;  ///< rows of one bank, at most
-  std::size_t most_queues = 0;  ///< queues of one session, at most
-  std::uint32_t credit = 0;     ///< messages in transit
+  std::uint32_t most_rows = 0;  ///< greatest number of rows of one bank
+  std::size_t most_queues = 0;  ///< greatest number of queues of one session
+  std::uint32_t credit = 0;     ///< greatest number of messages in transit
 };
 
 /// The open queues of a session, each with an index of its own and the rows that arrive for it.
@@ -33,29 +33,31 @@ class QueueIntake {
  public:
   explicit QueueIntake(const QueueLimits& limits) : limits_(limits) {}
 
-  /// Adds a queue. Returns a refusal that is not part of the queue's own acknowledgment: the queue
-  /// contradicts itself or exceeds the limits, or its index belongs to another queue.
+  /// Adds a queue. Returns a refusal if the queue contradicts itself or exceeds the limits, or if
+  /// its index belongs to another queue. Other refusals are part of the acknowledgment of the
+  /// queue.
   [[nodiscard]] Refused add(const wire::Queue& queue);
-  /// Adds rows. Ignores rows that have overtaken their queue.
+  /// Adds rows. Ignores rows that arrive before their queue.
   void add(const wire::Rows& rows);
 
-  /// Returns the queue that the last add() has opened.
+  /// Returns the queue that the last add() has opened; nullopt: none.
   [[nodiscard]] std::optional<wire::Queue> take_opened();
-  /// The rows that are now in order, each once.
+  /// Returns the rows that are now in order, and were not returned before.
   [[nodiscard]] std::vector<wire::Rows> take_rows();
   [[nodiscard]] std::vector<wire::QueueAck> acks(std::int64_t boot);
 
   [[nodiscard]] bool is_open(std::uint32_t queue) const { return queues_.contains(queue); }
-  /// True if the queue is open and not refused.
+  /// True if the queue is open and was not rejected.
   [[nodiscard]] bool accepts(std::uint32_t queue) const;
-  /// True if the bank has enough rows for a start, or all.
+  /// True if the bank has enough rows for a start, or all of its rows.
   [[nodiscard]] bool is_filled(std::uint32_t queue, std::uint8_t bank) const;
 
-  // These have no effect on a queue that is not open.
+  // The next three functions have no effect on a queue that is not open.
   void level(std::uint32_t queue, const QueueLevel& level);
   /// Rejects a row (index in its bank, from 0), or the whole queue (-1).
   void refuse(std::uint32_t queue, Refused refused, std::int64_t row = -1);
-  /// Drops the rows of this bank that are not played; its messages count again from `seq`.
+  /// Drops the rows of this bank that were not played. The next message of the bank has the number
+  /// `seq`.
   void clear_bank(std::uint32_t queue, std::uint8_t bank, std::uint32_t seq);
 
   /// Drops all queues.

@@ -27,23 +27,24 @@ struct ReceiverOptions {
   std::uint32_t most_knots = 1U << 24U;  ///< greatest number of knots of a table
   /// Greatest memory for all tables, complete or in transit, bytes.
   std::size_t memory = std::size_t{1} << 28U;
-  /// A session without a message for this time ends, and the axis is free.
+  /// A session ends, and the axis is free, after this time without a message.
   Nanos session_timeout = std::chrono::seconds(1);
   Nanos hold_timeout = std::chrono::milliseconds(200);  ///< like session_timeout, during a jog
-  /// Messages of 12.8 KB in transit, 1 to 64; 8 fit into the default buffer of a socket.
+  /// Greatest number of messages of 12.8 KB in transit, 1 to 64. 8 messages fit into the default
+  /// buffer of a socket.
   std::uint32_t credit = 8;
   std::uint32_t most_rows = 1U << 20U;  ///< greatest number of rows of one bank of a queue
   std::size_t most_queues = 4;          ///< greatest number of queues in a session
-  std::optional<wire::Key> key{};  ///< key with which commands are authenticated; nullopt: no key
+  std::optional<wire::Key> key{};       ///< key that authenticates commands; nullopt: no key
 };
 
-/// Event: a table is complete, and its hash matches. It stays in the store.
+/// Event: a table is complete, and its hash matches. The table stays in the store.
 struct TableReady {
   std::int64_t session = 0;  ///< session of the sender
   StoredTable table;         ///< the table
 };
 
-/// Event: an arm of complete tables, whose axes and units fit the mode. Requires an answer.
+/// Event: an arm of complete tables whose variables and units fit the mode. Requires an answer.
 struct ArmRequested {
   std::int64_t session = 0;                  ///< session of the sender
   std::int32_t command = 0;                  ///< number of the command; answer with it
@@ -62,8 +63,8 @@ struct QueueArmRequested {
   std::uint8_t bank = 0;     ///< for a static queue: the bank that is played first
 };
 
-/// Event: a start after an accepted arm of the same session; a queue has the rows that it needs.
-/// Requires an answer.
+/// Event: a start after an accepted arm of the same session. A queue has the rows that its start
+/// needs. Requires an answer.
 struct StartRequested {
   std::int64_t session = 0;      ///< session of the sender
   std::int32_t command = 0;      ///< number of the command; answer with it
@@ -72,8 +73,8 @@ struct StartRequested {
   double position = 0;  ///< position of the master, m (unit of the master), for master_position
 };
 
-/// Event: another command to the axis. Its fields are within their ranges, and every queue in it is
-/// open. Requires an answer.
+/// Event: another command to the axis. Its fields are within their ranges, and every queue that it
+/// names is open. Requires an answer.
 struct CommandRequested {
   std::int64_t session = 0;  ///< 0: an operator, who may only hold, resume and override
   std::int32_t command = 0;  ///< number of the command; answer with it
@@ -81,14 +82,14 @@ struct CommandRequested {
   ClientCommand what{};      ///< the command
 };
 
-/// Event: a queue was opened, and rows will follow. refuse_queue() rejects it.
+/// Event: a queue was opened, and rows will follow. Call refuse_queue() to reject the queue.
 struct QueueOpened {
   std::int64_t session = 0;  ///< session of the sender
   wire::Queue queue;         ///< the queue
 };
 
-/// Event: rows in their order, without gaps, that fit into the free space. refuse_row() rejects a
-/// row that breaks a limit.
+/// Event: rows in their order, without gaps, that fit into the free space. Call refuse_row() to
+/// reject a row that breaks a limit.
 struct RowsArrived {
   std::int64_t session = 0;  ///< session of the sender
   wire::Rows rows;           ///< the rows
@@ -101,12 +102,12 @@ struct StopRequested {
   wire::StopMode mode = wire::StopMode::stop;  ///< stop or abort
 };
 
-/// Event: the session of the axis has ended. An armed motion without a start must be disarmed. The
-/// axis decides whether a motion in progress continues.
+/// Event: the session of the axis has ended. The axis must disarm an armed motion without a start;
+/// it decides whether a motion in progress continues.
 struct SessionEnded {
   enum class Why { released, silent, operator_stop };
   std::int64_t session = 0;  ///< the session
-  Why why = Why::released;   ///< reason for its end
+  Why why = Why::released;   ///< reason for the end of the session
 };
 
 /// Any event of a receiver.
@@ -123,12 +124,12 @@ using StreamEvent =
 ///     while (const auto event = receiver.take_event()) ... // for the axis, in order
 ///     receiver.accept(arm.session, arm.command);           // the axis's answer
 ///
-/// Any message may be lost, duplicated, delayed or reordered. The receiver checks each message: it
-/// checks counts before it allocates memory, computes hashes from the received data, and makes
-/// tables from these data. It ignores messages for other executors and messages from executors.
+/// Any message may be lost, duplicated, delayed or reordered. The receiver checks each message. It
+/// checks counts before it allocates memory, and it computes hashes and makes tables only from
+/// received data. It ignores messages for other executors and messages from executors.
 ///
-/// **Challenge.** Every command must contain the present challenge, a number. A new one is drawn
-/// when the executor starts and when a session ends, so that older messages have no effect. The
+/// **Challenge.** A challenge is a number that every command must contain. The receiver draws a new
+/// one when the executor starts and when a session ends, so that older messages have no effect. The
 /// refusal `stale_challenge` contains the present challenge. Operators have no session; they have a
 /// separate challenge, which changes with each of their commands.
 class Receiver {
@@ -136,20 +137,20 @@ class Receiver {
   /// `boot` > 0: a random number, different at each start. Throws InputError for an invalid name.
   Receiver(ReceiverOptions options, std::int64_t boot);
 
-  /// Takes a message that has arrived at the time `now`.
+  /// Processes a message that has arrived at the time `now`.
   void receive(const wire::Message& message, Nanos now);
 
-  /// Ends a session that has timed out, and returns the answers to received messages. First receive
-  /// all messages that wait on the link, so that they do not count as silence.
+  /// Ends a session that has timed out, and returns the answers to received messages. Before this
+  /// call, receive all messages that wait on the link; otherwise they would count as silence.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
-  /// Returns only the answers. A streamer can then continue while the caller still receives
-  /// messages.
+  /// Returns only the answers, and does not end a session. Call it while messages still wait on the
+  /// link, so that a streamer need not wait.
   [[nodiscard]] std::vector<wire::Message> answers();
 
   /// Returns the next event for the axis; nullopt: none.
   [[nodiscard]] std::optional<StreamEvent> take_event();
 
-  /// Answers an event: the axis has accepted the command. Without effect if another command has
+  /// Answers an event: the axis has accepted the command. No effect if another command has
   /// followed, or if the session has ended.
   void accept(std::int64_t session, std::int32_t command);
   /// Answers an event: the axis has rejected the command. `cause`: number of the Cause; 0: none.
@@ -164,7 +165,7 @@ class Receiver {
   void refuse_row(std::uint32_t queue, std::uint64_t row, std::string reason);
 
   [[nodiscard]] std::int64_t session() const { return session_.id(); }  ///< 0: the axis is free
-  /// True if an arm was accepted, so a start is passed to the axis.
+  /// True if an arm was accepted. A start is then passed to the axis.
   [[nodiscard]] bool armed() const { return armed_; }
   /// The complete tables.
   [[nodiscard]] const TableStore& store() const { return tables_.store(); }
@@ -172,11 +173,11 @@ class Receiver {
   [[nodiscard]] const std::string& executor() const { return options_.executor; }
   /// The number of this start of the executor.
   [[nodiscard]] std::int64_t boot() const { return boot_; }
-  /// Challenge of the messages of a session, and of those of an operator.
+  /// Challenges of the messages of a session, and of an operator.
   [[nodiscard]] std::int64_t challenge() const { return challenges_.session(); }
   [[nodiscard]] std::int64_t operators_challenge() const { return challenges_.operators(); }
 
-  /// Returns the status message of the axis: adds name, session and challenge.
+  /// Returns the status as a message: with name, session and challenge.
   [[nodiscard]] wire::Message status(const wire::Status& status) const;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace jounce {
 
-/// Progress of a queue on an axis. Arrays contain a value for each of the two banks.
+/// Progress of a queue on an axis. Arrays have one entry for each of the two banks.
 struct QueueLevel {
   /// Number of rows that were freed since the queue was opened.
   std::array<std::uint64_t, 2> freed{};
@@ -19,9 +19,9 @@ struct QueueLevel {
   wire::Progress progress = wire::Progress::none;  ///< progress of the motion
 };
 
-/// The arriving rows of one queue. It puts them into order, checks them, and never accepts more
-/// than the free space. It keeps at most `credit` messages that have arrived before their
-/// predecessors.
+/// The arriving rows of one queue. The class puts them into order, checks them, and never accepts
+/// more rows than the free space holds. It keeps at most `credit` messages that have arrived before
+/// their predecessors.
 class RowIntake {
  public:
   /// `credit`: greatest number of messages in transit.
@@ -36,9 +36,9 @@ class RowIntake {
   /// Drops the rows of this bank. The next message of the bank has the number `seq`.
   void clear(std::uint8_t bank, std::uint32_t seq);
 
-  /// Reports the progress of the axis. Returns true if there is something new to acknowledge.
+  /// Reports the progress of the axis. Returns true if an acknowledgment is due.
   bool level(const QueueLevel& level);
-  /// Rejects the queue. Later calls have no effect.
+  /// Rejects the queue. Only the first call has an effect.
   void refuse(Refused refused, std::int64_t row = -1);
 
   /// Returns the acknowledgment. `boot`: number of this start of the executor.
@@ -52,14 +52,14 @@ class RowIntake {
 
  private:
   struct Bank {
-    std::uint32_t next = 0;   // message
+    std::uint32_t next = 0;   // number of the next message
     std::uint64_t rows = 0;   // rows before the next message
-    std::uint64_t freed = 0;  // rows of these that were freed
+    std::uint64_t freed = 0;  // number of these rows that were freed
     std::uint64_t begin = 0;  // first row since the last clear
-    bool resumes = false;     // the next message repeats the number of rows before it
-    bool ended = false;       // its last row was marked as last
-    double x = 0;             // x at the end of its last row
-    std::map<std::uint32_t, wire::Rows> held;  // at most credit_
+    bool resumes = false;     // true if the next message sets the number of rows before it
+    bool ended = false;       // true if the last row of the stream has arrived
+    double x = 0;             // x at the end of the last row
+    std::map<std::uint32_t, wire::Rows> held;  // early messages, at most credit_
   };
 
   void advance(Bank& bank);

@@ -10,16 +10,17 @@
 
 namespace jounce {
 
-/// Silence that ends a session.
+/// Length of the silence that ends a session.
 struct SessionTimeouts {
   Nanos usual{};
-  Nanos hold{};  ///< after the begin of a hold-to-run jog
+  Nanos hold{};  ///< after the beginning of a hold-to-run jog
 };
 
 /// True if this message can open a session.
 bool opens_session(const wire::Body& body);
 
-/// The session of an axis: at most one at a time, and each session once.
+/// The session of an axis. An axis has at most one session at a time, and a session that has ended
+/// cannot open again.
 ///
 ///     Session session(timeouts);
 ///     if (session.is_silent(now)) session.end();
@@ -34,14 +35,14 @@ class Session {
   [[nodiscard]] std::int64_t id() const { return id_; }        ///< 0: the axis is free
   [[nodiscard]] std::int64_t owner() const { return owner_; }  ///< the present, or the last one
 
-  /// Returns the reason why this message must have no effect, with the present challenge of the
-  /// executor.
+  /// Returns the reason why this message must have no effect, or none. `challenge` is the present
+  /// challenge of the executor.
   [[nodiscard]] Refused bars(const wire::Message& message, std::int64_t challenge) const;
-  /// True if the last owner sent this message, and its session has ended.
+  /// True if the last owner sent this message after the end of its session.
   [[nodiscard]] bool is_of_last_owner(const wire::Message& message) const;
 
   void open(std::int64_t id, std::int64_t challenge);
-  /// Records a sign of life of the owner.
+  /// Records a message of the owner, at the time `now`.
   void receive(Nanos now) { received_ = now; }
   /// Applies the shorter timeout from now on.
   void hold() { holds_ = true; }
@@ -52,10 +53,10 @@ class Session {
   SessionTimeouts timeouts_;
   std::int64_t id_ = 0;
   std::int64_t owner_ = 0;
-  std::int64_t challenge_ = 0;  // at the begin of the owner's session
+  std::int64_t challenge_ = 0;  // challenge at the start of the present session
   Nanos received_{};
   bool holds_ = false;
-  std::deque<std::int64_t> ended_;  // the last ones
+  std::deque<std::int64_t> ended_;  // the last sessions that have ended
 };
 
 }  // namespace jounce

@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// A queue of two banks on an axis, like the static FIFOs of Googol: each bank is filled, played as
+/// A queue of two banks on an axis, like the static FIFOs of Googol. Each bank is filled, played as
 /// a whole for `loops` passes, and kept until it is cleared.
 ///
 ///     StaticQueue fifos(client, {.units = {"s", "mm"}, .mode = wire::QueueMode::static_});
@@ -23,8 +23,8 @@ namespace jounce {
 ///     fifos.clear(0), fifos.fill(0, another);          // meanwhile
 ///     while (fifos.level()->progress == wire::Progress::running) ...   // keeps the session alive
 ///
-/// `bank` is 0 or 1. Each call returns when the executor has accepted or rejected it, as the calls
-/// of Client do. The queue belongs to the session of the client, and ends with it. Source:
+/// `bank` is 0 or 1. Like the calls of Client, each call returns when the executor has accepted or
+/// rejected it. The queue belongs to the session of the client, and ends with this session. Source:
 /// GT_PtData, GT_PtSpace, GT_FollowSwitch, GT_FollowClear of Googol (static mode).
 class StaticQueue {
  public:
@@ -34,18 +34,18 @@ class StaticQueue {
   /// Opens the queue.
   CallOutcome open();
   /// Appends rows to a bank. The outcome is `stalled` if the bank has no space for all rows, or if
-  /// the executor answers but takes no row within the patience of the client.
+  /// the executor answers but accepts no row within ClientOptions::patience.
   CallOutcome fill(std::uint8_t bank, const std::vector<wire::Row>& rows);
-  /// Arms the queue; `bank` will be played first.
+  /// Arms the queue. The motion will begin with `bank`.
   CallOutcome arm(std::uint8_t bank = 0);
   /// Starts the motion. `tick`: tick of the executor; -1: the next one.
   CallOutcome start(std::int64_t tick = -1);
   /// Continues with the other bank at the end of the present one.
   CallOutcome switch_over();
-  /// Empties a bank that is not being played. Its x begins at 0 again.
+  /// Empties a bank that is not being played. In the next rows of the bank, x begins at 0 again.
   CallOutcome clear(std::uint8_t bank);
 
-  /// Returns the present progress; nullopt: no answer. Call it at least once a second to keep the
+  /// Returns the present progress; nullopt: no answer. Call at least once a second to keep the
   /// session alive.
   [[nodiscard]] std::optional<wire::QueueAck> level();
 

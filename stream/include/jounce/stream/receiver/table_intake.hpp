@@ -21,8 +21,8 @@ struct TableLimits {
   std::uint32_t credit = 0;      ///< greatest number of messages of 12.8 KB in transit
 };
 
-/// The arriving tables of a session, each with its index, and the store of the complete ones.
-/// Memory for a table in transit is reserved in the store.
+/// The arriving tables of a session, each with its index, and the store of the complete tables. The
+/// store reserves the memory for a table in transit.
 ///
 ///     TableIntake tables(limits);
 ///     if (Refused no = tables.add(header)) ...           // an answer to its sender
@@ -34,8 +34,8 @@ class TableIntake {
  public:
   explicit TableIntake(const TableLimits& limits) : limits_(limits), store_(limits.memory) {}
 
-  /// Adds a header or a chunk. Returns a refusal if it is not part of the acknowledgment of a
-  /// table: the index belongs to another table, or the chunk does not match its header.
+  /// Adds a header or a chunk. Returns a refusal if the index belongs to another table, or if the
+  /// chunk does not match its header. Other refusals are part of the acknowledgment of the table.
   [[nodiscard]] Refused add(const wire::Header& header);
   [[nodiscard]] Refused add(const wire::Chunk& chunk);
 
@@ -43,7 +43,7 @@ class TableIntake {
   [[nodiscard]] std::optional<StoredTable> take_ready();
   /// Returns the acknowledgments that are due. `boot`: number of this start of the executor.
   [[nodiscard]] std::vector<wire::Ack> acks(std::int64_t boot);
-  /// Drops the tables in transit. The complete ones stay in the store.
+  /// Drops the tables in transit. Complete tables stay in the store.
   void clear();
 
   /// The complete tables.

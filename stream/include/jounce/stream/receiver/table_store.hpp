@@ -18,10 +18,11 @@ struct StoredTable {
   std::shared_ptr<const Table> table;
 };
 
-/// Complete tables by their hash. Their memory is limited, together with that of tables in transit.
+/// Complete tables by their hash. A limit applies to their memory together with that of tables in
+/// transit.
 ///
-/// New tables replace the oldest ones that have no other owner. The memory of a table is therefore
-/// always freed by the thread that owns the store, never by a thread that has played the table.
+/// New tables replace the oldest tables that have no other owner. So only the thread that owns the
+/// store frees the memory of a table, never a thread that has played the table.
 class TableStore {
  public:
   /// `bytes`: greatest memory of all knots.

@@ -15,11 +15,11 @@ struct AskOptions {
   Nanos repeat = std::chrono::milliseconds(20);  ///< time between two repetitions
 };
 
-/// Sends the command of the slot in the session of `message`, and repeats it until it has an
-/// outcome, for at most `patience`. Returns the last reply, which is `pending` if there was no
-/// outcome; nullopt: no answer. If the executor requires another challenge (to an operator, or to
-/// the first command of a session), stores it in `message` and sends the command again. The link
-/// must have subscribed to the replies.
+/// Sends the command of the slot in the session of `message`, and repeats it until the executor
+/// reports its outcome, for at most `patience`. Returns the last reply (`pending` if the command
+/// has no outcome yet); nullopt: no reply. If the executor requires another challenge (from an
+/// operator, or for the first command of a session), stores this challenge in `message` and sends
+/// the command again. Requires a link that has subscribed to the replies.
 std::optional<wire::Reply> ask(Transport& link, wire::Message& message, CommandSlot& slot,
                                const AskOptions& options, const Clock& clock, Rejects& rejects);
 

@@ -8,8 +8,8 @@
 
 namespace jounce {
 
-/// The rows of a static queue with two banks. The second bank, if it has rows, follows at the end
-/// of the first one.
+/// The rows of a static queue with two banks. If the second bank has rows, it follows at the end of
+/// the first one.
 struct BankPlan {
   wire::Queue queue = {};              ///< the queue, see StaticQueue
   std::vector<wire::Row> first = {};   ///< rows of bank 0
@@ -24,12 +24,12 @@ struct BankOptions {
   Until until = Until::finished;
   /// Called ten times a second; may be empty.
   std::function<void(const wire::QueueAck&)> progress = {};
-  /// Returns true to stop: nothing is started, or the axis is stopped; may be empty.
+  /// Returns true to cancel: the motion is not started, or the axis is stopped. May be empty.
   std::function<bool()> cancelled = {};
 };
 
-/// Fills both banks, starts the motion, and waits for the goal. It uses the session of the client;
-/// the caller must release it.
+/// Fills both banks, starts the motion, and waits for the goal. Uses the session of the client; the
+/// caller must release the session.
 ///
 ///     Client client(link, "feeder");
 ///     const CallOutcome outcome = play_banks(client, plan);

@@ -18,7 +18,7 @@ struct Pace {
   /// Doubles in a chunk, 4 to 7680; longer chunks cost less time for each byte.
   std::uint32_t chunk = 4096;
   Nanos resend = std::chrono::milliseconds(6);  ///< least time until a chunk is sent again
-  /// Greatest time until then; the time doubles while nothing arrives.
+  /// Greatest time until a chunk is sent again; the time doubles while no acknowledgment arrives.
   Nanos slowest = std::chrono::milliseconds(100);
   /// Least time until a chunk is sent again if a later chunk has arrived.
   Nanos fast_resend = std::chrono::milliseconds(2);
@@ -26,15 +26,15 @@ struct Pace {
 
 /// The chunks of one table in transit: selects those to be sent now, and those to be sent again.
 /// The method is selective repeat within a window. The time until a repeat follows the measured
-/// round trip (RFC 6298) and increases while nothing arrives. A chunk counts as lost if a chunk
-/// that was sent later has arrived (RFC 8985). If no acknowledgment arrives at all, the first
-/// repeat is one chunk only, because a receiver that was merely delayed already has all the others.
+/// round trip (RFC 6298) and increases while no acknowledgment arrives. A chunk counts as lost if a
+/// chunk that was sent later has arrived (RFC 8985). If no acknowledgment arrives at all, only one
+/// chunk is repeated first, because a receiver that was merely delayed already has all others.
 class ChunkWindow {
  public:
   /// `chunks`: number of chunks of the table.
   ChunkWindow(std::uint32_t chunks, Pace pace);
 
-  /// Takes an acknowledgment. Returns true if more chunks have arrived. An inconsistent
+  /// Processes an acknowledgment. Returns true if more chunks have arrived. An inconsistent
   /// acknowledgment has no effect.
   bool acknowledge(const wire::Ack& ack, Nanos now);
 
@@ -49,7 +49,7 @@ class ChunkWindow {
  private:
   struct State {
     Nanos sent{};
-    std::uint64_t order = 0;  // number of its last transmission among all
+    std::uint64_t order = 0;  // number of its last transmission, counted over all chunks
     std::uint32_t times = 0;
     bool arrived = false;
   };

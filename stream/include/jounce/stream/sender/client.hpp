@@ -28,13 +28,13 @@ struct ClientOptions {
 ///     client.override_(0.5);
 ///     client.release();                               // the motion continues
 ///
-/// A call returns when the axis has accepted or rejected the command; the motion may still continue
-/// then. A call throws only InputError, for a value that is out of range for any axis, and
+/// A call returns when the axis has accepted or rejected the command; the motion may not have ended
+/// yet. A call throws only InputError, for a value that is out of range for any axis, and
 /// TransportError. Units are those of the axis and of its master.
 ///
 /// The first call opens a session: from then on, the client owns the axis. If another program owns
-/// the axis, the call is rejected as busy. If there is no call for a second, the session ends, and
-/// the next call opens another one.
+/// the axis, the call is rejected with Refusal::busy. After a second without a call, the session
+/// ends; the next call opens a new session.
 class Client {
  public:
   /// Subscribes to the replies. `link` must outlive the client. Throws InputError for an invalid
@@ -45,9 +45,10 @@ class Client {
   CallOutcome enable() { return command(command::Enable{}); }
   CallOutcome disable() { return command(command::Disable{}); }
   CallOutcome reset() { return command(command::Reset{}); }
-  /// Assigns a value to the present position, or adds the value to it.
+  /// Assigns a value to the present position, or adds the value to the present position
+  /// (`relative`).
   CallOutcome set_position(double position, bool relative = false);
-  /// Homes at the present position, without motion: assigns this value to it.
+  /// Homes at the present position, without motion: assigns the value `position` to it.
   CallOutcome home(double position);
   /// Starts a homing by a method of CiA 402. `offset`: position value of the axis at the home
   /// position. Method 0 and offset NaN: as configured. The call returns when the search has begun;
@@ -58,13 +59,13 @@ class Client {
   /// Sets the override, 0 to 2.
   CallOutcome override_(double factor);
 
-  /// `direction`, on a modulo axis: 1 or -1; 0: the shorter way.
+  /// `direction` on a modulo axis: 1 or -1; 0: the shorter way.
   CallOutcome move_absolute(double position, const MoveDynamics& dynamics = {}, int direction = 0);
   CallOutcome move_relative(double distance, const MoveDynamics& dynamics = {});
   CallOutcome move_additive(double distance, const MoveDynamics& dynamics = {});
   /// dynamics.velocity is the velocity of the added move alone.
   CallOutcome move_superimposed(double distance, const MoveDynamics& dynamics = {});
-  /// `velocity` is signed, 0: to rest. dynamics.velocity is not sent.
+  /// `velocity` is signed; 0 brings the axis to rest. dynamics.velocity is not sent.
   CallOutcome move_velocity(double velocity, const MoveDynamics& dynamics = {});
   /// Like move_velocity(), but as a hold-to-run jog: the axis stops when this session ends, or when
   /// this client sends no message for 0.2 s. beat() keeps the jog running.

@@ -9,25 +9,26 @@
 
 namespace jounce {
 
-/// The command of a session that has no outcome yet; it is repeated until it has one. Every
+/// The command of a session that has no outcome yet, and is repeated until it has one. Every
 /// streamer, client and operator sends its commands through this class.
 class CommandSlot {
  public:
-  /// `last`: number of the last command of the session; the next one gets the number after it.
+  /// `last` is the number of the last command of the session; the next command gets the next
+  /// number.
   explicit CommandSlot(std::int32_t last = 0) : number_(last) {}
 
   /// Numbers a command, and replaces the previous one.
   void issue(wire::Body body);
   /// Removes the command: it has an outcome.
   void clear() { body_.reset(); }
-  /// Makes the next due() return the command at once, because it has changed.
+  /// Makes the next due() return the command at once. Call when the command has changed.
   void hurry() { hurried_ = true; }
 
-  /// Returns the command if it must be sent now: at first, and then after each time `repeat`.
+  /// Returns the command if it must be sent now: at first, and then once in each time `repeat`.
   /// nullopt: nothing to send.
   [[nodiscard]] std::optional<wire::Body> due(Nanos now, Nanos repeat);
 
-  /// True if there is no command without an outcome.
+  /// True if no command waits for an outcome.
   [[nodiscard]] bool empty() const { return !body_; }
   [[nodiscard]] std::int32_t number() const { return number_; }  ///< number of the last command
   /// True if this is a reply to the command.

@@ -24,7 +24,7 @@ struct StreamOptions {
   Nanos total = std::chrono::seconds(60);               ///< time limit of the whole call
   Nanos period = std::chrono::milliseconds(1);          ///< longest wait for messages
   std::function<void(const StreamProgress&)> progress;  ///< called in each iteration; may be empty
-  /// Returns true to stop: the armed motion is stopped, and the call ends; may be empty.
+  /// Returns true to cancel: the armed motion is stopped, and the call ends. May be empty.
   std::function<bool()> cancelled;
   std::optional<wire::Key> key{};  ///< key of the executor; nullopt: none
 };
@@ -39,40 +39,42 @@ struct RowOptions {
   SenderOptions sender;                              ///< options of the RowSender
   Nanos period = std::chrono::milliseconds(1);       ///< longest wait for messages
   std::function<void(const RowProgress&)> progress;  ///< called in each iteration; may be empty
-  /// Returns true to stop: the axis is stopped, and the call ends; may be empty.
+  /// Returns true to cancel: the axis is stopped, and the call ends. May be empty.
   std::function<bool()> cancelled;
   std::optional<wire::Key> key{};  ///< key of the executor; nullopt: none
 };
 
-/// Runs a RowSender to the end of the motion, without a time limit. Returns earlier in case of an
-/// error. Throws InputError like RowSender, and TransportError. If the source of the rows throws,
-/// stops the axis and passes the exception on.
+/// Runs a RowSender to the end of the motion, without a time limit. Returns earlier after an error.
+/// Throws InputError like RowSender, and TransportError. If the source of the rows throws, the
+/// function stops the axis and rethrows the exception.
 RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options = {},
                        const Clock& clock = steady_now, std::int64_t session = random_id());
 
 /// Sends a command of an operator, who needs no session: a Stop, or a Command to hold, resume or
-/// override. The function sets its number, and repeats it until the executor answers, for at most
-/// `patience`. Returns the reply; its outcome is `pending` if there was no answer.
+/// override. The function sets the number of the command, and repeats the command until the
+/// executor answers, for at most `patience`. Returns the reply; without an answer, its outcome is
+/// `pending`.
 wire::Reply operator_command(Transport& link, const std::string& executor, wire::Body body,
                              const std::optional<wire::Key>& key,
                              Nanos patience = std::chrono::seconds(2),
                              const Clock& clock = steady_now);
 
-/// Stops an axis as an operator, without a session; this ends the present session of the axis. The
-/// stop is repeated until the executor answers, for at most `patience`. Returns true if the
-/// executor has confirmed it.
+/// Stops an axis as an operator, without a session; this ends the session of the axis. The function
+/// repeats the stop until the executor answers, for at most `patience`. Returns true if the
+/// executor has confirmed the stop.
 bool operator_stop(Transport& link, const std::string& executor, wire::StopMode mode,
                    Nanos patience = std::chrono::seconds(2), const Clock& clock = steady_now,
                    const std::optional<wire::Key>& key = {});
 
 /// Returns the present status of an axis: drops the status messages that wait on the link, then
-/// waits for the next one, for at most `timeout`. nullopt: none has arrived. The link must have
-/// subscribed to the status channel of the axis, with capacity 1.
+/// waits for the next one, for at most `timeout`. Returns nullopt if none arrives. Requires a link
+/// that has subscribed to the status channel of the axis, with capacity 1.
 std::optional<wire::Message> next_status(Transport& link, const std::string& executor,
                                          Nanos timeout, const Clock& clock = steady_now,
                                          const std::optional<wire::Key>& key = {});
 
-/// The loop of the communication thread around its Receivers, one for each axis, on one link.
+/// The loop of an executor's communication thread: it connects the Receivers, one for each axis, to
+/// one link.
 ///
 ///     ReceiverPump pump(link, {.executor = "feeder"}, random_id());
 ///     for (;;) {
@@ -90,9 +92,9 @@ class ReceiverPump {
                Clock clock = steady_now)
       : ReceiverPump(link, std::vector{options}, boot, std::move(clock)) {}
 
-  /// Waits for messages for at most `timeout`, takes all that have arrived, and sends the answers.
-  /// If a table becomes complete, the call takes longer, for its hash: about one second for some
-  /// hundred megabytes.
+  /// Waits for messages for at most `timeout`, processes all that have arrived, and sends the
+  /// answers. If a table becomes complete, the call takes longer, because it computes the hash:
+  /// about one second for several hundred megabytes.
   void run(Nanos timeout);
   /// Sends the answers that are ready.
   void answer();
@@ -103,9 +105,9 @@ class ReceiverPump {
   /// Sends the state of a master that an axis follows.
   void publish_master(wire::MasterStatus status, std::size_t axis = 0);
 
-  /// Subscribes to the samples of the master with this name, and passes each of them to `take`.
+  /// Subscribes to the samples of the master with this name, and passes each sample to `take`.
   void hear(const std::string& master, std::function<void(const wire::Master&)> take);
-  /// Subscribes to the claims for the names of its axes, and passes each of them to `take`.
+  /// Subscribes to the claims for the names of the axes, and passes each claim to `take`.
   void hear_claims(std::function<void(const wire::Message&)> take);
   /// Sends a message.
   void send(const wire::Message& message) { send_message(link_, message, key_); }

@@ -11,17 +11,17 @@
 namespace jounce {
 
 /// The last messages of a streamer that has failed. They stop the axis, if a motion of the session
-/// may be in progress, and end the session, so that the axis is free. Each message may be lost, so
-/// they are repeated a few times, until the end of the session is answered.
+/// may be in progress, and end the session, so that the axis is free. Because a message may be
+/// lost, all are repeated a few times, until the executor confirms the end of the session.
 class Farewell {
  public:
   /// `last`: number of the last command of the session. `stops`: true if the axis must be stopped.
   void begin(std::int32_t last, bool stops);
   /// Returns the messages to send now. `repeat`: time between two repetitions.
   [[nodiscard]] std::vector<wire::Body> due(Nanos now, Nanos repeat);
-  /// Takes a reply of the executor.
+  /// Processes a reply of the executor.
   void take(const wire::Reply& reply);
-  /// True if the end of the session is answered, or all repetitions were sent.
+  /// True if the executor has confirmed the end of the session, or if all repetitions were sent.
   [[nodiscard]] bool over() const { return left_ == 0; }
 
  private:

@@ -15,14 +15,14 @@ namespace jounce {
 /// Options of a group.
 struct GroupOptions {
   SenderOptions sender = {};  ///< options of each Sender
-  /// Common tick of the start; -1: the first tick by which all axes can have accepted it.
+  /// Common tick of the start; -1: the first tick for which all axes can have accepted the start.
   std::int64_t tick = -1;
   /// For tick -1: time from the newest known tick to the start.
   Nanos lead = std::chrono::milliseconds(300);
   bool watch = true;  ///< true: ends when all motions have ended; false: when all have begun
 };
 
-/// Streams to several axes of one machine that start together, as a pure state machine that
+/// Streams to several axes of one machine whose motions start together: a pure state machine that
 /// contains a Sender for each axis. It has no thread, clock or link.
 ///
 ///     Group group({plan_of("x"), plan_of("y")}, 11);
@@ -31,13 +31,13 @@ struct GroupOptions {
 ///       group.receive(message, now);                      // replies and statuses of all axes
 ///     }
 ///
-/// The group sends all tables and arms all axes. If one axis rejects, none starts; the outcome of
-/// each axis has its own reason. The axes start in the same tick. Axes of different machines are
-/// therefore rejected.
+/// The group sends all tables, arms all axes, and starts them in the same tick. If one axis rejects
+/// a message, no axis starts; the outcome of each axis has its own reason. Axes of different
+/// machines cannot start in the same tick, and are rejected.
 ///
 /// If one axis then cannot start, stops, or fails, the others stop, too. The executor stops them in
-/// the same cycle or the next one, since their motions were started in one session. With an older
-/// executor, the group stops them itself.
+/// the same cycle or the next one, because their motions were started in one session. If the
+/// executor is too old for this, the group stops them.
 class Group {
  public:
   /// `session` > 0: a random number. Throws InputError like Sender, and for fewer than 2 plans or a
@@ -46,7 +46,7 @@ class Group {
 
   /// Returns the messages to send now.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
-  /// Takes a message that has arrived.
+  /// Processes a message that has arrived.
   void receive(const wire::Message& message, Nanos now);
 
   /// Stops all axes and ends.
@@ -68,8 +68,8 @@ class Group {
   struct Axis {
     std::string name;
     Sender sender;
-    std::optional<wire::Status> status{};  // the newest status in its session
-    std::optional<StreamOutcome> own{};    // outcome before the group ended it
+    std::optional<wire::Status> status{};  // newest status of the axis in this session
+    std::optional<StreamOutcome> own{};    // outcome of the axis before the group ended its stream
     bool over = false;
   };
 

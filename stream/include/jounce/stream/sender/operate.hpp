@@ -8,7 +8,7 @@
 #include "jounce/command/state.hpp"
 #include "jounce/stream/sender/client.hpp"
 
-/// Calls of an operator: one question or one command, without a streamer.
+/// Calls of an operator: each is one query or one command, without a streamer.
 namespace jounce {
 
 /// Subscribes to the status of an axis and returns the next one; nullopt if none arrives within
@@ -27,39 +27,41 @@ CallOutcome send_command(Transport& link, const std::string& executor, const Cli
                          std::int64_t at = -1, const std::optional<wire::Key>& key = {});
 
 /// Waits until the axis is at rest: in the state standstill, disabled or error_stop. Returns this
-/// state; nullopt if the axis is not at rest within `patience`. The link must have subscribed to
-/// the status channel, with capacity 1.
+/// state; nullopt if the axis is not at rest within `patience`. Requires a link that has subscribed
+/// to the status channel, with capacity 1.
 std::optional<State> await_rest(Transport& link, const std::string& executor, Nanos patience,
                                 const std::optional<wire::Key>& key = {},
                                 const Clock& clock = steady_now);
 
 /// Waits for the end of a homing that the axis has accepted, and keeps the session of the client
 /// alive. If `cancelled` returns true, stops the axis once and waits for rest. If the axis is not
-/// homed at the end, the outcome is `refused`, with the cause of the fault or stop. The link must
-/// have subscribed as for await_rest().
+/// homed at the end, the outcome is `refused`, with the cause of the fault or stop. Requires a link
+/// like await_rest().
 CallOutcome await_home(Transport& link, const std::string& executor, Client& client,
                        const std::function<bool()>& cancelled,
                        const std::optional<wire::Key>& key = {}, const Clock& clock = steady_now);
 
-/// A command that takes time, and how long it may take.
+/// Options of execute_command().
 struct ExecuteOptions {
   std::int64_t at = -1;  ///< tick in the executor, -1: the next one; not with a homing
   Nanos hold{};          ///< a hold-to-run jog ends after this time; 0: only if cancelled
   std::function<void()> held = {};       ///< called when a hold-to-run jog has begun; may be empty
-  std::function<bool()> cancelled = {};  ///< true: ends the jog, or stops the homing; may be empty
+  std::function<bool()> cancelled = {};  ///< returns true to end the jog or stop the homing; may be
+                                         ///< empty
   std::optional<wire::Key> key = {};
 };
 
-/// Sends one command and waits for its end: for a homing until the axis is homed (await_home()), for
-/// a hold-to-run jog until its time is over or it is cancelled; for any other command only for its
+/// Sends one command and waits for its end. A homing ends when the axis is homed (await_home()); a
+/// hold-to-run jog ends when its time is over or it is cancelled. Any other command ends with its
 /// answer (send_command()). Throws InputError for a value out of range, and TransportError.
 CallOutcome execute_command(Transport& link, const std::string& executor,
                             const ClientCommand& command, const ExecuteOptions& options = {},
                             const Clock& clock = steady_now);
 
 struct StopResult {
-  bool confirmed = false;          ///< the executor has accepted the stop
-  std::optional<State> rest = {};  ///< state at rest; nullopt: not within the time
+  bool confirmed = false;          ///< true if the executor has accepted the stop
+  std::optional<State> rest = {};  ///< state of the axis at rest; nullopt: the axis was not at rest
+                                   ///< in time
 };
 
 /// Stops an axis as an operator, and waits until it is at rest (await_rest()).
@@ -67,8 +69,8 @@ StopResult stop_axis(Transport& link, const std::string& executor, wire::StopMod
                      Nanos patience, const std::optional<wire::Key>& key = {},
                      const Clock& clock = steady_now);
 
-/// Returns the tick of an executor that lies this number of seconds (>= 0) after its present
-/// status; nullopt: no status arrives within two seconds.
+/// Returns the tick of an executor that is `seconds` (>= 0) after its present status. Returns
+/// nullopt if no status arrives within two seconds.
 std::optional<std::int64_t> tick_after(Transport& link, const std::string& executor, double seconds,
                                        const std::optional<wire::Key>& key = {},
                                        const Clock& clock = steady_now);

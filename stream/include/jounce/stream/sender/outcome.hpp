@@ -10,16 +10,16 @@ namespace jounce {
 
 /// Reason why a call to an executor failed.
 enum class StreamError {
-  none,             ///< it did not fail
+  none,             ///< the call did not fail
   no_answer,        ///< the executor has never answered
-  contact_lost,     ///< it has answered before, but no longer does
-  stalled,          ///< it answers, but no chunk gets through
-  command_timeout,  ///< it answers, but without an outcome of arm, start or stop
+  contact_lost,     ///< the executor has answered before, but no longer answers
+  stalled,          ///< the executor answers, but no chunk arrives
+  command_timeout,  ///< the executor answers, but a command (arm, start or stop) has no outcome
   out_of_time,      ///< the total time limit was reached
   restarted,        ///< the executor has restarted and lost its state
-  refused,          ///< see refusal and reason
+  refused,          ///< the executor rejected a message: see refusal and reason
   underrun,         ///< rows arrived too slowly, and the axis has stopped on its path
-  stopped,          ///< another sender has stopped the axis, or a fault has
+  stopped,          ///< another sender or a fault has stopped the axis
   dropped,          ///< the start was accepted for later, but could not take place: see reason
 };
 const char* name(StreamError error);
@@ -28,8 +28,8 @@ const char* name(StreamError error);
 struct CallOutcome {
   StreamError error = StreamError::none;
   wire::Refusal refusal = wire::Refusal::none;
-  std::int32_t cause = 0;  ///< the axis's number of the cause
-  std::string reason{};    ///< in words; may be empty
+  std::int32_t cause = 0;  ///< number of the Cause that the axis reported
+  std::string reason{};    ///< the reason as text; may be empty
 
   [[nodiscard]] bool ok() const { return error == StreamError::none; }
 };

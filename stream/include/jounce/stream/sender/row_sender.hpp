@@ -28,20 +28,20 @@ struct RowPlan {
   bool resume = false;
 };
 
-/// Returns the rows of a table, from its first knot on. x and p are relative to this knot.
+/// Returns the rows of a table, from its first knot on. x and p are relative to the first knot.
 RowSource source_of(Table table);
 
 /// Returns a row in its wire format.
 wire::Row on_wire(const SegmentRow& row);
 
-/// Range of a table's positions, relative to its first knot, as a queue of its rows must announce
-/// it. Unit u: the unit of the position.
+/// Range of a table's positions, relative to its first knot. A queue of the table's rows must
+/// announce this range. u is the unit of the position.
 struct Travel {
   double lowest = 0;   ///< lowest position, u, <= 0
   double highest = 0;  ///< highest position, u, >= 0
   double net = 0;      ///< position at the end, u
 };
-/// Returns the exact range: the extrema of the rows, as an executor computes them.
+/// Returns the exact range: from the extrema of the rows, computed as an executor computes them.
 Travel travel_of(const Table& table);
 
 /// Progress of a stream of rows.
@@ -63,8 +63,8 @@ struct RowOutcome : CallOutcome {
 };
 
 /// The streamer's half of a rolling stream, as a pure state machine without thread, clock or link.
-/// It opens the queue, sends the prefill (or all rows, if there are fewer), arms, starts, and sends
-/// more rows as played rows free space, up to the end of the motion.
+/// It opens the queue, sends the prefill (or all rows, if the stream has fewer), arms, and starts.
+/// As played rows free space, it sends more rows, up to the end of the motion.
 ///
 ///     RowSender sender({.executor = "feeder", .queue = queue, .rows = next_rows}, random_id());
 ///     while (!sender.ended()) {
@@ -73,10 +73,10 @@ struct RowOutcome : CallOutcome {
 ///     }
 ///
 /// If the source is too slow, the axis stops on its path, within its limits, before its rows run
-/// out: an underrun. The stream then ends with this error, or continues if the plan resumes. If
-/// rows are needed and the source has none for `progress_patience`, the stream ends, too: with
-/// `underrun` after the start, with `stalled` before the start. If an operator or a fault stops the
-/// axis, any stream ends with `stopped`.
+/// out: an underrun. The stream then ends with the error `underrun`, or continues if the plan
+/// resumes. If rows are needed and the source returns none for `progress_patience`, the stream ends
+/// as well: with `underrun` after the start, with `stalled` before the start. If an operator or a
+/// fault stops the axis, every stream ends with `stopped`.
 class RowSender {
  public:
   /// `session` > 0: a random number. Throws InputError for a plan that cannot be sent.
@@ -84,7 +84,7 @@ class RowSender {
 
   /// Returns the messages to send now.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
-  /// Takes a message that has arrived.
+  /// Processes a message that has arrived.
   void receive(const wire::Message& message, Nanos now);
 
   /// Stops the axis, and ends.

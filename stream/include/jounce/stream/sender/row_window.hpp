@@ -10,20 +10,21 @@
 
 namespace jounce {
 
-/// The rows of one bank in transit. They are sent by selective repeat, and never exceed the free
-/// space of the bank.
+/// The rows of one bank in transit. The class sends them by selective repeat, and never more than
+/// the free space of the bank.
 class RowWindow {
  public:
   /// `bank`: 0 or 1.
   explicit RowWindow(const wire::Queue& queue, std::uint8_t bank = 0, Pace pace = {});
 
-  /// Returns the number of rows that push() accepts now. It depends on the free space and on the
-  /// messages in transit.
+  /// Returns the number of rows that push() accepts now. The number depends on the free space and
+  /// on the messages in transit.
   [[nodiscard]] std::size_t wants() const;
-  /// Adds 1 to min(wants(), 200) rows.
+  /// Adds rows. Requires 1 to min(wants(), 200) rows.
   void push(std::vector<wire::Row> rows);
 
-  /// Takes an acknowledgment. Ignores one that is inconsistent or older than a previous one.
+  /// Processes an acknowledgment. Ignores an acknowledgment that is inconsistent or older than a
+  /// previous one.
   void acknowledge(const wire::QueueAck& ack);
 
   /// Returns the messages to send now. They then count as sent.

@@ -17,7 +17,7 @@
 
 namespace jounce {
 
-/// Times of a streamer. The patience values are times after which a stream fails.
+/// Times of a streamer. A stream fails when a patience is exceeded.
 struct SenderOptions {
   Pace pace;  ///< options for the chunks
   /// Time between two repetitions of a header or command without an answer.
@@ -41,7 +41,7 @@ enum class StreamStage {
   holding,    ///< the goal is reached, and heartbeats keep the session alive
   releasing,  ///< ends the session; a motion continues
   released,   ///< the session has ended
-  failed,     ///< has ended with an error
+  failed,     ///< the stream has ended with an error
 };
 /// Returns the name of a stage.
 const char* name(StreamStage stage);
@@ -54,7 +54,7 @@ struct StreamProgress {
   std::size_t resent = 0;                        ///< number of chunks that were sent again
 };
 
-/// Outcome or state of a stream. Each flag is set once the executor has confirmed it.
+/// Outcome or state of a stream. A flag is true as soon as the executor has confirmed it.
 struct StreamOutcome : CallOutcome {
   bool downloaded = false;  ///< all tables have arrived
   bool armed = false;       ///< the motion is armed
@@ -75,8 +75,8 @@ struct StreamOutcome : CallOutcome {
 ///       if (sender.at_goal()) sender.release();            // or hold the session, or stop()
 ///     }
 ///
-/// After a failure, a sender has last messages that free the axis (farewell.hpp). Call poll() at
-/// least once more then, or better until done().
+/// After a failure, the sender still has to send messages that free the axis (farewell.hpp). Call
+/// poll() at least once more then, or better until done().
 class Sender {
  public:
   /// `session` > 0: a random number. Throws InputError for a plan that cannot be sent or armed.
@@ -84,18 +84,18 @@ class Sender {
 
   /// Returns the messages to send now.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
-  /// Takes a message that has arrived.
+  /// Processes a message that has arrived.
   void receive(const wire::Message& message, Nanos now);
-  /// Hashes one chunk of the present table, if the plan has no hash for it. Call it while no
-  /// message arrives; otherwise the whole hash is computed when all chunks have arrived. Returns
-  /// false if there is nothing to hash.
+  /// Hashes one chunk of the present table, if the plan has no hash for it. Call while no message
+  /// arrives; otherwise the whole hash is computed when all chunks have arrived. Returns false if
+  /// no table needs a hash.
   bool hash();
 
   /// Changes the goal to a later one.
   void raise(StreamGoal goal);
   /// Changes the goal to a start in this tick of the executor.
   void start_at(std::int64_t tick);
-  /// Stops the axis if anything was armed, and gives the goal up.
+  /// Stops the axis if any motion was armed, and abandons the goal.
   void stop(wire::StopMode mode);
   /// Ends the session; a motion continues.
   void release();
@@ -149,8 +149,8 @@ class Sender {
   bool leg_armed_ = false;
   std::int32_t start_ = 0;     // number of the last accepted start
   std::optional<Nanos> due_;   // time since which the last start appears to have taken place
-  bool waited_ = false;        // the start was seen waiting
-  std::optional<Nanos> over_;  // time since which the axis is at rest with nothing to begin
+  bool waited_ = false;        // true if a status has shown the start as waiting
+  std::optional<Nanos> over_;  // time since which the axis is at rest and no start waits
   std::int64_t session_;
   SenderOptions options_;
   std::int64_t challenge_ = 0;  // the last challenge of the executor
@@ -160,7 +160,7 @@ class Sender {
   std::vector<wire::Message> outgoing_;
 
   std::size_t table_ = 0;              // the present table
-  std::optional<ChunkWindow> window_;  // set once its header is acknowledged
+  std::optional<ChunkWindow> window_;  // set when the header of the table is acknowledged
   std::size_t arrived_before_ = 0, resent_before_ = 0;
   struct Hashing {
     std::size_t table = 0;
@@ -168,7 +168,7 @@ class Sender {
     ContentHasher hasher{};
   };
   std::optional<Hashing> hashing_;
-  bool told_ = false;  // the last header had the hash
+  bool told_ = false;  // true if the last header contained the hash
 
   CommandSlot command_;
 

@@ -15,7 +15,7 @@ namespace jounce {
 enum class StreamGoal { download, arm, start };
 
 /// Tables that take over from the present motion without a stop. Position, velocity and
-/// acceleration must be continuous there.
+/// acceleration must be continuous at the swap.
 struct SwapPlan {
   std::size_t slave = 0;                     ///< index of the slave's table in StreamPlan::tables
   std::size_t master = 0;                    ///< index of the master's table; for follow_table
@@ -33,7 +33,7 @@ struct StreamPlan {
   struct Item {
     Table table;                   ///< the table
     Units units;                   ///< its units
-    std::optional<Sha256> hash{};  ///< content_hash(table, units), if it is known already
+    std::optional<Sha256> hash{};  ///< content_hash(table, units), if the caller has it already
   };
   std::string executor;                 ///< name of the axis
   std::vector<Item> tables;             ///< 1 to 64 tables: the slave's first, then the master's
@@ -42,7 +42,7 @@ struct StreamPlan {
   /// Coupling of a slave over a master, times in s; its master_jump is not transmitted.
   CouplingSpec coupling{};
   std::int64_t start_tick = -1;  ///< tick of the start; -1: the next one
-  /// `tick`, or `master_position`: when the live master passes `position`.
+  /// `tick`, or `master_position` (when the live master passes `position`).
   StartAt when = StartAt::tick;
   double position = 0;  ///< for master_position: position of the master, m (unit of the master)
   CamEnd end = CamEnd::brake;  ///< for follow_input: behavior at the end of the cam
@@ -53,11 +53,11 @@ struct StreamPlan {
 };
 
 /// Throws InputError for no tables, too many tables, or an invalid tick. Unless the goal is
-/// `download`, also for tables whose axes or units do not fit the mode, and for an invalid
-/// coupling.
+/// `download`, throws also for tables whose variables or units do not fit the mode, and for an
+/// invalid coupling.
 void require_valid(const StreamPlan& plan);
 
-/// Returns all starts of the plan in their order: that of the first tables, then the swaps.
+/// Returns all starts of the plan in their order: the start of the first tables, then the swaps.
 std::vector<SwapPlan> legs_of(const StreamPlan& plan);
 
 /// Returns the header of a table. `index`: index of the table in the session. `values`: greatest

@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// An IPv4 multicast group, and how far its packets reach:
+/// An IPv4 multicast group, and the reach of its packets:
 ///
 ///     udpm://239.255.76.67:7667                        this machine: its loopback interface
 ///     udpm://239.255.76.67:7667?ttl=1                  the interface of the group's route
@@ -15,7 +15,8 @@ struct MulticastAddress {
   std::string group;          ///< 224.0.0.0 to 239.255.255.255
   std::uint16_t port = 7667;  ///< UDP port, > 0
   int ttl = 0;  ///< 0: packets stay on this machine; otherwise they may pass ttl - 1 routers
-  std::string interface {};  ///< name of the interface; "": that of the route; with ttl 0 always ""
+  std::string interface {};  ///< name of the interface; "": the interface of the route; with ttl 0
+                             ///< always ""
   /// Requested receive buffer, bytes; Linux grants up to net.core.rmem_max.
   int receive_buffer = 1 << 22;
 
@@ -27,8 +28,8 @@ struct MulticastAddress {
 /// recv_buf_size. Throws InputError for any other text.
 MulticastAddress multicast_address(const std::string& url);
 
-/// True if packets to and from an address of open_transport() stay on this machine. Throws
-/// InputError like multicast_address().
+/// True if the packets of a link to this address (see open_transport()) stay on this machine.
+/// Throws InputError like multicast_address().
 bool is_local(const std::string& url);
 
 }  // namespace jounce

@@ -10,7 +10,7 @@
 #include "jounce/stream/message/wire.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
-/// Messages over a link: functions for the programs around the state machines.
+/// Functions that send and receive messages over a link.
 namespace jounce {
 
 /// Numbers of packets that were rejected, for each reason.
@@ -29,17 +29,17 @@ struct Rejects {
 std::optional<wire::Message> next_message(Transport& link, Nanos timeout, Rejects& rejects,
                                           const std::optional<wire::Key>& key = {});
 
-/// Waits for a message for at most `timeout`, then passes all messages that wait on the link to
-/// `take`, up to a fixed number.
+/// Waits for a message for at most `timeout`. Then passes all messages that wait on the link, up to
+/// a fixed number, to `take`.
 void drain(Transport& link, Nanos timeout, const std::optional<wire::Key>& key, Rejects& rejects,
            const std::function<void(const wire::Message&)>& take);
 
-/// Encodes a message, with an authentication code if there is a key, and sends it on its channel.
+/// Encodes a message (with a key: with an authentication code), and sends it on its channel.
 void send_message(Transport& link, const wire::Message& message,
                   const std::optional<wire::Key>& key = {});
 
-/// Greatest number of packets of a channel that wait: more than a window, since repetitions and
-/// other streamers may add some.
+/// Greatest number of packets of a channel that wait. It is greater than a window, because
+/// repetitions and other streamers may add packets.
 inline constexpr int queue_capacity = 64;
 
 /// Returns a random number > 0, for sessions, boots and operators' commands.

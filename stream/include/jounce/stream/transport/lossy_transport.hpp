@@ -9,14 +9,14 @@
 
 namespace jounce {
 
-/// A period in which a link is interrupted: from `from` to `to` after its construction. Packets
-/// sent in this period are lost.
+/// A period in which a link is interrupted. `from` and `to` count from the construction of the
+/// link. Packets sent in this period are lost.
 struct Partition {
   /// Direction of the loss.
   enum class Way { both, out, in };
   Nanos from{};  ///< start of the period
   Nanos to{};    ///< end of the period
-  /// `out`: packets from this side are lost; `in`: packets to this side; `both`: both.
+  /// `out`: packets from this side are lost; `in`: packets to this side; `both`: all packets.
   Way way = Way::both;
 };
 
@@ -32,8 +32,8 @@ struct LossSpec {
   std::vector<Partition> partitions = {};      ///< interruptions
 };
 
-/// A link with simulated faults, in both directions; the same seed gives the same faults. `link`
-/// and `clock` must outlive it.
+/// A link with simulated faults in both directions. The same seed gives the same faults. `link` and
+/// `clock` must outlive the object.
 class LossyTransport : public Transport {
  public:
   /// Throws InputError for a share out of range, and for an interruption that ends before it

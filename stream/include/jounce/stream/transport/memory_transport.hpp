@@ -13,12 +13,12 @@ namespace jounce {
 
 class MemoryTransport;
 
-/// Connects links within one process. A message on one of them reaches all subscribers at once and
-/// complete, even its sender.
+/// Connects links within one process. A message on one link reaches all subscribers at once and
+/// complete, including the sender.
 class MemoryNetwork {
  public:
-  /// Called where a real link would wait, with the longest time of the wait. A test advances its
-  /// virtual clock here, and runs the other side. May be empty.
+  /// Called where a real link would wait, with the longest duration of the wait. In this function,
+  /// a test advances its virtual clock and runs the other side. May be empty.
   std::function<void(Nanos)> on_wait;
 
  private:
@@ -26,8 +26,8 @@ class MemoryNetwork {
   std::vector<MemoryTransport*> links_;
 };
 
-/// One link of a MemoryNetwork, which must outlive it. All links of a network must be used by one
-/// thread.
+/// One link of a MemoryNetwork. The network must outlive the link. Use all links of a network in
+/// one thread.
 class MemoryTransport : public Transport {
  public:
   explicit MemoryTransport(MemoryNetwork& network);

@@ -14,7 +14,7 @@ namespace jounce {
 ///     memq://                      within this object only, for tests
 ///     unix://FOLDER                Unix sockets in a folder (UnixTransport)
 ///
-/// Throws InputError for any other address, and the exceptions of that transport.
+/// Throws InputError for any other address, and the exceptions of the selected transport.
 std::unique_ptr<Transport> open_transport(const std::string& url);
 
 }  // namespace jounce

@@ -12,16 +12,16 @@
 
 namespace jounce {
 
-/// A duration, or a time by a Clock.
+/// A duration, or a time of a Clock.
 using Nanos = std::chrono::nanoseconds;
 
-/// Returns the time since a fixed instant. The time never goes back.
+/// Returns the time since a fixed instant. The time never decreases.
 using Clock = std::function<Nanos()>;
 
 /// Returns the time of the system's monotonic clock.
 Nanos steady_now();
 
-/// Converts seconds to a time; more than thirty years counts as unlimited.
+/// Converts seconds to a duration. More than thirty years counts as unlimited.
 Nanos nanos(double seconds);
 
 /// Bytes received on a channel.
@@ -30,27 +30,28 @@ struct Packet {
   std::vector<std::byte> bytes;  ///< content
 };
 
-/// The link itself has failed (no network, no route). The cause is the computer, not the input.
+/// The link itself has failed (no network, no route). The cause is in the computer, not in the
+/// input.
 class TransportError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Moves bytes on named channels. Packets may be lost, duplicated, delayed and reordered, which the
-/// protocol tolerates. Only one thread may use it.
+/// Moves bytes on named channels. Packets may be lost, duplicated, delayed and reordered; the
+/// protocol tolerates this. Use a transport in one thread only.
 class Transport {
  public:
   virtual ~Transport() = default;
 
-  /// Receives this channel from now on; call it once for a channel. At most `capacity` >= 1 packets
-  /// of the channel wait for receive(); further packets are lost. (LCM keeps the oldest packets.
-  /// For the newest state, first remove all waiting packets, then wait for one.)
+  /// Receives this channel from now on. Call once for each channel. At most `capacity` >= 1 packets
+  /// of the channel wait for receive(); further packets are lost. (LCM keeps the oldest packets. To
+  /// get the newest state, first remove all waiting packets, then wait for one.)
   virtual void subscribe(const std::string& channel, int capacity) = 0;
 
   /// Sends bytes on a channel.
   virtual void send(const std::string& channel, std::span<const std::byte> bytes) = 0;
 
-  /// Waits for at most `timeout` >= 0 and returns the next packet; nullopt: none has arrived.
+  /// Waits for at most `timeout` >= 0 and returns the next packet; nullopt if none has arrived.
   /// Throws TransportError if the link has failed.
   virtual std::optional<Packet> receive(Nanos timeout) = 0;
 
