@@ -12,18 +12,18 @@ if(CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_CXX_CLANG_TIDY)
 endif()
 option(JOUNCE_PCH "Precompile the headers that many files include" ${default})
 
-# jounce_unity(TARGET [file ...]): compiles the sources of TARGET twelve at a time, but the given ones, in a third of the
+# jounce_unity(TARGET [file ...]): compiles the sources of TARGET eighteen at a time, but the given ones, in a third of the
 # time: what they all instantiate is instantiated once. Names of unnamed namespaces are then unique in a target.
-option(JOUNCE_UNITY "Compile twelve sources at a time" ${default})
+option(JOUNCE_UNITY "Compile eighteen sources at a time" ${default})
 unset(default)
 
 function(jounce_unity target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${JOUNCE_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${JOUNCE_UNITY} UNITY_BUILD_BATCH_SIZE 18)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  if(JOUNCE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-    # A batch puts the unnamed namespaces of twelve files in one scope, so a local name can shadow a name of another file.
-    # The preset tidy compiles each file alone with -Wshadow.
-    target_compile_options(${target} PRIVATE -Wno-shadow)
+  if(JOUNCE_UNITY)
+    # A batch puts the unnamed namespaces of its files in one scope, so a local name can shadow a name of another file.
+    # The presets dev and tidy compile each file alone with -Wshadow.
+    target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
   endif()
 endfunction()
 

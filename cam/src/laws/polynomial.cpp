@@ -19,11 +19,11 @@ namespace jounce {
 namespace {
 
 constexpr std::size_t capacity = Segment::max_degree + 1;
-using Row = std::array<double, capacity>;
+using ChebyshevRow = std::array<double, capacity>;
 
 /// T_n^(k)(t) for all n: (1) and (2).
-Row chebyshev(double t, int order) {
-  std::array<Row, 4> d{};
+ChebyshevRow chebyshev(double t, int order) {
+  std::array<ChebyshevRow, 4> d{};
   d[0][0] = 1;
   d[0][1] = t;
   d[1][1] = 1;
@@ -52,7 +52,7 @@ void require_valid(double length, std::span<const Condition> conditions) {
 /// Coefficients by powers of s = (t + 1) / 2.
 Segment in_powers(double length, const Eigen::VectorXd& b) {
   // T_n(2 s - 1) has integer coefficients; the recurrence (1) in s is exact.
-  std::array<Row, capacity> power{};
+  std::array<ChebyshevRow, capacity> power{};
   power[0][0] = 1;
   power[1][0] = -1;
   power[1][1] = 2;
@@ -77,7 +77,7 @@ Segment polynomial(double length, std::span<const Condition> conditions) {
   Eigen::VectorXd values(size);
   for (Eigen::Index i = 0; i < size; ++i) {
     const Condition& c = conditions[static_cast<std::size_t>(i)];
-    const Row row = chebyshev(2 * (c.at / length) - 1, c.order);
+    const ChebyshevRow row = chebyshev(2 * (c.at / length) - 1, c.order);
     const Eigen::VectorXd full = Eigen::Map<const Eigen::VectorXd>(row.data(), size);
     const double largest = full.cwiseAbs().maxCoeff();
     const double scale = largest > 0 ? largest : 1;

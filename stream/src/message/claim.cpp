@@ -11,7 +11,8 @@
 namespace jounce {
 namespace {
 
-constexpr std::size_t most_answers = 256;  // between two polls: without a key any sender may ask
+constexpr std::size_t most_claim_answers =
+    256;  // between two polls: without a key any sender may ask
 
 }  // namespace
 
@@ -24,7 +25,7 @@ void Claim::receive(const wire::Message& message, Nanos /*now*/) {
   const auto* const claim = std::get_if<wire::Claim>(&message.body);
   if (claim == nullptr || claim->boot == boot_ || lost_) return;
   if (std::find(names_.begin(), names_.end(), message.executor) == names_.end()) return;
-  if (claim->rival == 0 && outgoing_.size() < most_answers)
+  if (claim->rival == 0 && outgoing_.size() < most_claim_answers)
     outgoing_.push_back({message.executor, 0, wire::Claim{boot_, claim->boot, up_}});
   const bool wins = claim->up != up_ ? claim->up : claim->boot < boot_;
   if (claim->rival == boot_ && wins) lost_ = message.executor;

@@ -19,22 +19,23 @@
 namespace jounce {
 namespace {
 
-[[noreturn]] void refuse(const std::string& folder, const std::string& rule) {
+[[noreturn]] void refuse_folder(const std::string& folder, const std::string& rule) {
   throw InputError("unix", folder, rule);
 }
 
 std::string usable(const std::string& folder) {
   if (folder.empty() || folder.size() > stream_detail::longest_folder)
-    refuse(folder,
-           fmt::format("must name a folder, in at most {} bytes", stream_detail::longest_folder));
+    refuse_folder(folder, fmt::format("must name a folder, in at most {} bytes",
+                                      stream_detail::longest_folder));
   struct stat about {};
   if ((mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) || stat(folder.c_str(), &about) != 0)
     throw TransportError(fmt::format("cannot use the folder {}: {}", folder, std::strerror(errno)));
-  if (!S_ISDIR(about.st_mode)) refuse(folder, "must be a folder");
+  if (!S_ISDIR(about.st_mode)) refuse_folder(folder, "must be a folder");
   if ((about.st_mode & S_IWOTH) != 0)
-    refuse(folder,
-           "must not be writable for all users of this machine, because they could move the axes: "
-           "name another folder, or chmod o-w this one");
+    refuse_folder(
+        folder,
+        "must not be writable for all users of this machine, because they could move the axes: "
+        "name another folder, or chmod o-w this one");
   return folder;
 }
 
