@@ -17,6 +17,11 @@ double at(const std::vector<Segment>& segments, double start, double master) {
   return Cam(segments, start).jet(master)[0];
 }
 
+bool is_straight(const CamSpec& spec, std::size_t i) {
+  return i < spec.segments.size() &&
+         (spec.segments[i].law == Law::dwell || spec.segments[i].law == Law::line);
+}
+
 /// The smoothest curve over a segment of the spec.
 SplineSpec spline_of(const CamSpec& spec, std::size_t i, const MeasuredCam& measured) {
   const CamKnot& from = knot(spec, i);
@@ -44,6 +49,20 @@ std::pair<SplineEnd, SplineEnd> ends_of(const CamSpec& spec, std::size_t i) {
   return {open(i) ? SplineEnd{} : end_of(all[i]), open(i + 1) ? SplineEnd{} : end_of(all[i + 1])};
 }
 
+/// Gives a knot of a segment the derivatives of its curve, unless a line or a dwell on the other
+/// side of the knot gives them. `k`: number of the knot.
+void give(CamSpec& spec, std::size_t k, bool at_start, const SplineEnd& end) {
+  const std::size_t last = spec.segments.size();
+  const bool seam = k == 0 || k == last;
+  if (!end.geo_velocity || (seam && !spec.periodic)) return;
+  const std::size_t beside = at_start ? (k == 0 ? last : k) - 1 : k % last;
+  if (is_straight(spec, beside)) return;
+  for (const std::size_t same : seam ? std::vector{std::size_t{0}, last} : std::vector{k}) {
+    knot(spec, same).geo_velocity = end.geo_velocity;
+    knot(spec, same).geo_acceleration = end.geo_acceleration;
+  }
+}
+
 /// Writes the curve into the segment: as a quintic, if the curve has no joint and both ends are
 /// given.
 void write_spline(CamSpec& spec, std::size_t i, const SplineSpec& spline,
@@ -56,16 +75,10 @@ void write_spline(CamSpec& spec, std::size_t i, const SplineSpec& spline,
     segment.points.push_back(
         {.master = master, .slave = at(curve.segments, spline.points[0].master, master)});
   }
-  segment.law = Law::quintic_spline;
-  const auto give = [](CamKnot& k, const SplineEnd& end) {
-    k.geo_velocity = end.geo_velocity;
-    k.geo_acceleration = end.geo_acceleration;
-  };
   const bool clamped = spline.start.geo_velocity && spline.end.geo_velocity;
-  if (!segment.points.empty() || !clamped) return;
-  segment.law = Law::quintic;
-  give(knot(spec, i), spline.start);
-  give(knot(spec, i + 1), spline.end);
+  segment.law = segment.points.empty() && clamped ? Law::quintic : Law::quintic_spline;
+  give(spec, i, true, spline.start);
+  give(spec, i + 1, false, spline.end);
 }
 
 std::vector<std::size_t> points_in(const MeasuredCam& measured, double from, double to) {
@@ -97,11 +110,6 @@ void leave_out_points(CamSpec& spec, std::size_t i, const MeasuredCam& measured)
     }
     if (again) spec = std::move(best);
   }
-}
-
-bool is_straight(const CamSpec& spec, std::size_t i) {
-  return i < spec.segments.size() &&
-         (spec.segments[i].law == Law::dwell || spec.segments[i].law == Law::line);
 }
 
 /// The spec with a longer motion at the expense of the dwells and lines beside it. `share`: of the
