@@ -93,6 +93,7 @@ TEST_P(Seeds, AreFittedWithinTheTolerance) {
   }
   EXPECT_NEAR(made.fit.gap, gap, 1e-9 * tolerance);
   EXPECT_GE(made.between.position, greatest_distance(made, points) * (1 - 1e-9));
+  EXPECT_LE(made.between.position, 2 * tolerance);  // no oscillation between the points
   EXPECT_TRUE(checked(input).ok()) << full_text(checked(input), input.labels);
 }
 
@@ -115,6 +116,13 @@ TEST_F(FitFile, FindsTheLawsOfAPusher) {
               ::testing::ElementsAre("modified_sine", "dwell", "modified_sine", "dwell"));
   EXPECT_EQ(made.fit.spec.segments[0].end.master, 90);
   EXPECT_LT(made.fit.gap, 1e-9);
+}
+
+/// Fig. 6.14 of the manual: two quintics from rest, a line, and a return that no law describes.
+TEST_F(FitFile, KeepsTheLineOfThePmc600Cam) {
+  const FittedCam made = fit(lines_of("pmc600-cam/cam.toml", 720), {.tolerance = "0.5"});
+  EXPECT_THAT(laws_of(made.fit.spec),
+              ::testing::ElementsAre("345", "line", "quintic_spline", "dwell", "345"));
 }
 
 TEST_F(FitFile, ATableWithVelocitiesIsFittedBetweenItsKnots) {

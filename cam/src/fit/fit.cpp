@@ -168,8 +168,9 @@ bool Fitter::by_parts() {
       if (!found_[i].settled) make_spline(i);
     for (std::size_t tries = spec_.segments.size(); tries > 1; --tries) {
       const Deviation now = refine(spec_, everything(), all_points());
-      if (now.fits()) return true;
-      join_to_spline(master(now.where));
+      const auto between = fitting::oscillation(spec_, measured_, all_points());
+      if (now.fits() && !between) return true;
+      join_to_spline(now.fits() ? *between : master(now.where));
     }
   } catch (const InputError&) {  // from design(): a derivative at a knot contradicts a law
     return false;

@@ -98,6 +98,31 @@ Deviation deviation(const CamSpec& spec, const MeasuredCam& measured,
   return found ? summary(*found, points) : Deviation{};
 }
 
+std::optional<double> oscillation(const CamSpec& spec, const MeasuredCam& measured,
+                                  const std::vector<std::size_t>& points) {
+  constexpr double near = 2;  // tolerances
+  const Cam cam = design(spec).cam;
+  const auto& all = measured.points;
+  const auto bend = [&](std::size_t k) {  // greatest distance of a parabola from its chord
+    if (k == 0 || k + 1 >= all.size()) return 0.0;
+    const double before = all[k].master - all[k - 1].master;
+    const double after = all[k + 1].master - all[k].master;
+    const double slopes =
+        (all[k + 1].slave - all[k].slave) / after - (all[k].slave - all[k - 1].slave) / before;
+    return std::abs(slopes) * std::max(before, after) / 4;
+  };
+  double worst = 1;
+  std::optional<double> where;
+  for (const std::size_t k : points) {
+    if (k + 1 >= all.size()) continue;
+    const double at = (all[k].master + all[k + 1].master) / 2;
+    const double distance = std::abs(cam.jet(at)[0] - (all[k].slave + all[k + 1].slave) / 2);
+    const double share = (distance - std::max(bend(k), bend(k + 1))) / (near * all[k].tolerance);
+    if (share > worst) worst = share, where = at;
+  }
+  return where;
+}
+
 Deviation refine(CamSpec& spec, const std::vector<Parameter>& parameters,
                  const MeasuredCam& measured, const std::vector<std::size_t>& points) {
   auto now = distances(spec, measured, points);

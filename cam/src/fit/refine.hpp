@@ -41,6 +41,12 @@ void change(CamSpec& spec, const Parameter& parameter, double by);
 Deviation deviation(const CamSpec& spec, const MeasuredCam& measured,
                     const std::vector<std::size_t>& points);
 
+/// Returns the place between two adjacent points at which the cam leaves the points most, or
+/// nullopt if it stays near their lines. A cam that passes each point may still oscillate between
+/// them. Near: within twice the tolerance, and the bend of the points.
+std::optional<double> oscillation(const CamSpec& spec, const MeasuredCam& measured,
+                                  const std::vector<std::size_t>& points);
+
 /// Changes the parameters to those of the least sum of squares, by the method of Levenberg and
 /// Marquardt, and returns the deviation.
 Deviation refine(CamSpec& spec, const std::vector<Parameter>& parameters,

@@ -147,7 +147,8 @@ void spline_part(CamSpec& spec, std::size_t i, const MeasuredCam& measured) {
       write_spline(trial, i, spline, smoothing_spline(spline));
       leave_out_points(trial, i, measured);
     }
-    const bool fits = deviation(trial, measured, near).fits();
+    const bool fits =
+        deviation(trial, measured, near).fits() && !oscillation(trial, measured, near);
     const bool fewer = best && trial.segments[i].points.size() < best->segments[i].points.size();
     if (best && (fits == best_fits ? !fewer : best_fits)) continue;
     best = std::move(trial);
