@@ -157,6 +157,8 @@ TEST_F(FitFile, RejectsWithTheLineOfTheFile) {
             "tolerance = 0: must be greater than 0");
   EXPECT_EQ(complaint(head + "0,0\n1,1\n2,2\n3,3\n4,4\n", {.tolerance = "1", .period = "3"}),
             "period = 3: must be at least 4 deg, the travel of the master in the file");
+  EXPECT_THAT(complaint("jounce = 1\nkind = \"cam\"\n", {.tolerance = "1"}),
+              HasSubstr("is a spec: fit reads points or a table"));
   EXPECT_THAT(complaint("master [deg],slave [mm],tolerance\n0,0,1\n1,0,0\n", {}),
               HasSubstr(":3: tolerance = 0: must be greater than 0"));
 }

@@ -139,6 +139,9 @@ void close(Measurement& m, const std::string& text) {
 
 Measurement measurement_of(const std::string& path, const FitOptions& options) {
   const std::string text = read_file(path);
+  if (!spec_kind(text).empty())
+    throw InputError("FILE", path,
+                     "is a spec: fit reads points or a table. Make its table with `jounce design`");
   Measurement m =
       is_finished_table(text)
           ? from_table(table_inputs(text, path).front(), options)
