@@ -114,6 +114,7 @@ void add_design(CommandLine& line);
 void add_check(CommandLine& line);
 void add_convert(CommandLine& line);
 void add_diff(CommandLine& line);
+void add_fit(CommandLine& line);
 void add_optimize(CommandLine& line);
 void add_validate(CommandLine& line);
 void add_sweep(CommandLine& line);

@@ -7,6 +7,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/cam/laws/law_names.hpp"
 
+#include "spec/src/cams/cam_points.hpp"
 #include "spec/src/toml/parts.hpp"
 
 namespace jounce::spec_detail {
@@ -80,9 +81,11 @@ void read_free(TomlReader& owner, std::size_t knot, const CamUnits& units, Optim
   if (!(nothing && shape)) optimize.free.push_back(f);
 }
 
-/// True for the end of a line that gives its speed instead of its slave position.
-bool follows_speed(const TomlReader& end, Law law) {
-  return law == Law::line && !end.has("slave") && (end.has("geo_velocity") || end.has("velocity"));
+/// True for a line whose end gives its speed instead of its slave position.
+bool follows_speed(TomlReader& segment, Law law) {
+  if (law != Law::line) return false;
+  const auto end = segment.optional_table("end");
+  return end && !end->has("slave") && (end->has("geo_velocity") || end->has("velocity"));
 }
 
 /// A knot. `line_from`: the knot before a line that keeps its speed wherever it begins and ends.
@@ -158,23 +161,57 @@ std::optional<double> master_of(TomlReader& knot, const std::string& unit) {
   return quantity(*text, unit);
 }
 
+/// The master position of a knot; without the table of the knot, that of the point of a file that
+/// replaces it.
+std::optional<double> master_of(std::optional<TomlReader> knot, const std::string& unit,
+                                TomlReader& segment, double MasterSpan::*point) {
+  if (knot) return master_of(*knot, unit);
+  if (const auto span = span_of_points(segment, unit)) return (*span).*point;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<double> cam_length(TomlReader& top, const Units& units) {
   try {
-    auto start = top.optional_table("start");
     auto segments = top.tables("segment");
-    if (!start || segments.empty()) return std::nullopt;
-    auto end = segments.back().optional_table("end");
-    if (!end) return std::nullopt;
-    const auto from = master_of(*start, units.x);
-    const auto to = master_of(*end, units.x);
+    if (segments.empty()) return std::nullopt;
+    TomlReader& last = segments.back();
+    const auto from =
+        master_of(top.optional_table("start"), units.x, segments.front(), &MasterSpan::from);
+    const auto to = master_of(last.optional_table("end"), units.x, last, &MasterSpan::to);
     if (!from || !to || !(*to > *from)) return std::nullopt;
     return *to - *from;
   } catch (const InputError&) {
     return std::nullopt;
   }
 }
+
+namespace {
+
+/// True if the spec leaves out the start of the cam, which is then the first point of the file of
+/// its first segment.
+bool starts_with_file(TomlReader& top) {
+  if (top.has("start")) return false;
+  auto segments = top.tables("segment");
+  return !segments.empty() && segments.front().is_text("points");
+}
+
+/// Reads the end of a segment; without its table, it is the last point of the file. `line_from`: see read_knot().
+CamKnot read_end(TomlReader& segment, const CamUnits& units, const CamKnot* line_from,
+                 const std::optional<CamPointFile>& file) {
+  if (file && !segment.has("end")) {
+    if (segment.optional_table("free"))
+      segment.fail("free", "", "moves the last point of the file: give the segment its own end");
+    return CamPointFile::knot_of(file->points.back());
+  }
+  TomlReader end = segment.table("end", "end = { master = NUMBER, slave = NUMBER }");
+  CamKnot knot = read_knot(end, units, line_from);
+  end.finish();
+  return knot;
+}
+
+}  // namespace
 
 LawForm read_form(TomlReader& segment) {
   LawForm form;
@@ -195,23 +232,30 @@ CamSpec read_cam(TomlReader& top, const Units& of, Spec& spec) {
   cam.slave_period = top.optional_number("slave_period", of.position);
   if (const auto chosen = top.optional_choice("boundaries", boundaries))
     spec.boundaries = static_cast<Boundaries>(*chosen);
-  TomlReader start = top.table("start", "start = { master = 0, slave = 0 }");
-  cam.start = read_knot(start, units);
-  read_free(start, 0, units, optimize);
-  start.finish();
+  const bool from_file = starts_with_file(top);
+  if (!from_file) {
+    TomlReader start = top.table("start", "start = { master = 0, slave = 0 }");
+    cam.start = read_knot(start, units);
+    read_free(start, 0, units, optimize);
+    start.finish();
+  }
   std::vector<std::size_t> lines;  // that keep their speed, by number
   top.for_each("segment", [&](TomlReader& segment) {
     CamSegment s;
     s.name = segment.optional_text("name").value_or("");
     s.form = read_form(segment);
-    for (TomlReader& point : segment.tables("points")) s.points.push_back(read_point(point, units));
     refuse_alias(segment, "law");
     s.law = all_laws()[segment.choice("law", law_names())].law;
-    TomlReader end = segment.table("end", "end = { master = NUMBER, slave = NUMBER }");
-    const bool keeps_speed = follows_speed(end, s.law);
+    const auto file = read_cam_points(segment, s.law, of);
+    if (!file)
+      for (TomlReader& point : segment.tables("points"))
+        s.points.push_back(read_point(point, units));
+    if (from_file && cam.segments.empty() && file)
+      cam.start = CamPointFile::knot_of(file->points.front());
     const CamKnot& begin = cam.segments.empty() ? cam.start : cam.segments.back().end;
-    s.end = read_knot(end, units, keeps_speed ? &begin : nullptr);
-    end.finish();
+    const bool keeps_speed = follows_speed(segment, s.law);
+    s.end = read_end(segment, units, keeps_speed ? &begin : nullptr, file);
+    if (file) s.points = file->within(s.law, begin, s.end);
     cam.segments.push_back(std::move(s));
     read_free(segment, cam.segments.size(), units, optimize);
     if (keeps_speed) lines.push_back(cam.segments.size());

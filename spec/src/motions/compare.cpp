@@ -11,12 +11,13 @@
 namespace jounce::spec_detail {
 namespace {
 
-constexpr std::array modes{CompareMode::equal,     CompareMode::less,   CompareMode::greater,
-                           CompareMode::fifo_time, CompareMode::linear, CompareMode::fifo_level};
+constexpr std::array compare_modes{CompareMode::equal,   CompareMode::less,
+                                   CompareMode::greater, CompareMode::fifo_time,
+                                   CompareMode::linear,  CompareMode::fifo_level};
 const std::vector<std::string> mode_names{"equal",  "less",       "greater", "fifo_time",
                                           "linear", "fifo_level", "zone",    "zone_equal"};
 
-const std::vector<std::string> sources{"position", "actual"};
+const std::vector<std::string> compare_sources{"position", "actual"};
 
 /// Reads the number of points on a line, 1 to 1e7.
 std::int64_t count_of(TomlReader& compare) {
@@ -110,9 +111,9 @@ std::optional<CompareSpec> read_compare(TomlReader& top, const Spec& spec) {
   if (!compare) return std::nullopt;
   CompareSpec read;
   const std::size_t mode = compare->choice("mode", mode_names);
-  if (mode >= modes.size()) {
+  if (mode >= compare_modes.size()) {
     PlaneCompare& zone = read.plane.emplace(read_zone(*compare, spec.parts(), read.plane_axes));
-    zone.equal = mode > modes.size();
+    zone.equal = mode > compare_modes.size();
     zone.pulse = read_pulse(*compare, spec);
     compare->finish();
     return read;
@@ -120,10 +121,10 @@ std::optional<CompareSpec> read_compare(TomlReader& top, const Spec& spec) {
   read.axis = compare->optional_text("axis").value_or("");
   const Units units = compared_units(*compare, spec, read.axis);
   if (std::holds_alternative<AxisSpec>(spec.subject) &&
-      compare->optional_choice("of", sources).value_or(0) == 1)
+      compare->optional_choice("of", compare_sources).value_or(0) == 1)
     read.of = SwitchesOf::actual;
   PositionCompare& c = read.compare;
-  c.mode = modes[mode];
+  c.mode = compare_modes[mode];
   c.points = read_points(*compare, units, c.mode);
   if (c.mode == CompareMode::fifo_time || c.mode == CompareMode::linear)
     c.pulse = read_pulse(*compare, spec);

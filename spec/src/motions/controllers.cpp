@@ -281,7 +281,7 @@ MoveSpec read_pmc600_jog(MotionFields& f) {
   return s;
 }
 
-constexpr std::array controllers{
+constexpr std::array controller_readers{
     ProfileReader{"himc", read_himc},
     ProfileReader{"himc_velocity", read_himc_velocity},
     ProfileReader{"googol_trap", read_googol_trap},
@@ -302,7 +302,7 @@ constexpr std::array controllers{
 }  // namespace
 
 std::span<const ProfileReader> controller_profiles() {
-  return controllers;
+  return controller_readers;
 }
 
 }  // namespace jounce::spec_detail

@@ -19,7 +19,7 @@ namespace {
 
 using profiles_detail::rounded_input;
 
-const std::vector<std::string> controllers{"googol", "pmc600"};
+const std::vector<std::string> pt_controllers{"googol", "pmc600"};
 const std::vector<std::string> point_types{"normal", "even", "stop", "continue"};
 const std::vector<std::string> quantities{"position", "velocity", "acceleration"};
 const std::vector<std::string> position_rules{"cubic", "linear"};
@@ -83,7 +83,7 @@ PtSpec read_pt_table(TomlReader& top, TomlReader& pt, const Units& units, bool g
   return spec;
 }
 
-std::optional<int> optional_int(TomlReader& reader, const char* key) {
+std::optional<int> capped_count(TomlReader& reader, const char* key) {
   const auto value = reader.optional_count(key);
   if (!value) return std::nullopt;
   return static_cast<int>(std::min<std::size_t>(*value, 1'000'000));
@@ -133,8 +133,8 @@ ProfileTableSpec read_profile_table(TomlReader& top, TomlReader& pt, const Units
   table.is_absolute = pt.optional_flag("is_absolute").value_or(table.is_absolute);
   table.scale = pt.optional_number("scale", "1").value_or(table.scale);
   table.offset = pt.optional_number("offset", rate(order)).value_or(table.offset);
-  table.number_of_pairs = optional_int(pt, "number_of_pairs");
-  table.array_size = optional_int(pt, "array_size");
+  table.number_of_pairs = capped_count(pt, "number_of_pairs");
+  table.array_size = capped_count(pt, "array_size");
   table.from = pt.optional_number("from", rate(0)).value_or(table.from);
   table.from_velocity = pt.optional_number("from_velocity", rate(1)).value_or(table.from_velocity);
   if (order == 2)
@@ -166,7 +166,7 @@ Extrapolation read_outside(TomlReader& reader, bool may_repeat) {
 
 TimeTableSpec read_time_table(TomlReader& top, const Units& units) {
   TomlReader pt = top.table("pt");
-  const auto controller = pt.optional_choice("controller", controllers);
+  const auto controller = pt.optional_choice("controller", pt_controllers);
   TimeTableSpec spec;
   if (controller == 1U) {
     require_unit("time", units.x, "s", "PMC600");

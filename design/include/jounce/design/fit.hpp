@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "jounce/cam/fit/fit.hpp"
+#include "jounce/design/input.hpp"
+
+namespace jounce {
+
+/// Options for reading and fitting measured points. A text is a number with or without a unit; "": not given.
+struct FitOptions {
+  std::string
+      tolerance;  ///< greatest distance from a point; "": the column `tolerance` of the file
+  std::string period = {};  ///< the cam repeats after this travel of the master; "": it does not
+  std::string master_unit = {};    ///< unit of the master, if the file does not state it
+  std::string position_unit = {};  ///< the same for the slave
+};
+
+/// A cam through the points of a file.
+struct FittedCam {
+  std::string source;      ///< name of the file
+  Units units;             ///< units of the points
+  std::size_t points = 0;  ///< number of points in the file
+  double tolerance = 0;    ///< the greatest tolerance of a point, unit of the slave
+  std::string text;        ///< the spec
+  CamFit fit;              ///< the cam, as the text describes it
+  /// Greatest distance from the motion between the points: the straight lines between them, or
+  /// that of a table with velocities. Exact, not sampled.
+  SampleError between;
+  bool curved = false;  ///< true: `between` is the distance from a table with velocities
+
+  /// False if the cam leaves the tolerance between the points of a table with velocities.
+  [[nodiscard]] bool ok() const { return !curved || between.position <= tolerance; }
+};
+
+/// Fits a cam to the points of a file: CSV with the columns `master`, `slave` and perhaps
+/// `tolerance` (points.hpp), or a cam table of Jounce or of a controller. A table with velocities
+/// is fitted at its knots and at places between them. Throws InputError, with the place in the
+/// file, or with the name of a member of FitOptions.
+FittedCam fitted_cam(const std::string& path, const FitOptions& options);
+
+/// Returns the output of `jounce fit`: each segment with its distance from the points, and the
+/// greatest distances.
+std::string fit_text(const FittedCam& fitted);
+/// Returns the contents of fit_text() as a JSON object; numbers have all their digits. `file` is the
+/// name of the spec.
+std::string fit_json(const FittedCam& fitted, const std::string& file);
+
+}  // namespace jounce

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "jounce/base/file.hpp"
+#include "jounce/base/printable.hpp"
+#include "jounce/base/units.hpp"
+#include "jounce/io/points.hpp"
+
+#include "design/src/fit/fit_spec.hpp"
+
+namespace jounce {
+namespace {
+
+/// The points of a file, and their motion between them.
+struct Measurement {
+  MeasuredCam cam;
+  Units units;
+  std::size_t points = 0;
+  Interpolation rule = Interpolation::linear;
+  Columns columns;
+};
+
+double option(const char* key, const std::string& text, const std::string& unit) {
+  try {
+    const double value = quantity(text, unit);
+    if (!(value > 0)) throw InputError(key, text, "must be greater than 0");
+    return value;
+  } catch (const InputError& error) {
+    throw InputError(key, text, error.rule());
+  }
+}
+
+std::string unit_of(const char* key, const std::string& in_file, const std::string& given,
+                    const char* example) {
+  if (!given.empty() && !is_position_unit(given))
+    throw InputError(key, given, "is not a unit of a length or an angle, or pulse");
+  if (!in_file.empty()) return in_file;
+  if (given.empty())
+    throw InputError(
+        key, "", std::string("is missing: the file names no unit. Give one, such as ") + example);
+  return given;
+}
+
+Units units_of(const Units& in_file, const FitOptions& options) {
+  return {unit_of("master_unit", in_file.x, options.master_unit, "deg"),
+          unit_of("position_unit", in_file.position, options.position_unit, "mm")};
+}
+
+std::vector<double> tolerances_of(const Points& file, const FitOptions& options,
+                                  const std::string& unit) {
+  if (!options.tolerance.empty())
+    return std::vector<double>(file.size(), option("tolerance", options.tolerance, unit));
+  if (file.find("tolerance") == nullptr)
+    throw InputError("tolerance", "",
+                     "is missing: give the greatest distance from a point, such as 20um, or the "
+                     "column tolerance in the file");
+  std::vector<double> all = file.in_unit("tolerance", unit);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!(all[i] > 0))
+      throw InputError("tolerance", all[i], "must be greater than 0")
+          .at(file.document, static_cast<int>(file.lines[i]));
+  return all;
+}
+
+Measurement from_points(const Points& file, const FitOptions& options) {
+  const auto named = [&](const char* column) {
+    const PointColumn* found = file.find(column);
+    return found == nullptr ? std::string() : found->unit;
+  };
+  Measurement m;
+  m.units = units_of({named("master"), named("slave")}, options);
+  m.columns.x = file.in_unit("master", m.units.x);
+  m.columns.p = file.in_unit("slave", m.units.position);
+  m.points = file.size();
+  const std::vector<double> tolerances = tolerances_of(file, options, m.units.position);
+  for (std::size_t i = 0; i < m.points; ++i) {
+    if (i > 0 && !(m.columns.x[i] > m.columns.x[i - 1]))
+      throw InputError(
+          "master", m.columns.x[i],
+          "must be greater than " + number(m.columns.x[i - 1]) + ", the previous point")
+          .at(file.document, static_cast<int>(file.lines[i]));
+    m.cam.points.push_back({m.columns.x[i], m.columns.p[i], tolerances[i]});
+  }
+  return m;
+}
+
+/// Knots of a table. If it is not linear, places between the knots become points, too.
+Measurement from_table(const Input& input, const FitOptions& options) {
+  constexpr std::size_t places = 720;  // points of a table with velocities, at least
+  const Table& table = input.table.table;
+  if (table.axis() != Domain::master)
+    throw InputError("FILE", input.name, "is a table over time: fit reads cams, over a master");
+  if (options.tolerance.empty())
+    throw InputError("tolerance", "", "is missing: give the greatest distance from the table");
+  Measurement m;
+  m.units = units_of(input.table.units, options);
+  m.rule = table.rule();
+  m.columns = table.columns();
+  m.points = table.size();
+  m.cam.periodic = repeats(table.outside());
+  const double tolerance = option("tolerance", options.tolerance, m.units.position);
+  const std::size_t parts =
+      table.rule() == Interpolation::linear ? 1 : 1 + places / (table.size() - 1);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double from = m.columns.x[i];
+    m.cam.points.push_back({from, m.columns.p[i], tolerance});
+    for (std::size_t k = 1; k < parts && i + 1 < table.size(); ++k) {
+      const double at =
+          from + (m.columns.x[i + 1] - from) * static_cast<double>(k) / static_cast<double>(parts);
+      m.cam.points.push_back({at, table.jet(at)[0], tolerance});
+    }
+  }
+  return m;
+}
+
+/// Makes the points those of one period.
+void close(Measurement& m, const std::string& text) {
+  const double period = option("period", text, m.units.x);
+  auto& points = m.cam.points;
+  const double end = points.front().master + period;
+  constexpr double same_place = 1e-9;  // share of the period
+  if (points.back().master > end + same_place * period)
+    throw InputError("period", text,
+                     "must be at least " + number(points.back().master - points.front().master) +
+                         " " + m.units.x + ", the travel of the master in the file");
+  m.cam.periodic = true;
+  if (points.back().master >= end - same_place * period) return;
+  points.push_back({end, points.front().slave, points.front().tolerance});
+  m.columns.x.push_back(end);
+  m.columns.p.push_back(m.columns.p.front());
+  if (!m.columns.v.empty()) m.columns.v.push_back(m.columns.v.front());
+  if (!m.columns.a.empty()) m.columns.a.push_back(m.columns.a.front());
+}
+
+Measurement measurement_of(const std::string& path, const FitOptions& options) {
+  const std::string text = read_file(path);
+  if (!spec_kind(text).empty())
+    throw InputError("FILE", path,
+                     "is a spec: fit reads points or a table. Make its table with `jounce design`");
+  Measurement m =
+      is_finished_table(text)
+          ? from_table(table_inputs(text, path).front(), options)
+          : from_points(parse_points(text, path == "-" ? "standard input" : path), options);
+  if (!options.period.empty()) close(m, options.period);
+  return m;
+}
+
+std::string stem(const std::string& path) {
+  const std::string name = path == "-" ? "cam" : std::filesystem::path(path).stem().string();
+  std::string plain;
+  for (const char c : printable(name)) plain += c == '"' || c == '\\' ? '_' : c;
+  return plain;
+}
+
+}  // namespace
+
+FittedCam fitted_cam(const std::string& path, const FitOptions& options) {
+  constexpr double table_share = 0.1;  // share of the tolerance, for the table of the spec
+  const Measurement m = measurement_of(path, options);
+  FittedCam made;
+  made.source = path == "-" ? "standard input" : path;
+  made.units = m.units;
+  made.points = m.points;
+  made.curved = m.rule != Interpolation::linear;
+  for (const SplinePoint& p : m.cam.points) made.tolerance = std::max(made.tolerance, p.tolerance);
+  made.fit = fit_cam(m.cam);
+  const Cam cam = design(made.fit.spec).cam;
+  made.between = certified(cam, m.rule, m.columns).error;
+  made.text = design_detail::fit_spec_text(
+      made.fit.spec, m.units, stem(path),
+      "Fitted by `jounce fit` to the " + std::to_string(m.points) + " points of " +
+          printable(made.source) + ".\n# Greatest distance from a point: " + rounded(made.fit.gap) +
+          " " + m.units.position + " (tolerance " + rounded(made.tolerance) + ").",
+      table_share * made.tolerance);
+  return made;
+}
+
+}  // namespace jounce

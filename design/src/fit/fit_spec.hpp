@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/design/fit.hpp"
+
+namespace jounce::design_detail {
+
+/// Returns the text of the spec of a fitted cam. `comment`: its first lines, without "# ".
+std::string fit_spec_text(const CamSpec& spec, const Units& units, const std::string& name,
+                          const std::string& comment, double table_tolerance);
+
+}  // namespace jounce::design_detail
