@@ -104,12 +104,13 @@ void add_master(CommandLine& line) {
   verb.option("--before", options->before, "Seconds at rest at the first point, before the motion")
       .check(within(0.0, 1e6))
       .shown();
-  verb.option("--after", options->after,
-              "Seconds at rest at the last point, before the master reports that it leaves")
+  verb.option(
+          "--after", options->after,
+          "Seconds at rest at the last point, before the samples report that the master is lost")
       .check(within(0.0, 1e6))
       .shown();
   verb.option("--seconds", options->seconds,
-              "End after this number of seconds; a table that repeats has no end")
+              "End after this number of seconds; without it, a table that repeats never ends")
       .check(seconds());
   verb.option("--epoch", options->epoch,
               "Number of this run of the sender: executors reject samples with a lower number than "

@@ -153,13 +153,14 @@ void add_run(CommandLine& line) {
               "Serve a live page on this port of 127.0.0.1 (0: any free port), like `jounce page`, "
               "in a separate process")
       .check(whole(0, 65535));
-  verb.flag(
-      "--enable", options->machine.enable,
-      "Enable every axis at the start; default: each axis is disabled until the command enable");
+  verb.flag("--enable", options->machine.enable,
+            "Enable every axis at the start; default: each axis is disabled until `jounce order "
+            "NAME enable`");
   verb.flag("--adopt-start", options->machine.adopt_start,
             "At standstill, take the first position of a table as the position of the axis");
-  verb.flag("--finish-when-silent", options->machine.finish_when_silent,
-            "Play a table to its end when the heartbeat of its streamer is missing; default: stop");
+  verb.flag(
+      "--finish-when-silent", options->machine.finish_when_silent,
+      "If the heartbeats of a streamer stop, play its table to the end; default: stop the axis");
   add_link_options(verb, options->link);
   verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run_executor(*options); });

@@ -65,7 +65,7 @@ void add_stream(CommandLine& line) {
   verb.flag("--no-wait", options->no_wait,
             "Return when the start is accepted, before the motion begins");
   verb.option("--swap", options->swaps,
-              "Table that follows without a stop at the end of the previous table; repeatable");
+              "Table that follows the previous one without a stop; repeatable");
   const Option bank =
       verb.option("--bank", options->bank,
                   "Table that follows at the end of FILE and can repeat (--loops). The executor "
@@ -89,7 +89,7 @@ void add_stream(CommandLine& line) {
       .needs(rolling)
       .check(whole(2, 1 << 20))
       .shown();
-  verb.option("--until", options->until, "Stop after this step: download, arm or start")
+  verb.option("--until", options->until, "Return after this step: download, arm or start")
       .check(one_of({"download", "arm", "start"}))
       .shown();
   verb.option("--patience", options->patience, "Give up after this number of seconds")

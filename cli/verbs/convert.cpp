@@ -122,9 +122,9 @@ std::vector<Option> add_target_options(const Verb& verb, TargetTexts& texts) {
       verb.option("--spacing", texts.spacing, "Least distance between new knots"),
       verb.option("--resolution", texts.x_step, "New knots at multiples of this, such as 1ms"),
       verb.option("--position-resolution", texts.p_step,
-                  "Round their positions to multiples of this, such as 1pulse"),
+                  "Round the positions of the new knots to multiples of this, such as 1pulse"),
       verb.option("--velocity-resolution", texts.v_step,
-                  "Round their velocities to multiples of this")};
+                  "Round the velocities of the new knots to multiples of this")};
 }
 
 }  // namespace
@@ -161,8 +161,8 @@ void add_convert(CommandLine& line) {
       .check(whole(1, 10'000'000))
       .excludes(target);
   verb.option("--every", options->every,
-              "Write samples instead of a table: position and two derivatives at every step of the "
-              "first column, such as \"1 ms\", as CSV");
+              "Write samples (CSV) instead of a table: the position and its first two derivatives, "
+              "at this interval of the first column, such as \"1 ms\"");
   verb.option("--master-unit", options->master_unit,
               "Unit of the first column. For a file without units: the unit that it is in; "
               "otherwise the unit to convert to");

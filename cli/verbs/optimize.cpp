@@ -120,9 +120,8 @@ void add_optimize(CommandLine& line) {
   verb.option("--plot", options->plot,
               "Picture to write, .svg or .png: the optimized motion over the given one");
   verb.option("--against", options->against,
-              "Spec of the drive for which the cam is optimized, of kind \"drive\". For minimize = "
-              "[\"drive "
-              "torque\"], \"drive rms torque\", \"drive residual\", \"drive following "
+              "Spec of the drive that moves the cam, of kind \"drive\". Required for minimize = "
+              "[\"drive torque\"], \"drive rms torque\", \"drive residual\", \"drive following "
               "error\", \"drive end following error\"");
   verb.option("--seconds", options->seconds,
               "Stop after this number of seconds with the best result so far");

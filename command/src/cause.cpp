@@ -21,11 +21,11 @@ constexpr std::array entries{
           "The axis was disabled in motion: the setpoint stays where it was in that cycle.",
           "Find out who disabled the axis: the drive, an operator, or a second program. Then reset "
           "and enable the axis."},
-    Entry{Cause::stalled, "stalled",
-          "During a motion, a cycle came later than longest_gap permits: the setpoint would have "
-          "jumped.",
-          "Run the executor with --realtime on a real-time kernel, or raise longest_gap. Then "
-          "reset the axis."},
+    Entry{
+        Cause::stalled, "stalled",
+        "During a motion, a cycle was late by longest_gap or more: the setpoint would have jumped.",
+        "Run the executor with --realtime on a real-time kernel, or raise longest_gap. Then "
+        "reset the axis."},
     Entry{Cause::overspeed, "overspeed",
           "The next setpoint needs a velocity above the limit of the axis.",
           "With a live master: slow the master down, or raise the velocity limit of the axis. With "

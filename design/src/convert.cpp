@@ -253,7 +253,7 @@ std::string conversion_json(const Converted& made, const TableForm& form, const 
 std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
                                     bool sampled) {
   std::vector<std::string> all = input.unread;
-  if (sampled) all.emplace_back("samples: the file contains no values between them");
+  if (sampled) all.emplace_back("samples only: the file contains no values between them");
   if (form.name == "points")
     all.emplace_back("points count from the first knot; their types define the rates");
   const std::vector<std::string> more = losses(input, form.format, made);

@@ -101,6 +101,7 @@ TEST(StartOutcome, PatienceThatRunsOutLeavesTheStartWaitingAndSaysSo) {
   const StreamOutcome outcome =
       stream_tables(site.link, at_460(pmc600_cam()), options, site.clock, ++site.sessions);
   EXPECT_EQ(outcome.error, StreamError::out_of_time);
+  EXPECT_THAT(outcome.reason, HasSubstr("within 1000 ms: permit more time (--patience)"));
   EXPECT_THAT(outcome.reason, HasSubstr("still waits"));
   site.advance(100ms);
   EXPECT_TRUE(site.last(1).waiting);
@@ -184,8 +185,8 @@ TEST(Group, AStopOfOneStopsTheOther) {
   const TablePtr slow = trapezoid_table(200, 50, 1000, 1000);
   const auto outcomes = stream_group(site.link, both(slow, slow), {}, {}, site.clock);
   EXPECT_TRUE(stopped);
-  EXPECT_FALSE(outcomes[0].ok());
-  EXPECT_FALSE(outcomes[1].ok());
+  EXPECT_EQ(outcomes[0].error, StreamError::stopped) << outcomes[0].reason;
+  EXPECT_EQ(outcomes[1].error, StreamError::stopped) << outcomes[1].reason;
   site.advance(500ms);
   for (const std::size_t i : {0u, 1u}) {
     EXPECT_EQ(site.last(i).state, State::standstill);

@@ -184,6 +184,26 @@ TEST_F(SenderTest, ReportsARefusalByName) {
   EXPECT_EQ(sender.outcome().reason, "too_large: at most 500 knots");
 }
 
+TEST_F(SenderTest, ReportsAStopOfAnOperatorDuringTheMotion) {
+  static_cast<void>(sender.poll(now));
+  hear_ack(2, true);
+  static_cast<void>(sender.poll(now));
+  hear_reply(1);
+  static_cast<void>(sender.poll(now));
+  hear_reply(2);
+  ASSERT_TRUE(sender.outcome().started);
+  now += 100ms;
+  static_cast<void>(says<wire::Heartbeat>());
+  hear(wire::Reply{.boot = 5,
+                   .command = 3,
+                   .outcome = wire::Outcome::refused,
+                   .refusal = Refusal::session_ended});
+  EXPECT_EQ(sender.outcome().error, StreamError::stopped);
+  EXPECT_EQ(sender.outcome().reason,
+            "the executor ended the session: an operator stopped the axis, or heartbeats were "
+            "missing");
+}
+
 TEST_F(SenderTest, IgnoresWhatIsNotForIt) {
   static_cast<void>(sender.poll(now));
   const wire::Ack no{.boot = 5, .refusal = Refusal::busy};

@@ -68,16 +68,17 @@ constexpr std::array laws{
             "acceleration steps next to a dwell"},
     LawInfo{Law::inclined_sine, "inclined_sine", "Inclined sine (Bestehorn, cycloid)", Ends::moving,
             true, "high speed, light loads", "smooth and quiet: low residual vibration",
-            "high peak acceleration and torque"},
+            "high peak acceleration, and high torque on the master (Cm)"},
     LawInfo{Law::modified_sine, "modified_sine", "Modified sine", Ends::moving, true,
             "indexers and heavy loads; the usual first choice",
-            "low peak velocity, and the lowest torque of the smooth laws; tolerant of "
-            "manufacturing errors",
+            "low peak velocity, and the lowest torque on the master (Cm) of the smooth laws; "
+            "tolerant of manufacturing errors",
             "a little more acceleration than the modified trapezoid"},
     LawInfo{Law::modified_trapezoid, "modified_trapezoid", "Modified acceleration trapezoid",
             Ends::moving, true, "when the peak torque of the motor is the limit",
             "lowest peak acceleration of the smooth laws",
-            "high peak velocity and torque; more vibration than modified sine"},
+            "high peak velocity, and high torque on the master (Cm); more vibration than "
+            "modified sine"},
     LawInfo{Law::modified_constant_velocity, "modified_constant_velocity",
             "Modified constant velocity", Ends::moving, true,
             "long strokes when the speed is the limit; a process in the middle of the stroke",

@@ -51,7 +51,7 @@ void require_valid(const GearInPosSpec& spec) {
   require_positive("master_period", spec.master_period.value_or(1));
   if (spec.master_start_distance == 0)
     throw InputError("master_start_distance", "0",
-                     "must be greater than 0: the slave needs a distance to reach the ratio");
+                     "must not be 0: the slave needs a distance to reach the ratio");
   const Ends ends = info(spec.law).ends;
   if (ends != Ends::given && ends != Ends::moving)
     throw InputError("law", name(spec.law), "must accept a velocity at its end: try \"quintic\"");

@@ -108,7 +108,7 @@ std::string ending(const Evaluations& evaluations) {
 std::string settled_reason(const Evaluations& evaluations, const Searched& how) {
   if (evaluations.size() == 0) return "every variable is fixed";
   if (evaluations.size() == 1)
-    return "the best value in the whole range, of which " +
+    return "the best value found in the whole range, of which " +
            std::to_string(std::clamp(evaluations.max_evaluations() / 4, 8, 256) + 1) +
            " places were evaluated; edges are bisected, and the best places refined";
   const std::string local = "no step from the best point improves the figure by more than " +

@@ -7,6 +7,8 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "stream/src/sender/reasons.hpp"
+
 namespace jounce {
 namespace {
 
@@ -25,11 +27,6 @@ CallOutcome refused(const wire::QueueAck& ack) {
 
 CallOutcome stalled(std::string reason) {
   return {StreamError::stalled, wire::Refusal::none, 0, std::move(reason)};
-}
-
-std::string milliseconds(Nanos time) {
-  return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
-         " ms";
 }
 
 }  // namespace
@@ -108,7 +105,7 @@ CallOutcome StaticQueue::fill(std::uint8_t bank, const std::vector<wire::Row>& r
   }
   if (!heard) return unanswered();
   return stalled("bank " + std::to_string(bank) + " accepted no more rows for " +
-                 milliseconds(client_.options_.patience));
+                 stream_detail::milliseconds(client_.options_.patience));
 }
 
 CallOutcome StaticQueue::arm(std::uint8_t bank) {

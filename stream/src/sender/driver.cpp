@@ -8,6 +8,8 @@
 
 #include "jounce/stream/sender/ask.hpp"
 
+#include "stream/src/sender/reasons.hpp"
+
 namespace jounce {
 
 StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options,
@@ -21,8 +23,7 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
   bool cancelled = false;
   for (const Nanos begin = clock();;) {
     if (clock() - begin > options.total)
-      sender.fail(StreamError::out_of_time,
-                  "the time that the caller permits is over: permit more (--patience)");
+      sender.fail(StreamError::out_of_time, stream_detail::time_over_reason(options.total));
     for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
     if (options.progress) options.progress(sender.outcome().progress);
     if (sender.done()) return sender.outcome();

@@ -7,6 +7,8 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "stream/src/sender/reasons.hpp"
+
 namespace jounce {
 namespace {
 
@@ -143,8 +145,7 @@ void Group::leave_broken(Axis& axis) {
   const wire::Status& status = *axis.status;
   const std::int32_t cause = status.last_error != 0 ? status.last_error : status.reason;
   axis.sender.fail(StreamError::stopped,
-                   "the axis came to rest before the end of its motion: cause " +
-                       std::to_string(cause) + " (docs/executor/axis.md)");
+                   stream_detail::at_rest_reason("the end of its motion", cause));
   leave(axis);
 }
 
@@ -156,8 +157,9 @@ void Group::leave(const Axis& because) {
     if (axis.sender.ended()) continue;
     axis.own = axis.sender.outcome();
     axis.own->error = StreamError::stopped;
-    axis.own->reason = (moves ? "stopped, because " : "not started, because ") + because.name +
-                       (moves ? " did not start or has stopped" : " rejected its start");
+    axis.own->reason =
+        moves ? "together with " + because.name + ", which did not start or has stopped"
+              : "not started, because " + because.name + " rejected its start";
     if (moves)
       axis.sender.stop(wire::StopMode::stop);
     else
@@ -218,8 +220,7 @@ std::vector<StreamOutcome> stream_group(Transport& link, std::vector<StreamPlan>
   bool cancelled = false;
   for (const Nanos begin = clock();;) {
     if (!all.started() && clock() - begin > options.total)
-      all.fail(StreamError::out_of_time,
-               "the time that the caller permits is over: permit more (--patience)");
+      all.fail(StreamError::out_of_time, stream_detail::time_over_reason(options.total));
     for (const auto& message : all.poll(clock())) send_message(link, message, options.key);
     if (all.ended()) return all.outcomes();
     drain(link, options.period, options.key, rejects,

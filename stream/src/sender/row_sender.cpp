@@ -8,6 +8,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/message/wire.hpp"
 
+#include "stream/src/sender/reasons.hpp"
+
 namespace jounce {
 namespace {
 
@@ -232,9 +234,7 @@ void RowSender::refused(wire::Refusal refusal, const std::string& reason, std::i
   outcome_.refusal = refusal;
   outcome_.cause = cause;
   if (refusal == wire::Refusal::session_ended && outcome_.progress.started)
-    return fail(
-        StreamError::stopped,
-        "the executor ended the session: an operator stopped the axis, or heartbeats were missing");
+    return fail(StreamError::stopped, stream_detail::session_ended_reason);
   fail(StreamError::refused, std::string(name(refusal)) + (reason.empty() ? "" : ": ") + reason);
 }
 

@@ -10,13 +10,10 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/message/wire.hpp"
 
+#include "stream/src/sender/reasons.hpp"
+
 namespace jounce {
 namespace {
-
-std::string milliseconds(Nanos time) {
-  return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
-         " ms";
-}
 
 /// The knots [from, to) of all existing columns.
 std::array<std::span<const double>, 4> rows_of(const Columns& columns, std::size_t from,
@@ -130,14 +127,15 @@ void Sender::check_patience(Nanos now) {
   }
   if (silent) {
     fail(boots_.empty() ? StreamError::no_answer : StreamError::contact_lost,
-         "no answer from executor " + plan_.executor + " for " + milliseconds(options_.patience));
+         "no answer from executor " + plan_.executor + " for " +
+             stream_detail::milliseconds(options_.patience));
   } else if (late) {
     fail(StreamError::command_timeout, "the executor did not accept or reject the command within " +
-                                           milliseconds(options_.command_patience));
+                                           stream_detail::milliseconds(options_.command_patience));
   } else if (stage() == StreamStage::downloading &&
              now - progressed_ > options_.progress_patience) {
     fail(StreamError::stalled, "the executor has confirmed no part of the table for " +
-                                   milliseconds(options_.progress_patience));
+                                   stream_detail::milliseconds(options_.progress_patience));
   }
 }
 
@@ -274,6 +272,8 @@ void Sender::refused(wire::Refusal refusal, const std::string& reason, std::int3
   if (stage() == StreamStage::releasing) return enter(StreamStage::released);  // already released
   outcome_.refusal = refusal;
   outcome_.cause = cause;
+  if (refusal == wire::Refusal::session_ended && outcome_.started)
+    return fail(StreamError::stopped, stream_detail::session_ended_reason);
   fail(StreamError::refused, std::string(name(refusal)) + (reason.empty() ? "" : ": ") + reason);
 }
 
@@ -347,8 +347,7 @@ void Sender::await_start(const wire::Status& status) {
 void Sender::be_over(const wire::Status& status) {
   outcome_.cause = status.last_error != 0 ? status.last_error : status.reason;
   if (outcome_.cause == 0) return pursue();
-  fail(StreamError::stopped, "the axis came to rest before the swap: cause " +
-                                 std::to_string(outcome_.cause) + " (docs/executor/axis.md)");
+  fail(StreamError::stopped, stream_detail::at_rest_reason("the swap", outcome_.cause));
 }
 
 void Sender::raise(StreamGoal goal) {
@@ -382,7 +381,8 @@ void Sender::fail(StreamError error, std::string reason) {
   if (ended()) return;
   // A waiting start is not canceled: a stop would also end the present motion.
   if (stage() == StreamStage::waiting && error != StreamError::dropped)
-    reason += "; the accepted start still waits in the axis: cancel it with a stop";
+    reason += "; the accepted start still waits in the axis: `jounce stop " + plan_.executor +
+              "` cancels it";
   outcome_.error = error;
   outcome_.reason = std::move(reason);
   // The outcome of an unanswered start is unknown: a possible motion is stopped.

@@ -258,7 +258,7 @@ struct MoveSuperimposed {
 template <Of<MoveSuperimposed> C, class F>
 constexpr void each_field(C& c, F f) {
   f(Field{"distance", Quantity::position, FieldRange::finite, "on-top",
-          "Move by this distance on top of the present motion"},
+          "Superimpose a move by this distance on the present motion"},
     c.distance);
   f(Field{"velocity difference", velocity.quantity, velocity.range, velocity.option, velocity.help},
     c.dynamics.velocity);
@@ -279,8 +279,8 @@ constexpr void each_field(C& c, F f) {
   each_field_of_ramp(c.dynamics, f);
   f(buffer_mode, c.buffer);
   f(Field{"hold to run", Quantity::none, FieldRange::flag, "hold-to-run",
-          "jog only while this command runs: the axis stops when it ends, or sends no heartbeat "
-          "for 0.2 s"},
+          "jog: move only while this command runs. The axis stops when the command ends, or sends "
+          "no heartbeat for 0.2 s"},
     c.hold_to_run);
 }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "jounce/stream/transport/transport.hpp"
+
+namespace jounce::stream_detail {
+
+// Texts of CallOutcome::reason that several streamers share.
+
+inline constexpr const char* session_ended_reason =
+    "the executor ended the session: an operator stopped the axis, or heartbeats were missing";
+
+/// "5000 ms"
+inline std::string milliseconds(Nanos time) {
+  return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
+         " ms";
+}
+
+/// The time limit of the whole call was reached.
+inline std::string time_over_reason(Nanos total) {
+  return "the stream did not reach its goal within " + milliseconds(total) +
+         ": permit more time (--patience)";
+}
+
+/// The axis came to rest too early, for a cause of the axis. `before`: "the swap".
+inline std::string at_rest_reason(const std::string& before, std::int32_t cause) {
+  const std::string number = std::to_string(cause);
+  return "the axis came to rest before " + before + ": cause " + number + " (jounce explain " +
+         number + ")";
+}
+
+}  // namespace jounce::stream_detail
