@@ -101,6 +101,15 @@ Check seconds() {
   };
 }
 
+Check ends_in(std::vector<std::string> endings) {
+  return [endings = std::move(endings)](const std::string& file) {
+    const std::string ending = std::filesystem::path(file).extension();
+    const bool known = std::find(endings.begin(), endings.end(), ending) != endings.end();
+    return known || ending.empty() ? std::string()
+                                   : fmt::format("must end in {}", fmt::join(endings, " or "));
+  };
+}
+
 std::optional<double> number_in(const std::string& text) {
   double value = 0;
   return put(text, value).empty() ? std::optional(value) : std::nullopt;

@@ -83,8 +83,8 @@ void add_identify(CommandLine& line) {
   verb.option("--fit", options->fit, "Numbers to fit: motor.inertia,mass[1].stiffness,...")
       .required()
       .separated();
-  verb.option("-o,--output", options->output,
-              "Spec of the drive to write, with the fitted numbers");
+  verb.option("-o,--output", options->output, "Spec of the drive to write, with the fitted numbers")
+      .check(ends_in({".toml"}));
   verb.option("--plot", options->plot, "Picture to write, .svg or .png: recorded, model, residual");
   verb.option("--iterations", options->iterations, "Maximum number of iterations")
       .shown()

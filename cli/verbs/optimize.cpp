@@ -115,8 +115,10 @@ void add_optimize(CommandLine& line) {
               "standard input")
       .required();
   verb.option("-o,--output", options->output,
-              "Optimized spec to write: the same text with new numbers and points");
-  verb.option("--table", options->table, "Table of the optimized spec to write, CSV or .json");
+              "Optimized spec to write: the same text with new numbers and points")
+      .check(ends_in({".toml"}));
+  verb.option("--table", options->table, "Table of the optimized spec to write, CSV or .json")
+      .check(ends_in({".csv", ".json"}));
   verb.option("--plot", options->plot,
               "Picture to write, .svg or .png: the optimized motion over the given one");
   verb.option("--against", options->against,

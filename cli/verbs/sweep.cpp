@@ -10,6 +10,7 @@
 #include "jounce/base/file.hpp"
 #include "jounce/base/hash.hpp"
 #include "jounce/plot/sweep_figure.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/study/mpi_world.hpp"
 #include "jounce/study/sweep_files.hpp"
 #include "jounce/study/sweep_summary.hpp"
@@ -136,8 +137,10 @@ void add_sweep(CommandLine& line) {
       .required();
   verb.option("-o,--output", options->output,
               "Table of all cases to write, CSV. After an interruption, the same command "
-              "continues, from a journal that is written beside the table");
-  verb.option("--npy", options->npy, "The same table as a structured array for NumPy (.npy)");
+              "continues, from a journal that is written beside the table")
+      .check(ends_in({".csv"}));
+  verb.option("--npy", options->npy, "The same table as a structured array for NumPy (.npy)")
+      .check(ends_in({".npy"}));
   verb.option(
       "--plot", options->plot,
       "Picture to write, .svg or .png: Pareto front, distributions, or figures over the parameter");

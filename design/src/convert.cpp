@@ -11,6 +11,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/io/points_text.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/fill.hpp"
 
 namespace jounce {
@@ -227,9 +228,9 @@ std::string form_text(const TableForm& form, const TableFile& file) {
 
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses) {
-  std::string text =
-      fmt::format("{} -> {}: {} knots, {}\n{}\n", input.name, form.name, made.file.table.size(),
-                  name(made.file.table.rule()), error_text(made, input.labels));
+  std::string text = fmt::format("{} -> {}: {}, {}\n{}\n", input.name, form.name,
+                                 counted(made.file.table.size(), "knot"),
+                                 name(made.file.table.rule()), error_text(made, input.labels));
   for (const std::string& loss : losses) text += loss + "\n";
   return text;
 }

@@ -223,7 +223,7 @@ void read_body(TomlReader& top, Spec& spec) {
     return all;
   }();
   refuse_other_kinds(top);
-  const Kind& kind = kinds.at(top.choice("kind", names));
+  const Kind& kind = kinds.at(top.variant("kind", names));
   spec.name = top.optional_text("name").value_or("");
   read_units(top, spec, kind);
   const bool several =

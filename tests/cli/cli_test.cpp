@@ -1071,7 +1071,7 @@ TEST_F(Cli, AReportSaysWhatItFoundAndIsAPageOfHtml) {
   EXPECT_THAT(page.out, HasSubstr("PMC600 Fig. 6.14: 2 findings; the worst: geo_velocity"));
   const Result pdf = run("report " + cam + " -o page.pdf");
   EXPECT_EQ(pdf.status, 2);
-  EXPECT_EQ(pdf.err, "jounce: --output = page.pdf: must end in .html\n");
+  EXPECT_EQ(pdf.err, "jounce: --output = page.pdf: must end in .html or .htm\n");
   std::filesystem::create_directory(folder / "folder");
   EXPECT_EQ(run("report folder -o other.html").err,
             "jounce: folder: cannot be read: Is a directory\n");
@@ -1401,7 +1401,7 @@ TEST_F(Cli, ConvertWritesTheSegmentsOfAController) {
   EXPECT_THAT(refused.err,
               HasSubstr("--position-resolution = 1: cannot be used with quadratic pieces"));
   EXPECT_THAT(run("convert m.toml q.csv --to points --rule cubic_hermite").err,
-              HasSubstr("is not a parabola"));
+              HasSubstr("needs a constant acceleration between the knots"));
 }
 
 // A law that begins at rest has 1.9e-16 there: its first segment was "continue", which takes over a ratio.

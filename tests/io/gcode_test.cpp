@@ -176,7 +176,17 @@ TEST(Gcode, RefusesEverythingElseWithItsPlace) {
   EXPECT_THAT(complaint("G1 X1 (open\n"),
               HasSubstr("part.ngc:1:7: \"(open\": is a comment without its closing )"));
   EXPECT_THAT(complaint("G1 X5 P1\n"),
-              HasSubstr("part.ngc:1:7: P1: applies to G4, a dwell, and G64"));
+              HasSubstr("part.ngc:1:7: P1: does not apply to this block: P is the time of a dwell"));
+  EXPECT_THAT(complaint("M98 P100\n"),
+              HasSubstr("part.ngc:1:1: M98: subprograms are not supported: have the CAM program"));
+  EXPECT_THAT(complaint("o100 sub\n"),
+              HasSubstr("part.ngc:1:1: \"o100 sub\": subprograms, loops and conditions are not"));
+  EXPECT_THAT(complaint("G1 X10 Y1O F100\n"),
+              HasSubstr("part.ngc:1:10: \"O\": follows a number: is this letter a 0?"));
+  EXPECT_THAT(complaint("G1 X F100\n"),
+              HasSubstr("part.ngc:1:4: \"X\": needs a number after X, such as X10"));
+  EXPECT_THAT(complaint("G1 X10,5 F100\n"),
+              HasSubstr("part.ngc:1:7: \"X10,5\": a number has a decimal point: write X10.5"));
   EXPECT_THAT(complaint("G4 P-1\n"), HasSubstr("part.ngc:1:4: P-1: must not be negative"));
   EXPECT_THAT(complaint("G4 X1\n"), HasSubstr("part.ngc:1:1: G4: needs P"));
   EXPECT_THAT(complaint("G4 G64 P1\n"), HasSubstr("part.ngc:1:1: G64: must not be in the block"));

@@ -198,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{move, "jerk = 500", "smoothing = 0",
             "a.toml:9:13: move.smoothing = 0 s: must be greater than 0"},
         Bad{move, "\"s_curve\"", "\"trapezoid\"",
-            "a.toml:9:1: move.jerk = 500: is not a key here; possible keys: acceleration, "
+            "a.toml:9:1: move.jerk = 500: is not a key of profile = \"trapezoid\"; possible keys: acceleration, "
             "deceleration, from, profile, to, velocity"},
         Bad{pvt, "time = 1\n", "time = 0\n",
             "a.toml:11:8: knot[2].time = 0 s: must be greater than 0, the previous knot"},

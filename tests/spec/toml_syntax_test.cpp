@@ -60,5 +60,36 @@ TEST(TomlSyntax, NamesWhatIsThereTwice) {
             "a.toml:4:1: [limits]: is given twice: keep one section, with the keys of both");
 }
 
+/// The first error of a spec of this kind.
+std::string error_in(const std::string& kind, const std::string& text) {
+  return test::error_of([&] {
+    (void)parse_spec("jounce = 1\nkind = \"" + kind +
+                         "\"\nunits = { position = \"mm\", master = \"deg\" }\n" + text,
+                     "a.toml");
+  });
+}
+
+TEST(TomlSyntax, ASectionThatCanOccurSeveralTimesNeedsDoubleBrackets) {
+  const std::string rule = ": needs double brackets: write [[";
+  for (const char* text : {"[segment]\n", "[segment]\n[[segment]]\n", "[segment]\n[segment]\n"})
+    EXPECT_EQ(error_in("cam", std::string("start = { master = 0, slave = 0 }\n") + text),
+              "a.toml:5:1: [segment]" + rule + "segment]], because there can be several");
+  EXPECT_EQ(error_in("queue", "[[command]]\n[command]\n"),
+            "a.toml:5:1: [command]" + rule + "command]], because there can be several");
+  EXPECT_EQ(error_in("gear", "[gear]\nengage = \"distance\"\nnumerator = 1\nmaster_end = 9\n"
+                             "distance = 1\n[gear.change]\nat = 1\n"),
+            "a.toml:9:1: [gear.change]" + rule + "gear.change]], because there can be several");
+  EXPECT_EQ(error_in("path", "[[axis]]\nname = \"x\"\n[axis]\n"),
+            "a.toml:6:1: [axis]" + rule + "axis]], because there can be several");
+}
+
+TEST(TomlSyntax, ASectionThatOccursOnceNeedsSingleBrackets) {
+  const std::string rule = ": needs single brackets: write ";
+  EXPECT_EQ(error_in("move", "[[limits]]\nvelocity = 1\n"),
+            "a.toml:4:1: [[limits]]" + rule + "[limits], because there is only one");
+  EXPECT_EQ(error_in("axis", "[axis]\n[[axis]]\n"),
+            "a.toml:5:1: [[axis]]" + rule + "[axis], because there is only one");
+}
+
 }  // namespace
 }  // namespace jounce::toml_syntax_test

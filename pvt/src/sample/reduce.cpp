@@ -297,7 +297,8 @@ class Reduction {
   [[nodiscard]] std::string lines() const {
     const std::size_t n = stretches_.size();
     if (n == 0) return "";
-    return ": it keeps every dwell and straight line of the motion exactly, here " +
+    return ": the table keeps every dwell and straight line of the motion exactly, and the motion "
+           "has " +
            std::to_string(n);
   }
 

@@ -211,6 +211,7 @@ CamSpec read_cam(TomlReader& top, const Units& of, Spec& spec) {
     const bool keeps_speed = follows_speed(end, s.law);
     const CamKnot& begin = cam.segments.empty() ? cam.start : cam.segments.back().end;
     s.end = read_knot(end, units, keeps_speed ? &begin : nullptr);
+    end.refuse_here("free", "belongs to the segment: write it beside end, not in it");
     end.finish();
     cam.segments.push_back(std::move(s));
     read_free(segment, cam.segments.size(), units, optimize);

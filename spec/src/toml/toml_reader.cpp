@@ -11,6 +11,8 @@
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
 
+#include "spec/src/toml/toml_syntax.hpp"
+
 namespace jounce::spec_detail {
 namespace {
 
@@ -165,8 +167,20 @@ double TomlReader::number(const char* key, const std::string& unit) {
 
 std::optional<double> TomlReader::optional_number(const char* key, const std::string& unit) {
   const toml::node* node = find(key);
+  know(key, unit);
   if (node == nullptr) return std::nullopt;
   return or_else(1.0, [&] { return read_number(*node, path(key), unit); });
+}
+
+std::optional<double> TomlReader::optional_positive(const char* key, const std::string& unit) {
+  const auto value = optional_number(key, unit);
+  if (!value || *value > 0) return value;
+  return or_else(1.0,
+                 [&]() -> double { fail(key, jounce::number(*value), "must be greater than 0"); });
+}
+
+void TomlReader::know(const std::string& key, const std::string& unit) {
+  document_->known.emplace(path(key), unit);
 }
 
 std::optional<std::string> TomlReader::optional_quantity(const char* key) {
@@ -244,6 +258,12 @@ std::optional<std::size_t> TomlReader::optional_choice(const char* key,
   return choice(key, permitted);
 }
 
+std::size_t TomlReader::variant(const char* key, std::span<const std::string> permitted) {
+  const std::size_t chosen = choice(key, permitted);
+  describe(std::string(key) + " = \"" + permitted[chosen] + '"');
+  return chosen;
+}
+
 TomlReader TomlReader::table(const char* key, const std::string& example) {
   require(key, !example.empty()
                    ? example
@@ -254,6 +274,8 @@ TomlReader TomlReader::table(const char* key, const std::string& example) {
 std::optional<TomlReader> TomlReader::optional_table(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
+  if (node->is_array_of_tables() && !node->as_array()->front().as_table()->is_inline())
+    throw single_brackets(*document_, path(key), place(node->as_array()->front().source()));
   if (!node->is_table())
     fail(key, shown(*node), std::string("must be a table: ") + key + " = { KEY = VALUE, ... }");
   return TomlReader(*node->as_table(), path(key), *document_, errors_);
@@ -263,6 +285,8 @@ std::vector<TomlReader> TomlReader::tables(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
   const toml::array* array = node->as_array();
+  if (node->is_table() && !node->as_table()->is_inline())
+    throw double_brackets(*document_, path(key), place(node->source()));
   if (array == nullptr)
     fail(key, shown(*node),
          std::string("must be a list of tables: begin each with [[") + path(key) + "]]");
@@ -366,6 +390,14 @@ std::vector<std::string> TomlReader::texts(const char* key) {
   return all;
 }
 
+void TomlReader::refuse_here(const char* key, const std::string& where) {
+  const toml::node* node = table_->get(key);
+  if (node == nullptr) return;
+  known_.insert(key);
+  const auto at = place(node->source());
+  report(InputError(path(key), shown(*node), where).at(document_->name, at.line, at.column));
+}
+
 void TomlReader::finish() {
   const std::vector<std::string> known(known_.begin(), known_.end());
   for (const auto& [key, node] : *table_) {
@@ -375,9 +407,10 @@ void TomlReader::finish() {
       continue;
     }
     const auto at = place(key.source());
-    report(
-        InputError(path(key.str()), shown(node), "is not a key here; possible keys: " + join(known))
-            .at(document_->name, at.line, at.column));
+    report(InputError(path(key.str()), shown(node),
+                      "is not a key " + (what_.empty() ? "here" : "of " + what_) +
+                          "; possible keys: " + join(known))
+               .at(document_->name, at.line, at.column));
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "jounce/profiles/six_digits.hpp"
+
 namespace jounce::study_detail {
 namespace {
 
@@ -33,7 +35,7 @@ std::string active_sentence(std::span<const Finding> findings, const CamRunOutco
     return text;  // these have no place
   for (std::size_t i = 0; i < std::min(most, findings.size()); ++i)
     text += (i == 0 ? " at " : ", ") + words.at(findings[i].where, run);
-  if (findings.size() > most) text += fmt::format(" and {} more places", findings.size() - most);
+  if (findings.size() > most) text += " and " + counted(findings.size() - most, "more place");
   return text;
 }
 
@@ -108,7 +110,7 @@ std::string text_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
     text += run_text(run, words);
     if (!run.shape.usable())
       text += fmt::format("least violated:\n{}",
-                          full_text(run.shape.limits, {words.labels().units, true, {}}));
+                          full_text(words.in_cam(run.shape.limits, run), words.labels()));
   }
   if (!outcome.limits.ok())
     text += fmt::format("limits of the whole cam:\n{}", full_text(outcome.limits, words.labels()));

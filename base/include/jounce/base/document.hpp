@@ -25,13 +25,16 @@ struct Document {
   /// Unit of each plain number that was read, by key.
   std::map<std::string, std::string> units = {};
   std::map<std::string, std::string> given = {};  ///< unit of every number whose text names one
+  /// Unit of each number that the reader knows, by key: also of those that the text does not have.
+  std::map<std::string, std::string> known = {};
 
   /// Returns the unit in which the text gives the number under `key`; `otherwise` for a plain
   /// number, and for a missing one.
   [[nodiscard]] std::string given_unit(const std::string& key, const std::string& otherwise) const;
 
   /// Returns the error with file, line and column of its key. If the key has no place, the place of
-  /// the nearest enclosing key is used.
+  /// the nearest enclosing key is used. A number that must be greater than 0, and is 0 because the
+  /// text does not have it, is reported as missing, with its unit.
   [[nodiscard]] InputError located(const InputError& error) const;
   /// Returns the error about a file `file` that this document names under `key`. If the file cannot
   /// be read at all, the error gets the place of the key; otherwise it is returned unchanged.

@@ -198,9 +198,10 @@ constexpr void each_field(C& c, F f) {
 /// Moves to a position.
 struct MoveAbsolute {
   static constexpr auto kind = CommandKind::move_absolute;
-  double position = 0;                        ///< target, u
-  MoveDynamics dynamics = {};                 ///< limits of the move
-  Direction direction = Direction::shortest;  ///< direction on a modulo axis
+  double position = 0;         ///< target, u
+  MoveDynamics dynamics = {};  ///< limits of the move
+  Direction direction =
+      Direction::shortest;  ///< on a linear axis, positive and negative require that side
   /// When the move begins, relative to the previous motion.
   BufferMode buffer = BufferMode::aborting;
 };
@@ -210,7 +211,8 @@ constexpr void each_field(C& c, F f) {
     c.position);
   each_field(c.dynamics, f);
   f(Field{"direction", Quantity::none, FieldRange::direction, "direction",
-          "Direction of a rotary axis with --to: shortest, positive, negative"},
+          "With --to: shortest, positive, negative; a linear axis refuses a target on the other "
+          "side"},
     c.direction);
   f(buffer_mode, c.buffer);
 }
