@@ -101,15 +101,6 @@ Check seconds() {
   };
 }
 
-Check ends_in(std::vector<std::string> endings) {
-  return [endings = std::move(endings)](const std::string& file) {
-    const std::string ending = std::filesystem::path(file).extension();
-    const bool known = std::find(endings.begin(), endings.end(), ending) != endings.end();
-    return known || ending.empty() ? std::string()
-                                   : fmt::format("must end in {}", fmt::join(endings, " or "));
-  };
-}
-
 std::optional<double> number_in(const std::string& text) {
   double value = 0;
   return put(text, value).empty() ? std::optional(value) : std::nullopt;
@@ -187,7 +178,6 @@ template Option Verb::option(const std::string&, std::int64_t&, const std::strin
 template Option Verb::option(const std::string&, unsigned&, const std::string&) const;
 template Option Verb::option(const std::string&, std::uint64_t&, const std::string&) const;
 template Option Verb::option(const std::string&, std::optional<double>&, const std::string&) const;
-template Option Verb::option(const std::string&, std::optional<int>&, const std::string&) const;
 template Option Verb::option(const std::string&, std::optional<std::uint16_t>&,
                              const std::string&) const;
 template Option Verb::option(const std::string&, std::optional<std::size_t>&,

@@ -45,8 +45,6 @@ Check whole(std::int64_t low, std::int64_t high);
 Check within(double low, double high);
 /// A number of seconds, 0.001 or more.
 Check seconds();
-/// A file to write: if its name has an extension, one of these.
-Check ends_in(std::vector<std::string> endings);
 
 /// The whole text as a number, by the rules of options; nullopt if it is none.
 std::optional<double> number_in(const std::string& text);

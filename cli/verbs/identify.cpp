@@ -41,8 +41,6 @@ int run_identify(const IdentifyArguments& options) {
     require_other_file(options.drive, output);
     require_other_file(options.log, output);
   }
-  require_folders({{"--output", options.output}, {"--plot", options.plot}});
-  if (!options.plot.empty()) require_picture_name("--plot", options.plot);
   const Spec spec = read_spec(options.drive);
   if (!spec.drive)
     throw spec.document.located(InputError("drive", "", "is missing: the fit needs a [drive]"));
@@ -84,8 +82,9 @@ void add_identify(CommandLine& line) {
       .required()
       .separated();
   verb.option("-o,--output", options->output, "Spec of the drive to write, with the fitted numbers")
-      .check(ends_in({".toml"}));
-  verb.option("--plot", options->plot, "Picture to write, .svg or .png: recorded, model, residual");
+      .check(output_file({".toml"}));
+  verb.option("--plot", options->plot, "Picture to write, .svg or .png: recorded, model, residual")
+      .check(output_file({".svg", ".png"}));
   verb.option("--iterations", options->iterations, "Maximum number of iterations")
       .shown()
       .check(whole(1, 10'000));

@@ -58,7 +58,8 @@ Figure figure(const PlotArguments& options) {
       throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
     return drive_figure(inputs.front(), options.drive);
   }
-  if (options.follower) return follower_figure(inputs.front());  // a spec with [follower] has one axis
+  if (options.follower)
+    return follower_figure(inputs.front());  // a spec with [follower] has one axis
   const bool over = options.over == "time";
   if (over)
     for (Input& input : inputs) input = slave_of(input);
@@ -114,7 +115,8 @@ void add_plot(CommandLine& line) {
               "For a path: draw it in the plane of two axes, such as x,y, colored by its speed")
       .excludes({axis, over, before, drive, follower});
   verb.option("-o,--output", options->output,
-              "Picture to write, .svg or .png; - is SVG on standard output");
+              "Picture to write, .svg or .png; - is SVG on standard output")
+      .check(output_file({".svg", ".png"}));
   verb.work([options] { return run_plot(*options); });
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
@@ -25,7 +24,6 @@ struct ReportArguments {
 
 int run_report(const ReportArguments& options) {
   require_other_file(options.file, options.output);
-  require_folders({{"--output", options.output}});
   const Input input = load_program_axis(options.file, options.machine, options.axis);
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
@@ -50,7 +48,7 @@ void add_report(CommandLine& line) {
   verb.option("--before", options->before, "Spec or table to draw paler underneath");
   verb.option("--log", options->log, "Tick log of an executor to compare with the exact curve");
   verb.option("-o,--output", options->output, "Page to write; - is standard output")
-      .check(ends_in({".html", ".htm"}));
+      .check(output_file({".html", ".htm"}));
   verb.work([options] { return run_report(*options); });
 }
 

@@ -143,7 +143,8 @@ constexpr std::array entries{
           "Shorten the travel of the master, or give the cam outside = \"hold\", \"wrap\" or "
           "\"advance\"."},
     Entry{Cause::position_limit, "position_limit", "A position is outside the position range.",
-          "Shift or shorten the motion, or widen position_min and position_max."},
+          "Give a position inside the range, shift or shorten the motion, or widen position_min "
+          "and position_max."},
     Entry{Cause::velocity_limit, "velocity_limit",
           "The motion exceeds the velocity limit of the axis.",
           "Lower the velocity, give the motion more time, or choose a law with a lower peak "

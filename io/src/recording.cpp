@@ -54,11 +54,6 @@ Recording read_recording(const std::string& path, const Drive& drive, const std:
                      "are too few: a recording needs at least four")
         .at(points.document);
   require_ascending(points, recording.time);
-  if (points.find("command") == nullptr)
-    throw InputError("", "",
-                     "has no column \"command\", the reference position: a recording needs it, "
-                     "beside time and a measured column")
-        .at(points.document, 1);
   recording.command = column(points, "command", position);
   recording.position = optional("feedback", position);
   recording.velocity = optional("velocity", rate_unit(position, "s", 1));

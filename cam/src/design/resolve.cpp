@@ -98,7 +98,7 @@ class Resolver {
 
   const CamSpec& spec_;
   std::vector<CamKnot> knots_;
-  std::vector<bool> demanded_;  ///< of each knot: a law required its velocity
+  std::vector<bool> demanded_;  ///< for each knot: true if a law required its velocity
 };
 
 void Resolver::add_knot(std::size_t i) {

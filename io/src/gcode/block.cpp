@@ -20,6 +20,9 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+constexpr const char* no_variables =
+    "variables (#1) and expressions ([1+2]) are not supported: have the CAM program write numbers";
+
 /// The letter in upper case; 0 for any other character.
 char letter(char c) {
   if (c >= 'a' && c <= 'z') return static_cast<char>(c - 'a' + 'A');
@@ -99,9 +102,16 @@ class Line {
   [[noreturn]] void fail_without_letter(std::size_t at, bool behind_number) const {
     const bool is_comma =
         text_[at] == ',' && behind_number && at + 1 < text_.size() && is_digit(text_[at + 1]);
+    if (text_[at] == '#' || text_[at] == '[') fail(at, shown(at, at + 1), no_variables);
+    if (text_[at] == '/')
+      fail(at, "/",
+           "skips a block at the control, which is not supported: remove the / or the block");
     if (!is_comma)
       fail(at, shown(at, at + 1),
            "is not a G-code word: a word is a letter and a number, such as X10");
+    if (const std::size_t rest = text_.find_first_not_of("0123456789", at + 1);
+        rest != std::string_view::npos && text_[rest] == '.')
+      fail(at, ",", "must not divide a number: write its digits without a comma");
     const std::size_t before = text_.find_last_not_of("0123456789.+-", at - 1);
     const std::size_t begin = before == std::string_view::npos ? 0 : before;
     std::size_t end = at + 1;
@@ -115,10 +125,16 @@ class Line {
                                         std::size_t rest) const {
     const char next = rest < text_.size() ? text_[rest] : '\0';
     const bool computes = next == '#' || next == '[';
+    std::size_t end = begin;
+    while (end < text_.size() && letter(text_[end]) != '\0') ++end;
+    if (end > begin + letters.size() && letter(text_[end - 1]) != 'O')
+      fail(
+          begin, shown(begin, end),
+          "is not a G-code word: a word is one letter and a number, such as X10; conditions, loops "
+          "and calls are not supported");
     fail(begin, letters + (computes ? shown(rest, rest + 1) : ""),
          "needs a number after " + letters +
-             (computes ? ": variables (#1) and expressions ([1+2]) are not supported, so have the "
-                         "CAM program write numbers"
+             (computes              ? std::string(": ") + no_variables
               : letter(next) == 'O' ? ": is the letter O a 0?"
                                     : ", such as " + letters + "10"));
   }

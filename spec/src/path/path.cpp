@@ -137,7 +137,7 @@ Point read_position(TomlReader& reader, const char* key, const PathAxes& axes,
     reader.fail(key, "",
                 std::string("is missing: add ") + key + " = [NUMBER, ...], one for each axis");
   Point p{};
-  const std::vector<double> given = reader.numbers(key, axes.position_units);
+  const std::vector<double> given = reader.numbers(key, axes.position_units, ", one for each axis");
   for (std::size_t i = 0; i < given.size(); ++i) p[i] = origin[i] + given[i];
   return p;
 }

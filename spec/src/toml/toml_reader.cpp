@@ -10,6 +10,7 @@
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "spec/src/toml/toml_syntax.hpp"
 
@@ -33,6 +34,14 @@ std::string rule_of_choice(std::span<const std::string> permitted, const std::st
   if (permitted.size() == 1) return "must be \"" + permitted[0] + '"';
   if (permitted.size() > most && !hint.empty()) return "is unknown" + meant;
   return "must be one of " + join(permitted) + meant;
+}
+
+/// "[limits]" or "[[segment]]", for a section of this name; "" for a value on the line of its key.
+std::string header_of(const toml::node& node, const std::string& name) {
+  const bool array = node.is_array_of_tables();
+  const toml::table* const table = array ? node.as_array()->front().as_table() : node.as_table();
+  if (table == nullptr || table->is_inline()) return "";
+  return array ? "[[" + name + "]]" : "[" + name + "]";
 }
 
 /// "; `jounce new cam` writes an example", for the section that a kind of spec requires.
@@ -120,13 +129,15 @@ void TomlReader::refuse_misspelt(const char* key) const {
   for (const auto& [other, node] : *table_)
     if (!known_.contains(std::string(other.str())) &&
         !nearest(other.str(), std::span(&wanted, 1)).empty())
-      throw unknown(other, node, wanted);
+      throw unknown(other, node, "here: did you mean " + wanted + "?");
 }
 
 InputError TomlReader::unknown(const toml::key& key, const toml::node& node,
-                               const std::string& meant) const {
+                               const std::string& rule) const {
   const auto at = place(key.source());
-  return InputError(path(key.str()), shown(node), "is not a key here: did you mean " + meant + "?")
+  const std::string header = header_of(node, path(key.str()));
+  return InputError(header.empty() ? path(key.str()) : header, header.empty() ? shown(node) : "",
+                    std::string("is not a ") + (header.empty() ? "key " : "section ") + rule)
       .at(document_->name, at.line, at.column);
 }
 
@@ -330,14 +341,13 @@ bool TomlReader::holds_tables(const char* key) {
   return array != nullptr && !array->empty() && array->front().is_table();
 }
 
-std::vector<double> TomlReader::numbers(const char* key, std::span<const std::string> units) {
+std::vector<double> TomlReader::numbers(const char* key, std::span<const std::string> units,
+                                        const std::string& each) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
   const toml::array* array = node->as_array();
   if (array == nullptr || array->size() != units.size())
-    fail(key, shown(*node),
-         "must be a list of " + std::to_string(units.size()) +
-             (units.size() == 1 ? " number" : " numbers"));
+    fail(key, shown(*node), "must be a list of " + counted(units.size(), "number") + each);
   std::vector<double> all;
   for (const std::string& unit : units)
     all.push_back(read_number(*array->get(all.size()),
@@ -403,14 +413,11 @@ void TomlReader::finish() {
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
     if (const std::string hint = nearest(key.str(), known); !hint.empty()) {
-      report(unknown(key, node, hint));
+      report(unknown(key, node, "here: did you mean " + hint + "?"));
       continue;
     }
-    const auto at = place(key.source());
-    report(InputError(path(key.str()), shown(node),
-                      "is not a key " + (what_.empty() ? "here" : "of " + what_) +
-                          "; possible keys: " + join(known))
-               .at(document_->name, at.line, at.column));
+    report(unknown(key, node,
+                   (what_.empty() ? "here" : "of " + what_) + "; possible keys: " + join(known)));
   }
 }
 

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "jounce/base/csv.hpp"
 #include "jounce/base/printable.hpp"
 
 namespace jounce::spec_detail {
@@ -75,6 +78,8 @@ std::string rule_of_value(const Pair& pair) {
     point[point.find(',')] = '.';
     return "a number has a decimal point: " + pair.key + " = " + point;
   }
+  if (std::isinf(std::strtod(value.c_str(), nullptr)))
+    return "must be less than 1.8e308 in magnitude";
   if (value.find_first_not_of("0123456789+-.eE_") == std::string::npos)
     return "is not a number: check its digits, its decimal point and its exponent";
   const std::string quoted = pair.key + " = \"" + value + '"';
@@ -182,6 +187,10 @@ InputError syntax_error(const Document& document, int line, int column,
                     (is_letter(pair.value[0]) || is_digit(pair.value[0]) || pair.value[0] == '-') &&
                     pair.value.find_first_of("=\"'{}[]") == std::string::npos;
 
+  if (has("utf-8")) return error("", "", "is not text in UTF-8 here: save the file in UTF-8");
+  if (has("after '\\r'"))
+    return error("", "",
+                 "ends with a carriage return alone: save the file with line ends LF or CRLF");
   if (has("control characters") && at_end)
     return error(pair.key, pair.value, "the closing quote is missing");
   if (const auto header = header_of(text); header && has("cannot redefine"))
@@ -196,10 +205,10 @@ InputError syntax_error(const Document& document, int line, int column,
   if (has("table header") && has("expected ']'"))
     return error(printable(std::string(trimmed(text))), "",
                  "needs a closing ] at the end of the section header");
-  if (has("closing '}'") && at_end)
+  if (has("closing '}'") && (at_end || text[at] == '#'))
     return error(pair_at(text, text.substr(0, at).rfind('{')).key, "",
                  "needs its closing } on the same line");
-  if (bare) return error(pair.key, pair.value, rule_of_value(pair));
+  if (bare && !csv_number(pair.value)) return error(pair.key, pair.value, rule_of_value(pair));
   if (has("expected comma or closing '}'"))
     return error(pair.key, "", "needs a comma or the closing } after its value");
   if (has("expected comma or closing ']'"))

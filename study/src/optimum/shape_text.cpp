@@ -30,7 +30,10 @@ std::string active_sentence(std::span<const Finding> findings, const CamRunOutco
   const Finding& first = findings.front();
   if (first.rule.family() == RuleFamily::kept) return kept_sentence(findings, run, words);
   const bool objective = first.rule.family() == RuleFamily::objective;
-  std::string text = objective ? first.quantity + " is attained" : "limited by " + first.quantity;
+  const bool of_position = first.quantity == "slave";
+  std::string text = objective     ? first.quantity + " is attained"
+                     : of_position ? "limited by the range of the slave position"
+                                   : "limited by " + first.quantity;
   if (first.quantity == "residual" || first.quantity.starts_with("rms "))
     return text;  // these have no place
   for (std::size_t i = 0; i < std::min(most, findings.size()); ++i)

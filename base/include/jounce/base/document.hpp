@@ -25,7 +25,7 @@ struct Document {
   /// Unit of each plain number that was read, by key.
   std::map<std::string, std::string> units = {};
   std::map<std::string, std::string> given = {};  ///< unit of every number whose text names one
-  /// Unit of each number that the reader knows, by key: also of those that the text does not have.
+  /// Unit of each number that a reader has looked for, by key, also if the text does not have it.
   std::map<std::string, std::string> known = {};
 
   /// Returns the unit in which the text gives the number under `key`; `otherwise` for a plain

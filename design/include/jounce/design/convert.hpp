@@ -57,6 +57,11 @@ struct TableForm {
 /// default CSV.
 TableForm table_form(const std::string& name, const std::string& path);
 
+/// Returns the rule of a table in this form: that of its format; or `rule`, a name; or that of the
+/// controller with this name; or that of the table itself.
+Interpolation rule_for(const TableForm& form, const std::string& rule,
+                       const std::string& controller, const Table& table);
+
 /// Returns the text of a file in this form. Throws InputError like exchange_text() and
 /// points_text().
 std::string form_text(const TableForm& form, const TableFile& file);
@@ -66,8 +71,11 @@ std::string form_text(const TableForm& form, const TableFile& file);
 std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
                                     bool sampled = false);
 
-/// The endings by which table_form() recognizes a form: ".csv, .json, .st, ...".
-std::string known_endings();
+/// Names of all forms: "csv", "json", "points", and those of the formats of controllers.
+std::vector<std::string> form_names();
+/// The endings by which table_form() recognizes a form: ".csv, .json, .st, ...". `named`: with the
+/// name of a form behind its ending, unless both are the same.
+std::string known_endings(bool named = false);
 /// True if a path has one of these endings, or is "-".
 bool has_known_ending(const std::string& path);
 /// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss.

@@ -115,7 +115,9 @@ class TomlReader {
   /// True if the key contains tables: [[key]] or key = [{...}, ...].
   bool holds_tables(const char* key);
   /// Returns the numbers of key = [a, b, ...], one for each unit; empty if the key is missing.
-  std::vector<double> numbers(const char* key, std::span<const std::string> units);
+  /// `each`: end of the error for another count, such as ", one for each axis".
+  std::vector<double> numbers(const char* key, std::span<const std::string> units,
+                              const std::string& each = "");
   /// Returns the numbers of key = [a, b, ...], in `unit`.
   std::vector<double> number_list(const char* key, const std::string& unit);
   std::vector<std::string> texts(const char* key);  ///< the texts of key = ["a", "b", ...]
@@ -145,7 +147,7 @@ class TomlReader {
   /// `example`: what the message for a missing key proposes to add.
   const toml::node& require(const char* key, const std::string& example);
   [[nodiscard]] InputError unknown(const toml::key& key, const toml::node& node,
-                                   const std::string& meant) const;
+                                   const std::string& rule) const;
   double read_number(const toml::node& node, const std::string& key, const std::string& unit);
   void report(const InputError& error) const;
   template <class Value, class Read>
