@@ -570,6 +570,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "all commands in [dynamics]"},
         BadMotion{with(queue_spec, "velocity = 100\n", "velocity = 0\n"),
                   "a.toml:7:12: dynamics.velocity = 0 mm/s: must be greater than 0"},
+        BadMotion{with(queue_spec, "jerk = 4000\n", "jerk = -1\n"),
+                  "a.toml:9:8: dynamics.jerk = -1 mm/s^3: must not be negative"},
         BadMotion{
             with(queue_spec, "time = \"200 ms\"", "time = \"200 ms\"\nmode = \"blending_high\""),
             "a.toml:22:8: command[3].mode = \"blending_high\": does not apply to a dwell, which "

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "spec/src/toml/parts.hpp"
@@ -15,6 +17,8 @@ void read_over(MotionFields& f, Dynamics& d) {
   f.may_positive("acceleration", 2, d.acceleration);
   f.may("deceleration", 2, d.deceleration);
   f.may("jerk", 3, d.jerk);
+  for (const auto& [key, value] : {std::pair{"deceleration", d.deceleration}, {"jerk", d.jerk}})
+    if (value < 0) f.reader().fail(key, number(value), "must not be negative");
 }
 
 MotionCommand read_what(MotionFields& f) {
