@@ -160,8 +160,9 @@ TEST(PathSpecFile, ReportsNoErrorThatOnlyFollowsFromAnother) {
 TEST(PathSpecFile, RefusesKeysThatItsCommandDoesNotUse) {
   EXPECT_THAT(complaint(command("type = \"arc\"\nvia = [1, 1, 0]\nto = [2, 0, 0]\nradius = 3")),
               HasSubstr("path.toml:21:1: command[1].radius = 3: is not a key of an arc with via;"));
-  EXPECT_THAT(complaint(command("type = \"arc\"\ncenter = [1, 1, 0]\nangle = 90\nto = [2, 0, 0]")),
-              HasSubstr("path.toml:21:1: command[1].to = [2, 0, 0]: is not a key of an arc with center;"));
+  EXPECT_THAT(
+      complaint(command("type = \"arc\"\ncenter = [1, 1, 0]\nangle = 90\nto = [2, 0, 0]")),
+      HasSubstr("path.toml:21:1: command[1].to = [2, 0, 0]: is not a key of an arc with center;"));
   EXPECT_THAT(complaint(command("type = \"dwell\"\ntime = 1\nvelocity = 3")),
               HasSubstr("command[1].velocity"));
   EXPECT_THAT(complaint(command("type = \"line\"\nto = [1, 2, 0]\nturns = 1")),
@@ -259,7 +260,8 @@ TEST_F(PathBesideFile, RefusesPointsThatDoNotFit) {
             "p.csv:1: z: is not a column of this table; possible columns: velocity, x, y");
   EXPECT_THAT(complaint(top, "p.csv", "x,y\n1,2\n"),
               HasSubstr("p.csv:2: row = 1: is the only point"));
-  EXPECT_THAT(complaint(top, "p.csv", "x,velocity\n1,2\n2,3\n"), HasSubstr("p.csv:1: y"));
+  EXPECT_THAT(complaint(top, "p.csv", "x,velocity\n1,2\n2,3\n"),
+              HasSubstr("p.csv:1: column \"y\": is missing"));
   EXPECT_THAT(complaint(top, "p.csv", "x,y,velocity\n1,2,1\n2,3,0\n"),
               HasSubstr("p.csv:3: velocity = 0"));
 }

@@ -29,8 +29,8 @@ std::optional<InputError> beyond(const std::string& prefix, const char* rate, do
   return std::nullopt;
 }
 
-/// The error of a move that does not exist. `prefix` and `key`: of its target in the spec.
-InputError impossible(const std::string& prefix, const char* key, MoveStatus status,
+/// The error of a move that does not exist. `prefix`: of the rates of its target; `key`: of the move.
+InputError impossible(const std::string& prefix, const std::string& key, MoveStatus status,
                       const MotionState& from, const MotionState& to, const Bounds& bounds) {
   if (status == MoveStatus::target_outside) {
     if (const auto error =
@@ -40,7 +40,7 @@ InputError impossible(const std::string& prefix, const char* key, MoveStatus sta
                                   bounds.acceleration_max))
       return *error;
   }
-  return {prefix + key, "", explain(status, from, to, bounds)};
+  return {key, "", explain(status, from, to, bounds)};
 }
 
 Trajectory curve_of(const MoveResult& move, const char* key) {
@@ -297,7 +297,8 @@ std::vector<Trajectory> motions_of(const AxesSpec& axes) {
   const Synchronised all = synchronise(moves, axes.sync, profiles, axes.duration);
   if (all.status != MoveStatus::ok) {
     const AxisMove& move = moves[all.axis];
-    throw impossible(key_of(all.axis) + ".", "to", all.status, move.from, move.to, move.bounds);
+    throw impossible(key_of(all.axis) + ".", key_of(all.axis), all.status, move.from, move.to,
+                     move.bounds);
   }
   if (!(all.duration > 0))
     throw InputError("axis", "", "does not move: all axes are at their targets");
