@@ -112,7 +112,7 @@ TEST(TargetTexts, AreReadInTheUnitsOfTheTable) {
                 target_of({.controller = "googel"}, Domain::time, Interpolation::linear,
                           {"s", "mm"}, dashed);
               }),
-              HasSubstr("--controller = googel: must be one of "));
+              HasSubstr("--controller: must be one of "));
 }
 
 TEST(Laws, AreFoundByTheirNames) {
