@@ -13,21 +13,26 @@
 
 namespace jounce::cli {
 
-Check output_file(std::vector<std::string> endings) {
+Check ends_in(std::vector<std::string> endings) {
   return [endings = std::move(endings)](const std::string& file) -> std::string {
+    const std::string ending = std::filesystem::path(file).extension();
+    const bool known = std::find(endings.begin(), endings.end(), ending) != endings.end();
+    if (known || ending.empty() || endings.empty()) return "";
+    return fmt::format("must end in {}{}", endings.size() > 1 ? "one of " : "",
+                       fmt::join(endings, ", "));
+  };
+}
+
+Check output_file(std::vector<std::string> endings) {
+  return [ends = ends_in(std::move(endings))](const std::string& file) -> std::string {
     namespace fs = std::filesystem;
     std::error_code none;  // an error counts as no folder
     if (file == "-") return "";
     if (fs::is_directory(file, none)) return "is a folder: name a file in it";
     const fs::path folder = fs::path(file).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder, none))
-      return "cannot be written, because the folder " + folder.string() +
-             " does not exist: make it first";
-    const std::string ending = fs::path(file).extension();
-    const bool known = std::find(endings.begin(), endings.end(), ending) != endings.end();
-    if (known || ending.empty() || endings.empty()) return "";
-    return fmt::format("must end in {}{}", endings.size() > 1 ? "one of " : "",
-                       fmt::join(endings, ", "));
+    if (folder.empty() || fs::is_directory(folder, none)) return ends(file);
+    return "cannot be written, because the folder " + folder.string() +
+           " does not exist: make it first";
   };
 }
 

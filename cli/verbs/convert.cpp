@@ -48,12 +48,6 @@ Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
   return wanted;
 }
 
-Converted convert(const Input& input, const ConvertArguments& options, const TableForm& form) {
-  return with_option_names({"tolerance", "velocity_tolerance", "most", "spacing", "x_step",
-                            "p_step", "v_step", "master_unit", "position_unit"},
-                           [&] { return converted(input, conversion_of(options, form, input)); });
-}
-
 std::string text_of(const TableFile& file, const ConvertArguments& options, const TableForm& form) {
   if (form.format != nullptr && options.every.empty()) return form_text(form, file);
   for (const auto& [unit, option] :
@@ -85,7 +79,10 @@ int run_convert(const ConvertArguments& options) {
   require_known_ending(options);
   require_other_file(options.input, options.output, "OUT");
   const Input input = load(options.input, options.axis, options.decimal_comma);
-  const Converted made = convert(input, options, form);
+  const Converted made =
+      with_option_names({"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step",
+                         "v_step", "master_unit", "position_unit"},
+                        [&] { return converted(input, conversion_of(options, form, input)); });
   write_file(options.output, text_of(made.file, options, form));
   std::FILE* out = text_stream({options.output});
   const auto lost = all_losses(input, form, made.file.table, !options.every.empty());

@@ -70,12 +70,12 @@ void add_design(CommandLine& line) {
   verb.option("-o,--output", options->output,
               "Table to write, CSV or .json; - is standard output. With several axes, a.csv "
               "becomes a-NAME.csv for each")
-      .check(output_file({".csv", ".json"}));
+      .check(ends_in({".csv", ".json"}));
   verb.axis(options->axis);
   verb.machine(options->machine);
   verb.option("--curve", options->curve,
               "Also write the exact curve to this file, segment by segment (JSON)")
-      .check(output_file({".json"}));
+      .check(ends_in({".json"}));
   verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run_design(*options); });
 }

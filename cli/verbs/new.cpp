@@ -47,7 +47,7 @@ void add_new(CommandLine& line) {
       .required()
       .check(one_of(kinds));
   verb.option("-o,--output", options->output, "File to write; - is standard output")
-      .check([options, toml = output_file({".toml"})](const std::string& file) {
+      .check([options, toml = ends_in({".toml"})](const std::string& file) {
         return options->kind == "key" ? std::string() : toml(file);
       });
   verb.flag("--force", options->force, "Replace an existing file");

@@ -292,7 +292,7 @@ TEST_F(Cli, IdentifyFindsTheInertiaThatWasRecorded) {
   EXPECT_EQ(run(identify + " --plot fit.png").status, 0);
   EXPECT_EQ(slurp(folder / "fit.png").substr(1, 3), "PNG");  // not SVG by another name
   EXPECT_THAT(run(identify + " -o drive.toml").err, HasSubstr("is also the input"));
-  EXPECT_THAT(run(identify + " -o run.csv").err, HasSubstr("is also the input"));
+  EXPECT_THAT(run(identify + " -o run.csv").err, HasSubstr("must end in .toml"));
   EXPECT_EQ(run("identify drive.toml --log run.csv --fit mass[1].inertai").status, 2);
 }
 
@@ -502,9 +502,10 @@ TEST_F(Cli, AnOutputHasTheExtensionOfItsFormat) {
     EXPECT_EQ(wrong.err,
               std::string("jounce: --output = ") + name + ": must end in " + endings + "\n");
   }
-  EXPECT_EQ(run("design " + cam + " -o no/o.csv").err,
-            "jounce: --output = no/o.csv: cannot be written, because the folder no does not exist: "
-            "make it first\n");
+  EXPECT_EQ(
+      run("report " + cam + " -o no/o.html").err,
+      "jounce: --output = no/o.html: cannot be written, because the folder no does not exist: "
+      "make it first\n");
   EXPECT_EQ(run("design " + cam + " -o table").status, 0);
 }
 
