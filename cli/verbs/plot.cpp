@@ -77,7 +77,7 @@ int run_plot(const PlotArguments& options) {
     const std::vector<Input> axes = load_program(options.file, options.machine, "");
     const std::string picture =
         svg(with_option_names({"plane"}, [&] { return path_figure(axes, options.plane); }));
-    write_svg_file(options.output, picture);
+    under_option("--output", [&] { write_svg_file(options.output, picture); });
     return fine;
   }
   write_picture(options.output, figure(options), drive_look(options.drive));

@@ -55,7 +55,7 @@ TEST(Check, AdvisesByThePlaceOfABrokenPosition) {
     return check(Cam({f}, 0), {.position_max = 8}).findings.front().advice;
   };
   EXPECT_EQ(advice(line(1, 0, 10)),
-            "the knot itself is outside the position range: move it, or widen the range");
+            "the knots here are outside the position range: move them, or widen the range");
   EXPECT_EQ(advice(hill()),
             "the curve overshoots between its knots: move them, or lower the velocities there");
 }

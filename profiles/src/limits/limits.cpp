@@ -53,7 +53,7 @@ const char* advice(const char* quantity, std::size_t order, bool at_end) {
   const bool over_time = std::find(OverTime::names.begin() + 1, OverTime::names.end(),
                                    std::string_view(quantity)) != OverTime::names.end();
   if (order == 0 && at_end && !over_time)
-    return "the knot itself is outside the position range: move it, or widen the range";
+    return "the knots here are outside the position range: move them, or widen the range";
   return over_time ? of_motions[order] : of_cams[order];
 }
 
@@ -162,7 +162,8 @@ void LimitCheck::consider(std::size_t b, const Range& range, double start, doubl
                           std::size_t segment) {
   const Bound& bound = bounds_[b];
   const Extremum& worst = worst_of(bound, range);
-  const bool at_end = worst.where == start || worst.where == end;
+  const double near = rounded_sum * std::max(std::abs(start), std::abs(end));
+  const bool at_end = worst.where <= start + near || worst.where >= end - near;
   if (is_broken(bound, worst.value)) {
     if (is_told(broken_[b], worst, start)) return;
     broken_[b] = finding_of(bound, worst, segment, at_end);
