@@ -17,6 +17,9 @@ using profiles_detail::Bound;
 using profiles_detail::rounded_sum;
 using profiles_detail::rounded_value;
 
+/// Share of a segment: a smooth peak that is so close to its end has the value of the end.
+constexpr double beside_end = 1e-6;
+
 std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*, 4>& names,
                              double stroke) {
   std::vector<Bound> bounds;
@@ -162,7 +165,7 @@ void LimitCheck::consider(std::size_t b, const Range& range, double start, doubl
                           std::size_t segment) {
   const Bound& bound = bounds_[b];
   const Extremum& worst = worst_of(bound, range);
-  const double near = rounded_sum * std::max(std::abs(start), std::abs(end));
+  const double near = beside_end * (end - start);
   const bool at_end = worst.where <= start + near || worst.where >= end - near;
   if (is_broken(bound, worst.value)) {
     if (is_told(broken_[b], worst, start)) return;
