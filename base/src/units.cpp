@@ -117,6 +117,15 @@ Parts parts_of(std::string_view text) {
   return {value, trimmed(whole.substr(static_cast<std::size_t>(end - whole.data())))};
 }
 
+/// True for a unit with a number of its own, such as "mm 3": udunits would multiply by it.
+bool has_second_number(std::string_view unit) {
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const bool begins = i == 0 || unit[i - 1] == ' ' || unit[i - 1] == '*';
+    if (begins && unit[i] >= '0' && unit[i] <= '9' && unit.substr(i, 2) != "1/") return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool is_unit(std::string_view text) {
@@ -161,7 +170,7 @@ double quantity(std::string_view text, std::string_view unit) {
         "must be a finite number, with or without a unit" +
             (unit.empty() ? std::string() : ", such as \"12.5 " + std::string(unit) + '"'));
   if (given.empty()) return *value;
-  if (!is_unit(given))
+  if (!is_unit(given) || has_second_number(given))
     throw InputError("", shown,
                      '"' + std::string(given) + "\" is not a known unit; give the value in " +
                          std::string(unit));

@@ -110,7 +110,9 @@ std::string stranger(const CLI::App& app, std::span<char*> words) {
 
 /// The parser's sentence, in the words of the other messages: what is missing, or one too many.
 std::string words_of(const CLI::ParseError& error) {
-  const std::string text = error.what();
+  std::string text = error.what();
+  if (const std::string excludes = " excludes "; text.find(excludes) != std::string::npos)
+    return text.replace(text.find(excludes), excludes.size(), " cannot be combined with ");
   const std::string required = " is required";
   if (text.ends_with(required))
     return text.substr(0, text.size() - required.size()) + " is missing";

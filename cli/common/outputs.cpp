@@ -4,24 +4,36 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::cli {
 
-void require_folders(std::initializer_list<AskedOutput> outputs) {
-  namespace fs = std::filesystem;
-  std::error_code none;  // an error counts as no folder
-  for (const auto& [option, path] : outputs) {
-    if (path.empty() || path == "-") continue;
-    if (fs::is_directory(path, none))
-      throw InputError(option, path, "is a folder: name a file in it");
-    const fs::path folder = fs::path(path).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder, none))
-      throw InputError(option, path,
-                       "cannot be written, because the folder " + folder.string() +
-                           " does not exist: make it first");
-  }
+Check ends_in(std::vector<std::string> endings) {
+  return [endings = std::move(endings)](const std::string& file) -> std::string {
+    const std::string ending = std::filesystem::path(file).extension();
+    const bool known = std::find(endings.begin(), endings.end(), ending) != endings.end();
+    if (known || ending.empty() || endings.empty()) return "";
+    return fmt::format("must end in {}{}", endings.size() > 1 ? "one of " : "",
+                       fmt::join(endings, ", "));
+  };
+}
+
+Check output_file(std::vector<std::string> endings) {
+  return [ends = ends_in(std::move(endings))](const std::string& file) -> std::string {
+    namespace fs = std::filesystem;
+    std::error_code none;  // an error counts as no folder
+    if (file == "-") return "";
+    if (fs::is_directory(file, none)) return "is a folder: name a file in it";
+    const fs::path folder = fs::path(file).parent_path();
+    if (folder.empty() || fs::is_directory(folder, none)) return ends(file);
+    return "cannot be written, because the folder " + folder.string() +
+           " does not exist: make it first";
+  };
 }
 
 void require_other_file(const std::string& input, const std::string& output,

@@ -4,21 +4,20 @@
 #include <cstdio>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "jounce/plot/picture_file.hpp"
+
+#include "cli/common/verb.hpp"
 
 /// Files that a verb writes. Check them before the long work whose result they will hold.
 namespace jounce::cli {
 
-/// An output option with its path: {"--table", "t.csv"}. An empty path is an option that was not given; "-" is standard
-/// output.
-struct AskedOutput {
-  const char* option;
-  const std::string& path;
-};
+/// A file to write: if its name has an extension, one of these; {}: any.
+Check ends_in(std::vector<std::string> endings);
 
-/// Throws InputError if the folder of an output is missing, or the output is itself a folder.
-void require_folders(std::initializer_list<AskedOutput> outputs);
+/// A file that a verb writes after long work: also not a folder, and in a folder that exists.
+Check output_file(std::vector<std::string> endings = {});
 
 /// Throws InputError if both are the same file: an output must not replace its input.
 void require_other_file(const std::string& input, const std::string& output,

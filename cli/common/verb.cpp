@@ -178,7 +178,6 @@ template Option Verb::option(const std::string&, std::int64_t&, const std::strin
 template Option Verb::option(const std::string&, unsigned&, const std::string&) const;
 template Option Verb::option(const std::string&, std::uint64_t&, const std::string&) const;
 template Option Verb::option(const std::string&, std::optional<double>&, const std::string&) const;
-template Option Verb::option(const std::string&, std::optional<int>&, const std::string&) const;
 template Option Verb::option(const std::string&, std::optional<std::uint16_t>&,
                              const std::string&) const;
 template Option Verb::option(const std::string&, std::optional<std::size_t>&,

@@ -7,6 +7,8 @@
 #include "jounce/stream/transport/lossy_transport.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
 
+#include "cli/common/option_names.hpp"
+
 namespace jounce::cli {
 
 void require_name_on_bus(const std::string& argument, const std::string& name) {
@@ -30,7 +32,8 @@ bool is_open(const LinkOptions& options) {
   return options.key.empty() && !is_local(options.url);
 }
 
-Link::Link(const LinkOptions& options) : link_(open_transport(options.url)) {
+Link::Link(const LinkOptions& options)
+    : link_(with_option_names({"url"}, [&] { return open_transport(options.url); })) {
   if (!options.key.empty()) key_ = read_key(options.key);
   if (options.inject_loss > 0)
     lossy_ = std::make_unique<LossyTransport>(

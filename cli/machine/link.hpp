@@ -23,7 +23,7 @@ struct LinkOptions {
 
 /// Hint for a missing answer of an executor.
 inline constexpr const char* unheard_hint =
-    "check that it runs, with the same --url and the same --key";
+    "check that it is running, with the same --url and the same --key";
 
 /// Throws InputError, of this argument, where no executor, axis or master can be called so.
 void require_name_on_bus(const std::string& argument, const std::string& name);

@@ -76,19 +76,10 @@ int report(const OrderArguments& options, const CallOutcome& outcome) {
   return status_of(outcome, {StreamError::refused});
 }
 
-/// --seconds ends a hold-to-run jog; any other command would ignore it.
-void require_held(const OrderArguments& options) {
-  const auto held = options.words.flags.find("hold-to-run");
-  if (options.seconds == 0 || (held != options.words.flags.end() && held->second)) return;
-  throw InputError("--seconds", fmt::format("{}", options.seconds),
-                   std::string("applies to jog --hold-to-run only") +
-                       (options.words.what == "jog" ? ": add --hold-to-run" : ""));
-}
-
 int run_order(const OrderArguments& options) {
   require_name_on_bus("NAME", options.executor);
   require_taken(options.words);
-  require_held(options);
+  if (options.seconds != 0) require_held(options.words, fmt::format("{}", options.seconds));
   Link link(options.link);
   return report(options, execute(options, link));
 }

@@ -24,12 +24,6 @@ struct ReplayArguments {
   bool json = false;
 };
 
-void require_others(const ReplayArguments& options) {
-  for (const auto& [option, path] : {std::pair{"--plot", options.plot}, {"--csv", options.csv}})
-    if (!path.empty()) require_other_file(options.file, path);
-  if (!options.plot.empty()) require_picture_name("--plot", options.plot);
-}
-
 ReplayedFile replayed(const ReplayArguments& options) {
   try {
     return replay_file(options.file, {.axis = options.axis,
@@ -43,7 +37,8 @@ ReplayedFile replayed(const ReplayArguments& options) {
 }
 
 int run_replay(const ReplayArguments& options) {
-  require_others(options);
+  for (const auto& [option, path] : {std::pair{"--plot", options.plot}, {"--csv", options.csv}})
+    if (!path.empty()) require_other_file(options.file, path);
   if (!std::ifstream(options.file, std::ios::binary))
     throw InputError("FILE", options.file, "cannot be read: does the file exist?");
   const ReplayedFile file = replayed(options);
@@ -65,7 +60,8 @@ void add_replay(CommandLine& line) {
   verb.option("FILE", options->file, "Record of `jounce run --record`, or a black box").required();
   verb.option("--axis", options->axis, "Name of the axis for --plot and --csv; default: the first");
   verb.option("--plot", options->plot,
-              "Picture of set and actual position, following error and torque (.svg, .png)");
+              "Picture of set and actual position, following error and torque (.svg, .png)")
+      .check(ends_in({".svg", ".png"}));
   verb.option("--csv", options->csv,
               "Recorded ticks to write, in the format of `jounce run --log`");
   verb.option("--last", options->last,

@@ -66,14 +66,6 @@ void require_other_files(const RunArguments& options) {
   }
 }
 
-/// A log is written from the first cycle on: a missing folder is found before.
-void require_output_folders(const RunArguments& options) {
-  const RecorderOptions& record = options.run.record;
-  const std::string log = record.log ? record.log->string() : "";
-  const std::string box = record.black_box ? record.black_box->string() : "";
-  require_folders({{"--log", options.machine.log}, {"--record", log}, {"--black-box", box}});
-}
-
 /// Neither is any other file that these name.
 void require_no_inputs(const RunArguments& options, const std::vector<ExecutorOptions>& axes) {
   const RecorderOptions& record = options.run.record;
@@ -86,7 +78,6 @@ void require_no_inputs(const RunArguments& options, const std::vector<ExecutorOp
 
 int run_executor(const RunArguments& options) {
   require_other_files(options);
-  require_output_folders(options);
   if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", open_warning);
   auto [axes, masters, watchdog] = machine_parts(options.machine);
   require_no_inputs(options, axes);
@@ -122,11 +113,14 @@ void add_run(CommandLine& line) {
       .required();
   verb.option("--log", options->machine.log,
               "CSV of the setpoints of each tick; with several axes, run.csv becomes run.NAME.csv "
-              "for each");
+              "for each")
+      .check(output_file());
   verb.option("--record", options->run.record.log,
-              "LCM log of all inputs and outputs of the axes, for `jounce replay`");
+              "LCM log of all inputs and outputs of the axes, for `jounce replay`")
+      .check(output_file());
   verb.option("--black-box", options->run.record.black_box,
-              "LCM log in which the last cycles before a fault are written, for `jounce replay`");
+              "LCM log in which the last cycles before a fault are written, for `jounce replay`")
+      .check(output_file());
   verb.option("--black-box-cycles", options->run.record.black_box_cycles,
               "With --black-box: number of cycles for each axis")
       .check(whole(1, 1'000'000))

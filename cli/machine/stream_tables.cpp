@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/csv.hpp"
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/group.hpp"
@@ -103,11 +104,7 @@ int stream_follow(const Input& input, const StreamArguments& options) {
 
 std::vector<std::string> names_of(const std::string& list) {
   std::vector<std::string> names;
-  for (std::size_t from = 0; from <= list.size();) {
-    const std::size_t comma = std::min(list.find(',', from), list.size());
-    names.push_back(list.substr(from, comma - from));
-    from = comma + 1;
-  }
+  for (const auto name : csv_cells(list)) names.emplace_back(name);
   for (const std::string& name : names) require_name_on_bus("--to", name);
   return names;
 }

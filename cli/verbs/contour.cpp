@@ -23,7 +23,7 @@ struct ContourArguments {
 int run_contour(const ContourArguments& options) {
   const Input input = load(options.spec);
   if (!input.spec || !std::holds_alternative<CamSpec>(input.spec->subject))
-    throw InputError("SPEC", input.name, "must be a spec of kind \"cam\" with [disc]");
+    throw InputError("SPEC", options.spec, "must be a spec of kind \"cam\" with [disc]");
   const Spec& spec = *input.spec;
   const Disc disc = make_disc(spec, std::get<Cam>(*input.curve));
   const Report report = check_disc(spec, std::get<Cam>(*input.curve));

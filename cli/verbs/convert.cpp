@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "jounce/base/file.hpp"
 #include "jounce/controllers/table_target.hpp"
@@ -33,32 +34,18 @@ struct ConvertArguments {
   bool json = false;
 };
 
-Interpolation rule_for(const ConvertArguments& options, const TableForm& form, const Table& table) {
-  if (form.format != nullptr) return rule_of(*form.format);
-  for (const Interpolation rule :
-       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
-    if (options.rule == name(rule)) return rule;
-  const ControllerTable* controller = controller_table(options.target.controller);
-  return controller != nullptr ? controller->rule : table.rule();
-}
-
 Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
                          const Input& input) {
-  Conversion wanted{.rule = rule_for(options, form, input.table.table),
-                    .intervals = options.intervals,
-                    .units = {options.master_unit, options.position_unit},
-                    .periodic = options.periodic,
-                    .format = form.format};
+  Conversion wanted{
+      .rule = rule_for(form, options.rule, options.target.controller, input.table.table),
+      .intervals = options.intervals,
+      .units = {options.master_unit, options.position_unit},
+      .periodic = options.periodic,
+      .format = form.format};
   if (options.target.any())
     wanted.target = target_of(options.target, input.table.table.axis(), wanted.rule,
                               input.labels.units, option_of);
   return wanted;
-}
-
-Converted convert(const Input& input, const ConvertArguments& options, const TableForm& form) {
-  return with_option_names({"tolerance", "velocity_tolerance", "most", "spacing", "x_step",
-                            "p_step", "v_step", "master_unit", "position_unit"},
-                           [&] { return converted(input, conversion_of(options, form, input)); });
 }
 
 std::string text_of(const TableFile& file, const ConvertArguments& options, const TableForm& form) {
@@ -92,7 +79,10 @@ int run_convert(const ConvertArguments& options) {
   require_known_ending(options);
   require_other_file(options.input, options.output, "OUT");
   const Input input = load(options.input, options.axis, options.decimal_comma);
-  const Converted made = convert(input, options, form);
+  const Converted made =
+      with_option_names({"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step",
+                         "v_step", "master_unit", "position_unit"},
+                        [&] { return converted(input, conversion_of(options, form, input)); });
   write_file(options.output, text_of(made.file, options, form));
   std::FILE* out = text_stream({options.output});
   const auto lost = all_losses(input, form, made.file.table, !options.every.empty());
@@ -137,21 +127,13 @@ void add_convert(CommandLine& line) {
       "--position-unit mm");
   verb.option("IN", options->input, "Table or spec, in any known format; - is standard input")
       .required();
-  std::vector<std::string> formats{"csv", "json", "points"};
-  std::string words = "csv, json", extensions = ".csv, .json";
-  for (const CamFormat* format : cam_formats()) {
-    formats.emplace_back(format->name);
-    words += std::string(", ") + format->name;
-    const std::string extension = format->extension;
-    if (extension.empty()) continue;
-    extensions += ", " + extension;
-    if (extension.substr(1) != format->name) extensions += std::string(" (") + format->name + ")";
-  }
-  verb.option("OUT", options->output, "File to write: " + extensions + "; - is standard output");
+  verb.option("OUT", options->output,
+              "File to write: " + known_endings(true) + "; - is standard output");
   verb.option("--to", options->to,
-              "Format, if the extension of OUT does not determine it: " + words +
+              "Format, if the extension of OUT does not determine it: " +
+                  fmt::format("{}", fmt::join(form_names(), ", ")) +
                   "; points: CSV of segments with types, for the PT and follow modes of Googol")
-      .check(one_of(formats));
+      .check(one_of(form_names()));
   verb.axis(options->axis);
   verb.option("--rule", options->rule,
               "For csv and json: linear, cubic_hermite, quintic_hermite; default: unchanged")

@@ -69,11 +69,13 @@ void add_design(CommandLine& line) {
       .required();
   verb.option("-o,--output", options->output,
               "Table to write, CSV or .json; - is standard output. With several axes, a.csv "
-              "becomes a-NAME.csv for each");
+              "becomes a-NAME.csv for each")
+      .check(ends_in({".csv", ".json"}));
   verb.axis(options->axis);
   verb.machine(options->machine);
   verb.option("--curve", options->curve,
-              "Also write the exact curve to this file, segment by segment (JSON)");
+              "Also write the exact curve to this file, segment by segment (JSON)")
+      .check(ends_in({".json"}));
   verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run_design(*options); });
 }

@@ -47,7 +47,8 @@ void add_events(CommandLine& line) {
               "Spec of a motion with [compare], of a path, or of a cam with [[switch]] and "
               "[master]; - is standard input")
       .required();
-  verb.option("-o,--output", options->output, "CSV to write; - is standard output");
+  verb.option("-o,--output", options->output, "CSV to write; - is standard output")
+      .check(ends_in({".csv", ".json"}));
   verb.flag("--json", options->json, "Events as JSON");
   verb.work([options] { return run_events(*options); });
 }

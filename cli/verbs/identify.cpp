@@ -41,8 +41,6 @@ int run_identify(const IdentifyArguments& options) {
     require_other_file(options.drive, output);
     require_other_file(options.log, output);
   }
-  require_folders({{"--output", options.output}, {"--plot", options.plot}});
-  if (!options.plot.empty()) require_picture_name("--plot", options.plot);
   const Spec spec = read_spec(options.drive);
   if (!spec.drive)
     throw spec.document.located(InputError("drive", "", "is missing: the fit needs a [drive]"));
@@ -83,9 +81,10 @@ void add_identify(CommandLine& line) {
   verb.option("--fit", options->fit, "Numbers to fit: motor.inertia,mass[1].stiffness,...")
       .required()
       .separated();
-  verb.option("-o,--output", options->output,
-              "Spec of the drive to write, with the fitted numbers");
-  verb.option("--plot", options->plot, "Picture to write, .svg or .png: recorded, model, residual");
+  verb.option("-o,--output", options->output, "Spec of the drive to write, with the fitted numbers")
+      .check(output_file({".toml"}));
+  verb.option("--plot", options->plot, "Picture to write, .svg or .png: recorded, model, residual")
+      .check(output_file({".svg", ".png"}));
   verb.option("--iterations", options->iterations, "Maximum number of iterations")
       .shown()
       .check(whole(1, 10'000));

@@ -53,7 +53,8 @@ void add_laws(CommandLine& line) {
   const Verb verb = line.verb("laws", "List the motion laws of cams, or describe one",
                               "jounce laws modified_sine -o modified_sine.svg");
   verb.option("LAW", options->law, "Name of a law, as in a spec");
-  verb.option("-o,--output", options->output, "Picture of the law to write, .svg or .png");
+  verb.option("-o,--output", options->output, "Picture of the law to write, .svg or .png")
+      .check(ends_in({".svg", ".png"}));
   verb.flag("--markdown", options->markdown, "Print the whole guide (docs/laws.md)");
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run_laws(*options); });

@@ -72,7 +72,8 @@ void add_map(CommandLine& line) {
       .check(whole(2, 100000));
   verb.option("--line-speed", options->line_speed,
               "Speed of the line; default: the velocity of [master], or line_speed of a shear");
-  verb.option("-o,--output", options->output, ".csv, .svg or .png; - is CSV on standard output");
+  verb.option("-o,--output", options->output, ".csv, .svg or .png; - is CSV on standard output")
+      .check(ends_in({".csv", ".svg", ".png"}));
   verb.work([options] { return run_map(*options); });
 }
 

@@ -8,6 +8,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/security/key.hpp"
 
+#include "cli/common/outputs.hpp"
 #include "cli/common/templates.hpp"
 #include "cli/common/verb.hpp"
 
@@ -45,7 +46,10 @@ void add_new(CommandLine& line) {
           "drive); key (a secret that executor and streamer share)")
       .required()
       .check(one_of(kinds));
-  verb.option("-o,--output", options->output, "File to write; - is standard output");
+  verb.option("-o,--output", options->output, "File to write; - is standard output")
+      .check([options, toml = ends_in({".toml"})](const std::string& file) {
+        return options->kind == "key" ? std::string() : toml(file);
+      });
   verb.flag("--force", options->force, "Replace an existing file");
   verb.work([options]() -> int {
     if (options->kind == "key") return make_key(options->output);

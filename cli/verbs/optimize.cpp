@@ -85,9 +85,6 @@ int report(const OptimizeArguments& options, const Spec& given, const SpecOptimu
 int run_optimize(const OptimizeArguments& options) {
   for (const std::string& output : {options.table, options.plot})
     require_other_file(options.spec, output);
-  require_folders(
-      {{"--output", options.output}, {"--table", options.table}, {"--plot", options.plot}});
-  if (!options.plot.empty()) require_picture_name("--plot", options.plot);
   Spec spec = read_spec(options.spec);
   if (std::holds_alternative<PathSpec>(spec.subject) && !spec.parameters)
     spec.parameters = corner_parameters(spec);
@@ -115,10 +112,13 @@ void add_optimize(CommandLine& line) {
               "standard input")
       .required();
   verb.option("-o,--output", options->output,
-              "Optimized spec to write: the same text with new numbers and points");
-  verb.option("--table", options->table, "Table of the optimized spec to write, CSV or .json");
+              "Optimized spec to write: the same text with new numbers and points")
+      .check(output_file({".toml"}));
+  verb.option("--table", options->table, "Table of the optimized spec to write, CSV or .json")
+      .check(output_file({".csv", ".json"}));
   verb.option("--plot", options->plot,
-              "Picture to write, .svg or .png: the optimized motion over the given one");
+              "Picture to write, .svg or .png: the optimized motion over the given one")
+      .check(output_file({".svg", ".png"}));
   verb.option("--against", options->against,
               "Spec of the drive that moves the cam, of kind \"drive\". Required for minimize = "
               "[\"drive torque\"], \"drive rms torque\", \"drive residual\", \"drive following "

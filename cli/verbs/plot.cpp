@@ -58,7 +58,8 @@ Figure figure(const PlotArguments& options) {
       throw InputError("--drive", options.drive, "shows one axis: name it with --axis");
     return drive_figure(inputs.front(), options.drive);
   }
-  if (options.follower) return follower_figure(inputs.front());  // a spec with [follower] has one axis
+  if (options.follower)
+    return follower_figure(inputs.front());  // a spec with [follower] has one axis
   const bool over = options.over == "time";
   if (over)
     for (Input& input : inputs) input = slave_of(input);
@@ -76,8 +77,7 @@ int run_plot(const PlotArguments& options) {
     const std::vector<Input> axes = load_program(options.file, options.machine, "");
     const std::string picture =
         svg(with_option_names({"plane"}, [&] { return path_figure(axes, options.plane); }));
-    require_picture_name("--output", options.output);
-    write_svg_file(options.output, picture);
+    under_option("--output", [&] { write_svg_file(options.output, picture); });
     return fine;
   }
   write_picture(options.output, figure(options), drive_look(options.drive));
@@ -114,7 +114,8 @@ void add_plot(CommandLine& line) {
               "For a path: draw it in the plane of two axes, such as x,y, colored by its speed")
       .excludes({axis, over, before, drive, follower});
   verb.option("-o,--output", options->output,
-              "Picture to write, .svg or .png; - is SVG on standard output");
+              "Picture to write, .svg or .png; - is SVG on standard output")
+      .check(ends_in({".svg", ".png"}));
   verb.work([options] { return run_plot(*options); });
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
@@ -23,17 +22,8 @@ struct ReportArguments {
   std::string output = "-";
 };
 
-/// Throws InputError for a path with the extension of another kind of file.
-void require_page(const char* option, const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension();
-  if (path != "-" && !ending.empty() && ending != ".html" && ending != ".htm")
-    throw InputError(option, path, "must end in .html");
-}
-
 int run_report(const ReportArguments& options) {
   require_other_file(options.file, options.output);
-  require_folders({{"--output", options.output}});
-  require_page("--output", options.output);
   const Input input = load_program_axis(options.file, options.machine, options.axis);
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
@@ -57,7 +47,8 @@ void add_report(CommandLine& line) {
   verb.machine(options->machine);
   verb.option("--before", options->before, "Spec or table to draw paler underneath");
   verb.option("--log", options->log, "Tick log of an executor to compare with the exact curve");
-  verb.option("-o,--output", options->output, "Page to write; - is standard output");
+  verb.option("-o,--output", options->output, "Page to write; - is standard output")
+      .check(output_file({".html", ".htm"}));
   verb.work([options] { return run_report(*options); });
 }
 

@@ -10,6 +10,7 @@
 #include "jounce/base/file.hpp"
 #include "jounce/base/hash.hpp"
 #include "jounce/plot/sweep_figure.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/study/mpi_world.hpp"
 #include "jounce/study/sweep_files.hpp"
 #include "jounce/study/sweep_summary.hpp"
@@ -119,8 +120,6 @@ int run_under_mpi(const SweepArguments& options) {
 int run_sweep(const SweepArguments& options) {
   for (const std::string& output : {options.output, options.npy, options.plot})
     if (!output.empty()) require_other_file(options.file, output);
-  require_folders({{"--output", options.output}, {"--npy", options.npy}, {"--plot", options.plot}});
-  if (!options.plot.empty()) require_picture_name("--plot", options.plot);
   return mpi_place().started ? run_under_mpi(options) : run_here(options);
 }
 
@@ -136,11 +135,14 @@ void add_sweep(CommandLine& line) {
       .required();
   verb.option("-o,--output", options->output,
               "Table of all cases to write, CSV. After an interruption, the same command "
-              "continues, from a journal that is written beside the table");
-  verb.option("--npy", options->npy, "The same table as a structured array for NumPy (.npy)");
-  verb.option(
-      "--plot", options->plot,
-      "Picture to write, .svg or .png: Pareto front, distributions, or figures over the parameter");
+              "continues, from a journal that is written beside the table")
+      .check(output_file({".csv"}));
+  verb.option("--npy", options->npy, "The same table as a structured array for NumPy (.npy)")
+      .check(output_file({".npy"}));
+  verb.option("--plot", options->plot,
+              "Picture to write, .svg or .png: Pareto front, distributions, or figures over the "
+              "parameter")
+      .check(output_file({".svg", ".png"}));
   verb.option("--jobs", options->jobs, "Number of threads; default: one for each core")
       .check(whole(1, 4096));
   verb.flag("--json", options->json, "Summary as JSON, numbers with all digits");

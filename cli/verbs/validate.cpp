@@ -31,7 +31,6 @@ void require_signals_of(const ValidateArguments& options, const std::vector<Inpu
   if (options.signals.empty()) return;
   require_signals("--signals", options.signals);
   require_other_file(options.run.file(), options.signals);
-  require_folders({{"--signals", options.signals}});
   if (inputs.size() > 1)
     throw InputError("--signals", options.signals, "is for one axis: name it with --axis");
   if (!inputs.front().drive)
@@ -102,10 +101,11 @@ void add_validate(CommandLine& line) {
   verb.option("--log", options->log,
               "Tick log of an executor: compare every tick with the table (to rounding) and with "
               "the exact curve (within the tolerance of the table)");
-  verb.option(
-      "--signals", options->signals,
-      "Signals of the [drive] over time to write, .csv or .npy: reference, motor, load, velocity, "
-      "torque, current; - is CSV on standard output. `jounce identify` reads these columns");
+  verb.option("--signals", options->signals,
+              "Signals of the [drive] over time to write, .csv or .npy: reference, motor, load, "
+              "velocity, "
+              "torque, current; - is CSV on standard output. `jounce identify` reads these columns")
+      .check(output_file({".csv", ".npy"}));
   verb.option("--samples", options->samples,
               "Number of rows of --signals, equally spaced over the run")
       .shown()

@@ -57,7 +57,7 @@ constexpr std::array entries{
     Entry{Cause::watchdog, "watchdog",
           "Watchdog expired: no heartbeat from the program that streams, or from the communication "
           "thread of the executor.",
-          "Check that the streaming program still runs, that the network is up, and that the "
+          "Check that the streaming program is still running, that the network is up, and that the "
           "executor gets enough CPU time. Then reset the axis."},
     Entry{Cause::drive_fault, "drive_fault", "The drive reports a fault.",
           "Read the fault number of the drive and remove its cause. Then reset the drive, and then "
@@ -80,7 +80,7 @@ constexpr std::array entries{
     Entry{Cause::in_error, "in_error", "The axis has a fault.",
           "Remove the cause of the fault (`jounce monitor NAME` shows it), then reset the axis: "
           "`jounce order NAME reset`."},
-    Entry{Cause::in_motion, "in_motion", "The axis moves.",
+    Entry{Cause::in_motion, "in_motion", "The axis is moving.",
           "Wait for standstill, or stop the axis: `jounce stop NAME`."},
     Entry{Cause::not_armed, "not_armed", "No table is armed.",
           "Send a table and arm it. After a stop, the table must be armed again."},
@@ -95,15 +95,15 @@ constexpr std::array entries{
           "Send the command with its table, or with a finite number."},
     Entry{Cause::leaving, "leaving", "The executor is shutting down and accepts no more tables.",
           "Start the executor again."},
-    Entry{Cause::synchronized, "synchronized", "The axis follows a master.",
+    Entry{Cause::synchronized, "synchronized", "The axis is following a master.",
           "Release the axis from its master: `jounce order NAME gear-out`, or cam-out for a cam."},
     Entry{Cause::stopping, "stopping", "A stop is in progress.", "Wait until the axis is at rest."},
     Entry{Cause::not_on_path, "not_on_path",
-          "The command is not possible while the axis follows a live master.",
+          "The command is not possible while the axis is following a live master.",
           "To stop the axis, use `jounce stop NAME`; to slow the axis down, slow its master down."},
     Entry{Cause::no_movement, "no_movement",
           "The command changes a motion, but no motion is in progress.", "Start a motion first."},
-    Entry{Cause::not_synchronized, "not_synchronized", "The axis follows no master.",
+    Entry{Cause::not_synchronized, "not_synchronized", "The axis is not following a master.",
           "Nothing to do: the axis is not engaged with a master."},
     Entry{Cause::direction_blocked, "direction_blocked",
           "The limit switch in the direction of the motion is active.",
@@ -112,8 +112,8 @@ constexpr std::array entries{
           "The axis is changing its speed on the path, after a hold, a resume or an override.",
           "Repeat the command when the speed is constant."},
     Entry{Cause::no_such_move, "no_such_move",
-          "No move from the present state to that target keeps the limits.",
-          "Choose a target farther away, a lower velocity, or higher limits."},
+          "No move from the present state to that target keeps the limits and the direction.",
+          "Choose a target farther away, a lower velocity, higher limits, or the other direction."},
     Entry{Cause::halting, "halting", "A halt is in progress.",
           "Send a new motion, or wait for standstill."},
     Entry{Cause::buffer_full, "buffer_full",
@@ -142,8 +142,9 @@ constexpr std::array entries{
           "The master leaves the range of the cam, and the cam has no values outside.",
           "Shorten the travel of the master, or give the cam outside = \"hold\", \"wrap\" or "
           "\"advance\"."},
-    Entry{Cause::position_limit, "position_limit", "The motion leaves the position range.",
-          "Shift or shorten the motion, or widen position_min and position_max."},
+    Entry{Cause::position_limit, "position_limit", "A position is outside the position range.",
+          "Give a position inside the range, shift or shorten the motion, or widen position_min "
+          "and position_max."},
     Entry{Cause::velocity_limit, "velocity_limit",
           "The motion exceeds the velocity limit of the axis.",
           "Lower the velocity, give the motion more time, or choose a law with a lower peak "

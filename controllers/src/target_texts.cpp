@@ -63,6 +63,11 @@ Target target_of(const TargetTexts& texts, Domain axis, Interpolation rule, cons
       throw InputError(named("controller"), texts.controller,
                        "needs " + named("rule") + " " + name(controller->rule));
     target = target_of(*controller, units, x_step, named("x_step"));
+  } else if (!texts.controller.empty()) {
+    std::string names;
+    for (const ControllerTable& each : controller_tables())
+      names += (names.empty() ? "" : ", ") + std::string(each.name);
+    throw InputError(named("controller"), texts.controller, "must be one of " + names);
   }
   const std::string rate = rate_unit(units.position, units.x, 1);
   target.rule = rule;

@@ -11,6 +11,7 @@
 #include "jounce/cam/design/characteristics.hpp"
 #include "jounce/design/cam_check.hpp"
 #include "jounce/design/sync_check.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "design/src/master_check.hpp"
 
@@ -141,7 +142,7 @@ std::string cam_text(const Input& input) {
   for (std::size_t i = 0; i < std::min(most_rises, all.size()); ++i)
     text += rise_line(all[i], input.labels);
   if (all.size() > most_rises)
-    text += fmt::format("  ... and {} more rises\n", all.size() - most_rises);
+    text += fmt::format("  ... and {}\n", counted(all.size() - most_rises, "more rise"));
   if (input.spec && has_slave_limits(*input.spec)) text += fastest_line(cam, input);
   return text;
 }

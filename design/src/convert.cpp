@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
+#include "jounce/controllers/table_target.hpp"
 #include "jounce/io/points_text.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/fill.hpp"
 
 namespace jounce {
@@ -227,9 +229,9 @@ std::string form_text(const TableForm& form, const TableFile& file) {
 
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses) {
-  std::string text =
-      fmt::format("{} -> {}: {} knots, {}\n{}\n", input.name, form.name, made.file.table.size(),
-                  name(made.file.table.rule()), error_text(made, input.labels));
+  std::string text = fmt::format("{} -> {}: {}, {}\n{}\n", input.name, form.name,
+                                 counted(made.file.table.size(), "knot"),
+                                 name(made.file.table.rule()), error_text(made, input.labels));
   for (const std::string& loss : losses) text += loss + "\n";
   return text;
 }
@@ -261,10 +263,31 @@ std::vector<std::string> all_losses(const Input& input, const TableForm& form, c
   return all;
 }
 
-std::string known_endings() {
+Interpolation rule_for(const TableForm& form, const std::string& rule,
+                       const std::string& controller, const Table& table) {
+  if (form.format != nullptr) return rule_of(*form.format);
+  for (const Interpolation each :
+       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
+    if (rule == name(each)) return each;
+  const ControllerTable* const target = controller_table(controller);
+  return target != nullptr ? target->rule : table.rule();
+}
+
+std::vector<std::string> form_names() {
+  std::vector<std::string> names{"csv", "json", "points"};
+  for (const CamFormat* format : cam_formats()) names.emplace_back(format->name);
+  return names;
+}
+
+std::string known_endings(bool named) {
   std::string endings = ".csv, .json";
-  for (const CamFormat* format : cam_formats())
-    if (*format->extension != 0) endings += std::string(", ") + format->extension;
+  for (const CamFormat* format : cam_formats()) {
+    const std::string ending = format->extension;
+    if (ending.empty()) continue;
+    endings += ", " + ending;
+    if (named && ending.substr(1) != format->name)
+      endings += std::string(" (") + format->name + ")";
+  }
   return endings;
 }
 

@@ -265,7 +265,9 @@ std::vector<double> Points::in_unit(std::string_view name, const std::string& un
   if (column == nullptr) {
     std::string names;
     for (const PointColumn& each : columns) names += (names.empty() ? "" : ", ") + each.name;
-    throw InputError(std::string(name), "", "is missing: the columns are " + names).at(document, 1);
+    throw InputError("column \"" + std::string(name) + '"', "",
+                     "is missing: the columns of the file are " + names)
+        .at(document, 1);
   }
   std::vector<double> values = column->values;
   if (column->unit.empty() || column->unit == unit) return values;

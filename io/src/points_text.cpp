@@ -21,9 +21,11 @@ void require_quadratic(const Columns& c, std::size_t i) {
   const double size =
       std::abs(c.p[i - 1]) + std::abs(c.p[i]) + (std::abs(c.v[i - 1]) + std::abs(c.v[i])) * h;
   if (std::abs(off) <= rounded_sum * size) return;
-  throw InputError(
-      "knot[" + std::to_string(i + 1) + "].position", c.p[i],
-      "ends a piece that is not a parabola: use --controller googol_pt or googol_follow");
+  throw InputError("rule", "cubic_hermite",
+                   "is not possible for the format points, which needs a constant acceleration "
+                   "between the knots; before knot " +
+                       std::to_string(i + 1) +
+                       ", the acceleration changes. Use --controller googol_pt or googol_follow");
 }
 
 /// True if the first velocity is zero within the rounding of a law at its begin.

@@ -53,6 +53,18 @@ class Lines {
     throw InputError(key, value, rule).at(name_, line == 0 ? line_ : line);
   }
 
+  /// Throws InputError for a head that ends without this key.
+  [[noreturn]] void fail_in_head(const std::string& key) const {
+    if (only_blank())
+      fail("", "", "the file ends within its head, before " + key + ": export it again");
+    if (rest_.find("\n# " + key + ": ") != std::string_view::npos)
+      fail("", "",
+           "the head of the table continues below this row: remove the row, or export the file "
+           "again",
+           line_ + 1);
+    fail(key, "", "is missing from the head of the table: export the file again");
+  }
+
  private:
   std::string_view rest_;
   std::string name_;
@@ -89,10 +101,7 @@ Head read_head(Lines& lines) {
       lines.fail(key, text, "is given twice: remove one");
   }
   for (const char* key : {"axis", "rule", "outside", "knots", "sha256"})
-    if (!head.contains(key))
-      lines.fail(
-          key, "",
-          "is missing from the head of the table: add the line # " + std::string(key) + ": VALUE");
+    if (!head.contains(key)) lines.fail_in_head(key);
   return head;
 }
 

@@ -91,6 +91,14 @@ Json parse_strictly(const std::string& text, const std::string& document) {
   };
   try {
     return Json::parse(text, watch);
+  } catch (const Json::parse_error& error) {
+    if (error.byte >= text.size())
+      throw InputError("", "", "is not complete: the file ends within its JSON; export it again")
+          .at(document);
+    throw InputError("", "", "is not JSON: its syntax is wrong here")
+        .at(document,
+            1 + static_cast<int>(std::count(
+                    text.begin(), text.begin() + static_cast<std::ptrdiff_t>(error.byte), '\n')));
   } catch (const Json::exception& error) {
     const std::string what = error.what();
     throw InputError("", "",

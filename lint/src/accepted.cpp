@@ -19,14 +19,21 @@ namespace fs = std::filesystem;
 using lint_detail::git;
 using lint_detail::GitAnswer;
 
+/// True in a clone without its history.
+bool is_shallow() {
+  return git({"rev-parse", "--is-shallow-repository"}).out == "true";
+}
+
 /// The full name of a commit. Throws InputError for a text that names none.
 std::string commit_of(const std::string& revision) {
   const GitAnswer answer =
       git({"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"});
   if (answer.status != 0 || answer.out.empty())
     throw InputError("--baseline", revision,
-                     "is neither a folder nor a revision of git; a shallow clone has no other "
-                     "revisions: fetch the history (fetch-depth: 0)");
+                     std::string("is neither a folder nor a revision of git") +
+                         (is_shallow() ? ": this clone is shallow, so it has no other revisions: "
+                                         "fetch the history (fetch-depth: 0)"
+                                       : ""));
   return answer.out;
 }
 

@@ -22,7 +22,7 @@ std::vector<std::string> files_of(const std::vector<std::string>& names,
   if (files.empty())
     throw InputError(
         "FILE", fmt::format("{}", fmt::join(names, " ")),
-        "contains no file of Jounce: name a spec with `jounce = 1`, a table, or a key file");
+        "contains no Jounce files: give a spec (a file with jounce = 1), a table or a key file");
   return files;
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/comparison.hpp"
 
 namespace jounce {
@@ -134,7 +135,7 @@ std::string to_text(const Comparison& c, std::size_t most) {
                         after.empty() ? "none" : after);
   for (std::size_t i = 0; i < std::min(most, c.knots.size()); ++i) text += knot_line(c.knots[i], c);
   if (c.knots.size() > most)
-    text += fmt::format("  ... and {} more knots\n", c.knots.size() - most);
+    text += fmt::format("  ... and {}\n", counted(c.knots.size() - most, "more knot"));
   return text;
 }
 

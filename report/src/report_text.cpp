@@ -9,6 +9,7 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/check.hpp"
 
 #include "report/src/words.hpp"
@@ -136,10 +137,9 @@ std::size_t Labels::number_of_segment(std::size_t piece) const {
 
 std::string one_line(const Report& report, const Labels& labels) {
   const std::size_t w = report.warnings();
-  const std::string more =
-      w == 0 ? "" : fmt::format(" ({} {})", w, w == 1 ? "warning" : "warnings");
+  const std::string more = w == 0 ? "" : " (" + counted(w, "warning") + ")";
   if (const std::size_t n = report.broken(); n > 0)  // sort() puts the worst of them first
-    return fmt::format("{} {}; the worst: {}{}", n, n == 1 ? "finding" : "findings",
+    return fmt::format("{}; the worst: {}{}", counted(n, "finding"),
                        sentence(report.findings.front(), labels), more);
   const auto closest = std::find_if(report.findings.begin(), report.findings.end(), is_limit);
   if (closest != report.findings.end()) {
@@ -188,7 +188,7 @@ std::string full_text(const Report& report, const Labels& labels, std::size_t mo
     if (!finding.advice.empty())
       text += fmt::format("  {:<6} {:<26} -> {}\n", "", "", finding.advice);
   }
-  if (left > 0) text += fmt::format("  ... and {} more findings\n", left);
+  if (left > 0) text += fmt::format("  ... and {}\n", counted(left, "more finding"));
   return text;
 }
 

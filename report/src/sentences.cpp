@@ -244,7 +244,7 @@ std::string sentence(const Finding& f, const Labels& labels) {
       break;
     case RuleFamily::tolerance:
       if (f.rule == "tolerance/stability")
-        return fmt::format("the loop is unstable in {} cases", rounded(f.value));
+        return "the loop is unstable in " + rounded(f.value) + (f.value == 1 ? " case" : " cases");
       break;
     default:
       break;

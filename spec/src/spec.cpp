@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/spec/spec.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -10,7 +11,9 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/base/units.hpp"
+#include "jounce/controllers/exchange/cam_format.hpp"
 #include "jounce/io/points.hpp"
+#include "jounce/io/table_file.hpp"
 
 #include "spec/src/axis_drive.hpp"
 #include "spec/src/toml/parts.hpp"
@@ -223,7 +226,7 @@ void read_body(TomlReader& top, Spec& spec) {
     return all;
   }();
   refuse_other_kinds(top);
-  const Kind& kind = kinds.at(top.choice("kind", names));
+  const Kind& kind = kinds.at(top.variant("kind", names));
   spec.name = top.optional_text("name").value_or("");
   read_units(top, spec, kind);
   const bool several =
@@ -274,13 +277,39 @@ void require_shallow_keys(const Document& document) {
   }
 }
 
+/// True for a file that is named like a spec, or begins with its first key.
+bool is_meant_as_spec(const Document& document) {
+  std::string_view text = document.text;
+  while (!text.empty() &&
+         (text.front() == '#' || text.find_first_not_of(" \t\r") == text.find('\n')))
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.starts_with("jounce") || document.name.ends_with(".toml");
+}
+
+int line_of(const std::string& text, std::size_t at) {
+  return 1 + static_cast<int>(
+                 std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+/// Throws InputError for a file that is no text, and for a table, which is made from a spec.
+void require_spec_text(const Document& document) {
+  const std::string& text = document.text;
+  if (const auto at = text.find('\0'); at != std::string::npos)
+    throw InputError("", "", "is not a text file: it has a zero byte here")
+        .at(document.name, line_of(text, at));
+  if (is_table(text) || cam_format_of_text(text) != nullptr)
+    throw InputError("", "", "is a table: give the spec of the motion instead")
+        .at(document.name, 1);
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw InputError("", "", "the file is empty: `jounce new` writes a spec to start with")
+        .at(document.name, 1);
+}
+
 }  // namespace
 
 toml::table spec_detail::parse_toml(const Document& document) {
   require_shallow_keys(document);
-  if (document.text.find_first_not_of(" \t\r\n") == std::string::npos)
-    throw InputError("", "", "the file is empty: `jounce new` writes a spec to start with")
-        .at(document.name, 1);
+  require_spec_text(document);
   try {
     return toml::parse(std::string_view(document.text), std::string_view(document.name));
   } catch (const toml::parse_error& error) {
@@ -295,6 +324,11 @@ toml::table spec_detail::parse_toml(const Document& document) {
                        "is a G-code program: name its machine, a spec of kind \"path\", with "
                        "--machine, or name the program in that spec with gcode = { file = \"" +
                            document.name + "\" }")
+          .at(document.name, 1);
+    if (!is_meant_as_spec(document))
+      throw InputError("", "",
+                       "is not a spec, a table, a G-code program or a controller file that Jounce "
+                       "reads; a spec begins with jounce = 1")
           .at(document.name, 1);
     const auto at = error.source().begin;
     throw syntax_error(document, static_cast<int>(at.line), static_cast<int>(at.column),

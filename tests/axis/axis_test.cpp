@@ -495,5 +495,35 @@ TEST(MotionAxis, SetPositionNeedsAStandstillAndANumber) {
   EXPECT_EQ(refusal(bench.step({command::SetPosition{.position = 0}})), Cause::in_motion);
 }
 
+TEST(MotionAxis, SetPositionStaysInsideThePositionRange) {
+  AxisConfig config = wide;
+  config.limits.position_min = -10;
+  config.limits.position_max = 300;
+  Bench bench(config);
+  bench.tell(Kind::enable);
+  const Tick above = bench.step({command::SetPosition{.position = 9999}});
+  ASSERT_EQ(refusal(above), Cause::position_limit);
+  EXPECT_EQ(above.refused->value, 9999);
+  EXPECT_EQ(above.refused->limit, 300);
+  EXPECT_EQ(above.position, 0);
+  EXPECT_EQ(bench.step({command::SetPosition{.position = 300}}).position, 300);
+  const Tick below = bench.step({command::SetPosition{.position = -311, .relative = true}});
+  ASSERT_EQ(refusal(below), Cause::position_limit);
+  EXPECT_EQ(below.refused->value, -11);
+  EXPECT_EQ(below.refused->limit, -10);
+}
+
+TEST(MotionAxis, ALinearAxisRefusesATargetOnTheOtherSideOfItsDirection) {
+  Bench bench(wide);
+  bench.tell(Kind::enable);
+  const auto asked = [&](double position, Direction direction) {
+    return refusal(bench.step({command::MoveAbsolute{.position = position, .direction = direction}}));
+  };
+  EXPECT_EQ(asked(-5, Direction::positive), Cause::no_such_move);
+  EXPECT_EQ(asked(5, Direction::negative), Cause::no_such_move);
+  EXPECT_EQ(asked(5, Direction::positive), Cause::none);
+  EXPECT_EQ(asked(-5, Direction::shortest), Cause::none);
+}
+
 }  // namespace
 }  // namespace jounce::axis_test

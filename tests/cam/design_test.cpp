@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/curve/extrema.hpp"
@@ -241,6 +242,17 @@ TEST(Design, NamesWhatContradictsItself) {
   EXPECT_EQ(complaint(spec),
             "segment[1].end.geo_velocity = 0.6: must be 0.5, the value of the adjacent law `line`: "
             "change this number or that law");
+
+  spec.segments = {{Law::line, {100, 50, {}, {}}, ""}, {Law::dwell, {200, 50, {}, {}}, ""}};
+  EXPECT_EQ(complaint(spec),
+            "segment[1].law = \"line\": ends at master 100 with the velocity 0.5, but the adjacent "
+            "segment 2 (dwell) has 0 there: use a law from rest to rest, such as modified_sine");
+  spec.segments = {{Law::dwell, {100, 0, {}, {}}, ""}, {Law::line, {200, 50, {}, {}}, ""}};
+  EXPECT_THAT(complaint(spec),
+              testing::HasSubstr("segment[2].law = \"line\": begins at master 100"));
+  spec.segments = {{Law::line, {100, 50, {}, {}}, ""}, {Law::line, {200, 60, {}, {}}, ""}};
+  EXPECT_THAT(complaint(spec),
+              testing::HasSubstr("put a segment with the law quintic between the two"));
 
   spec.segments = {{Law::modified_sine, {100, 50, 1, 0.1}, ""}};
   EXPECT_EQ(complaint(spec),

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -291,7 +292,7 @@ TEST_F(Cli, IdentifyFindsTheInertiaThatWasRecorded) {
   EXPECT_EQ(run(identify + " --plot fit.png").status, 0);
   EXPECT_EQ(slurp(folder / "fit.png").substr(1, 3), "PNG");  // not SVG by another name
   EXPECT_THAT(run(identify + " -o drive.toml").err, HasSubstr("is also the input"));
-  EXPECT_THAT(run(identify + " -o run.csv").err, HasSubstr("is also the input"));
+  EXPECT_THAT(run(identify + " -o run.csv").err, HasSubstr("must end in .toml"));
   EXPECT_EQ(run("identify drive.toml --log run.csv --fit mass[1].inertai").status, 2);
 }
 
@@ -389,7 +390,7 @@ TEST_F(Cli, ValidateWritesTheSignalsOfADrive) {
   ASSERT_EQ(run("validate move.toml --signals run.npy --samples 801").status, 0);
   EXPECT_THAT(slurp(folder / "run.npy"), HasSubstr("('feedback', '<f8'), ('load', '<f8')"));
   EXPECT_THAT(run("validate move.toml --signals run.txt").err,
-              HasSubstr("must end in .csv or .npy"));
+              HasSubstr("must end in one of .csv, .npy"));
   EXPECT_THAT(run("validate move.toml --signals move.toml").err, HasSubstr("--signals"));
   ASSERT_EQ(run("new gear -o gear.toml").status, 0);
   EXPECT_THAT(run("validate gear.toml --signals run.csv").err, HasSubstr("[drive]"));
@@ -433,9 +434,8 @@ TEST_F(Cli, SigtermKeepsTheBestSoFarAsSigintDoes) {
 
 TEST_F(Cli, OptimizeRefusesBeforeItSearches) {
   const std::string shapes = "optimize " + examples + "residual-17hz/cam.toml";
-  EXPECT_EQ(
-      run(shapes + " --plot x.pdf").err,
-      "jounce: --plot = x.pdf: must end in .svg or .png, or be - for SVG on standard output\n");
+  EXPECT_EQ(run(shapes + " --plot x.pdf").err,
+            "jounce: --plot = x.pdf: must end in one of .svg, .png\n");
   EXPECT_THAT(run(shapes + " --seconds nan").err, HasSubstr("--seconds = nan"));
   EXPECT_THAT(run("optimize " + cam + " --seconds 0").err, HasSubstr("must be greater than 0"));
   EXPECT_THAT(files(), ::testing::IsEmpty());
@@ -485,8 +485,28 @@ TEST_F(Cli, PlotOfADriveGoesWithNothingElse) {
   for (const char* other : {"--over time", "--before x.toml"}) {
     const Result both = run("plot " + cam + " --drive response " + other + " -o x.svg");
     EXPECT_EQ(both.status, 2) << other;
-    EXPECT_THAT(both.err, HasSubstr("excludes")) << other;
+    EXPECT_THAT(both.err, HasSubstr("cannot be combined with")) << other;
   }
+}
+
+TEST_F(Cli, AnOutputHasTheExtensionOfItsFormat) {
+  for (const auto& [verb, name, endings] :
+       {std::tuple{"design " + cam + " -o ", "o.xls", "one of .csv, .json"},
+        {"optimize " + cam + " -o ", "o.csv", ".toml"},
+        {"events " + cam + " -o ", "o.txt", "one of .csv, .json"},
+        {"map " + cam + " -o ", "o.pdf", "one of .csv, .svg, .png"},
+        {"plot " + cam + " -o ", "o.gif", "one of .svg, .png"},
+        {std::string("new cam -o "), "o.csv", ".toml"}}) {
+    const Result wrong = run(verb + name);
+    EXPECT_EQ(wrong.status, 2) << verb;
+    EXPECT_EQ(wrong.err,
+              std::string("jounce: --output = ") + name + ": must end in " + endings + "\n");
+  }
+  EXPECT_EQ(
+      run("report " + cam + " -o no/o.html").err,
+      "jounce: --output = no/o.html: cannot be written, because the folder no does not exist: "
+      "make it first\n");
+  EXPECT_EQ(run("design " + cam + " -o table").status, 0);
 }
 
 TEST_F(Cli, DesignDoesNotKeepQuietOfWhatCheckFinds) {
@@ -1071,7 +1091,7 @@ TEST_F(Cli, AReportSaysWhatItFoundAndIsAPageOfHtml) {
   EXPECT_THAT(page.out, HasSubstr("PMC600 Fig. 6.14: 2 findings; the worst: geo_velocity"));
   const Result pdf = run("report " + cam + " -o page.pdf");
   EXPECT_EQ(pdf.status, 2);
-  EXPECT_EQ(pdf.err, "jounce: --output = page.pdf: must end in .html\n");
+  EXPECT_EQ(pdf.err, "jounce: --output = page.pdf: must end in one of .html, .htm\n");
   std::filesystem::create_directory(folder / "folder");
   EXPECT_EQ(run("report folder -o other.html").err,
             "jounce: folder: cannot be read: Is a directory\n");
@@ -1401,7 +1421,7 @@ TEST_F(Cli, ConvertWritesTheSegmentsOfAController) {
   EXPECT_THAT(refused.err,
               HasSubstr("--position-resolution = 1: cannot be used with quadratic pieces"));
   EXPECT_THAT(run("convert m.toml q.csv --to points --rule cubic_hermite").err,
-              HasSubstr("is not a parabola"));
+              HasSubstr("needs a constant acceleration between the knots; before knot 2"));
 }
 
 // A law that begins at rest has 1.9e-16 there: its first segment was "continue", which takes over a ratio.

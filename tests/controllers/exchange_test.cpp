@@ -193,6 +193,9 @@ TEST(Exchange, NamesFileLineKeyValueAndRule) {
             "t:1: knots = 9: the number of knots in the file is 3: is the file complete?");
   EXPECT_EQ(complaint("# master: degrie\n" + good), "t:1: master = degrie: is not a known unit");
   EXPECT_NE(complaint("CYCLIC;YES;\nTABLE_BEGIN;;\n0;0;SPLINE\n").find("KAS"), std::string::npos);
+  EXPECT_EQ(cam_format_of_text("It reads `SMC_CAMXYVA` declarations and MC_MotionFunctionPoint.\n"),
+            nullptr);
+  EXPECT_NE(cam_format_of_text("a : ARRAY[0..2]\n  of SM3_Basic.SMC_CamXYVA;\n"), nullptr);
   EXPECT_NE(complaint("a : ARRAY[0..2] OF SMC_CAMXYVA := [(dX := 0), (dX := 1)];"), "");
   EXPECT_NE(complaint("a : ARRAY[0..1] OF SMC_CAMXYVA := [(dX := 0), (dZ := 1)];"), "");
 }

@@ -55,9 +55,9 @@ TEST(Convert, ATableOverTimeHasNoFormatOfAController) {
   for (const char* word : {"rockwell", "siemens-points", "kollmorgen"}) {
     const CamFormat* to = cam_format_named(word);
     const auto make = [&] { converted(input, {.rule = rule_of(*to), .format = to}); };
-    EXPECT_EQ(test::key_of(make), "axis");
+    EXPECT_EQ(test::key_of(make), "format");
     EXPECT_EQ(test::rule_of(make),
-              std::string("the format ") + word + " is for cams: it needs a table over a master");
+              "is for cams, over a master; this table is over time");
   }
 }
 

@@ -108,6 +108,11 @@ TEST(TargetTexts, AreReadInTheUnitsOfTheTable) {
         target_of({.tolerance = "1 kg"}, Domain::time, Interpolation::linear, {"s", "mm"}, dashed);
       }),
       HasSubstr("--tolerance: "));
+  EXPECT_THAT(error_of([&] {
+                target_of({.controller = "googel"}, Domain::time, Interpolation::linear,
+                          {"s", "mm"}, dashed);
+              }),
+              HasSubstr("--controller: must be one of "));
 }
 
 TEST(Laws, AreFoundByTheirNames) {

@@ -175,8 +175,19 @@ TEST(Gcode, RefusesEverythingElseWithItsPlace) {
   EXPECT_THAT(complaint("G1 A5\n"), HasSubstr("part.ngc:1:4: A5: is the position of an axis"));
   EXPECT_THAT(complaint("G1 X1 (open\n"),
               HasSubstr("part.ngc:1:7: \"(open\": is a comment without its closing )"));
-  EXPECT_THAT(complaint("G1 X5 P1\n"),
-              HasSubstr("part.ngc:1:7: P1: applies to G4, a dwell, and G64"));
+  EXPECT_THAT(
+      complaint("G1 X5 P1\n"),
+      HasSubstr("part.ngc:1:7: P1: does not apply to this block: P is the time of a dwell"));
+  EXPECT_THAT(complaint("M98 P100\n"),
+              HasSubstr("part.ngc:1:1: M98: subprograms are not supported: have the CAM program"));
+  EXPECT_THAT(complaint("o100 sub\n"),
+              HasSubstr("part.ngc:1:1: \"o100 sub\": subprograms, loops and conditions are not"));
+  EXPECT_THAT(complaint("G1 X10 Y1O F100\n"),
+              HasSubstr("part.ngc:1:10: \"O\": follows a number: is this letter a 0?"));
+  EXPECT_THAT(complaint("G1 X F100\n"),
+              HasSubstr("part.ngc:1:4: \"X\": needs a number after X, such as X10"));
+  EXPECT_THAT(complaint("G1 X10,5 F100\n"),
+              HasSubstr("part.ngc:1:7: \"X10,5\": a number has a decimal point: write X10.5"));
   EXPECT_THAT(complaint("G4 P-1\n"), HasSubstr("part.ngc:1:4: P-1: must not be negative"));
   EXPECT_THAT(complaint("G4 X1\n"), HasSubstr("part.ngc:1:1: G4: needs P"));
   EXPECT_THAT(complaint("G4 G64 P1\n"), HasSubstr("part.ngc:1:1: G64: must not be in the block"));
@@ -193,6 +204,11 @@ TEST(Gcode, RefusesEverythingElseWithItsPlace) {
           "part.ngc:1:12: radius = 1: must be at least half the distance from start to end, 5"));
   EXPECT_THAT(complaint("F60 G2 X10 I2\n"), HasSubstr("part.ngc:1:12: center"));
   EXPECT_THAT(complaint("G1 X1e5 F60\n"), HasSubstr("part.ngc:1:6: \"E\": follows a number"));
+  EXPECT_THAT(complaint("WHILE\n"), HasSubstr("part.ngc:1:1: \"WHILE\": is not a G-code word"));
+  EXPECT_THAT(complaint("#1 = 3\n"), HasSubstr("part.ngc:1:1: \"#\": variables (#1) and"));
+  EXPECT_THAT(complaint("/G1 X1\n"), HasSubstr("part.ngc:1:1: \"/\": skips a block"));
+  EXPECT_THAT(complaint("G1 X1,000.5 F9\n"),
+              HasSubstr("part.ngc:1:6: \",\": must not divide a number"));
   EXPECT_THAT(complaint("G1 X" + std::string(400, '9') + "\n"), HasSubstr("part.ngc:1:4"));
   EXPECT_THAT(complaint("G1 X1\xff\n"), HasSubstr("part.ngc:1:6: \"?\": is not a G-code word"));
 }

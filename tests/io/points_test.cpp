@@ -113,7 +113,9 @@ TEST(Points, ConvertOnlyWhatMeasuresTheSame) {
     (void)p.in_unit("velocity", "mm/s");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "p.csv:1: velocity: is missing: the columns are time, position");
+    EXPECT_STREQ(
+        error.what(),
+        "p.csv:1: column \"velocity\": is missing: the columns of the file are time, position");
   }
 }
 

@@ -69,7 +69,7 @@ TEST(Records, AnythingElseIsRefusedWithLineAndColumn) {
   EXPECT_THAT(complaint("X_EndPos;Y_EndPos;Z_EndPos;U_EndPos;Speed\n1;2;3;4;5\n"),
               HasSubstr("records.csv:1: speed: is not a column of records; possible columns: "));
   EXPECT_THAT(complaint("X_EndPos;Y_EndPos;Z_EndPos\n1;2;3\n"),
-              HasSubstr("records.csv:1: u_endpos: is missing"));
+              HasSubstr("records.csv:1: column \"u_endpos\": is missing"));
   EXPECT_THAT(complaint(header + row + "2;3;0;0;0;0;1;1;0;0\n"),
               HasSubstr("records.csv:3: datatype = 3: must be 1, a line, or 2, an arc"));
   EXPECT_THAT(complaint(header + row + "2;1;0;0;0;0;0;1;0;0\n"),

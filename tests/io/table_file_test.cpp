@@ -136,6 +136,14 @@ TEST(TableFile, NamesLineKeyValueAndRule) {
   EXPECT_EQ(complaint(""), "t:1: the file is empty");
   EXPECT_EQ(complaint(replaced(csv, "table 1", "table 7")),
             "t:1: jounce table = 7: must be 1, the format version that this program reads");
+  EXPECT_EQ(complaint(csv.substr(0, csv.find("# outside"))),
+            "t:3: the file ends within its head, before outside: export it again");
+  EXPECT_EQ(
+      complaint(replaced(csv, "# outside", "1,2,3\n# outside")),
+      "t:4: the head of the table continues below this row: remove the row, or export the file "
+      "again");
+  EXPECT_EQ(complaint(replaced(csv, "# sha256", "# spec")),
+            "t:6: sha256: is missing from the head of the table: export the file again");
   EXPECT_EQ(complaint(replaced(csv, "# rule: cubic_hermite", "# rule: cubic")),
             "t:3: rule = \"cubic\": must be one of linear, cubic_hermite, quintic_hermite");
   EXPECT_EQ(complaint(replaced(csv, "1,2,1.5", "1,nan,1.5")),
@@ -154,6 +162,10 @@ TEST(TableFile, NamesLineKeyValueAndRule) {
               std::string::npos);
 
   const std::string json = to_json(small());
+  EXPECT_EQ(complaint(json.substr(0, json.size() / 2)),
+            "t: is not complete: the file ends within its JSON; export it again");
+  EXPECT_EQ(complaint(replaced(json, "\"axis\": ", "\"axis\" ")),
+            "t:3: is not JSON: its syntax is wrong here");
   EXPECT_EQ(complaint(replaced(json, "\"jounce_table\": 1", "\"jounce_table\": 2")),
             "t: jounce_table = 2: must be 1, the format version that this program reads");
   EXPECT_EQ(complaint(replaced(json, "\"knots\": 3", "\"knots\": 3, \"knots\": 3")),

@@ -105,7 +105,7 @@ class Repository(unittest.TestCase):
         self.assertIn("pyproject.toml", done.stdout)
         self.assertIn("[input/key]", done.stdout)
         done = self.jounce("check", "*.toml", status=2)
-        self.assertIn("contains no file of Jounce", done.stderr)
+        self.assertIn("contains no Jounce files", done.stderr)
 
     def test_errors_of_one_file_are_all_reported(self):
         self.write("bad.toml", CAM.format(name="x", master='"3 kg"').replace("geo_velocity = 1", 'geo_velocity = "a"'))

@@ -50,6 +50,14 @@ TEST(CommandWords, AWrongValueIsNamed) {
             "does not apply to enable, which takes no value and no option");
 }
 
+TEST(CommandWords, ADurationIsForAHeldJogOnly) {
+  require_held({.what = "jog", .flags = {{"hold-to-run", true}}}, "2");
+  EXPECT_EQ(test::error_of([] { require_held({.what = "jog"}, "2"); }),
+            "--seconds = 2: applies to jog --hold-to-run only: add --hold-to-run");
+  EXPECT_EQ(test::error_of([] { require_held({.what = "move"}, "2"); }),
+            "--seconds = 2: applies to jog --hold-to-run only");
+}
+
 TEST(CommandWords, AMissingValueIsNamedWithAnExample) {
   EXPECT_EQ(test::rule_of([] { command_of({.what = "jog"}, mm); }),
             "VALUE is missing: give a velocity, such as 12.5mm/s");

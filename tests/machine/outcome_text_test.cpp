@@ -44,6 +44,9 @@ TEST(OutcomeText, NamesTheLastStateOfAStream) {
   outcome.progress.chunks = 6;
   EXPECT_EQ(stream_text(outcome, "feeder", false),
             "6 chunks arrived at feeder, 0 sent again; downloaded");
+  outcome.progress.chunks = 1;
+  EXPECT_EQ(stream_text(outcome, "feeder", false),
+            "1 chunk arrived at feeder, 0 sent again; downloaded");
   outcome.armed = true;
   EXPECT_THAT(stream_text(outcome, "feeder", false), EndsWith("; armed"));
   outcome.started = true;

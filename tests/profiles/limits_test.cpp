@@ -41,6 +41,25 @@ TEST(Check, NamesWhereAndByHowMuch) {
   EXPECT_EQ(report.broken(), 4U);
 }
 
+/// u of a segment of length 1 from 0 to 0 over 10 at its middle: 40 s (1 - s).
+Segment hill() {
+  Segment f;
+  f.degree = 2;
+  f.c[1] = 40;
+  f.c[2] = -40;
+  return f;
+}
+
+TEST(Check, AdvisesByThePlaceOfABrokenPosition) {
+  const auto advice = [](const Segment& f) {
+    return check(Cam({f}, 0), {.position_max = 8}).findings.front().advice;
+  };
+  EXPECT_EQ(advice(line(1, 0, 10)),
+            "the knots here are outside the position range: move them, or widen the range");
+  EXPECT_EQ(advice(hill()),
+            "the curve overshoots between its knots: move them, or lower the velocities there");
+}
+
 TEST(Check, ALimitBrokenByALittleIsBroken) {
   EXPECT_FALSE(check(move(), {.velocity = 2 * (1 - 1e-9)}).ok());
   EXPECT_TRUE(check(move(), {.velocity = 2 * (1 - 1e-14)}).ok()) << "rounding is forgiven";

@@ -103,8 +103,23 @@ TEST(DriveSpec, SaysWhereTheFlatKeysWent) {
   EXPECT_THAT(refused(model + "shaft_stiffness = 1\n"), HasSubstr("stiffness in [[drive.mass]]"));
 }
 
+TEST(DriveSpec, ReportsAMissingNumberAsMissing) {
+  const std::string top =
+      "jounce = 1\nkind = \"drive\"\nunits = { position = \"mm\" }\n[drive]\nposition_per_rev = "
+      "3\n";
+  const auto error = [](const std::string& text) {
+    return test::error_of([&] { (void)parse_spec(text, "d.toml"); });
+  };
+  EXPECT_EQ(error(top),
+            "d.toml:4:1: drive.motor.inertia: is missing: add inertia = NUMBER, in kg m^2");
+  EXPECT_EQ(error(top + "[drive.motor]\ntorque_limit = 1\n"),
+            "d.toml:6:1: drive.motor.inertia: is missing: add inertia = NUMBER, in kg m^2");
+  EXPECT_EQ(error(top + "[drive.motor]\ninertia = 0\n"),
+            "d.toml:7:11: drive.motor.inertia = 0 kg m^2: must be greater than 0");
+}
+
 TEST(DriveSpec, RefusesWithPlaceAndRule) {
-  EXPECT_THAT(refused("position_per_rev = 10\n"), HasSubstr("drive.motor.inertia = 0"));
+  EXPECT_THAT(refused("position_per_rev = 10\n"), HasSubstr("drive.motor.inertia: is missing"));
   EXPECT_THAT(refused(model + "[drive.motor]\ninertia = -1\n"),
               HasSubstr("a.toml:13:11: drive.motor.inertia = -1 kg m^2: must be greater than 0"));
   EXPECT_THAT(refused(model + "[[drive.mass]]\n[[drive.mass]]\ninertia = 1\nbacklash = 1\n"),

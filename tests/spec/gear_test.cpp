@@ -123,8 +123,8 @@ TEST(GearSpec, RefusesInTheWordsOfTheDocument) {
       "slave_sync_position = 100\nmaster_start_distance = 400\navoid_reversal = true\n";
   EXPECT_THAT(
       refusal(position + "master_end = 900\n"),
-      testing::AllOf(testing::StartsWith("g.toml:10:18: gear.avoid_reversal"),
-                     testing::HasSubstr("777"), testing::HasSubstr("to 250 instead of 400")));
+      testing::StrEq("g.toml:9:25: gear.master_start_distance = 400 deg: makes the slave reverse: use "
+                     "166.667 to 250, or avoid_reversal = false (error 777 of the PMC600)"));
   EXPECT_THAT(refusal(position + "master_end = 900\nslave_period = 30\n"), testing::StrEq(""));
   EXPECT_THAT(refusal(position + "master_end = 900\nslave_period = 1\n"),
               testing::HasSubstr("776"));

@@ -94,7 +94,8 @@ TEST(MachineMaster, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(complaint("[master.a]\nkind = \"encoder\"\nunit = \"mm\"\nvelocity = 1\n"
                         "acceleration = 2\n"),
               HasSubstr("must be either axis or drive"));
-  EXPECT_THAT(complaint("[master]\nline = 3\n"), HasSubstr("must be a table"));
+  EXPECT_THAT(complaint("[master]\nline = 3\n"),
+              HasSubstr("is not a master: begin a section [master.NAME]"));
 }
 
 }  // namespace

@@ -505,11 +505,13 @@ INSTANTIATE_TEST_SUITE_P(
                   "axis has a choice of direction: add period, or leave direction out"},
         BadMotion{move_spec(point + "period = -360"),
                   "a.toml:9:10: move.period = -360 mm: must be greater than 0"},
-        BadMotion{move_spec(point + "to_velocity = 11"),
-                  "a.toml:6:6: move.to: the target's velocity or acceleration lies outside the "
-                  "bounds"},
+        BadMotion{
+            move_spec(point + "to_velocity = 11"),
+            "a.toml:9:15: move.to_velocity = 11 mm/s: must be at most 10, the greatest velocity"},
         BadMotion{move_spec(point + "position_max = 40"),
-                  "a.toml:6:6: move.to: no motion from start to target keeps the position limits"},
+                  "a.toml:6:6: move.to: no motion from start to target keeps the position limits: "
+                  "from 0 at "
+                  "velocity 0 to 50 at velocity 0, position -inf to 40"},
         BadMotion{move_spec(point + "position_min = 60\nposition_max = 40"),
                   "a.toml:9:16: move.position_min = 60 mm: must be below position_max = 40"},
         BadMotion{move_spec(point + "from = 50"),
@@ -563,15 +565,25 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml:14:8: command[2].type = \"relativ\": must be one of absolute, relative, "
                   "velocity, halt, dwell: did you mean \"relative\"?"},
         BadMotion{with(queue_spec, "velocity = 100\n", ""),
-                  "a.toml:9:1: command[1].velocity: is missing: give it here, or for all commands "
-                  "under [dynamics]"},
+                  "a.toml:9:1: command[1].velocity: is missing: add velocity = NUMBER, in mm/s, "
+                  "here or for "
+                  "all commands in [dynamics]"},
+        BadMotion{with(queue_spec, "velocity = 100\n", "velocity = 0\n"),
+                  "a.toml:7:12: dynamics.velocity = 0 mm/s: must be greater than 0"},
+        BadMotion{with(queue_spec, "jerk = 4000\n", "jerk = -1\n"),
+                  "a.toml:9:8: dynamics.jerk = -1 mm/s^3: must not be negative"},
+        BadMotion{
+            with(queue_spec, "time = \"200 ms\"", "time = \"200 ms\"\nmode = \"blending_high\""),
+            "a.toml:22:8: command[3].mode = \"blending_high\": does not apply to a dwell, which "
+            "begins and ends at rest: use buffered"},
         BadMotion{with(queue_spec, "issued = 3\n", ""),
                   "a.toml:25:1: command[5].issued: is missing: an aborting command needs the time "
                   "at which it is issued"},
         BadMotion{with(queue_spec, "direction = -1", "direction = 2"),
                   "a.toml:24:13: command[4].direction = 2: must be 1 or -1"},
         BadMotion{with(queue_spec, "time = \"200 ms\"", "time = \"200 ms\"\nvelocity = 3"),
-                  "a.toml:22:1: command[3].velocity = 3: is not a key here; possible keys: "
+                  "a.toml:22:1: command[3].velocity = 3: is not a key of type = \"dwell\"; "
+                  "possible keys: "
                   "issued, mode, time, type"},
         BadMotion{"jounce = 1\nkind = \"queue\"\nunits = { position = \"mm\" }\n",
                   "a.toml: command: is missing: add [[command]]"},
@@ -593,12 +605,13 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml: axis: is missing: add [[axis]] for each axis"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n[limits]\n"
                   "velocity = 1\n[[axis]]\nname = \"x\"\nto = 1\nvelocity = 1\nacceleration = 1\n",
-                  "a.toml:4:2: limits = { ... }: is not a key here; possible keys: axis, "
+                  "a.toml:4:2: [limits]: is not a section of kind = \"axes\"; possible keys: axis, "
                   "compare, duration, jounce, kind, name, point, sync, then, units"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"
                   "axis = [{ name = \"x\", velocity = 1, acceleration = 1 }]\n"
                   "point = [{ position = [1] }, { position = [1, 2] }]\n",
-                  "a.toml:5:43: point[2].position = [1, 2]: must be a list of 1 number"},
+                  "a.toml:5:43: point[2].position = [1, 2]: must be a list of 1 number, one for "
+                  "each axis"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"
                   "axis = [{ name = \"x\", velocity = 1, acceleration = 1 }]\n"
                   "point = [{ position = [1] }, { position = [1] }]\n",
@@ -612,7 +625,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec(s_curve_lines,
                             "[[then]]\noperator = \"shaper\"\nkind = \"zv\"\n"
                             "frequency = 5\ntolerance = 0.1"),
-                  "a.toml:15:1: then[1].tolerance = 0.1: is not a key here; possible keys: "
+                  "a.toml:15:1: then[1].tolerance = 0.1: is not a key of operator = \"shaper\"; "
+                  "possible keys: "
                   "controller, damping, frequency, kind, operator"},
         BadMotion{move_spec(s_curve_lines,
                             "[[then]]\noperator = \"notch\"\nfrequency = 5\nmode_damping = 2"),

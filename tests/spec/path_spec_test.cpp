@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/base/input_errors.hpp"
 #include "jounce/path/plan.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
@@ -143,11 +144,25 @@ TEST(PathSpecFile, ReadsEachDefinitionOfAnArc) {
   EXPECT_NEAR(arc("center = [50, 0, 0]\nangle = 90\nplane = [\"y\", \"x\"]").to[1], 50, 1e-12);
 }
 
+TEST(PathSpecFile, ReportsNoErrorThatOnlyFollowsFromAnother) {
+  const std::string text = head + command("type = \"line\"\nto = [100, 0]") +
+                           "[[command]]\ntype = \"arc\"\ncenter = [50, 0, 0]\nto = [0, 30, 0]\n"
+                           "rotation = \"clockwise\"\n";
+  try {
+    (void)parse_spec(text, "path.toml");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    ASSERT_EQ(all_errors(error).size(), 1U);
+    EXPECT_EQ(error.key(), "command[1].to");
+  }
+}
+
 TEST(PathSpecFile, RefusesKeysThatItsCommandDoesNotUse) {
   EXPECT_THAT(complaint(command("type = \"arc\"\nvia = [1, 1, 0]\nto = [2, 0, 0]\nradius = 3")),
-              HasSubstr("path.toml:21:1: command[1].radius = 3: is not a key here"));
-  EXPECT_THAT(complaint(command("type = \"arc\"\ncenter = [1, 1, 0]\nangle = 90\nto = [2, 0, 0]")),
-              HasSubstr("path.toml:21:1: command[1].to = [2, 0, 0]: is not a key here"));
+              HasSubstr("path.toml:21:1: command[1].radius = 3: is not a key of an arc with via;"));
+  EXPECT_THAT(
+      complaint(command("type = \"arc\"\ncenter = [1, 1, 0]\nangle = 90\nto = [2, 0, 0]")),
+      HasSubstr("path.toml:21:1: command[1].to = [2, 0, 0]: is not a key of an arc with center;"));
   EXPECT_THAT(complaint(command("type = \"dwell\"\ntime = 1\nvelocity = 3")),
               HasSubstr("command[1].velocity"));
   EXPECT_THAT(complaint(command("type = \"line\"\nto = [1, 2, 0]\nturns = 1")),
@@ -245,7 +260,8 @@ TEST_F(PathBesideFile, RefusesPointsThatDoNotFit) {
             "p.csv:1: z: is not a column of this table; possible columns: velocity, x, y");
   EXPECT_THAT(complaint(top, "p.csv", "x,y\n1,2\n"),
               HasSubstr("p.csv:2: row = 1: is the only point"));
-  EXPECT_THAT(complaint(top, "p.csv", "x,velocity\n1,2\n2,3\n"), HasSubstr("p.csv:1: y"));
+  EXPECT_THAT(complaint(top, "p.csv", "x,velocity\n1,2\n2,3\n"),
+              HasSubstr("p.csv:1: column \"y\": is missing"));
   EXPECT_THAT(complaint(top, "p.csv", "x,y,velocity\n1,2,1\n2,3,0\n"),
               HasSubstr("p.csv:3: velocity = 0"));
 }

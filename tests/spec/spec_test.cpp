@@ -182,9 +182,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{move, "velocity = 10", "velocity = 0",
             "a.toml:7:12: move.velocity = 0 mm/s: must be greater than 0"},
         Bad{move, "velocity = 10", "velocity = 1e400",
-            "a.toml:7:17: velocity = 1e400: is not a number: check its digits, its decimal point "
-            "and "
-            "its exponent"},
+            "a.toml:7:17: velocity = 1e400: must be less than 1.8e308 in magnitude"},
         Bad{move, "to = 100", "to = 0",
             "a.toml:6:6: move.to = 0 mm: must differ from `from` = 0: there is no move"},
         Bad{move, "to = 100", "to = \"1e999 m\"",
@@ -198,7 +196,8 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{move, "jerk = 500", "smoothing = 0",
             "a.toml:9:13: move.smoothing = 0 s: must be greater than 0"},
         Bad{move, "\"s_curve\"", "\"trapezoid\"",
-            "a.toml:9:1: move.jerk = 500: is not a key here; possible keys: acceleration, "
+            "a.toml:9:1: move.jerk = 500: is not a key of profile = \"trapezoid\"; possible keys: "
+            "acceleration, "
             "deceleration, from, profile, to, velocity"},
         Bad{pvt, "time = 1\n", "time = 0\n",
             "a.toml:11:8: knot[2].time = 0 s: must be greater than 0, the previous knot"},

@@ -60,5 +60,71 @@ TEST(TomlSyntax, NamesWhatIsThereTwice) {
             "a.toml:4:1: [limits]: is given twice: keep one section, with the keys of both");
 }
 
+/// The first error of a spec of this kind.
+std::string error_in(const std::string& kind, const std::string& text) {
+  return test::error_of([&] {
+    const std::string master = kind == "cam" || kind == "gear" ? ", master = \"deg\"" : "";
+    (void)parse_spec(
+        "jounce = 1\nkind = \"" + kind + "\"\nunits = { position = \"mm\"" + master + " }\n" + text,
+        "a.toml");
+  });
+}
+
+TEST(TomlSyntax, ASectionThatCanOccurSeveralTimesNeedsDoubleBrackets) {
+  const std::string rule = ": needs double brackets: write [[";
+  for (const char* text : {"[segment]\n", "[segment]\n[[segment]]\n", "[segment]\n[segment]\n"})
+    EXPECT_EQ(error_in("cam", std::string("start = { master = 0, slave = 0 }\n") + text),
+              "a.toml:5:1: [segment]" + rule + "segment]], because there can be several");
+  EXPECT_EQ(error_in("queue", "[[command]]\n[command]\n"),
+            "a.toml:5:1: [command]" + rule + "command]], because there can be several");
+  EXPECT_EQ(error_in("gear",
+                     "[gear]\nengage = \"distance\"\nnumerator = 1\nmaster_end = 9\n"
+                     "distance = 1\n[gear.change]\nat = 1\n"),
+            "a.toml:9:1: [gear.change]" + rule + "gear.change]], because there can be several");
+  EXPECT_EQ(error_in("path", "[[axis]]\nname = \"x\"\n[axis]\n"),
+            "a.toml:6:1: [axis]" + rule + "axis]], because there can be several");
+}
+
+TEST(TomlSyntax, NamesTheSectionThatIsUnknown) {
+  EXPECT_EQ(error_in("path", "[[axis]]\nname = \"x\"\n[paths]\n"),
+            "a.toml:6:2: [paths]: is not a section here: did you mean path?");
+}
+
+TEST(TomlSyntax, TellsAForeignFileFromASpec) {
+  const auto error = [](const std::string& text, const char* name) {
+    return test::error_of([&] { (void)parse_spec(text, name); });
+  };
+  const std::string foreign =
+      ": is not a spec, a table, a G-code program or a controller file that Jounce reads; a spec "
+      "begins with jounce = 1";
+  EXPECT_EQ(error("# Title\n\nSome SMC_CAMXYVA text.\n", "README.md"), "README.md:1" + foreign);
+  EXPECT_EQ(error("a b\n", "a.toml"), "a.toml:1:3: a: needs a = between the key and its value");
+  EXPECT_EQ(error("jounce = 1\na b\n", "-"), "-:2:3: a: needs a = between the key and its value");
+  EXPECT_EQ(error(std::string("kind = 1\n\0", 10), "a.toml"),
+            "a.toml:2: is not a text file: it has a zero byte here");
+  EXPECT_EQ(error("a = 1\rb = 2\r", "a.toml").find("line ends LF or CRLF") == std::string::npos,
+            false);
+  EXPECT_EQ(
+      error("a = \"h\xf6he\"\n", "a.toml").find("save the file in UTF-8") == std::string::npos,
+      false);
+  EXPECT_EQ(error("# jounce table 1\n# axis: time\n", "t.csv"),
+            "t.csv:1: is a table: give the spec of the motion instead");
+}
+
+TEST(TomlSyntax, ChecksANumberByItsDigits) {
+  EXPECT_EQ(unplaced("velocity = 1e400"),
+            "velocity = 1e400: must be less than 1.8e308 in magnitude");
+  EXPECT_EQ(unplaced("end = { master = 1 # here\n}"),
+            "end = : needs its closing } on the same line");
+}
+
+TEST(TomlSyntax, ASectionThatOccursOnceNeedsSingleBrackets) {
+  const std::string rule = ": needs single brackets: write ";
+  EXPECT_EQ(error_in("move", "[[limits]]\nvelocity = 1\n"),
+            "a.toml:4:1: [[limits]]" + rule + "[limits], because there is only one");
+  EXPECT_EQ(error_in("axis", "[axis]\n[[axis]]\n"),
+            "a.toml:5:1: [[axis]]" + rule + "[axis], because there is only one");
+}
+
 }  // namespace
 }  // namespace jounce::toml_syntax_test

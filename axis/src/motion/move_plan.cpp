@@ -320,7 +320,9 @@ double passing_velocity(const MotionState& from, const Goal& goal, const Goal& n
 
 std::optional<double> target_of(double position, Direction direction, const MotionState& from,
                                 const MoveDynamics& d, const AxisConfig& config) noexcept {
-  if (config.modulo == 0) return position;
+  const bool against = (direction == Direction::positive && position < from.position) ||
+                       (direction == Direction::negative && position > from.position);
+  if (config.modulo == 0) return against ? std::nullopt : std::optional(position);
   // Beyond that, modulo_target() could not count the turns.
   if (!(std::abs(from.position) < 0x1p50 * config.modulo)) return std::nullopt;
   const Bounds bounds = within(d.velocity, std::min(d.acceleration, d.deceleration), d.jerk);

@@ -72,7 +72,13 @@ MotionAxis::Rejection MotionAxis::act(const command::Reset& /*it*/) {
 }
 
 MotionAxis::Rejection MotionAxis::act(const command::SetPosition& what) {
-  return set_position(what.position + (what.relative ? now_.position : 0));
+  const double position = what.position + (what.relative ? now_.position : 0);
+  const Limits& limits = config_.limits;
+  if (limits.position_min && position < *limits.position_min)
+    return Refusal{Cause::position_limit, position, *limits.position_min};
+  if (limits.position_max && position > *limits.position_max)
+    return Refusal{Cause::position_limit, position, *limits.position_max};
+  return set_position(position);
 }
 
 MotionAxis::Rejection MotionAxis::set_position(double position) {

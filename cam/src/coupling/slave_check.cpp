@@ -58,7 +58,7 @@ Report check_slave(const Cam& cam, const Limits& slave, double velocity, const M
       if (b == 0 || bounds[b].order != bounds[b - 1].order)
         range = slave_range(f, cam.breaks()[i], cam.breaks()[i + 1], bounds[b].order - 1, velocity,
                             rates);
-      found.consider(b, range, cam.breaks()[i], i);
+      found.consider(b, range, cam.breaks()[i], cam.breaks()[i + 1], i);
     }
   }
   return std::move(found).report();

@@ -85,6 +85,8 @@ class Resolver {
   void demand(std::size_t segment);
   void demand_at(std::size_t knot, std::optional<double> CamKnot::*field, const char* name,
                  double demanded, std::size_t segment, double scale);
+  [[noreturn]] void fail_step(std::size_t knot, double before, double demanded,
+                              std::size_t segment) const;
   void share_seam();
   Placed place(std::size_t segment, const std::vector<Placed>& before) const;
   [[nodiscard]] bool reversal_first(std::size_t segment, const std::vector<Placed>& before) const;
@@ -96,6 +98,7 @@ class Resolver {
 
   const CamSpec& spec_;
   std::vector<CamKnot> knots_;
+  std::vector<bool> demanded_;  ///< for each knot: true if a law required its velocity
 };
 
 void Resolver::add_knot(std::size_t i) {
@@ -113,6 +116,7 @@ void Resolver::add_knot(std::size_t i) {
         key_of(i, "master"), knot.master,
         "must be greater than " + number(knots_.back().master) + ", the previous knot");
   knots_.push_back(knot);
+  demanded_.push_back(false);
 }
 
 void Resolver::require_whole_turns() const {
@@ -164,11 +168,32 @@ void Resolver::require_form_and_points(std::size_t i) const {
 void Resolver::demand_at(std::size_t knot, std::optional<double> CamKnot::*field, const char* name,
                          double demanded, std::size_t segment, double scale) {
   auto& value = knots_[knot].*field;
+  const bool is_velocity = field == &CamKnot::geo_velocity;
+  if (!value && is_velocity) demanded_[knot] = true;
   if (!value) value = demanded;
-  if (std::abs(*value - demanded) > rounded_input * scale)
-    throw InputError(key_of(knot, name), *value,
-                     "must be " + six_digits(demanded) + ", the value of the adjacent law `" +
-                         jounce::name(law(segment)) + "`: change this number or that law");
+  if (std::abs(*value - demanded) <= rounded_input * scale) return;
+  if (is_velocity && demanded_[knot]) fail_step(knot, *value, demanded, segment);
+  throw InputError(key_of(knot, name), *value,
+                   "must be " + six_digits(demanded) + ", the value of the adjacent law `" +
+                       jounce::name(law(segment)) + "`: change this number or that law");
+}
+
+/// Two adjacent laws require different velocities at their common knot. The line, which has a velocity, is named.
+void Resolver::fail_step(std::size_t knot, double before, double demanded,
+                         std::size_t segment) const {
+  const bool line_after = info(law(segment)).ends == Ends::straight;
+  const std::size_t line = line_after ? segment : knot - 1;
+  const std::size_t other = line_after ? knot - 1 : segment;
+  const double own = line_after ? demanded : before;
+  const double others = line_after ? before : demanded;
+  throw InputError("segment[" + std::to_string(line + 1) + "].law",
+                   std::string("\"") + name(law(line)) + '"',
+                   std::string(line_after ? "begins" : "ends") + " at master " +
+                       number(knots_[knot].master) + " with the velocity " + six_digits(own) +
+                       ", but the adjacent segment " + std::to_string(other + 1) + " (" +
+                       name(law(other)) + ") has " + six_digits(others) + " there: " +
+                       (others == 0 ? "use a law from rest to rest, such as modified_sine"
+                                    : "put a segment with the law quintic between the two"));
 }
 
 void Resolver::demand(std::size_t i) {

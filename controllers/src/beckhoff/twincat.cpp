@@ -130,9 +130,8 @@ constinit const FormatRow twincat_format{
                .keeps_notes = true},
     .detects =
         [](const std::string& text) {
-          const std::string code = lower(text);
-          return code.find("mc_motionfunctionpoint") != code.npos ||
-                 code.find(".masterpos") != code.npos;
+          return declares_array(text, "mc_motionfunctionpoint") ||
+                 lower(text).find(".masterpos") != text.npos;
         },
     .read = read_twincat,
     .write = twincat_text};

@@ -171,7 +171,7 @@ constinit const FormatRow codesys_format{
                .keeps_notes = true,
                .most = 32767,
                .limits_from = "nElements is an INT"},
-    .detects = [](const std::string& text) { return lower(text).find("smc_camxyva") != text.npos; },
+    .detects = [](const std::string& text) { return declares_array(text, "smc_camxyva"); },
     .read = read_codesys,
     .write = codesys_text};
 

@@ -182,9 +182,7 @@ double Place::number(int line, const std::string& key, std::string_view text) co
 
 void require_cam(const CamFormat& format, const Table& table) {
   if (table.axis() != Domain::master)
-    throw InputError(
-        "axis", name(table.axis()),
-        std::string("the format ") + format.name + " is for cams: it needs a table over a master");
+    throw InputError("format", format.name, "is for cams, over a master; this table is over time");
 }
 
 std::string exchange_text(const CamFormat& format, const TableFile& file) {

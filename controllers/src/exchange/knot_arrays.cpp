@@ -2,6 +2,7 @@
 #include "controllers/src/exchange/knot_arrays.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <optional>
@@ -110,7 +111,7 @@ class Reader {
       sign = code_.next();
       if (sign != "," && sign != (bracket ? "]" : ";"))
         code_.fail("points", sign,
-                   sign.empty() ? "end: is the file complete?"
+                   sign.empty() ? "are not complete: the file ends here"
                                 : std::string("must be `,` or `") + (bracket ? "]`" : ";`"));
     }
   }
@@ -126,7 +127,7 @@ class Reader {
       sign = code_.next();
       if (sign != "," && sign != ")")
         code_.fail("point", sign,
-                   sign.empty() ? "ends: is the file complete?" : "must be `,` or `)`");
+                   sign.empty() ? "is not complete: the file ends here" : "must be `,` or `)`");
     }
     return element.knot;
   }
@@ -264,6 +265,19 @@ std::string knots_text(const Columns& columns, const KnotType& type) {
     text += knot + 1 < n ? "),\n" : ")\n";
   }
   return text;
+}
+
+bool declares_array(const std::string& text, std::string_view type) {
+  const std::string code = lower(text);
+  for (std::size_t at = code.find(type); at != code.npos; at = code.find(type, at + 1)) {
+    std::string_view before = std::string_view(code).substr(0, at);
+    while (!before.empty() && (before.back() == '.' || before.back() == '_' ||
+                               std::isalnum(static_cast<unsigned char>(before.back())) != 0))
+      before.remove_suffix(1);  // the name of a library
+    const std::string_view words = before.substr(0, before.find_last_not_of(" \t\r\n") + 1);
+    if (words.size() < before.size() && words.ends_with("of")) return true;
+  }
+  return false;
 }
 
 }  // namespace jounce::controllers_detail

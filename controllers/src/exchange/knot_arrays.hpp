@@ -61,4 +61,7 @@ std::string real_literal(double value);
 /// Returns the name without libraries, lists and enumerations, which precede its last point.
 std::string unqualified(const std::string& name);
 
+/// True if the text has `OF type`, as the declaration of an array has it. `type`: in lower case.
+bool declares_array(const std::string& text, std::string_view type);
+
 }  // namespace jounce::controllers_detail

@@ -53,7 +53,7 @@ constinit const FormatRow siemens_format{
                .limits_from = "LCamHdl_CreateCamBasic takes at most 51 points"},
     .detects =
         [](const std::string& text) {
-          return has(text, "lcamhdl_typebasicpoint") || has(text, ".leadingvalue");
+          return declares_array(text, "lcamhdl_typebasicpoint") || has(text, ".leadingvalue");
         },
     .read =
         [](const std::string& text, const Place& place) {
@@ -77,7 +77,8 @@ constinit const FormatRow siemens_points_format{
                .keeps_notes = true,
                .most = 1000,
                .limits_from = "a TO_Cam holds at most 1000 points"},
-    .detects = [](const std::string& text) { return has(text, "to_cam_struct_pointdata"); },
+    .detects =
+        [](const std::string& text) { return declares_array(text, "to_cam_struct_pointdata"); },
     .read =
         [](const std::string& text, const Place& place) {
           return read_points(text, place, cam_point, Interpolation::linear);

@@ -17,6 +17,32 @@
 namespace jounce::design_detail {
 namespace {
 
+/// The error for a target whose rate exceeds its bounds, under the key of this rate: "to_velocity". None for a rate
+/// within them.
+std::optional<InputError> beyond(const std::string& prefix, const char* rate, double value,
+                                 double least, double most) {
+  const std::string key = prefix + "to_" + rate;
+  if (value > most)
+    return InputError(key, value, "must be at most " + number(most) + ", the greatest " + rate);
+  if (value < least)
+    return InputError(key, value, "must be at least " + number(least) + ", the least " + rate);
+  return std::nullopt;
+}
+
+/// The error of a move that does not exist. `prefix`: of the rates of its target; `key`: of the move.
+InputError impossible(const std::string& prefix, const std::string& key, MoveStatus status,
+                      const MotionState& from, const MotionState& to, const Bounds& bounds) {
+  if (status == MoveStatus::target_outside) {
+    if (const auto error =
+            beyond(prefix, "velocity", to.velocity, bounds.velocity_min, bounds.velocity_max))
+      return *error;
+    if (const auto error = beyond(prefix, "acceleration", to.acceleration, bounds.acceleration_min,
+                                  bounds.acceleration_max))
+      return *error;
+  }
+  return {key, "", explain(status, from, to, bounds)};
+}
+
 Trajectory curve_of(const MoveResult& move, const char* key) {
   if (!move) throw InputError(key, "", explain(move.status));
   if (!(move.profile.duration() > 0))
@@ -60,15 +86,20 @@ Trajectory made(const FourthOrderSpec& s) {
 
 Trajectory made(const PointToPointSpec& s) {
   const MotionState to = target_of(s);
-  if (!s.duration) return curve_of(move_to(s.from, to, s.bounds), "to");
-  const MoveResult move = move_to(s.from, to, s.bounds, *s.duration);
+  const MoveResult move =
+      s.duration ? move_to(s.from, to, s.bounds, *s.duration) : move_to(s.from, to, s.bounds);
   if (move.status == MoveStatus::too_short || move.status == MoveStatus::blocked)
     throw refused(s, to, move.status);
+  if (!move) throw impossible("", "to", move.status, s.from, to, s.bounds);
   return curve_of(move, "to");
 }
 
 Trajectory made(const VelocitySpec& s) {
-  return curve_of(move_velocity(s.from, s.velocity, s.bounds, s.acceleration), "to_velocity");
+  const MoveResult move = move_velocity(s.from, s.velocity, s.bounds, s.acceleration);
+  if (!move)
+    throw impossible("", "to_velocity", move.status, s.from, {0, s.velocity, s.acceleration},
+                     s.bounds);
+  return curve_of(move, "to_velocity");
 }
 
 Trajectory made(const HimcMoveSpec& s) {
@@ -266,7 +297,8 @@ std::vector<Trajectory> motions_of(const AxesSpec& axes) {
   const Synchronised all = synchronise(moves, axes.sync, profiles, axes.duration);
   if (all.status != MoveStatus::ok) {
     const AxisMove& move = moves[all.axis];
-    throw InputError(key_of(all.axis), "", explain(all.status, move.from, move.to, move.bounds));
+    throw impossible(key_of(all.axis) + ".", key_of(all.axis), all.status, move.from, move.to,
+                     move.bounds);
   }
   if (!(all.duration > 0))
     throw InputError("axis", "", "does not move: all axes are at their targets");

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
 namespace jounce {
@@ -57,7 +58,8 @@ std::string override_text(const PathSummary& s, const Along& units) {
 }
 
 std::string costs_text(const PathSummary& s, const Along& units) {
-  std::string text = fmt::format("at full speed: {} {}", rounded(s.cost.at_full_speed), units.time);
+  std::string text =
+      fmt::format("duration: {} {} at full speed", rounded(s.cost.at_full_speed), units.time);
   for (std::size_t k = 0; k < loss_causes; ++k) {
     const auto cause = static_cast<LossCause>(k);
     const auto count = std::count_if(s.cost.losses.begin(), s.cost.losses.end(),
@@ -65,7 +67,7 @@ std::string costs_text(const PathSummary& s, const Along& units) {
     const double sum = s.cost.of(cause);
     if (count == 0 || sum <= no_loss * s.duration) continue;
     const std::string times = count == 1 ? "" : fmt::format(" ({} places)", count);
-    text += fmt::format("; {}: {} {}{}", name(cause), rounded(sum), units.time, times);
+    text += fmt::format(" + {} {} {}{}", rounded(sum), units.time, name(cause), times);
   }
   return text + "\n";
 }
@@ -91,8 +93,8 @@ std::string places_text(const PathSummary& s, const Along& units) {
   const auto& losses = s.cost.losses;
   const std::size_t shown = std::min(places_for_people, losses.size());
   std::string text =
-      fmt::format("the most expensive of {} places:\n{:>8}  {:>11}  {:<7} {:>12} {:>16}\n",
-                  losses.size(), "line", "cost [" + units.time + "]", "cause",
+      fmt::format("the most expensive of {}:\n{:>8}  {:>11}  {:<7} {:>12} {:>16}\n",
+                  counted(losses.size(), "place"), "line", "cost [" + units.time + "]", "cause",
                   "at [" + units.length + "]", "speed [" + units.velocity + "]");
   const std::vector<std::size_t> order = by_loss(losses);
   for (std::size_t k = 0; k < shown; ++k) {

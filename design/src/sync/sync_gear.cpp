@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
 namespace jounce::design_detail {
@@ -28,12 +29,16 @@ InputError in_document(const InputError& error) {
   return {"gear." + key, error.value(), error.rule()};
 }
 
-/// The rule in the message: the change that makes an impossible engagement possible.
-std::string rule_of(const GearInPos& gear, const GearInPosSpec& spec) {
-  const std::string code = " (PMC600 error " + std::to_string(static_cast<int>(gear.status)) + ")";
+/// The error of an engagement in which the slave must reverse, with the change that avoids it.
+InputError must_reverse(const GearInPosSpec& spec, GearInPosStatus status) {
   const EngageWindow window = engage_window(spec);
-  return std::string(explain(gear.status)) + code +
-         (window.advice.empty() ? "" : "; " + window.advice);
+  const std::string remedy = window.exists
+                                 ? "use " + six_digits_up(window.least) + " to " + six_digits_down(window.greatest)
+                                 : "move slave_start behind slave_sync_position";
+  return {"master_start_distance", spec.master_start_distance,
+          std::string("makes the slave reverse") +
+              (spec.slave_period ? ", even with five more turns" : "") + ": " + remedy +
+              ", or avoid_reversal = false (error " + std::to_string(static_cast<int>(status)) + " of the PMC600)"};
 }
 
 }  // namespace
@@ -49,7 +54,7 @@ SyncCam made_gear(const GearCourse& spec) {
 SyncCam made_gear(const GearInPosPart& spec) {
   try {
     const GearInPos gear = gear_in_pos(spec.gear);
-    if (!gear) throw InputError("avoid_reversal", "true", rule_of(gear, spec.gear));
+    if (!gear) throw must_reverse(spec.gear, gear.status);
     return sync_cam(gear, spec.master_start, spec.master_end);
   } catch (const InputError& error) {
     throw InputError("gear." + error.key(), error.value(), error.rule());

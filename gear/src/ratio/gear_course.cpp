@@ -67,9 +67,10 @@ void require_inside(const GearCourse& c, const char* list, std::size_t i, double
     throw InputError(key(list, i, "at"), at,
                      "must not lie before the start, " + number(c.master_start));
   if (at + distance > c.master_end)
-    throw InputError(
-        key(list, i, "distance"), distance,
-        "leads to " + six_digits(at + distance) + ", beyond the end at " + number(c.master_end));
+    throw InputError(key(list, i, "distance"), distance,
+                     "ends at " + six_digits(at + distance) + ", because it begins at " +
+                         six_digits(at) + ": must end at master_end, " + number(c.master_end) +
+                         ", or before");
 }
 
 const char* name_of(double ratio) {

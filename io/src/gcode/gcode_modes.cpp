@@ -76,9 +76,10 @@ bool GcodeInterpreter::set_modes(const GcodeBlock& block) {
     set_mode(block, word, code);
   }
   if (block.find("P") != nullptr && !taken[0] && !has_tolerance(block))
-    fail_at(block, *block.find("P"),
-            "applies to G4, a dwell, and G64, the greatest deviation; subprograms (M98) are not "
-            "supported");
+    fail_at(
+        block, *block.find("P"),
+        "does not apply to this block: P is the time of a dwell (G4), or the greatest deviation "
+        "(G64)");
   if (taken[0] && taken[1])
     fail_at(block, "G4", "must not be in a block with a motion: write it in its own block");
   if (taken[0] && has_tolerance(block))

@@ -47,7 +47,10 @@ std::string rule_of_unsupported(const std::string& letters) {
   if (letters == "D") return "a tool number for G41 and G42 is not supported: remove it";
   if (letters == "L" || letters == "Q")
     return "a parameter of a cycle or of G10 is not supported: remove it";
-  if (letters == "O") return "a subprogram is not supported: write its blocks into the program";
+  if (letters == "O")
+    return "is the number of a program or a subprogram, which is not supported: remove the number "
+           "of "
+           "the program; have the CAM program write all motions in one program";
   return "is not a word of a program for Jounce, which takes N G M, X Y Z A B C U V W, I J K R P, "
          "F E FF EF, H S T: remove it";
 }

@@ -53,6 +53,11 @@ GcodeProgram GcodeInterpreter::take() {
 }
 
 void GcodeInterpreter::require_known(const GcodeBlock& block) const {
+  for (const GcodeWord& word : block.words)
+    if (word.letters == "M" && (word.value == 98 || word.value == 99))
+      fail_at(block, word,
+              "subprograms are not supported: have the CAM program write all motions in one "
+              "program");
   static const std::vector<std::string> others{"N", "G", "M", "H", "S", "T",  "F", "E",
                                                "P", "R", "I", "J", "K", "FF", "EF"};
   for (const GcodeWord& word : block.words) {

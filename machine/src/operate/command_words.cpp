@@ -322,6 +322,13 @@ void require_taken(const CommandWords& words) {
   for (const auto& [option, text] : words.options) require(option, text, !text.empty());
 }
 
+void require_held(const CommandWords& words, const std::string& seconds) {
+  if (flag_of(words, "hold-to-run")) return;
+  throw InputError("--seconds", seconds,
+                   std::string("applies to jog --hold-to-run only") +
+                       (words.what == "jog" ? ": add --hold-to-run" : ""));
+}
+
 ClientCommand command_of(const CommandWords& words, const Units& units) {
   const Form form = form_of(words);
   require_unbuffered(words, form);

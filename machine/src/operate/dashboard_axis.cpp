@@ -10,6 +10,7 @@
 #include "jounce/command/cause.hpp"
 #include "jounce/executor/histogram.hpp"
 #include "jounce/machine/status_text.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "machine/src/operate/dashboard_text.hpp"
 
@@ -118,7 +119,7 @@ void add_masters(std::vector<Row>& rows, const Watched& axis, const View& view) 
 void add_health(std::vector<Row>& rows, const wire::Status& s, const View& view) {
   rows.push_back(
       line("late",
-           {{fmt::format("{} cycles", s.late_ticks), s.late_ticks > 0 ? Tone::waits : Tone::plain},
+           {{counted(s.late_ticks, "cycle"), s.late_ticks > 0 ? Tone::waits : Tone::plain},
             {fmt::format(" of {} ms, tick {}", static_cast<double>(s.cycle_ns) * 1e-6, s.tick)}}));
   for (const auto& [text, counts] :
        {std::pair{"wake-up", &s.lateness}, {"computing", &s.computing}})

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/command/cause.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "machine/src/operate/dashboard_text.hpp"
 
@@ -79,10 +80,10 @@ std::string master_text(const wire::MasterStatus& master, bool ascii) {
                               ? std::string("computed")
                               : fmt::format("measured {:.3g} ms ago", 1e3 * master.age_s);
   // Samples of a sender that the executor rejects; its terminal prints the reason.
-  const std::string refused =
-      master.refused > 0
-          ? fmt::format(", {} samples refused (old epoch, unit or repeated)", master.refused)
-          : "";
+  const std::string refused = master.refused > 0
+                                  ? fmt::format(", {} refused (old epoch, unit or repeated)",
+                                                counted(master.refused, "sample"))
+                                  : "";
   if (master.lost) return fmt::format("{} is lost, {}{}", master.master, age, refused);
   return fmt::format("{} {}, {}, {}", master.master, machine_detail::valued(master.position, unit),
                      machine_detail::valued(master.velocity, unit + "/s"), age);

@@ -15,6 +15,7 @@
 #include "jounce/axis/master.hpp"
 #include "jounce/design/executor_tables.hpp"
 #include "jounce/executor/cycle.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 namespace jounce {
@@ -106,9 +107,9 @@ LineMasterResult send_line_master(Transport& link, const LineMaster& line,
 }
 
 std::string line_master_text(const LineMaster& line, const LineMasterResult& result) {
-  return fmt::format("{}: {} samples in {:.3f} s, {} instants left out; at {:.9g} {}\n", line.name,
-                     result.samples, result.seconds, result.late, result.position,
-                     line.motion.units.position);
+  return fmt::format("{}: {} in {:.3f} s, {} left out; at {:.9g} {}\n", line.name,
+                     counted(result.samples, "sample"), result.seconds,
+                     counted(result.late, "instant"), result.position, line.motion.units.position);
 }
 
 std::string line_master_json(const LineMaster& line, const LineMasterResult& result) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/command/causes.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
@@ -64,10 +65,11 @@ std::string command_json(const CallOutcome& outcome) {
 }
 
 std::string stream_text(const StreamOutcome& outcome, const std::string& executor, bool waits) {
-  const std::string state = outcome.swaps > 0 ? fmt::format("started, {} swaps", outcome.swaps)
-                                              : last_state(outcome, waits);
-  return fmt::format("{} chunks arrived at {}, {} sent again; {}", outcome.progress.chunks,
-                     executor, outcome.progress.resent, state);
+  const std::string state =
+      outcome.swaps > 0 ? "started, " + counted(outcome.swaps, "swap") : last_state(outcome, waits);
+  return fmt::format("{} arrived at {}, {} sent again; {}",
+                     counted(outcome.progress.chunks, "chunk"), executor, outcome.progress.resent,
+                     state);
 }
 
 std::string stream_json(const StreamOutcome& outcome) {
@@ -83,9 +85,9 @@ std::string stream_json(const StreamOutcome& outcome) {
 
 std::string rows_text(const RowOutcome& outcome, const std::string& executor) {
   const RowProgress& p = outcome.progress;
-  return fmt::format("{} of {} rows played at {}, {} underruns, {} messages sent again; {}",
-                     p.played, p.sent, executor, p.underruns, p.resent,
-                     p.finished ? "finished" : "stopped");
+  return fmt::format("{} of {} played at {}, {}, {} sent again; {}", p.played,
+                     counted(p.sent, "row"), executor, counted(p.underruns, "underrun"),
+                     counted(p.resent, "message"), p.finished ? "finished" : "stopped");
 }
 
 std::string rows_json(const RowOutcome& outcome) {

@@ -12,6 +12,7 @@
 #include "jounce/base/printable.hpp"
 #include "jounce/executor/log.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 
@@ -34,19 +35,19 @@ const std::string& whose(const Replay& r) {
 }  // namespace
 
 std::string replay_text(const Replay& r, const std::string& file) {
-  std::string text = fmt::format("{}: {} {}, {} cycles, ticks {} to {}\n", printable(file),
-                                 r.axes.size(), r.axes.size() == 1 ? "axis" : "axes", r.cycles,
+  std::string text = fmt::format("{}: {} {}, {}, ticks {} to {}\n", printable(file), r.axes.size(),
+                                 r.axes.size() == 1 ? "axis" : "axes", counted(r.cycles, "cycle"),
                                  r.first_tick.value_or(0), r.last_tick);
   for (const Replay::Master& master : r.masters)
-    text +=
-        fmt::format("master {}: {} cycles, lost in {}\n", master.name, master.cycles, master.lost);
+    text += fmt::format("master {}: {}, lost in {}\n", master.name, counted(master.cycles, "cycle"),
+                        master.lost);
   if (r.difference) {
     const Replay::Difference& d = *r.difference;
     text += fmt::format("differs: {} {}, tick {}: {} is {} in the record, {} replayed\n",
                         d.of_master ? "master" : "axis", whose(r), d.tick, d.what.field,
                         number(d.what.recorded), number(d.what.replayed));
   } else if (r.compared > 0) {
-    text += fmt::format("replayed: {} cycles, identical to the last bit\n", r.compared);
+    text += fmt::format("replayed: {}, identical to the last bit\n", counted(r.compared, "cycle"));
   }
   if (!r.shorter.empty()) text += fmt::format("not replayed to its end: {}\n", r.shorter);
   return text;

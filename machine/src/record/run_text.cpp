@@ -9,6 +9,7 @@
 #include "jounce/base/printable.hpp"
 #include "jounce/command/cause.hpp"
 #include "jounce/machine/machine_parts.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
@@ -39,8 +40,9 @@ std::string summary_text(const ExecutorSummary& summary) {
   std::string text;
   for (const AxisSummary& axis : summary.axes) text += axis_text(axis, summary.axes.size() == 1);
   const CycleCounts& cycle = summary.cycle;
-  text += fmt::format("{} ticks, {} of them late; largest delay {:.3f} ms; {}\n", cycle.ticks,
-                      cycle.late, static_cast<double>(cycle.latest_ns) * 1e-6, timing(summary));
+  text += fmt::format("{}, {} of them late; largest delay {:.3f} ms; {}\n",
+                      counted(cycle.ticks, "tick"), cycle.late,
+                      static_cast<double>(cycle.latest_ns) * 1e-6, timing(summary));
   if (!summary.realtime.empty()) text += summary.realtime + "\n";
   return text;
 }
@@ -74,8 +76,8 @@ std::vector<std::string> missing_parts(const ExecutorSummary& summary, const std
             ": this executor stopped its axes and ended"};
   std::vector<std::string> missing;
   if (!log.empty() && summary.cycle.lost > 0)
-    missing.push_back(fmt::format("the log lacks {} ticks: they could not be written in time",
-                                  summary.cycle.lost));
+    missing.push_back(fmt::format("the log lacks {}: they could not be written in time",
+                                  counted(summary.cycle.lost, "tick")));
   for (const AxisSummary& axis : summary.axes)
     if (!log.empty() && axis.log_truncated)
       missing.push_back(fmt::format("the log of {} is cut off: {}.truncated", axis.name,

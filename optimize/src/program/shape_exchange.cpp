@@ -190,8 +190,8 @@ class ShapeExchange {
     last_residual_ = residual;
     if (!settled || alone_bound_ <= 2 * margin) return false;
     infeasible("no spline over these knots keeps " +
-               worst_constraints(model_, found_.z, violation_) + ": at least " +
-               brief(100 * alone_bound_) + " % of a limit is exceeded");
+               worst_constraints(model_, found_.z, violation_) +
+               ": at best, one of these limits is exceeded by " + brief(100 * alone_bound_) + " %");
     return true;
   }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "optimize/src/search/findings.hpp"
 #include "optimize/src/search/search_phases.hpp"
@@ -72,10 +73,6 @@ Searched searched(Evaluations& evaluations) {
   return all;
 }
 
-std::string plural(int count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 /// The reason where no point meets the constraints.
 std::string missed(const Evaluations& evaluations) {
   const Evaluation& best = evaluations.best();
@@ -94,11 +91,11 @@ std::string missed(const Evaluations& evaluations) {
 std::string ending(const Evaluations& evaluations) {
   switch (evaluations.ended()) {
     case Evaluations::Ended::evaluations:
-      return "the limit of " + plural(evaluations.count(), "evaluation") + " is reached";
+      return "the limit of " + counted(evaluations.count(), "evaluation") + " is reached";
     case Evaluations::Ended::seconds:
-      return "the time limit was reached after " + plural(evaluations.count(), "evaluation");
+      return "the time limit was reached after " + counted(evaluations.count(), "evaluation");
     case Evaluations::Ended::cancelled:
-      return "stopped after " + plural(evaluations.count(), "evaluation");
+      return "stopped after " + counted(evaluations.count(), "evaluation");
     case Evaluations::Ended::no:
       break;
   }

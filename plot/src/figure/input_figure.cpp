@@ -102,9 +102,13 @@ Figure figure_of(const Input& input, const std::optional<Input>& before) {
       [&]<class Over>(const Curve<Over>& curve) {
         const auto* other = std::get_if<Curve<Over>>(&*before->curve);
         if (other == nullptr)
-          throw InputError("before", before->name,
-                           "cannot share a picture with " + input.name +
-                               ": one is over the master, the other over time");
+          throw InputError(
+              "before",
+              before->table.provenance.spec.empty() ? before->name : before->table.provenance.spec,
+              std::string("is over ") + (before->labels.over_master ? "a master" : "time") +
+                  ", but " + input.name + " is over " +
+                  (input.labels.over_master ? "a master" : "time") +
+                  ": one picture cannot show both");
         return curve_figure(curve, in_units_of(input, *before, *other), look);
       },
       *input.curve);

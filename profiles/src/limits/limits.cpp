@@ -17,6 +17,9 @@ using profiles_detail::Bound;
 using profiles_detail::rounded_sum;
 using profiles_detail::rounded_value;
 
+/// Share of a segment: a smooth peak that is so close to its end has the value of the end.
+constexpr double beside_end = 1e-6;
+
 std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*, 4>& names,
                              double stroke) {
   std::vector<Bound> bounds;
@@ -37,7 +40,8 @@ std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*,
   return bounds;
 }
 
-const char* advice(const char* quantity, std::size_t order) {
+/// The advice for a limit that a segment breaks. `at_end`: at one of its ends, which are knots.
+const char* advice(const char* quantity, std::size_t order, bool at_end) {
   constexpr std::array of_cams{
       "the curve overshoots between its knots: move them, or lower the velocities there",
       "lengthen the segment, or use a law with a lower velocity coefficient",
@@ -51,6 +55,8 @@ const char* advice(const char* quantity, std::size_t order) {
       "give it more time, or a lower jerk"};
   const bool over_time = std::find(OverTime::names.begin() + 1, OverTime::names.end(),
                                    std::string_view(quantity)) != OverTime::names.end();
+  if (order == 0 && at_end && !over_time)
+    return "the knots here are outside the position range: move them, or widen the range";
   return over_time ? of_motions[order] : of_cams[order];
 }
 
@@ -140,8 +146,8 @@ LimitCheck::LimitCheck(const Limits& limits, const std::array<const char*, 4>& n
       closest_(bounds_.size()),
       broken_(bounds_.size()) {}
 
-Finding LimitCheck::finding_of(const Bound& bound, const Extremum& worst,
-                               std::size_t segment) const {
+Finding LimitCheck::finding_of(const Bound& bound, const Extremum& worst, std::size_t segment,
+                               bool at_end) const {
   const bool broken = is_broken(bound, worst.value);
   return {bound.rule,
           "",
@@ -152,18 +158,21 @@ Finding LimitCheck::finding_of(const Bound& bound, const Extremum& worst,
           margin_of(bound, worst.value),
           broken,
           segment,
-          broken ? advice(names_[1], bound.order) : ""};
+          broken ? advice(names_[1], bound.order, at_end) : ""};
 }
 
-void LimitCheck::consider(std::size_t b, const Range& range, double start, std::size_t segment) {
+void LimitCheck::consider(std::size_t b, const Range& range, double start, double end,
+                          std::size_t segment) {
   const Bound& bound = bounds_[b];
   const Extremum& worst = worst_of(bound, range);
+  const double near = beside_end * (end - start);
+  const bool at_end = worst.where <= start + near || worst.where >= end - near;
   if (is_broken(bound, worst.value)) {
     if (is_told(broken_[b], worst, start)) return;
-    broken_[b] = finding_of(bound, worst, segment);
+    broken_[b] = finding_of(bound, worst, segment, at_end);
     report_.findings.push_back(*broken_[b]);
   } else if (!closest_[b] || margin_of(bound, worst.value) < closest_[b]->margin) {
-    closest_[b] = finding_of(bound, worst, segment);
+    closest_[b] = finding_of(bound, worst, segment, at_end);
   }
 }
 
@@ -221,7 +230,7 @@ Report check(const Curve<Over>& f, const Limits& limits) {
     for (std::size_t b = 0; b < bounds.size(); ++b) {
       if (b == 0 || bounds[b].order != bounds[b - 1].order)
         range = segment_range(f, i, static_cast<int>(bounds[b].order));
-      found.consider(b, range, f.breaks()[i], i);
+      found.consider(b, range, f.breaks()[i], f.breaks()[i + 1], i);
     }
   }
   return std::move(found).report();

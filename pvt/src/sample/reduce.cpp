@@ -297,8 +297,9 @@ class Reduction {
   [[nodiscard]] std::string lines() const {
     const std::size_t n = stretches_.size();
     if (n == 0) return "";
-    return ": it keeps every dwell and straight line of the motion exactly, here " +
-           std::to_string(n);
+    return n == 1 ? ": the table keeps the dwell or straight line of the motion exactly"
+                  : ": the table keeps the " + std::to_string(n) +
+                        " dwells and straight lines of the motion exactly";
   }
 
   [[noreturn]] void refuse(const Attempt& failed) const {

@@ -221,7 +221,7 @@ Report check(const Table& table, const Limits& limits) {
   std::vector<Sought> sought = sought_for(found);
   if (sought.empty()) return {};
   search(table, all_of(table), sought, [&](std::size_t b, const Range& range, std::size_t i) {
-    found.consider(b, range, table.columns().x[i], i);
+    found.consider(b, range, table.columns().x[i], table.columns().x[i + 1], i);
     if (const auto closest = found.closest(b))
       sought[b].best = sought[b].side == 0 ? *closest : -*closest;
   });

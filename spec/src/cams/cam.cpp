@@ -207,6 +207,7 @@ CamKnot read_end(TomlReader& segment, const CamUnits& units, const CamKnot* line
   }
   TomlReader end = segment.table("end", "end = { master = NUMBER, slave = NUMBER }");
   CamKnot knot = read_knot(end, units, line_from);
+  end.refuse_here("free", "belongs to the segment: write it beside end, not in it");
   end.finish();
   return knot;
 }

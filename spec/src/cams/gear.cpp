@@ -95,7 +95,7 @@ GearInPosPart read_in_pos(TomlReader& gear, const Units& units) {
 SyncSpec read_gear(TomlReader gear, const Units& units) {
   const std::vector<std::string> words{"at_once", "distance", "position"};
   SyncSpec spec;
-  switch (gear.optional_choice("engage", words).value_or(0)) {
+  switch (gear.has("engage") ? gear.variant("engage", words) : 0) {
     case 0:
       spec = read_for_ever(gear, units);
       break;

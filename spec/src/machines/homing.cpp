@@ -8,13 +8,8 @@ namespace jounce::spec_detail {
 std::optional<AxisSpec::Homing> read_homing(TomlReader& top, const Units& units) {
   auto homing = top.optional_table("homing");
   if (!homing) return std::nullopt;
-  const auto positive = [&](const char* key, const std::string& unit) {
-    const auto given = homing->optional_number(key, unit);
-    if (given && !(*given > 0)) homing->fail(key, number(*given), "must be greater than 0");
-    return given;
-  };
   const auto read = [&](const char* key, const std::string& unit, double& value) {
-    value = positive(key, unit).value_or(value);
+    value = homing->optional_positive(key, unit).value_or(value);
   };
   AxisSpec::Homing spec;
   const std::int64_t method = homing->optional_whole("method").value_or(spec.method);
@@ -26,7 +21,7 @@ std::optional<AxisSpec::Homing> read_homing(TomlReader& top, const Units& units)
   read("index_velocity", rate_unit(units.position, units.x, 1), spec.index_velocity);
   read("acceleration", rate_unit(units.position, units.x, 2), spec.acceleration);
   read("timeout", "s", spec.timeout);
-  spec.distance = positive("distance", units.position);
+  spec.distance = homing->optional_positive("distance", units.position);
   spec.offset = homing->optional_number("offset", units.position).value_or(0);
   homing->finish();
   return spec;

@@ -117,6 +117,8 @@ std::vector<MachineMasterSpec> read_masters(TomlReader& top) {
     if (!is_name(name))
       all->fail(name.c_str(), name,
                 "must have 1 to 23 characters, each a letter A-Z or a-z, a digit, _ or -");
+    if (!all->is_table(name.c_str()))
+      all->fail(name.c_str(), "", "is not a master: begin a section [master.NAME] for each master");
     TomlReader reader = all->table(name.c_str());
     masters.push_back(read_master(reader, name));
   }

@@ -9,13 +9,6 @@
 namespace jounce::spec_detail {
 namespace {
 
-double read_magnitude(TomlReader& reader, const char* key, const std::string& unit,
-                      double otherwise) {
-  const auto given = reader.optional_number(key, unit);
-  if (given && !(*given > 0)) reader.fail(key, number(*given), "must be greater than 0");
-  return given.value_or(otherwise);
-}
-
 double read_bounce(TomlReader& reader) {
   const double bounce = reader.optional_number("bounce", "s").value_or(0);
   if (!(bounce >= 0)) reader.fail("bounce", number(bounce), "must not be negative");
@@ -26,7 +19,7 @@ std::optional<MachineSwitch> read_home_switch(TomlReader& machine, const std::st
   auto reader = machine.optional_table("home_switch");
   if (!reader) return std::nullopt;
   MachineSwitch home{.position = reader->number("position", unit)};
-  home.width = read_magnitude(*reader, "width", unit, home.width);
+  home.width = reader->optional_positive("width", unit).value_or(home.width);
   home.inverted = reader->optional_flag("inverted").value_or(false);
   home.bounce = read_bounce(*reader);
   reader->finish();

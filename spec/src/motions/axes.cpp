@@ -96,7 +96,7 @@ std::vector<std::vector<double>> read_positions(TomlReader& top,
   for (TomlReader& point : top.tables("point")) {
     if (!point.has("position"))
       point.fail("position", "", "is missing: add position = [NUMBER, ...], one for each axis");
-    points.push_back(point.numbers("position", rate_units(parts, 0)));
+    points.push_back(point.numbers("position", rate_units(parts, 0), ", one for each axis"));
     point.finish();
   }
   return points;
@@ -113,7 +113,7 @@ void read_points(TomlReader& top, const std::vector<AxisPart>& parts, AxesSpec& 
     TomlReader& point = points[k];
     if (!point.has("position"))
       point.fail("position", "", "is missing: add position = [NUMBER, ...], one for each axis");
-    axes.points.push_back(point.numbers("position", rate_units(parts, 0)));
+    axes.points.push_back(point.numbers("position", rate_units(parts, 0), ", one for each axis"));
     const bool end = k == 0 || k + 1 == points.size();
     for (const char* key : {"velocity", "acceleration"})
       if (!end && point.has(key))

@@ -118,7 +118,7 @@ MoveSpec read_move(TomlReader move, const Units& units) {
     return each;
   }();
   MotionFields fields(move, units);
-  MoveSpec spec = all[move.choice("profile", names)].read(fields);
+  MoveSpec spec = all[move.variant("profile", names)].read(fields);
   move.finish();
   return spec;
 }

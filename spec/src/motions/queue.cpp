@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "spec/src/toml/parts.hpp"
@@ -11,16 +13,18 @@ const std::vector<std::string> modes{"aborting",          "buffered",      "blen
                                      "blending_previous", "blending_next", "blending_high"};
 
 void read_over(MotionFields& f, Dynamics& d) {
-  f.may("velocity", 1, d.velocity);
-  f.may("acceleration", 2, d.acceleration);
+  f.may_positive("velocity", 1, d.velocity);
+  f.may_positive("acceleration", 2, d.acceleration);
   f.may("deceleration", 2, d.deceleration);
   f.may("jerk", 3, d.jerk);
+  for (const auto& [key, value] : {std::pair{"deceleration", d.deceleration}, {"jerk", d.jerk}})
+    if (value < 0) f.reader().fail(key, number(value), "must not be negative");
 }
 
 MotionCommand read_what(MotionFields& f) {
   TomlReader& command = f.reader();
   double value = 0;
-  switch (command.choice("type", types)) {
+  switch (command.variant("type", types)) {
     case 0:
       f.need("position", 0, value);
       return MoveAbsolute{value};
@@ -37,10 +41,14 @@ MotionCommand read_what(MotionFields& f) {
 }
 
 void require_dynamics(MotionFields& f, const QueuedCommand& c) {
-  const char* elsewhere = "is missing: give it here, or for all commands under [dynamics]";
-  if (c.dynamics.velocity == 0 && !std::holds_alternative<Halt>(c.command))
-    f.reader().fail("velocity", "", elsewhere);
-  if (c.dynamics.acceleration == 0) f.reader().fail("acceleration", "", elsewhere);
+  const auto require = [&](const char* key, int order, double value) {
+    if (value != 0) return;
+    f.reader().fail(key, "",
+                    std::string("is missing: add ") + key + " = NUMBER, in " + f.unit(order) +
+                        ", here or for all commands in [dynamics]");
+  };
+  if (!std::holds_alternative<Halt>(c.command)) require("velocity", 1, c.dynamics.velocity);
+  require("acceleration", 2, c.dynamics.acceleration);
 }
 
 QueuedCommand read_command(TomlReader& command, const Units& units, const Dynamics& common) {
@@ -52,6 +60,9 @@ QueuedCommand read_command(TomlReader& command, const Units& units, const Dynami
   }
   if (const auto mode = command.optional_choice("mode", modes))
     c.mode = static_cast<BufferMode>(*mode);
+  if (std::holds_alternative<Dwell>(c.command) && c.mode > BufferMode::buffered)
+    command.fail("mode", '"' + modes[static_cast<std::size_t>(c.mode)] + '"',
+                 "does not apply to a dwell, which begins and ends at rest: use buffered");
   c.issued = fields.optional_time("issued");
   command.finish();
   return c;

@@ -166,7 +166,7 @@ std::vector<Operator> read_then(TomlReader& top, const Spec& spec) {
   std::vector<Operator> all;
   top.for_each("then", [&](TomlReader& then) {
     MotionFields fields(then, spec.units);
-    const std::size_t chosen = then.choice("operator", names);
+    const std::size_t chosen = then.variant("operator", names);
     all.push_back(chosen < operators.size() ? operators[chosen].read(fields)
                                             : read_compensation(fields, parts));
     then.finish();

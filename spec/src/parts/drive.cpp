@@ -100,6 +100,7 @@ void read_drive_numbers(TomlReader& table, Drive& drive, const Units& units) {
       reader->finish();
     }
   read_train(table, units, drive);
+  for (const DriveNumber& each : numbers(drive)) table.know(each.key, each.unit);
   if (auto pendulum = table.optional_table("pendulum")) {
     drive.pendulum.emplace();
     read_part(*pendulum, "pendulum.", drive);

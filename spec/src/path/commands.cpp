@@ -24,11 +24,11 @@ Point base(const Point* origin) {
 
 /// Reads the rates of a command along the path; omitted rates are those of [path.limits].
 void read_rates_along(TomlReader& command, const PathAxes& axes, PathSettings& settings) {
-  if (const auto a = read_magnitude(command, "acceleration", axes.unit(2)))
+  if (const auto a = command.optional_positive("acceleration", axes.unit(2)))
     settings.acceleration = settings.deceleration = *a;
-  if (const auto d = read_magnitude(command, "deceleration", axes.unit(2)))
+  if (const auto d = command.optional_positive("deceleration", axes.unit(2)))
     settings.deceleration = *d;
-  if (const auto j = read_magnitude(command, "jerk", axes.unit(3))) settings.jerk = *j;
+  if (const auto j = command.optional_positive("jerk", axes.unit(3))) settings.jerk = *j;
 }
 
 Plane read_plane(TomlReader& command, const PathAxes& axes) {
@@ -58,6 +58,7 @@ int read_turns(TomlReader& command) {
 
 Arc read_arc_about(TomlReader& command, const PathAxes& axes, const Point& from,
                    const Point* origin) {
+  command.describe("an arc with center");
   const Plane plane = read_plane(command, axes);
   const Point center = read_position(command, "center", axes, base(origin));
   if (const auto angle = command.optional_number("angle", "deg"))
@@ -65,7 +66,7 @@ Arc read_arc_about(TomlReader& command, const PathAxes& axes, const Point& from,
   const Point to = read_end(command, axes, from, origin);
   const ArcRotation rotation = read_rotation(command);
   const int turns = read_turns(command);
-  const auto tolerance = read_magnitude(command, "tolerance", axes.unit(0));
+  const auto tolerance = command.optional_positive("tolerance", axes.unit(0));
   return tolerance ? arc_about(from, center, to, plane, rotation, turns, *tolerance)
                    : arc_about(from, center, to, plane, rotation, turns);
 }
@@ -74,11 +75,13 @@ Arc read_arc_about(TomlReader& command, const PathAxes& axes, const Point& from,
 /// not read.
 Arc read_arc(TomlReader& command, const PathAxes& axes, const Point& from, const Point* origin) {
   if (command.has("via")) {
+    command.describe("an arc with via");
     const Point via = read_position(command, "via", axes, base(origin));
     const Point to = read_end(command, axes, from, origin);
     return arc_through(from, via, to, axes.path_axes, read_turns(command));
   }
   if (command.has("radius")) {
+    command.describe("an arc with radius");
     const Plane plane = read_plane(command, axes);
     const double radius = command.number("radius", axes.unit(0));
     const Point to = read_end(command, axes, from, origin);
@@ -129,7 +132,7 @@ PathCurve read_b_spline(TomlReader& command, const PathAxes& axes, const Point& 
   for (std::size_t k = 1; k < points.size(); ++k)
     for (std::size_t i = 0; i < axes.path_axes; ++i)
       size += std::abs(points[k][i] - points[k - 1][i]);
-  const auto tolerance = read_magnitude(command, "tolerance", axes.unit(0));
+  const auto tolerance = command.optional_positive("tolerance", axes.unit(0));
   return over_length(curve, tolerance.value_or(curve_tolerance * size), axes.path_axes);
 }
 
@@ -143,7 +146,7 @@ PathCurve read_spline(TomlReader& command, const PathAxes& axes, const Point& fr
     ends.start = read_position(command, "start_direction", axes, {});
   if (command.has("end_direction")) ends.end = read_position(command, "end_direction", axes, {});
   const PathCurve curve = spline_through(points, axes.size(), ends);
-  const auto tolerance = read_magnitude(command, "tolerance", axes.unit(0));
+  const auto tolerance = command.optional_positive("tolerance", axes.unit(0));
   return tolerance ? over_length(curve, *tolerance, axes.path_axes) : curve;
 }
 
@@ -169,7 +172,7 @@ void read_movement(TomlReader& command, const PathAxes& axes, std::size_t type, 
 
 void read_path_command(TomlReader& command, const PathAxes& axes, PathSettings& settings,
                        Program& program) {
-  const std::size_t type = command.choice("type", command_types);
+  const std::size_t type = command.variant("type", command_types);
   if (type == 5) {
     read_dwell(command, axes, program);
   } else {

@@ -85,7 +85,7 @@ Kinematics read_linear_delta(TomlReader& table, const PathAxes& axes) {
 }
 
 Kinematics read_map(TomlReader& table, const PathAxes& axes, std::vector<TomlReader>& joints) {
-  switch (table.choice("type", map_types)) {
+  switch (table.variant("type", map_types)) {
     case 0:
       return read_gantry(axes, joints);
     case 1:
@@ -129,7 +129,7 @@ std::optional<JointSpace> read_kinematics(TomlReader& top, const PathAxes& axes,
     top.fail("joint", std::to_string(joints.size()),
              "must be " + std::to_string(made.units.size()) + " joints for this type");
   JointSpace space{.map = made.map, .limits = {}};
-  if (const auto tolerance = read_magnitude(*table, "tolerance", made.units.front()))
+  if (const auto tolerance = table->optional_positive("tolerance", made.units.front()))
     space.tolerance = *tolerance;
   for (std::size_t k = 0; k < joints.size(); ++k) {
     read_joint(joints[k], made.units[k], spec, taken);

@@ -38,9 +38,6 @@ Point read_position(TomlReader& reader, const char* key, const PathAxes& axes, c
 /// to the start.
 Point read_end(TomlReader& reader, const PathAxes& axes, const Point& from, const Point* origin);
 
-/// Reads a number greater than 0.
-std::optional<double> read_magnitude(TomlReader& reader, const char* key, const std::string& unit);
-
 /// Reads velocity, corner and junction: of [path], or of a command, from which on they hold.
 void read_path_settings(TomlReader& owner, const PathAxes& axes, PathSettings& settings);
 

@@ -30,7 +30,7 @@ bool read_path_axis(TomlReader& axis, PathAxes& axes, Spec& spec, std::set<std::
         "unit", '"' + part.units.position + '"',
         "must be " + spec.units.position +
             ", the unit of the path's length; an axis with another unit needs follower = true");
-  const auto modulo = read_magnitude(axis, "modulo", part.units.position);
+  const auto modulo = axis.optional_positive("modulo", part.units.position);
   if (modulo && !follower)
     axis.fail("modulo", number(*modulo), "needs follower = true: a rotary axis has no length");
   axes.modulo.push_back(modulo.value_or(0));
@@ -58,7 +58,7 @@ PathAxes read_path_axes(TomlReader& top, Spec& spec, std::set<std::string>& take
 PathLimits read_path_limits(TomlReader limits, const PathAxes& axes) {
   PathLimits read;
   const auto rate = [&](const char* key, int order, double& value) {
-    if (const auto given = read_magnitude(limits, key, axes.unit(order))) value = *given;
+    if (const auto given = limits.optional_positive(key, axes.unit(order))) value = *given;
   };
   rate("velocity", 1, read.velocity);
   rate("acceleration", 2, read.acceleration);
@@ -88,12 +88,12 @@ void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings
     settings.value = *value;
     ++given;
   };
-  take(read_magnitude(*corner, "deviation", axes.unit(0)), Corner::deviation);
-  take(read_magnitude(*corner, "distance", axes.unit(0)), Corner::distance);
-  take(read_magnitude(*corner, "curvature", rate_unit("", axes.units.position, 1)),
+  take(corner->optional_positive("deviation", axes.unit(0)), Corner::deviation);
+  take(corner->optional_positive("distance", axes.unit(0)), Corner::distance);
+  take(corner->optional_positive("curvature", rate_unit("", axes.units.position, 1)),
        Corner::curvature);
-  take(read_magnitude(*corner, "velocity", axes.unit(1)), Corner::velocity);
-  take(read_magnitude(*corner, "average", axes.unit(0)), Corner::average);
+  take(corner->optional_positive("velocity", axes.unit(1)), Corner::velocity);
+  take(corner->optional_positive("average", axes.unit(0)), Corner::average);
   corner->finish();
   if (given != 1)
     owner.fail("corner", "",
@@ -110,7 +110,7 @@ std::optional<OverlapOptions> read_overlap(TomlReader& path, const PathAxes& axe
         "corner", "",
         "cannot be combined with overlap, which rounds all corners: leave one of the two out");
   OverlapOptions read;
-  if (const auto d = read_magnitude(*overlap, "deviation", axes.unit(0))) read.deviation = *d;
+  if (const auto d = overlap->optional_positive("deviation", axes.unit(0))) read.deviation = *d;
   read.share = overlap->optional_number("share", "1").value_or(1);
   if (!(read.share >= 0 && read.share <= 1))
     overlap->fail("share", number(read.share), "must be 0 to 1");
@@ -137,7 +137,7 @@ Point read_position(TomlReader& reader, const char* key, const PathAxes& axes,
     reader.fail(key, "",
                 std::string("is missing: add ") + key + " = [NUMBER, ...], one for each axis");
   Point p{};
-  const std::vector<double> given = reader.numbers(key, axes.position_units);
+  const std::vector<double> given = reader.numbers(key, axes.position_units, ", one for each axis");
   for (std::size_t i = 0; i < given.size(); ++i) p[i] = origin[i] + given[i];
   return p;
 }
@@ -149,14 +149,8 @@ Point read_end(TomlReader& reader, const PathAxes& axes, const Point& from, cons
   return to;
 }
 
-std::optional<double> read_magnitude(TomlReader& reader, const char* key, const std::string& unit) {
-  const auto value = reader.optional_number(key, unit);
-  if (value && !(*value > 0)) reader.fail(key, number(*value), "must be greater than 0");
-  return value;
-}
-
 void read_path_settings(TomlReader& owner, const PathAxes& axes, PathSettings& settings) {
-  if (const auto v = read_magnitude(owner, "velocity", axes.unit(1))) settings.velocity = *v;
+  if (const auto v = owner.optional_positive("velocity", axes.unit(1))) settings.velocity = *v;
   read_corner(owner, axes, settings);
   if (const auto junction = owner.optional_choice("junction", junctions))
     settings.junction = static_cast<Junction>(*junction);
@@ -191,7 +185,7 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   path.overlap = read_overlap(table, axes);
   if (auto limits = table.optional_table("limits"))
     path.limits.path = read_path_limits(std::move(*limits), axes);
-  path.tolerance = read_magnitude(table, "tolerance", axes.unit(0));
+  path.tolerance = table.optional_positive("tolerance", axes.unit(0));
   if (top.has("points") && table.has("start"))
     table.fail("start", "",
                "does not apply to a path of points, which starts at the first one: leave it out");

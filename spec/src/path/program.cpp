@@ -80,7 +80,7 @@ Frame read_frame_of(TomlReader& gcode, const char* key, const PathAxes& axes) {
 /// Reads records of MoveSequence; RoundDiameter is the least diameter of a corner.
 void read_records(TomlReader records, const PathAxes& axes, PathSpec& path) {
   const std::string file = records.text("file", "FILE.csv");
-  if (const auto diameter = read_magnitude(records, "round_diameter", axes.unit(0))) {
+  if (const auto diameter = records.optional_positive("round_diameter", axes.unit(0))) {
     path.machine.settings.corner = Corner::curvature;
     path.machine.settings.value = 2 / *diameter;
   }
@@ -97,7 +97,7 @@ std::string read_gcode_table(TomlReader& top, const PathAxes& axes, GcodeMachine
   if (!gcode) return "";
   for (const char* other : {"command", "points", "records", "frame"})
     if (top.has(other)) top.fail("gcode", "", std::string("cannot be combined with ") + other);
-  if (const auto v = read_magnitude(*gcode, "rapid", axes.unit(1))) machine.rapid = *v;
+  if (const auto v = gcode->optional_positive("rapid", axes.unit(1))) machine.rapid = *v;
   if (const auto time = gcode->optional_choice("feed_time", feed_times))
     machine.feed_time = *time == 0 ? 60 : 1;
   std::size_t k = 0;
@@ -109,6 +109,19 @@ std::string read_gcode_table(TomlReader& top, const PathAxes& axes, GcodeMachine
   gcode->finish();
   if (file.empty()) return "";
   return (std::filesystem::path(top.document().name).parent_path() / file).string();
+}
+
+/// After an error, the positions are unknown: an error of the geometry of a later command may only follow from it.
+void read_commands(TomlReader& top, const PathAxes& axes, PathSettings settings, Program& program) {
+  const std::size_t before = top.errors();
+  top.for_each("command", [&](TomlReader& command) {
+    try {
+      read_path_command(command, axes, settings, program);
+    } catch (const InputError& error) {
+      const bool of_geometry = error.document().empty();
+      if (!of_geometry || top.errors() == before) throw;
+    }
+  });
 }
 
 }  // namespace
@@ -125,9 +138,7 @@ void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, 
     path.source = points->document;
     path.program = program_of(*points, axes, settings);
   } else {
-    top.for_each("command", [&](TomlReader& command) {
-      read_path_command(command, axes, settings, path.program);
-    });
+    read_commands(top, axes, settings, path.program);
   }
   if (auto frame = top.optional_table("frame")) {
     const int line = frame->line();
@@ -146,10 +157,11 @@ void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, 
 namespace jounce {
 
 void set_gcode(PathSpec& path, std::string_view text, const std::string& document) {
-  if (!path.program.commands().empty())
-    throw InputError(
-        "--machine", path.source,
-        "has commands of its own: give a path spec without [[command]], points and file");
+  if (const auto commands = path.program.commands(); !commands.empty())
+    throw InputError("--machine", path.source,
+                     "already has a motion, at line " + std::to_string(commands.front().line) +
+                         ": the spec of a machine must have no [[command]], points, records or "
+                         "gcode.file");
   GcodeProgram made = parse_gcode(text, document, path.machine);
   const auto commands = made.program.commands();
   const bool moves = std::any_of(commands.begin(), commands.end(), [](const auto& command) {

@@ -17,6 +17,10 @@ void MotionFields::may(const char* key, int order, double& value) {
   value = optional(key, order).value_or(value);
 }
 
+void MotionFields::may_positive(const char* key, int order, double& value) {
+  value = reader_->optional_positive(key, unit(order)).value_or(value);
+}
+
 std::optional<double> MotionFields::optional(const char* key, int order) {
   return reader_->optional_number(key, unit(order));
 }
@@ -40,9 +44,8 @@ MotionState MotionFields::state(const std::string& prefix) {
 void MotionFields::bound(const std::string& key, int order, double& least, double& greatest) {
   const std::string down = key + "_down";
   for (const std::string& each : {key, down}) {
-    const auto value = optional(each.c_str(), order);
+    const auto value = reader_->optional_positive(each.c_str(), unit(order));
     if (!value) continue;
-    if (!(*value > 0)) reader_->fail(each.c_str(), number(*value), "must be greater than 0");
     if (each == key) greatest = *value;
     least = -*value;
   }

@@ -19,6 +19,7 @@ class MotionFields {
 
   void need(const char* key, int order, double& value);
   void may(const char* key, int order, double& value);
+  void may_positive(const char* key, int order, double& value);
   std::optional<double> optional(const char* key, int order);
   /// Reads a time, in the unit of time of the spec or of the controller.
   std::optional<double> optional_time(const char* key);
@@ -32,9 +33,9 @@ class MotionFields {
 
   [[nodiscard]] TomlReader& reader() { return *reader_; }
   [[nodiscard]] const Units& units() const { return *units_; }
+  [[nodiscard]] std::string unit(int order) const;
 
  private:
-  [[nodiscard]] std::string unit(int order) const;
   void bound(const std::string& key, int order, double& least, double& greatest);
 
   TomlReader* reader_;

@@ -10,6 +10,9 @@
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/six_digits.hpp"
+
+#include "spec/src/toml/toml_syntax.hpp"
 
 namespace jounce::spec_detail {
 namespace {
@@ -31,6 +34,14 @@ std::string rule_of_choice(std::span<const std::string> permitted, const std::st
   if (permitted.size() == 1) return "must be \"" + permitted[0] + '"';
   if (permitted.size() > most && !hint.empty()) return "is unknown" + meant;
   return "must be one of " + join(permitted) + meant;
+}
+
+/// "[limits]" or "[[segment]]", for a section of this name; "" for a value on the line of its key.
+std::string header_of(const toml::node& node, const std::string& name) {
+  const bool array = node.is_array_of_tables();
+  const toml::table* const table = array ? node.as_array()->front().as_table() : node.as_table();
+  if (table == nullptr || table->is_inline()) return "";
+  return array ? "[[" + name + "]]" : "[" + name + "]";
 }
 
 /// "; `jounce new cam` writes an example", for the section that a kind of spec requires.
@@ -118,13 +129,15 @@ void TomlReader::refuse_misspelt(const char* key) const {
   for (const auto& [other, node] : *table_)
     if (!known_.contains(std::string(other.str())) &&
         !nearest(other.str(), std::span(&wanted, 1)).empty())
-      throw unknown(other, node, wanted);
+      throw unknown(other, node, "here: did you mean " + wanted + "?");
 }
 
 InputError TomlReader::unknown(const toml::key& key, const toml::node& node,
-                               const std::string& meant) const {
+                               const std::string& rule) const {
   const auto at = place(key.source());
-  return InputError(path(key.str()), shown(node), "is not a key here: did you mean " + meant + "?")
+  const std::string header = header_of(node, path(key.str()));
+  return InputError(header.empty() ? path(key.str()) : header, header.empty() ? shown(node) : "",
+                    std::string("is not a ") + (header.empty() ? "key " : "section ") + rule)
       .at(document_->name, at.line, at.column);
 }
 
@@ -165,8 +178,20 @@ double TomlReader::number(const char* key, const std::string& unit) {
 
 std::optional<double> TomlReader::optional_number(const char* key, const std::string& unit) {
   const toml::node* node = find(key);
+  know(key, unit);
   if (node == nullptr) return std::nullopt;
   return or_else(1.0, [&] { return read_number(*node, path(key), unit); });
+}
+
+std::optional<double> TomlReader::optional_positive(const char* key, const std::string& unit) {
+  const auto value = optional_number(key, unit);
+  if (!value || *value > 0) return value;
+  return or_else(1.0,
+                 [&]() -> double { fail(key, jounce::number(*value), "must be greater than 0"); });
+}
+
+void TomlReader::know(const std::string& key, const std::string& unit) {
+  document_->known.emplace(path(key), unit);
 }
 
 std::optional<std::string> TomlReader::optional_quantity(const char* key) {
@@ -244,6 +269,12 @@ std::optional<std::size_t> TomlReader::optional_choice(const char* key,
   return choice(key, permitted);
 }
 
+std::size_t TomlReader::variant(const char* key, std::span<const std::string> permitted) {
+  const std::size_t chosen = choice(key, permitted);
+  describe(std::string(key) + " = \"" + permitted[chosen] + '"');
+  return chosen;
+}
+
 TomlReader TomlReader::table(const char* key, const std::string& example) {
   require(key, !example.empty()
                    ? example
@@ -254,6 +285,8 @@ TomlReader TomlReader::table(const char* key, const std::string& example) {
 std::optional<TomlReader> TomlReader::optional_table(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
+  if (node->is_array_of_tables() && !node->as_array()->front().as_table()->is_inline())
+    throw single_brackets(*document_, path(key), place(node->as_array()->front().source()));
   if (!node->is_table())
     fail(key, shown(*node), std::string("must be a table: ") + key + " = { KEY = VALUE, ... }");
   return TomlReader(*node->as_table(), path(key), *document_, errors_);
@@ -263,6 +296,8 @@ std::vector<TomlReader> TomlReader::tables(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
   const toml::array* array = node->as_array();
+  if (node->is_table() && !node->as_table()->is_inline())
+    throw double_brackets(*document_, path(key), place(node->source()));
   if (array == nullptr)
     fail(key, shown(*node),
          std::string("must be a list of tables: begin each with [[") + path(key) + "]]");
@@ -306,14 +341,13 @@ bool TomlReader::holds_tables(const char* key) {
   return array != nullptr && !array->empty() && array->front().is_table();
 }
 
-std::vector<double> TomlReader::numbers(const char* key, std::span<const std::string> units) {
+std::vector<double> TomlReader::numbers(const char* key, std::span<const std::string> units,
+                                        const std::string& each) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
   const toml::array* array = node->as_array();
   if (array == nullptr || array->size() != units.size())
-    fail(key, shown(*node),
-         "must be a list of " + std::to_string(units.size()) +
-             (units.size() == 1 ? " number" : " numbers"));
+    fail(key, shown(*node), "must be a list of " + counted(units.size(), "number") + each);
   std::vector<double> all;
   for (const std::string& unit : units)
     all.push_back(read_number(*array->get(all.size()),
@@ -366,18 +400,24 @@ std::vector<std::string> TomlReader::texts(const char* key) {
   return all;
 }
 
+void TomlReader::refuse_here(const char* key, const std::string& where) {
+  const toml::node* node = table_->get(key);
+  if (node == nullptr) return;
+  known_.insert(key);
+  const auto at = place(node->source());
+  report(InputError(path(key), shown(*node), where).at(document_->name, at.line, at.column));
+}
+
 void TomlReader::finish() {
   const std::vector<std::string> known(known_.begin(), known_.end());
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
     if (const std::string hint = nearest(key.str(), known); !hint.empty()) {
-      report(unknown(key, node, hint));
+      report(unknown(key, node, "here: did you mean " + hint + "?"));
       continue;
     }
-    const auto at = place(key.source());
-    report(
-        InputError(path(key.str()), shown(node), "is not a key here; possible keys: " + join(known))
-            .at(document_->name, at.line, at.column));
+    report(unknown(key, node,
+                   (what_.empty() ? "here" : "of " + what_) + "; possible keys: " + join(known)));
   }
 }
 

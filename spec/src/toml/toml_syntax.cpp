@@ -2,10 +2,16 @@
 #include "spec/src/toml/toml_syntax.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <optional>
 #include <string_view>
+#include <vector>
 
+#include "jounce/base/csv.hpp"
 #include "jounce/base/printable.hpp"
 
 namespace jounce::spec_detail {
@@ -72,6 +78,8 @@ std::string rule_of_value(const Pair& pair) {
     point[point.find(',')] = '.';
     return "a number has a decimal point: " + pair.key + " = " + point;
   }
+  if (std::isinf(std::strtod(value.c_str(), nullptr)))
+    return "must be less than 1.8e308 in magnitude";
   if (value.find_first_not_of("0123456789+-.eE_") == std::string::npos)
     return "is not a number: check its digits, its decimal point and its exponent";
   const std::string quoted = pair.key + " = \"" + value + '"';
@@ -79,7 +87,90 @@ std::string rule_of_value(const Pair& pair) {
   return (number ? "a number with a unit needs quotes: " : "text needs quotes: ") + quoted;
 }
 
+/// The header of a section: [name] or [[name]].
+struct Header {
+  std::string name;
+  bool is_array = false;
+  Document::Place at = {};
+};
+
+std::optional<Header> header_of(std::string_view line) {
+  std::string_view text = trimmed(line.substr(0, line.find('#')));
+  if (!text.starts_with('[') || !text.ends_with(']')) return std::nullopt;
+  const bool array = text.starts_with("[[") && text.ends_with("]]");
+  const std::size_t brackets = array ? 2 : 1;
+  text = trimmed(text.substr(brackets, text.size() - 2 * brackets));
+  return Header{printable(std::string(text)), array};
+}
+
+/// All headers of this name.
+std::vector<Header> headers_of(std::string_view text, const std::string& name) {
+  std::vector<Header> all;
+  for (int line = 1; !text.empty(); ++line) {
+    const auto end = text.find('\n');
+    const std::string_view content = text.substr(0, end);
+    if (auto header = header_of(content); header && header->name == name) {
+      header->at = {line, static_cast<int>(content.find('[')) + 1};
+      all.push_back(*header);
+    }
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return all;
+}
+
+/// True for a section of which a spec can have several. [axis] is one section in a spec of kind "axis", and a list in
+/// other kinds.
+bool is_list(const std::string& name, const std::string& text) {
+  constexpr std::array<std::string_view, 26> lists{
+      "ceiling", "change",     "command",  "corridor",     "inputs", "joint",  "knot",
+      "mass",    "number",     "override", "parameter",    "point",  "points", "reference",
+      "request", "require",    "segment",  "shift",        "switch", "sync",   "then",
+      "track",   "velocities", "zone",     "follow.table", "axis"};
+  const std::string last = name.substr(name.rfind('.') + 1);
+  const bool known = std::find(lists.begin(), lists.end(), name) != lists.end() ||
+                     std::find(lists.begin(), lists.end(), last) != lists.end();
+  return known && !(name == "axis" && text.find("kind = \"axis\"") != std::string::npos);
+}
+
+/// The error of a section that is given again with single or double brackets.
+InputError repeated(const Document& document, const Header& again, int line, int column) {
+  const bool list = is_list(again.name, document.text);
+  for (const Header& header : headers_of(document.text, again.name))
+    if (header.is_array != list)
+      return list ? double_brackets(document, header.name, header.at)
+                  : single_brackets(document, header.name, header.at);
+  return InputError("[" + again.name + "]", "",
+                    "is given twice: keep one section, with the keys of both")
+      .at(document.name, line, column);
+}
+
+/// The name of a table in the header of its section: segment[2].points -> segment.points.
+std::string header_name(const std::string& path) {
+  std::string name;
+  for (std::size_t at = 0; at < path.size(); ++at) {
+    if (path[at] == '[')
+      at = std::min(path.find(']', at), path.size() - 1);
+    else
+      name += path[at];
+  }
+  return name;
+}
+
 }  // namespace
+
+InputError double_brackets(const Document& document, const std::string& name, Document::Place at) {
+  const std::string header = "[" + header_name(name) + "]";
+  return InputError(header, "",
+                    "needs double brackets: write [" + header + "], because there can be several")
+      .at(document.name, at.line, at.column);
+}
+
+InputError single_brackets(const Document& document, const std::string& name, Document::Place at) {
+  const std::string header = "[" + header_name(name) + "]";
+  return InputError("[" + header + "]", "",
+                    "needs single brackets: write " + header + ", because there is only one")
+      .at(document.name, at.line, at.column);
+}
 
 InputError syntax_error(const Document& document, int line, int column,
                         const std::string& description) {
@@ -96,11 +187,14 @@ InputError syntax_error(const Document& document, int line, int column,
                     (is_letter(pair.value[0]) || is_digit(pair.value[0]) || pair.value[0] == '-') &&
                     pair.value.find_first_of("=\"'{}[]") == std::string::npos;
 
+  if (has("utf-8")) return error("", "", "is not text in UTF-8 here: save the file in UTF-8");
+  if (has("after '\\r'"))
+    return error("", "",
+                 "ends with a carriage return alone: save the file with line ends LF or CRLF");
   if (has("control characters") && at_end)
     return error(pair.key, pair.value, "the closing quote is missing");
-  if (has("cannot redefine existing table"))
-    return error(printable(std::string(trimmed(text))), "",
-                 "is given twice: keep one section, with the keys of both");
+  if (const auto header = header_of(text); header && has("cannot redefine"))
+    return repeated(document, *header, line, column);
   if (has("cannot redefine"))
     return error(pair.key, pair.value, "is given twice: remove one of the two");
   if (has("expected value") && pair.value.empty() && !pair.key.empty())
@@ -111,10 +205,10 @@ InputError syntax_error(const Document& document, int line, int column,
   if (has("table header") && has("expected ']'"))
     return error(printable(std::string(trimmed(text))), "",
                  "needs a closing ] at the end of the section header");
-  if (has("closing '}'") && at_end)
+  if (has("closing '}'") && (at_end || text[at] == '#'))
     return error(pair_at(text, text.substr(0, at).rfind('{')).key, "",
                  "needs its closing } on the same line");
-  if (bare) return error(pair.key, pair.value, rule_of_value(pair));
+  if (bare && !csv_number(pair.value)) return error(pair.key, pair.value, rule_of_value(pair));
   if (has("expected comma or closing '}'"))
     return error(pair.key, "", "needs a comma or the closing } after its value");
   if (has("expected comma or closing ']'"))

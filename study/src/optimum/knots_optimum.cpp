@@ -6,6 +6,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/optimize/optimize.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/spec/edit.hpp"
 
@@ -43,9 +44,9 @@ std::string active_sentence(const Finding& finding, const Labels& labels) {
 std::string knots_text(const CamProblem& problem, const Outcome<CamSpec>& outcome,
                        const Labels& labels) {
   std::string text = fmt::format("{}: {}\n", name(outcome.status), outcome.reason);
-  text +=
-      fmt::format("  {:<24} {:>12} {:>12} {:>12} {:>10}   ({} evaluations, {} starts)\n", "",
-                  "given", "reached", "bound", "could save", outcome.evaluations, outcome.starts);
+  text += fmt::format("  {:<24} {:>12} {:>12} {:>12} {:>10}   ({}, {})\n", "", "given", "reached",
+                      "bound", "could save", counted(outcome.evaluations, "evaluation"),
+                      counted(outcome.starts, "start"));
   for (std::size_t k = 0; k < outcome.figures.size(); ++k) {
     const FigureResult& r = outcome.figures[k];
     const bool known = *r.bound > 0 || r.reached == 0;

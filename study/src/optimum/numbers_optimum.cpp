@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/study/tune.hpp"
 
@@ -32,8 +33,8 @@ std::string figures_text(const TuneOutcome& outcome, bool maximize) {
 
 std::string tune_text(const TuneOutcome& outcome, const Spec& spec) {
   const SearchOutcome& search = outcome.search;
-  std::string text = fmt::format("{}: {} ({} evaluations)\n", name(search.status), search.reason,
-                                 search.evaluations);
+  std::string text = fmt::format("{}: {} ({})\n", name(search.status), search.reason,
+                                 counted(search.evaluations, "evaluation"));
   text += fmt::format("  {:<28} {:>12} {:>12}\n", "", "given",
                       outcome.usable() ? "reached" : "nearest");
   text += figures_text(outcome, spec.parameters->maximize);

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "jounce/profiles/six_digits.hpp"
+
 namespace jounce::study_detail {
 namespace {
 
@@ -28,12 +30,15 @@ std::string active_sentence(std::span<const Finding> findings, const CamRunOutco
   const Finding& first = findings.front();
   if (first.rule.family() == RuleFamily::kept) return kept_sentence(findings, run, words);
   const bool objective = first.rule.family() == RuleFamily::objective;
-  std::string text = objective ? first.quantity + " is attained" : "limited by " + first.quantity;
+  const bool of_position = first.quantity == "slave";
+  std::string text = objective     ? first.quantity + " is attained"
+                     : of_position ? "limited by the range of the slave position"
+                                   : "limited by " + first.quantity;
   if (first.quantity == "residual" || first.quantity.starts_with("rms "))
     return text;  // these have no place
   for (std::size_t i = 0; i < std::min(most, findings.size()); ++i)
     text += (i == 0 ? " at " : ", ") + words.at(findings[i].where, run);
-  if (findings.size() > most) text += fmt::format(" and {} more places", findings.size() - most);
+  if (findings.size() > most) text += " and " + counted(findings.size() - most, "more place");
   return text;
 }
 
@@ -108,7 +113,7 @@ std::string text_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
     text += run_text(run, words);
     if (!run.shape.usable())
       text += fmt::format("least violated:\n{}",
-                          full_text(run.shape.limits, {words.labels().units, true, {}}));
+                          full_text(words.in_cam(run.shape.limits, run), words.labels()));
   }
   if (!outcome.limits.ok())
     text += fmt::format("limits of the whole cam:\n{}", full_text(outcome.limits, words.labels()));

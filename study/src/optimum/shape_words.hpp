@@ -61,11 +61,17 @@ class ShapeWords {
 
   /// Returns a place in words: "120 deg (segment 2 sync)".
   [[nodiscard]] std::string at(double where, const CamRunOutcome& run) const {
-    const double here = place(where);
-    std::size_t i = run.segments.front();
-    for (const std::size_t each : run.segments)
-      if (here >= begin(each) && here <= cam_.segments[each].end.master) i = each;
-    return fmt::format("{} {} (segment {})", rounded(here), spec_.units.x, segment(i));
+    return fmt::format("{} {} (segment {})", rounded(place(where)), spec_.units.x,
+                       segment(index_at(where, run)));
+  }
+
+  /// Returns the findings on a run with the places and the segments of the cam, not of the run.
+  [[nodiscard]] Report in_cam(Report report, const CamRunOutcome& run) const {
+    for (Finding& finding : report.findings) {
+      if (finding.segment) finding.segment = index_at(finding.where, run);
+      finding.where = place(finding.where);
+    }
+    return report;
   }
 
   /// Returns the length of a run, master units.
@@ -76,6 +82,15 @@ class ShapeWords {
   }
 
  private:
+  /// The segment of a run at a place.
+  [[nodiscard]] std::size_t index_at(double where, const CamRunOutcome& run) const {
+    const double here = place(where);
+    std::size_t i = run.segments.front();
+    for (const std::size_t each : run.segments)
+      if (here >= begin(each) && here <= cam_.segments[each].end.master) i = each;
+    return i;
+  }
+
   [[nodiscard]] double begin(std::size_t i) const {
     return i == 0 ? cam_.start.master : cam_.segments[i - 1].end.master;
   }

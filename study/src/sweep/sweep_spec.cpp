@@ -297,8 +297,11 @@ SweepSpec read_sweep(const std::string& path) {
   const toml::table root = spec_detail::parse_toml(document);
   TomlReader top(root, "", document);
   spec_detail::require_version(top);
-  const std::array<std::string, 1> kinds{"sweep"};
-  (void)top.choice("kind", kinds);
+  if (const std::string kind = top.text("kind", "sweep"); kind != "sweep")
+    top.fail(
+        "kind", '"' + kind + '"',
+        "is the kind of the base spec: write a sweep spec with kind = \"sweep\" and spec = \"" +
+            std::filesystem::path(path).filename().string() + "\" (see jounce sweep --help)");
   std::string name = top.optional_text("name").value_or("");
   const std::string file = top.text("spec", "FILE.toml");
   const std::string base =

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/study/sweep_summary.hpp"
 
@@ -34,7 +35,7 @@ std::string percent(double share) {
 
 std::string heading(const SweepSpec& spec, const SweepSummary& s) {
   std::string text = (spec.name.empty() ? spec.document.name : spec.name) + ": ";
-  text += fmt::format("{} cases", s.cases);
+  text += counted(s.cases, "case");
   if (spec.samples > 1 && s.cases > spec.samples)
     text += fmt::format(", {} combinations of {} samples", s.cases / spec.samples, spec.samples);
   text += fmt::format("; {} within all limits", s.within);

@@ -25,13 +25,16 @@ struct Document {
   /// Unit of each number that was read and whose text has no unit, by key.
   std::map<std::string, std::string> units = {};
   std::map<std::string, std::string> given = {};  ///< unit of each number whose text has a unit
+  /// Unit of each number that a reader has looked for, by key, even if the text does not have it.
+  std::map<std::string, std::string> known = {};
 
   /// Returns the unit that the text gives for the number under `key`. For a number without a unit,
   /// and for a missing number, returns `otherwise`.
   [[nodiscard]] std::string given_unit(const std::string& key, const std::string& otherwise) const;
 
   /// Returns the error with file, line and column of its key. If the key has no place, the error
-  /// has the place of the nearest enclosing key.
+  /// has the place of the nearest enclosing key. A number that must be greater than 0, and is 0
+  /// because the text does not have it, is reported as missing, with its unit.
   [[nodiscard]] InputError located(const InputError& error) const;
   /// Returns an error about the file `file`, which this document names under `key`. If the file
   /// cannot be read at all, the error gets the place of the key in this document; otherwise it is

@@ -202,7 +202,8 @@ struct MoveAbsolute {
   double position = 0;  ///< target, u
   /// Velocity, acceleration, deceleration and jerk of the move.
   MoveDynamics dynamics = {};
-  /// Direction on a modulo axis: shortest, positive or negative.
+  /// Direction on a modulo axis. On a linear axis, positive and negative require a target on that
+  /// side.
   Direction direction = Direction::shortest;
   /// When the move begins, relative to the previous motion.
   BufferMode buffer = BufferMode::aborting;
@@ -213,7 +214,8 @@ constexpr void each_field(C& c, F f) {
     c.position);
   each_field(c.dynamics, f);
   f(Field{"direction", Quantity::none, FieldRange::direction, "direction",
-          "Direction of a rotary axis with --to: shortest, positive, negative"},
+          "With --to: shortest, positive, negative; a linear axis refuses a target on the other "
+          "side"},
     c.direction);
   f(buffer_mode, c.buffer);
 }

@@ -63,9 +63,9 @@ struct TargetTexts {
 /// Returns the name of a member for messages; by default, the name in TargetTexts.
 using MemberName = std::function<std::string(const std::string& member)>;
 
-/// Returns the target of the texts in these units, within the limits of the controller; ignores a
-/// name that is not in controller_tables(). Throws InputError, with the name of the member as key,
-/// for a text that is not a positive quantity in the unit of the member, and for a controller whose
+/// Returns the target of the texts in these units, within the limits of the controller. Throws
+/// InputError, with the name of the member as key, for a text that is not a positive quantity in
+/// the unit of the member, for a controller that is not in controller_tables(), and for one whose
 /// table needs another variable (time or master position) or another interpolation.
 Target target_of(const TargetTexts& texts, Domain axis, Interpolation rule, const Units& units,
                  const MemberName& name_of = {});

@@ -58,6 +58,11 @@ struct TableForm {
 /// default CSV.
 TableForm table_form(const std::string& name, const std::string& path);
 
+/// Returns the rule of a table in this form: that of its format; or `rule`, a name; or that of the
+/// controller with this name; or that of the table itself.
+Interpolation rule_for(const TableForm& form, const std::string& rule,
+                       const std::string& controller, const Table& table);
+
 /// Returns the text of a file in this form. Throws InputError like exchange_text() and
 /// points_text().
 std::string form_text(const TableForm& form, const TableFile& file);
@@ -68,8 +73,11 @@ std::string form_text(const TableForm& form, const TableFile& file);
 std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
                                     bool sampled = false);
 
-/// Returns the endings by which table_form() recognizes a form: ".csv, .json, .st, ...".
-std::string known_endings();
+/// Returns the names of all forms: "csv", "json", "points", and those of the formats of controllers.
+std::vector<std::string> form_names();
+/// Returns the endings by which table_form() recognizes a form: ".csv, .json, .st, ...". `named`:
+/// with the name of a form behind its ending, unless both are the same.
+std::string known_endings(bool named = false);
 /// True if a path has one of the known endings, or is "-".
 bool has_known_ending(const std::string& path);
 /// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss.

@@ -43,6 +43,10 @@ std::vector<CommandOption> command_options();
 /// is "VALUE", or the option with its dashes ("--to").
 void require_taken(const CommandWords& words);
 
+/// Throws InputError for `seconds`, the length of a jog, with a command that is not jog
+/// --hold-to-run: it would be ignored.
+void require_held(const CommandWords& words, const std::string& seconds);
+
 /// Returns the command, with its values converted to the units of the axis. Throws InputError like
 /// require_taken(), and for an invalid or missing value.
 ClientCommand command_of(const CommandWords& words, const Units& units);

@@ -12,5 +12,10 @@ std::string six_digits(double value);
 /// still satisfied.
 std::string six_digits_up(double value);
 std::string six_digits_down(double value);
+/// Returns a count with its noun, which takes an s unless the count is 1: "1 knot", "6 knots".
+template <class Count>
+std::string counted(Count count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
 
 }  // namespace jounce

@@ -42,10 +42,11 @@ class LimitCheck {
 
   /// All bounds, ordered by derivative.
   [[nodiscard]] const std::vector<Bound>& bounds() const { return bounds_; }
-  /// Takes the range of the derivative of a bound on a segment that begins at `start`. Call it in
+  /// Takes the range of the derivative of a bound on a segment from `start` to `end`. Call it in
   /// ascending order of segments. A segment may be omitted if it neither breaks the bound nor comes
   /// closer to it than an earlier segment.
-  void consider(std::size_t bound, const Range& range, double start, std::size_t segment);
+  void consider(std::size_t bound, const Range& range, double start, double end,
+                std::size_t segment);
   /// Returns the value closest to a bound among those that keep it; nothing if none was considered.
   [[nodiscard]] std::optional<double> closest(std::size_t bound) const;
 
@@ -53,8 +54,8 @@ class LimitCheck {
   [[nodiscard]] Report report() &&;
 
  private:
-  [[nodiscard]] Finding finding_of(const Bound& bound, const Extremum& worst,
-                                   std::size_t segment) const;
+  [[nodiscard]] Finding finding_of(const Bound& bound, const Extremum& worst, std::size_t segment,
+                                   bool at_end) const;
 
   std::array<const char*, 4> names_;
   std::vector<Bound> bounds_;

@@ -52,6 +52,10 @@ class TomlReader {
   /// A number, or a text with a number and a unit; the result is in `unit`.
   double number(const char* key, const std::string& unit);
   std::optional<double> optional_number(const char* key, const std::string& unit);
+  /// A number greater than 0.
+  std::optional<double> optional_positive(const char* key, const std::string& unit);
+  /// Records the unit of a number that a library requires, for the error of a missing key.
+  void know(const std::string& key, const std::string& unit);
   /// A number or a quantity as written, for a unit that is known only later.
   std::optional<std::string> optional_quantity(const char* key);
   std::optional<std::size_t> optional_count(const char* key);
@@ -66,6 +70,10 @@ class TomlReader {
   std::size_t choice(const char* key, std::span<const std::string> permitted);
   std::optional<std::size_t> optional_choice(const char* key,
                                              std::span<const std::string> permitted);
+  /// Like choice(), for the text that determines the other keys of the table: see describe().
+  std::size_t variant(const char* key, std::span<const std::string> permitted);
+  /// Describes the table in the errors of finish(): `is not a key of WHAT`.
+  void describe(const std::string& what) { what_ = what; }
 
   std::optional<TomlReader> optional_table(const char* key);
   /// `example`: what the message for a missing table proposes to add; default: the section [key].
@@ -107,11 +115,15 @@ class TomlReader {
   /// True if the key contains tables: [[key]] or key = [{...}, ...].
   bool holds_tables(const char* key);
   /// Returns the numbers of key = [a, b, ...], one for each unit; empty if the key is missing.
-  std::vector<double> numbers(const char* key, std::span<const std::string> units);
+  /// `each`: end of the error for another count, such as ", one for each axis".
+  std::vector<double> numbers(const char* key, std::span<const std::string> units,
+                              const std::string& each = "");
   /// Returns the numbers of key = [a, b, ...], in `unit`.
   std::vector<double> number_list(const char* key, const std::string& unit);
   std::vector<std::string> texts(const char* key);  ///< the texts of key = ["a", "b", ...]
 
+  /// Number of errors that were found so far in the document.
+  [[nodiscard]] std::size_t errors() const { return errors_ == nullptr ? 0 : errors_->size(); }
   [[nodiscard]] const Document& document() const { return *document_; }
   /// Line of the table in the document.
   [[nodiscard]] int line() const { return static_cast<int>(table_->source().begin.line); }
@@ -127,13 +139,15 @@ class TomlReader {
   /// Throws or adds an InputError for a key, with its place.
   [[noreturn]] void fail(const char* key, const std::string& value, const std::string& rule);
   void finish();  ///< rejects all keys that were not read
+  /// Rejects a key that belongs in another table; `where`: "belongs in the segment, beside end".
+  void refuse_here(const char* key, const std::string& where);
 
  private:
   const toml::node* find(const char* key);
   /// `example`: what the message for a missing key proposes to add.
   const toml::node& require(const char* key, const std::string& example);
   [[nodiscard]] InputError unknown(const toml::key& key, const toml::node& node,
-                                   const std::string& meant) const;
+                                   const std::string& rule) const;
   double read_number(const toml::node& node, const std::string& key, const std::string& unit);
   void report(const InputError& error) const;
   template <class Value, class Read>
@@ -144,6 +158,7 @@ class TomlReader {
   Document* document_;
   ErrorList* errors_;
   std::set<std::string> known_;
+  std::string what_ = {};  ///< description of the table; "": none
 };
 
 /// Parses a document as TOML. Throws InputError, with the place, for an empty file and for an error
