@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many moves at once: one loop in C++, without the GIL.
+#include <limits>
+#include <optional>
+
+#include <pybind11/stl.h>
+
+#include "jounce/profiles/moves/batch.hpp"
+#include "jounce/profiles/moves/explain.hpp"
+
+#include "python/src/moves.hpp"
+#include "python/src/report.hpp"
+#include "python/src/words.hpp"
+
+namespace jounce::python {
+
+using namespace py::literals;
+
+namespace {
+
+/// The arguments of many moves, in one shape.
+struct MoveReaders {
+  Reader position, velocity, acceleration;           ///< start
+  Reader to_position, to_velocity, to_acceleration;  ///< target
+  Reader velocity_min, velocity_max, acceleration_min, acceleration_max, jerk_min, jerk_max,
+      position_min, position_max;
+
+  MoveReaders(Broadcast& all, const StateColumns& start, const StateColumns& target,
+              const BoundsColumns& b)
+      : position(all.read(start.position)),
+        velocity(all.read(start.velocity)),
+        acceleration(all.read(start.acceleration)),
+        to_position(all.read(target.position)),
+        to_velocity(all.read(target.velocity)),
+        to_acceleration(all.read(target.acceleration)),
+        velocity_min(all.read(b.velocity_min)),
+        velocity_max(all.read(b.velocity_max)),
+        acceleration_min(all.read(b.acceleration_min)),
+        acceleration_max(all.read(b.acceleration_max)),
+        jerk_min(all.read(b.jerk_min)),
+        jerk_max(all.read(b.jerk_max)),
+        position_min(all.read(b.position_min)),
+        position_max(all.read(b.position_max)) {}
+
+  [[nodiscard]] MotionState from(std::size_t i) const {
+    return {position[i], velocity[i], acceleration[i]};
+  }
+  [[nodiscard]] MotionState to(std::size_t i) const {
+    return {to_position[i], to_velocity[i], to_acceleration[i]};
+  }
+  [[nodiscard]] Bounds bounds(std::size_t i) const {
+    return {velocity_min[i], velocity_max[i], acceleration_min[i], acceleration_max[i],
+            jerk_min[i],     jerk_max[i],     position_min[i],     position_max[i]};
+  }
+};
+
+Moves many(Broadcast& all, const MoveReaders& readers, const std::optional<Column>& duration) {
+  Moves moves;
+  moves.shape = all.shape();
+  const Reader wanted = duration ? all.read(*duration) : Reader{};
+  const py::gil_scoped_release release;
+  moves.profiles.reserve(all.size());
+  moves.status.reserve(all.size());
+  moves.durations.reserve(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const MoveResult move =
+        duration ? move_to(readers.from(i), readers.to(i), readers.bounds(i), wanted[i])
+                 : move_to(readers.from(i), readers.to(i), readers.bounds(i));
+    moves.profiles.push_back(move.profile);
+    moves.status.push_back(move.status);
+    moves.durations.push_back(move ? move.profile.duration()
+                                   : std::numeric_limits<double>::quiet_NaN());
+  }
+  return moves;
+}
+
+py::object move(const StateColumns& start, const StateColumns& target, const BoundsColumns& bounds,
+                const std::optional<Column>& duration) {
+  const Column none;
+  Broadcast all({&start.position, &start.velocity, &start.acceleration, &target.position,
+                 &target.velocity, &target.acceleration, &bounds.velocity_min, &bounds.velocity_max,
+                 &bounds.acceleration_min, &bounds.acceleration_max, &bounds.jerk_min,
+                 &bounds.jerk_max, &bounds.position_min, &bounds.position_max,
+                 duration ? &*duration : &none});
+  if (!all.is_scalar())
+    return py::cast(many(all, MoveReaders(all, start, target, bounds), duration));
+  const MotionState from = one(start, "start"), to = one(target, "target");
+  const Bounds b = bounds.one();
+  const MoveResult made = duration ? move_to(from, to, b, duration->value) : move_to(from, to, b);
+  if (!made)
+    raise_move_error(made.status, duration ? explain(made.status, from, to, b, duration->value)
+                                           : explain(made.status, from, to, b));
+  return py::cast(made.profile);
+}
+
+/// The index of an element in the order of memory. Throws IndexError like an array of NumPy.
+std::size_t flat_index(const Broadcast::Shape& shape, const py::object& index) {
+  const py::tuple parts =
+      py::isinstance<py::tuple>(index) ? py::tuple(index) : py::make_tuple(index);
+  if (parts.size() != shape.size())
+    throw py::index_error("the moves have " + std::to_string(shape.size()) +
+                          " axes, and the index has " + std::to_string(parts.size()));
+  py::ssize_t flat = 0;
+  for (std::size_t k = 0; k < shape.size(); ++k) {
+    py::ssize_t i = py::cast<py::ssize_t>(parts[k]);
+    if (i < 0) i += shape[k];
+    if (i < 0 || i >= shape[k])
+      throw py::index_error("index " + py::cast<std::string>(py::str(parts[k])) +
+                            " is out of range for the size " + std::to_string(shape[k]));
+    flat = flat * shape[k] + i;
+  }
+  return static_cast<std::size_t>(flat);
+}
+
+Profile element(const Moves& moves, const py::object& index) {
+  const std::size_t i = flat_index(moves.shape, index);
+  if (moves.status[i] != MoveStatus::ok)
+    raise_move_error(moves.status[i], explain(moves.status[i]));
+  return moves.profiles[i];
+}
+
+py::object motions_at(const Moves& moves, const Column& t) {
+  Column index;  // the moves as a column of their indices, so that NumPy's rules apply to the times
+  std::vector<double> numbers(moves.profiles.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<double>(i);
+  index.array = Doubles(taken(std::move(numbers), moves.shape));
+  Broadcast all({&index, &t});
+  const Reader which = all.read(index), times = all.read(t);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return points_of<OverTime>(all.shape(), all.size(), [&](std::size_t i) {
+    const auto k = static_cast<std::size_t>(which[i]);
+    if (moves.status[k] != MoveStatus::ok) return Jet{nan, nan, nan, nan};
+    const Motion now = moves.profiles[k].at(times[i]);
+    return Jet{now.position, now.velocity, now.acceleration, now.jerk};
+  });
+}
+
+py::object least_durations(const Column& distance, const Column& velocity,
+                           const Column& acceleration, const Column& jerk, const Column& entry,
+                           const Column& exit) {
+  Broadcast all({&distance, &velocity, &acceleration, &jerk, &entry, &exit});
+  const std::size_t size = all.size();
+  const auto span = [&](const Column& column) {
+    const Reader reader = all.read(column);
+    return std::span<const double>(reader.data, reader.step == 0 ? 1 : size);
+  };
+  const MoveColumns columns{span(distance), span(entry),        span(exit),
+                            span(velocity), span(acceleration), span(jerk)};
+  py::array_t<double> seconds(all.shape());
+  {
+    const std::span<double> out(seconds.mutable_data(), size);
+    const py::gil_scoped_release release;
+    minimum_durations(columns, out);
+  }
+  if (all.is_scalar()) return py::float_(*seconds.data());
+  return seconds;
+}
+
+}  // namespace
+
+void bind_batches(py::module_& m) {
+  py::class_<Moves>(m, "Moves", R"(Many moves, in the shape of the arrays from which they were made.
+
+A move that does not exist has the duration NaN, and `moves[i]` raises MoveError. 200 bytes for each move.)")
+      .def_property_readonly(
+          "duration",
+          [](const py::object& self) -> py::object {
+            const auto& moves = self.cast<const Moves&>();
+            return view(moves.durations, self).attr("reshape")(moves.shape);
+          },
+          "Durations, s; NaN where no move exists. A read-only view without a copy.")
+      .def_property_readonly(
+          "ok",
+          [](const Moves& moves) {
+            py::array_t<bool> ok(moves.shape);
+            for (std::size_t i = 0; i < moves.status.size(); ++i)
+              ok.mutable_data()[i] = moves.status[i] == MoveStatus::ok;
+            return ok;
+          },
+          "True where the move exists.")
+      .def_property_readonly(
+          "shape", [](const Moves& moves) { return py::tuple(py::cast(moves.shape)); },
+          "Shape of the arrays.")
+      .def("__len__", [](const Moves& moves) { return moves.shape.front(); })
+      .def("__getitem__", element, "index"_a,
+           "Returns one Move. Raises MoveError if it does not exist.")
+      .def("at", motions_at, "t"_a,
+           R"(Returns the motion of each move at t (s), as a Motion of arrays.
+
+t is one number, or an array that is broadcast with the shape of the moves. NaN where no move exists.)")
+      .def("__repr__", [](const Moves& moves) {
+        const auto ok = std::count(moves.status.begin(), moves.status.end(), MoveStatus::ok);
+        return shown("Moves",
+                     {{"shape", py::cast<std::string>(py::repr(py::tuple(py::cast(moves.shape))))},
+                      {"exist", std::to_string(ok)}});
+      });
+  m.def("move_to", move, "start"_a, "target"_a, "bounds"_a, py::kw_only(),
+        "duration"_a = py::none(),
+        R"(Returns the time-optimal move between two states that keeps the bounds.
+
+start, target: State, or a position (u) at rest. With `duration` (s), the move takes exactly this time. If all arguments
+are numbers, the result is a Move; MoveError is raised if no move exists. If any argument is an array, the arrays are
+broadcast and the result is Moves: one loop without the GIL.
+
+A start outside the bounds returns inside them. The target must be inside.)");
+  m.def(
+      "minimum_durations", least_durations, "distance"_a, py::kw_only(), "velocity"_a,
+      "acceleration"_a, "jerk"_a = Bounds::none, "entry"_a = 0.0, "exit"_a = 0.0,
+      R"(Returns the least durations (s) of moves over distances (u), by vector instructions, without the GIL.
+
+Each argument is a number or an array. entry, exit: velocities at the ends (u/s); the acceleration is 0 there. NaN where
+no move exists. Relative difference to move_to(): at most 1e-12.)");
+}
+
+}  // namespace jounce::python
