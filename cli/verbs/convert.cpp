@@ -33,22 +33,21 @@ struct ConvertArguments {
   bool json = false;
 };
 
-Interpolation rule_for(const ConvertArguments& options, const TableForm& form, const Table& table) {
-  if (form.format != nullptr) return rule_of(*form.format);
+std::optional<Interpolation> wanted_rule(const ConvertArguments& options) {
   for (const Interpolation rule :
        {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
     if (options.rule == name(rule)) return rule;
-  const ControllerTable* controller = controller_table(options.target.controller);
-  return controller != nullptr ? controller->rule : table.rule();
+  return std::nullopt;
 }
 
 Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
                          const Input& input) {
-  Conversion wanted{.rule = rule_for(options, form, input.table.table),
-                    .intervals = options.intervals,
-                    .units = {options.master_unit, options.position_unit},
-                    .periodic = options.periodic,
-                    .format = form.format};
+  Conversion wanted{
+      .rule = rule_for(form, wanted_rule(options), options.target.controller, input.table.table),
+      .intervals = options.intervals,
+      .units = {options.master_unit, options.position_unit},
+      .periodic = options.periodic,
+      .format = form.format};
   if (options.target.any())
     wanted.target = target_of(options.target, input.table.table.axis(), wanted.rule,
                               input.labels.units, option_of);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
+#include "jounce/controllers/table_target.hpp"
 #include "jounce/io/points_text.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/pvt/fill.hpp"
@@ -217,6 +218,14 @@ TableForm table_form(const std::string& name, const std::string& path) {
   if (format != nullptr) return {format->name, format};
   if (name.empty()) return {path.ends_with(".json") ? "json" : "csv"};
   return {name};
+}
+
+Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wanted,
+                       const std::string& controller, const Table& table) {
+  if (form.format != nullptr) return rule_of(*form.format);
+  if (wanted) return *wanted;
+  const ControllerTable* const target = controller_table(controller);
+  return target != nullptr ? target->rule : table.rule();
 }
 
 std::string form_text(const TableForm& form, const TableFile& file) {

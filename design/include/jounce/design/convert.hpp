@@ -57,6 +57,12 @@ struct TableForm {
 /// default CSV.
 TableForm table_form(const std::string& name, const std::string& path);
 
+/// Returns the interpolation of a table in this form: that of the controller's format; otherwise the
+/// `wanted` one; otherwise that of the controller (controller_table()) of this name; otherwise that
+/// of the given table.
+Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wanted,
+                       const std::string& controller, const Table& table);
+
 /// Returns the text of a file in this form. Throws InputError like exchange_text() and
 /// points_text().
 std::string form_text(const TableForm& form, const TableFile& file);
