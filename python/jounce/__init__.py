@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Jounce: motion tables and electronic cams, with exact limit checks.
+"""Motion tables and electronic cams, with exact limit checks.
 
     import jounce
 
@@ -11,6 +11,7 @@
 u is the unit of the axis, m that of its master. Arrays are broadcast by the rules of NumPy. Errors in the input raise
 InputError; broken limits are findings in a Report.
 """
+from . import _jounce
 from ._errors import AxisError, InputError, MoveError
 from ._jounce import *  # noqa: F403
 from ._jounce import __version__
@@ -18,3 +19,6 @@ from ._values import Motion, State, Transfer
 
 for _class in (AxisError, InputError, MoveError, Motion, State, Transfer):
     _class.__module__ = "jounce"
+
+__all__ = ["__version__", "AxisError", "InputError", "MoveError", "Motion", "State", "Transfer"]
+__all__ += [name for name in vars(_jounce) if not name.startswith("_")]

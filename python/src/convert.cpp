@@ -3,6 +3,7 @@
 #include "jounce/design/convert.hpp"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "jounce/base/file.hpp"
 #include "jounce/controllers/table_target.hpp"
@@ -72,20 +73,20 @@ std::string quantity_text(const py::object& value) {
   return value.is_none() ? "" : py::cast<std::string>(py::str(value));
 }
 
-Result convert(const py::object& source, const std::string& output, const std::string& to,
+Result convert(const py::object& source, const std::filesystem::path& output, const std::string& to,
                const std::string& rule, const std::string& controller, const py::object& tolerance,
                const py::object& velocity_tolerance, const std::optional<std::size_t>& most,
                std::size_t intervals, const std::string& x_unit, const std::string& position_unit,
                bool periodic) {
   const Input input = input_of_argument(source);
-  Wanted wanted{output, to, rule, {}, intervals, {x_unit, position_unit}, periodic};
+  Wanted wanted{output.string(), to, rule, {}, intervals, {x_unit, position_unit}, periodic};
   wanted.target.controller = controller;
   wanted.target.tolerance = quantity_text(tolerance);
   wanted.target.velocity_tolerance = quantity_text(velocity_tolerance);
   wanted.target.most = most;
   const py::gil_scoped_release release;
   Result result = converted_input(input, wanted);
-  if (!output.empty()) write_file(output, result.text);
+  if (!output.empty()) write_file(output.string(), result.text);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include "jounce/study/optimum.hpp"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "jounce/base/file.hpp"
 
@@ -91,11 +92,11 @@ void bind_optimum(py::module_& m) {
           "data", [](const Improvement& o) { return from_json(o.json); },
           R"(All numbers as a dict: "status", "reason", "objectives" with bounds and gaps, "active", ...)")
       .def_property_readonly(
-          "status", [](const Improvement& o) { return from_json(o.json)["status"]; },
+          "status", [](const Improvement& o) -> py::object { return from_json(o.json)["status"]; },
           R"("optimal", "converged", "stalled", "cancelled" or "infeasible".)")
       .def(
           "write",
-          [](const Improvement& o, const std::string& path) { write_file(path, usable_spec(o)); },
+          [](const Improvement& o, const std::filesystem::path& path) { write_file(path.string(), usable_spec(o)); },
           "path"_a, "Writes the optimized spec. Raises InputError if the result is not usable.")
       .def("__str__", [](const Improvement& o) { return o.text; })
       .def("__repr__", [](const Improvement& o) {

@@ -3,6 +3,7 @@
 #include "jounce/proof/proof.hpp"
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "python/src/bind.hpp"
 #include "python/src/design.hpp"
@@ -34,7 +35,7 @@ NamedProof proven(const Input& input, const ProofOptions& options) {
   return named;
 }
 
-NamedProof validate(const py::object& source, const std::string& log, std::size_t samples,
+NamedProof validate(const py::object& source, const std::filesystem::path& log, std::size_t samples,
                     const py::object& progress) {
   const Input input = input_of_argument(source);
   Watch watch(progress);
@@ -43,7 +44,7 @@ NamedProof validate(const py::object& source, const std::string& log, std::size_
   };
   try {
     const py::gil_scoped_release release;
-    return proven(input, {.log = log, .drive_samples = samples, .progress = step});
+    return proven(input, {.log = log.string(), .drive_samples = samples, .progress = step});
   } catch (const Stopped&) {
   }
   watch.rethrow();

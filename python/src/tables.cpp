@@ -2,6 +2,7 @@
 #include <optional>
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "jounce/base/file.hpp"
 #include "jounce/pvt/reduce.hpp"
@@ -170,14 +171,14 @@ quintic ("quintic_hermite", PVA or XYVA).)")
           [](const NamedTable& t, const std::string& format) { return text_of(t.file, format); },
           "format"_a = "csv", R"(Returns the content of a table file: "csv" or "json".)")
       .def(
-          "write", [](const NamedTable& t, const std::string& path) { write_table(path, t.file); },
+          "write", [](const NamedTable& t, const std::filesystem::path& path) { write_table(path.string(), t.file); },
           "path"_a,
           R"(Writes a table file: JSON if the path ends in ".json", otherwise CSV. The whole file or nothing.
 
 Raises InputError if a unit is missing, and OSError.)")
       .def("__repr__", table_repr);
   m.def(
-      "read_table", [](const std::string& path) { return NamedTable{read_table(path)}; }, "path"_a,
+      "read_table", [](const std::filesystem::path& path) { return NamedTable{read_table(path.string())}; }, "path"_a,
       "Reads a table file of Jounce, CSV or JSON. Raises InputError with its place for a wrong "
       "file.");
   m.def(
