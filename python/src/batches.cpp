@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many moves at once: one loop in C++, without the GIL.
 #include <limits>
+#include <type_traits>
 #include <optional>
 
 #include <pybind11/stl.h>
 
+#include "jounce/base/parallel.hpp"
+#include "jounce/profiles/detail/large_pages.hpp"
 #include "jounce/profiles/moves/batch.hpp"
 #include "jounce/profiles/moves/explain.hpp"
 
@@ -17,25 +20,42 @@ namespace jounce::python {
 
 using namespace py::literals;
 
+Moves::Moves(Broadcast::Shape shape, std::size_t size)
+    : shape_(std::move(shape)),
+      size_(size),
+      memory_(static_cast<Profile*>(::operator new(size * sizeof(Profile)))),
+      profiles_(memory_.get()),
+      status_(std::make_unique_for_overwrite<MoveStatus[]>(size)),
+      durations_(std::make_unique_for_overwrite<double[]>(size)) {
+  static_assert(std::is_trivially_destructible_v<Profile>);
+  profiles_detail::prefer_large_pages(profiles_, size * sizeof(Profile));
+}
+
+void Moves::set(std::size_t i, MoveStatus status, const Profile& profile) {
+  std::construct_at(profiles_ + i, profile);
+  status_[i] = status;
+  durations_[i] = status == MoveStatus::ok ? profile.duration() : std::numeric_limits<double>::quiet_NaN();
+}
+
+void in_parts(std::size_t size, const std::function<void(std::size_t, std::size_t)>& body) {
+  constexpr std::size_t part = 16384;
+  if (size <= 2 * part) return body(0, size);
+  on_all_cores((size + part - 1) / part, [&](std::size_t k) { body(k * part, std::min(size, (k + 1) * part)); });
+}
+
 namespace {
 
 Moves many(Broadcast& all, const MoveReaders& readers, const std::optional<Column>& duration) {
-  Moves moves;
-  moves.shape = all.shape();
   const Reader wanted = duration ? all.read(*duration) : Reader{};
   const py::gil_scoped_release release;
-  moves.profiles.reserve(all.size());
-  moves.status.reserve(all.size());
-  moves.durations.reserve(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const MoveResult move =
-        duration ? move_to(readers.from(i), readers.to(i), readers.bounds(i), wanted[i])
-                 : move_to(readers.from(i), readers.to(i), readers.bounds(i));
-    moves.profiles.push_back(move.profile);
-    moves.status.push_back(move.status);
-    moves.durations.push_back(move ? move.profile.duration()
-                                   : std::numeric_limits<double>::quiet_NaN());
-  }
+  Moves moves(all.shape(), all.size());
+  in_parts(all.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const MoveResult move = duration ? move_to(readers.from(i), readers.to(i), readers.bounds(i), wanted[i])
+                                       : move_to(readers.from(i), readers.to(i), readers.bounds(i));
+      moves.set(i, move.status, move.profile);
+    }
+  });
   return moves;
 }
 
@@ -73,24 +93,24 @@ std::size_t flat_index(const Broadcast::Shape& shape, const py::object& index) {
 }
 
 Profile element(const Moves& moves, const py::object& index) {
-  const std::size_t i = flat_index(moves.shape, index);
-  if (moves.status[i] != MoveStatus::ok)
-    raise_move_error(moves.status[i], explain(moves.status[i]));
-  return moves.profiles[i];
+  const std::size_t i = flat_index(moves.shape(), index);
+  if (moves.status(i) != MoveStatus::ok)
+    raise_move_error(moves.status(i), explain(moves.status(i)));
+  return moves.profile(i);
 }
 
 py::object motions_at(const Moves& moves, const Column& t) {
   Column index;  // the moves as a column of their indices, so that NumPy's rules apply to the times
-  std::vector<double> numbers(moves.profiles.size());
+  std::vector<double> numbers(moves.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<double>(i);
-  index.array = Doubles(taken(std::move(numbers), moves.shape));
+  index.array = Doubles(taken(std::move(numbers), moves.shape()));
   Broadcast all({&index, &t});
   const Reader which = all.read(index), times = all.read(t);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   return points_of<OverTime>(all.shape(), all.size(), [&](std::size_t i) {
     const auto k = static_cast<std::size_t>(which[i]);
-    if (moves.status[k] != MoveStatus::ok) return Jet{nan, nan, nan, nan};
-    const Motion now = moves.profiles[k].at(times[i]);
+    if (moves.status(k) != MoveStatus::ok) return Jet{nan, nan, nan, nan};
+    const Motion now = moves.profile(k).at(times[i]);
     return Jet{now.position, now.velocity, now.acceleration, now.jerk};
   });
 }
@@ -126,22 +146,22 @@ A move that does not exist has the duration NaN, and `moves[i]` raises MoveError
           "duration",
           [](const py::object& self) -> py::object {
             const auto& moves = self.cast<const Moves&>();
-            return view(moves.durations, self).attr("reshape")(moves.shape);
+            return view(moves.durations(), self).attr("reshape")(moves.shape());
           },
           "Durations, s; NaN where no move exists. A read-only view without a copy.")
       .def_property_readonly(
           "ok",
           [](const Moves& moves) {
-            py::array_t<bool> ok(moves.shape);
-            for (std::size_t i = 0; i < moves.status.size(); ++i)
-              ok.mutable_data()[i] = moves.status[i] == MoveStatus::ok;
+            py::array_t<bool> ok(moves.shape());
+            for (std::size_t i = 0; i < moves.size(); ++i)
+              ok.mutable_data()[i] = moves.status(i) == MoveStatus::ok;
             return ok;
           },
           "True where the move exists.")
       .def_property_readonly(
-          "shape", [](const Moves& moves) { return py::tuple(py::cast(moves.shape)); },
+          "shape", [](const Moves& moves) { return py::tuple(py::cast(moves.shape())); },
           "Shape of the arrays.")
-      .def("__len__", [](const Moves& moves) { return moves.shape.front(); })
+      .def("__len__", [](const Moves& moves) { return moves.shape().front(); })
       .def("__getitem__", element, "index"_a,
            "Returns one Move. Raises MoveError if it does not exist.")
       .def("at", motions_at, "t"_a,
@@ -149,9 +169,10 @@ A move that does not exist has the duration NaN, and `moves[i]` raises MoveError
 
 t is one number, or an array that is broadcast with the shape of the moves. NaN where no move exists.)")
       .def("__repr__", [](const Moves& moves) {
-        const auto ok = std::count(moves.status.begin(), moves.status.end(), MoveStatus::ok);
+        std::size_t ok = 0;
+             for (std::size_t i = 0; i < moves.size(); ++i) ok += moves.status(i) == MoveStatus::ok ? 1 : 0;
         return shown("Moves",
-                     {{"shape", py::cast<std::string>(py::repr(py::tuple(py::cast(moves.shape))))},
+                     {{"shape", py::cast<std::string>(py::repr(py::tuple(py::cast(moves.shape()))))},
                       {"exist", std::to_string(ok)}});
       });
   m.def("move_to", move, "start"_a, "target"_a, "bounds"_a, py::kw_only(),
@@ -160,7 +181,7 @@ t is one number, or an array that is broadcast with the shape of the moves. NaN 
 
 start, target: State, or a position (u) at rest. With `duration` (s), the move takes exactly this time. If all arguments
 are numbers, the result is a Move; MoveError is raised if no move exists. If any argument is an array, the arrays are
-broadcast and the result is Moves: one loop without the GIL.
+broadcast and the result is Moves: one loop without the GIL, on all cores if there are many.
 
 A start outside the bounds returns inside them. The target must be inside.)");
   m.def(

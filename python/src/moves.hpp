@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
+#include <functional>
+#include <memory>
+#include <span>
 
 #include "jounce/profiles/moves/move.hpp"
 
@@ -22,12 +24,37 @@ struct BoundsColumns {
 MotionState one(const StateColumns& state, const char* key);
 
 /// Many moves in one shape, with the status of each.
-struct Moves {
-  Broadcast::Shape shape;
-  std::vector<Profile> profiles;   ///< empty profiles where there is no move
-  std::vector<MoveStatus> status;  ///< ok where there is one
-  std::vector<double> durations;   ///< s; NaN where there is no move
+class Moves {
+ public:
+  explicit Moves(Broadcast::Shape shape, std::size_t size);
+
+  [[nodiscard]] const Broadcast::Shape& shape() const { return shape_; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  /// A profile, empty where there is no move; its status; the durations, s, NaN where there is no move.
+  [[nodiscard]] const Profile& profile(std::size_t i) const { return profiles_[i]; }
+  [[nodiscard]] MoveStatus status(std::size_t i) const { return status_[i]; }
+  [[nodiscard]] std::span<const double> durations() const { return {durations_.get(), size_}; }
+
+  /// Sets every move. Two calls for different moves may run in parallel.
+  void set(std::size_t i, MoveStatus status, const Profile& profile);
+
+ private:
+  struct Free {
+    void operator()(Profile* memory) const { ::operator delete(memory); }
+  };
+
+  Broadcast::Shape shape_;
+  std::size_t size_;
+  // Not initialized: the threads that set the moves touch their memory first.
+  std::unique_ptr<Profile, Free> memory_;
+  Profile* profiles_;
+  std::unique_ptr<MoveStatus[]> status_;
+  std::unique_ptr<double[]> durations_;
 };
+
+/// Calls body(first, last) for parts of `size` elements: in this thread if there are few, otherwise on all cores. Without
+/// the GIL.
+void in_parts(std::size_t size, const std::function<void(std::size_t, std::size_t)>& body);
 
 /// The word of a status: "too_short", ...
 const char* word(MoveStatus status);

@@ -24,34 +24,28 @@ using namespace py::literals;
 namespace {
 
 /// Plans the groups: the last axis of the shape is that of the machine's axes.
-Moves planned_groups(const Broadcast::Shape& shape, std::size_t size, const MoveReaders& readers,
-                     Sync sync, double minimum_duration, std::vector<Synchronised>& results) {
+Moves planned_groups(const Broadcast& all, const MoveReaders& readers, Sync sync, double minimum_duration,
+                     std::vector<Synchronised>& results) {
   const py::gil_scoped_release release;
-  const auto axes = static_cast<std::size_t>(shape.back());
-  Moves moves;
-  moves.shape = shape;
-  moves.profiles.resize(size);
-  moves.status.resize(size);
-  moves.durations.resize(size);
-  std::vector<AxisMove> group(axes);
-  for (std::size_t first = 0; first < size; first += axes) {
-    for (std::size_t k = 0; k < axes; ++k)
-      group[k] = {.from = readers.from(first + k),
-                  .to = readers.to(first + k),
-                  .bounds = readers.bounds(first + k),
-                  .goal = MoveGoal::state,
-                  .enabled = true,
-                  .under_way = nullptr};
-    const Synchronised result =
-        synchronise(group, sync, std::span(moves.profiles).subspan(first, axes), minimum_duration);
-    const bool ok = result.status == MoveStatus::ok;
-    for (std::size_t k = first; k < first + axes; ++k) {
-      moves.status[k] = result.status;
-      moves.durations[k] =
-          ok ? moves.profiles[k].duration() : std::numeric_limits<double>::quiet_NaN();
+  const auto axes = static_cast<std::size_t>(all.shape().back());
+  Moves moves(all.shape(), all.size());
+  if (axes == 0) return moves;
+  results.resize(all.size() / axes);
+  in_parts(results.size(), [&](std::size_t first, std::size_t last) {
+    std::vector<AxisMove> group(axes);
+    std::vector<Profile> profiles(axes);
+    for (std::size_t g = first; g < last; ++g) {
+      for (std::size_t k = 0; k < axes; ++k)
+        group[k] = {.from = readers.from(g * axes + k),
+                    .to = readers.to(g * axes + k),
+                    .bounds = readers.bounds(g * axes + k),
+                    .goal = MoveGoal::state,
+                    .enabled = true,
+                    .under_way = nullptr};
+      results[g] = synchronise(group, sync, profiles, minimum_duration);
+      for (std::size_t k = 0; k < axes; ++k) moves.set(g * axes + k, results[g].status, profiles[k]);
     }
-    results.push_back(result);
-  }
+  });
   return moves;
 }
 
@@ -64,8 +58,8 @@ Moves groups(const StateColumns& start, const StateColumns& target, const Bounds
     throw InputError("minimum_duration", minimum_duration, "must be >= 0");
   std::vector<Synchronised> results;
   const MoveReaders readers(all, start, target, bounds);
-  Moves moves = planned_groups(all.shape(), all.size(), readers, sync, minimum_duration, results);
-  if (moves.shape.size() == 1 && !results.empty() && results.front().status != MoveStatus::ok) {
+  Moves moves = planned_groups(all, readers, sync, minimum_duration, results);
+  if (moves.shape().size() == 1 && !results.empty() && results.front().status != MoveStatus::ok) {
     const Synchronised& result = results.front();
     raise_move_error(result.status,
                      "axis " + std::to_string(result.axis) + ": " +
