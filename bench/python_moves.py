@@ -4,8 +4,8 @@
 
     PYTHONPATH=build/release/python:PATH_OF_RUCKIG bench/python_moves.py
 
-Both plan the same jerk-limited moves of one axis, between random states. The durations are compared. Ruckig's module is
-optional. Best of three runs; that of Ruckig is run once."""
+Both plan the same jerk-limited moves of one axis: from rest to rest, and from random states. The durations are compared.
+Ruckig's module is optional. Wall time and processor time of all cores; best of three runs, one run of Ruckig."""
 import sys
 import time
 
@@ -19,22 +19,28 @@ except ImportError:
 
 count = int(sys.argv[1]) if len(sys.argv) > 1 else 1_000_000
 random = np.random.default_rng(1)
-start = jounce.State(random.uniform(-1, 1, count), random.uniform(-1, 1, count), random.uniform(-5, 5, count))
 target = random.uniform(-5, 5, count)
 axis = jounce.Bounds(velocity=2, acceleration=10, jerk=100)
+rest = jounce.State(np.zeros(count), np.zeros(count), np.zeros(count))
+moving = jounce.State(random.uniform(-1, 1, count), random.uniform(-1, 1, count), random.uniform(-5, 5, count))
 
 
 def best(work, times=3):
-    """The least duration of a call, s, and its result."""
-    seconds = []
+    """The least wall time and processor time of a call, s, and its result."""
+    wall, processor = [], []
     for _ in range(times):
-        begin = time.perf_counter()
+        begin = time.perf_counter(), time.process_time()
         result = work()
-        seconds.append(time.perf_counter() - begin)
-    return min(seconds), result
+        wall.append(time.perf_counter() - begin[0])
+        processor.append(time.process_time() - begin[1])
+    return min(wall), min(processor), result
 
 
-def in_a_loop():
+def show(what, wall, processor, number):
+    print(f"  {what:<44} {wall / number * 1e9:6.0f} ns wall, {processor / number * 1e9:6.0f} ns processor, each")
+
+
+def in_a_loop(start):
     """Ruckig's module, with what a user sets for each move."""
     otg, given, made = ruckig.Ruckig(1), ruckig.InputParameter(1), ruckig.Trajectory(1)
     given.max_velocity, given.max_acceleration, given.max_jerk = [2.0], [10.0], [100.0]
@@ -50,15 +56,18 @@ def in_a_loop():
     return np.array(durations)
 
 
-ours, moves = best(lambda: jounce.move_to(start, target, axis))
-print(f"jounce.move_to, {count} moves from arrays: {ours:.3f} s ({ours / count * 1e9:.0f} ns each)")
-single, _ = best(lambda: [jounce.move_to(0, x, axis) for x in target[:10000].tolist()])
-print(f"jounce.move_to, one call for each move: {single / min(count, 10000) * 1e9:.0f} ns each")
-seconds, _ = best(lambda: jounce.minimum_durations(target, velocity=2, acceleration=10, jerk=100))
-print(f"jounce.minimum_durations, {count} moves at rest: {seconds:.3f} s ({seconds / count * 1e9:.0f} ns each)")
-if ruckig is None:
-    print("Ruckig's module is not installed")
-else:
-    theirs, durations = best(in_a_loop, times=1)
-    print(f"ruckig.calculate, one call for each move: {theirs:.3f} s ({theirs / count * 1e9:.0f} ns each)")
-    print(f"ratio {theirs / ours:.1f}; greatest difference of the durations {np.abs(durations - moves.duration).max():.1e} s")
+for name, start in (("from rest to rest", rest), ("from random states", moving)):
+    print(f"{count} moves {name}")
+    wall, processor, moves = best(lambda: jounce.move_to(start, target, axis))
+    show("jounce.move_to, one call for all", wall, processor, count)
+    if ruckig is None:
+        print("  Ruckig's module is not installed")
+        continue
+    their_wall, their_processor, durations = best(lambda: in_a_loop(start), times=1)
+    show("ruckig.calculate, one call for each", their_wall, their_processor, count)
+    error = np.abs(durations - moves.duration).max()
+    print(f"  ratio {their_wall / wall:.1f} wall, {their_processor / processor:.1f} processor; durations agree to {error:.1e} s")
+few = target[:10000].tolist()
+show("jounce.move_to, one call for each", *best(lambda: [jounce.move_to(0, x, axis) for x in few])[:2], len(few))
+show("jounce.minimum_durations, one call for all",
+     *best(lambda: jounce.minimum_durations(target, velocity=2, acceleration=10, jerk=100))[:2], count)

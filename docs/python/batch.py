@@ -23,3 +23,7 @@ plt.hist(best, bins=100, alpha=0.7, label="best order")
 plt.xlabel("duration [s]")
 plt.legend()
 plt.savefig("batch.png")
+
+# Output:
+#   999996 routes; the best order saves 18.5% on average
+#   first tray: Moves(shape=(3,), exist=3) duration 1.457 s

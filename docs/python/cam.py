@@ -23,3 +23,9 @@ plt.xlabel("master [deg]")
 plt.ylabel("geo_acceleration [mm/deg^2]")
 plt.legend()
 plt.savefig("cam.png")
+
+# Output:
+#   modified_sine: Cv 1.7596, Ca 5.5280
+#     2.49 m/s^2 at 15.0 deg
+#   345: Cv 1.8750, Ca 5.7735
+#     2.60 m/s^2 at 25.4 deg

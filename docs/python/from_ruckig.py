@@ -24,3 +24,10 @@ plt.plot([(i + 1) * cycle for i in range(len(rows))], rows)
 plt.xlabel("time [s]")
 plt.legend(["axis 0", "axis 1", "axis 2"])
 plt.savefig("from_ruckig.png")
+
+# Output:
+#   duration 3.4387 s
+#   1.000	0.656	-1.194	-0.097
+#   2.000	3.301	-1.510	-0.943
+#   3.000	4.944	-1.817	-2.602
+#   344 cycles

@@ -40,3 +40,8 @@ plt.plot([float(row[1]) for row in rows], [float(row[5]) for row in rows])
 plt.xlabel("time [s]")
 plt.ylabel("position [mm]")
 plt.savefig("stream.png")
+
+# Output:
+#   standstill 20.000 mm
+#   standstill 70.000 mm
+#   refused axis

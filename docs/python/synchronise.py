@@ -14,3 +14,8 @@ plt.xlabel("x [m]")
 plt.ylabel("y [m]")
 plt.legend()
 plt.savefig("synchronise.png")
+
+# Output:
+#   phase  x 0.8000 s, y 0.8000 s
+#   time   x 0.8000 s, y 0.8000 s
+#   none   x 0.8000 s, y 0.6000 s

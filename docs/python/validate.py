@@ -19,3 +19,8 @@ error.plot(signals["time"], signals["following_error"])
 error.set_ylabel("following error [pulse]")
 error.set_xlabel("time [s]")
 plt.savefig("validate.png")
+
+# Output:
+#   proven
+#   witness agrees to 1e-11: True
+#   peak torque 0.100 N m

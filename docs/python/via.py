@@ -18,3 +18,8 @@ plt.plot(*points.T, "o")
 plt.xlabel("x [m]")
 plt.ylabel("y [m]")
 plt.savefig("via.png")
+
+# Output:
+#   2.808 s; with a stop at each point 3.200 s
+#   all limits hold
+#   all limits hold

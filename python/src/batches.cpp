@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many moves at once: one loop in C++, without the GIL.
 #include <limits>
-#include <type_traits>
 #include <optional>
+#include <type_traits>
 
 #include <pybind11/stl.h>
 
@@ -34,13 +34,15 @@ Moves::Moves(Broadcast::Shape shape, std::size_t size)
 void Moves::set(std::size_t i, MoveStatus status, const Profile& profile) {
   std::construct_at(profiles_ + i, profile);
   status_[i] = status;
-  durations_[i] = status == MoveStatus::ok ? profile.duration() : std::numeric_limits<double>::quiet_NaN();
+  durations_[i] =
+      status == MoveStatus::ok ? profile.duration() : std::numeric_limits<double>::quiet_NaN();
 }
 
 void in_parts(std::size_t size, const std::function<void(std::size_t, std::size_t)>& body) {
   constexpr std::size_t part = 16384;
   if (size <= 2 * part) return body(0, size);
-  on_all_cores((size + part - 1) / part, [&](std::size_t k) { body(k * part, std::min(size, (k + 1) * part)); });
+  on_all_cores((size + part - 1) / part,
+               [&](std::size_t k) { body(k * part, std::min(size, (k + 1) * part)); });
 }
 
 namespace {
@@ -51,8 +53,9 @@ Moves many(Broadcast& all, const MoveReaders& readers, const std::optional<Colum
   Moves moves(all.shape(), all.size());
   in_parts(all.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const MoveResult move = duration ? move_to(readers.from(i), readers.to(i), readers.bounds(i), wanted[i])
-                                       : move_to(readers.from(i), readers.to(i), readers.bounds(i));
+      const MoveResult move =
+          duration ? move_to(readers.from(i), readers.to(i), readers.bounds(i), wanted[i])
+                   : move_to(readers.from(i), readers.to(i), readers.bounds(i));
       moves.set(i, move.status, move.profile);
     }
   });
@@ -170,16 +173,19 @@ A move that does not exist has the duration NaN, and `moves[i]` raises MoveError
 t is one number, or an array that is broadcast with the shape of the moves. NaN where no move exists.)")
       .def("__repr__", [](const Moves& moves) {
         std::size_t ok = 0;
-             for (std::size_t i = 0; i < moves.size(); ++i) ok += moves.status(i) == MoveStatus::ok ? 1 : 0;
-        return shown("Moves",
-                     {{"shape", py::cast<std::string>(py::repr(py::tuple(py::cast(moves.shape()))))},
-                      {"exist", std::to_string(ok)}});
+        for (std::size_t i = 0; i < moves.size(); ++i)
+          ok += moves.status(i) == MoveStatus::ok ? 1 : 0;
+        return shown(
+            "Moves",
+            {{"shape", py::cast<std::string>(py::repr(py::tuple(py::cast(moves.shape()))))},
+             {"exist", std::to_string(ok)}});
       });
   m.def("move_to", move, "start"_a, "target"_a, "bounds"_a, py::kw_only(),
         "duration"_a = py::none(),
         R"(Returns the time-optimal move between two states that keeps the bounds.
 
-start, target: State, or a position (u) at rest. With `duration` (s), the move takes exactly this time. If all arguments
+start, target: State, or a position (u) at rest. With `duration` (s), the move takes exactly this time. If all
+arguments
 are numbers, the result is a Move; MoveError is raised if no move exists. If any argument is an array, the arrays are
 broadcast and the result is Moves: one loop without the GIL, on all cores if there are many.
 
@@ -189,7 +195,8 @@ A start outside the bounds returns inside them. The target must be inside.)");
       "acceleration"_a, "jerk"_a = Bounds::none, "entry"_a = 0.0, "exit"_a = 0.0,
       R"(Returns the least durations (s) of moves over distances (u), by vector instructions, without the GIL.
 
-Each argument is a number or an array. entry, exit: velocities at the ends (u/s); the acceleration is 0 there. NaN where
+Each argument is a number or an array. entry, exit: velocities at the ends (u/s); the acceleration is 0 there.
+NaN where
 no move exists. Agrees with move_to() to 12 digits.)");
 }
 

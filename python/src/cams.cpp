@@ -48,7 +48,8 @@ std::vector<std::string> law_names() {
 void bind_inputs(py::module_& m) {
   py::class_<CamKnot>(m, "CamKnot", R"(The joint of two segments of a cam, or one of its ends.
 
-u is the slave's unit, m the master's. An omitted derivative follows from the adjacent laws; if they leave it free, it is
+u is the slave's unit, m the master's. An omitted derivative follows from the adjacent laws; if they leave it
+free, it is
 zero.)")
       .def(py::init([](double master, double slave, Number geo_velocity, Number geo_acceleration) {
              return CamKnot{master, slave, geo_velocity, geo_acceleration};
@@ -85,7 +86,8 @@ It begins at the end of the previous segment. laws() lists the laws.)")
           "points"_a = std::vector<CamPoint>{},
           R"(law: "quintic", "modified_sine", "dwell", "line", ... master (m), slave (u): the end of the segment.
 
-inflection, straight, shares: shape parameters of some laws. Raises InputError for an unknown law, with the nearest name.)")
+inflection, straight, shares: shape parameters of some laws. Raises InputError for an unknown law, with the
+nearest name.)")
       .def_property_readonly(
           "law", [](const CamSegment& s) { return name(s.law); }, "Word of the law.")
       .def_readonly("end", &CamSegment::end, "Knot at its end.")

@@ -112,9 +112,12 @@ void bind_convert(py::module_& m) {
       "periodic"_a = false,
       R"(Converts a table to a format, other knots, another interpolation or other units, and states the loss.
 
-source: a Design, a Table, or the path of a file. output: path to write; empty: none. to: "csv", "json", "points" or a name
-of formats(); empty: by the ending of output. rule: "linear", "cubic_hermite" or "quintic_hermite". controller, tolerance,
-velocity_tolerance, most: new knots, as few as possible; a tolerance is a number (u) or a text with a unit, such as "1 um".
+source: a Design, a Table, or the path of a file. output: path to write; empty: none. to: "csv", "json",
+"points" or a name
+of formats(); empty: by the ending of output. rule: "linear", "cubic_hermite" or "quintic_hermite". controller,
+tolerance,
+velocity_tolerance, most: new knots, as few as possible; a tolerance is a number (u) or a text with a unit,
+such as "1 um".
 intervals: new equal intervals. x_unit, position_unit: units of the result, or units that the file does not state.
 periodic: the motion repeats, although the file does not state it.)");
   m.def(

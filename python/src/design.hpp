@@ -31,7 +31,7 @@ py::object from_json(const std::string& text);
 /// Observes long work that runs without the GIL: it calls a function of Python, and detects Ctrl-C.
 ///
 ///     Watch watch(callback);
-///     { py::gil_scoped_release release; work([&](double done, const std::string& step) { return watch(done, step); }); }
+///     { py::gil_scoped_release release; work(std::ref(watch)); }
 ///     watch.rethrow();
 class Watch {
  public:

@@ -165,7 +165,8 @@ continuity: highest derivative that must be continuous, 0 to 3. limits: Limits i
           "figures", figures_of, "names"_a = std::vector<std::string>{}, release,
           R"(Returns the key figures as a list of KeyFigure: peaks, rms values, duration, figures of the drive.
 
-names: only these. A drive is simulated if one of its figures is requested, or all are. Raises InputError for a table.)")
+names: only these. A drive is simulated if one of its figures is requested, or all are. Raises InputError for a
+table.)")
       .def(
           "over_time",
           [](const Design& d) {
@@ -208,7 +209,8 @@ void bind_designs(py::module_& m) {
       R"(Reads a spec, a table, or a table in the format of a controller, and returns its Design.
 
 axis: for a file with several axes, the name of one. machine: for a G-code program, the path spec of the machine.
-decimal_comma: reads 0,5 as 0.5 in a controller's table. Raises InputError with file, line, column, key, value and rule.)");
+decimal_comma: reads 0,5 as 0.5 in a controller's table. Raises InputError with file, line, column, key, value
+and rule.)");
   m.def(
       "load_axes",
       [](const py::object& path, const std::string& machine, bool decimal_comma) {

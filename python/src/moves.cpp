@@ -144,7 +144,8 @@ void bind_bounds(py::module_& m) {
                             R"(Bounds of a move: numbers, or arrays with one value for each move.
 
 A bound of a rate is a magnitude for both directions: u/s, u/s^2, u/s^3. With `velocity_min`, `acceleration_min` and
-`jerk_min` (< 0), the negative direction has its own. An omitted bound does not apply: without a jerk, the acceleration
+`jerk_min` (< 0), the negative direction has its own. An omitted bound does not apply: without a jerk, the
+acceleration
 steps; without an acceleration, the velocity steps. Positions are in u.)")
       .def(py::init(&made_bounds), "velocity"_a = Bounds::none, "acceleration"_a = Bounds::none,
            "jerk"_a = Bounds::none, py::kw_only(), "velocity_min"_a = py::none(),

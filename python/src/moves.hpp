@@ -52,8 +52,7 @@ class Moves {
   std::unique_ptr<double[]> durations_;
 };
 
-/// Calls body(first, last) for parts of `size` elements: in this thread if there are few, otherwise on all cores. Without
-/// the GIL.
+/// Calls body(first, last) for parts of `size` elements, without the GIL. Many elements are divided among all cores.
 void in_parts(std::size_t size, const std::function<void(std::size_t, std::size_t)>& body);
 
 /// The word of a status: "too_short", ...

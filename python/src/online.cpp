@@ -167,7 +167,8 @@ Arguments are numbers for all axes, or arrays with one value for each axis. One 
       .def("set_state", &Online::set_state, "state"_a, "Sets the present state: u, u/s, u/s^2.")
       .def(
           "set_target", &Online::set_target, "target"_a, py::kw_only(), "goal"_a = "state",
-          R"(Sets the target: a position at rest (u), or a State. With goal="moving", the target keeps its velocity.)")
+          R"(Sets the target: a position at rest (u), or a State. With goal="moving", the target keeps its
+velocity.)")
       .def("set_velocity", &Online::set_velocity, "velocity"_a,
            "Sets a velocity (u/s) as the goal, at any position.")
       .def("set_enabled", &Online::set_enabled, "axis"_a, "enabled"_a,

@@ -96,7 +96,9 @@ void bind_optimum(py::module_& m) {
           R"("optimal", "converged", "stalled", "cancelled" or "infeasible".)")
       .def(
           "write",
-          [](const Improvement& o, const std::filesystem::path& path) { write_file(path.string(), usable_spec(o)); },
+          [](const Improvement& o, const std::filesystem::path& path) {
+            write_file(path.string(), usable_spec(o));
+          },
           "path"_a, "Writes the optimized spec. Raises InputError if the result is not usable.")
       .def("__str__", [](const Improvement& o) { return o.text; })
       .def("__repr__", [](const Improvement& o) {
@@ -108,7 +110,8 @@ void bind_optimum(py::module_& m) {
         "seconds"_a = py::none(), "against"_a = py::none(),
         R"(Optimizes everything that a spec leaves free, within its limits, and returns an Optimum.
 
-spec: a Design, or the path of a spec. progress: called with (done, step), the share of the work from 0 to 1 and the name
+spec: a Design, or the path of a spec. progress: called with (done, step), the share of the work from 0 to 1
+and the name
 of the step; if it returns False, the optimizer stops with the best result so far. Ctrl-C raises KeyboardInterrupt.
 seconds: stop after this time. against: path of the spec of a drive, for free shapes. The GIL is released.)");
 }

@@ -94,9 +94,11 @@ void bind_proof(py::module_& m) {
   m.def(
       "validate", validate, "source"_a, py::kw_only(), "log"_a = "", "samples"_a = 0,
       "progress"_a = py::none(),
-      R"(Proves a motion: integrates its curve and its table, and simulates the [drive] and the [follower] of the spec.
+      R"(Proves a motion: integrates its curve and its table, and simulates the [drive] and the [follower] of
+the spec.
 
-source: a Design, a Table, or the path of a file. log: path of the tick log of an executor, to compare. samples: number of
+source: a Design, a Table, or the path of a file. log: path of the tick log of an executor, to compare.
+samples: number of
 samples of the drive's signals. progress: called with (done, step) while tolerances are computed; if it returns False,
 InputError is raised. The GIL is released.)");
 }

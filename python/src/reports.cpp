@@ -165,7 +165,8 @@ void bind_findings(py::module_& m) {
   py::class_<NamedReport>(m, "Report",
                           R"(Result of a check: a sequence of findings, the broken ones first.
 
-A check raises no exception for a broken limit. A report is true if no finding is broken, like `ok`. `print(report)` prints the findings as `jounce check` does.)")
+A check raises no exception for a broken limit. A report is true if no finding is broken, like `ok`.
+`print(report)` prints the findings as `jounce check` does.)")
       .def_property_readonly(
           "ok", [](const NamedReport& r) { return r.report.ok(); }, "True if no finding is broken.")
       .def_property_readonly("findings", &NamedReport::findings,

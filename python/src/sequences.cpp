@@ -24,8 +24,8 @@ using namespace py::literals;
 namespace {
 
 /// Plans the groups: the last axis of the shape is that of the machine's axes.
-Moves planned_groups(const Broadcast& all, const MoveReaders& readers, Sync sync, double minimum_duration,
-                     std::vector<Synchronised>& results) {
+Moves planned_groups(const Broadcast& all, const MoveReaders& readers, Sync sync,
+                     double minimum_duration, std::vector<Synchronised>& results) {
   const py::gil_scoped_release release;
   const auto axes = static_cast<std::size_t>(all.shape().back());
   Moves moves(all.shape(), all.size());
@@ -43,7 +43,8 @@ Moves planned_groups(const Broadcast& all, const MoveReaders& readers, Sync sync
                     .enabled = true,
                     .under_way = nullptr};
       results[g] = synchronise(group, sync, profiles, minimum_duration);
-      for (std::size_t k = 0; k < axes; ++k) moves.set(g * axes + k, results[g].status, profiles[k]);
+      for (std::size_t k = 0; k < axes; ++k)
+        moves.set(g * axes + k, results[g].status, profiles[k]);
     }
   });
   return moves;
@@ -149,7 +150,8 @@ void bind_via(py::module_& m) {
       "end_velocity"_a = py::none(), "norm"_a = Limits{},
       R"(Plans a motion through points without a stop at them, within the bounds of each axis.
 
-points (u): a row for each point, a column for each axis. bounds: one for all axes, or arrays with a value for each axis.
+points (u): a row for each point, a column for each axis. bounds: one for all axes, or arrays with a value for
+each axis.
 The velocities at the ends (u/s) are 0 by default. `norm` limits the length of the vector of all axes. Several axes: a
 local optimum, never longer than with stops. Raises InputError if no such motion was found.)");
 }
@@ -265,12 +267,15 @@ void bind_sequences(py::module_& m) {
       "sync"_a = Sync::time, "minimum_duration"_a = 0.0,
       R"(Plans moves of several axes that belong together. The last axis of the arrays is that of the machine's axes.
 
-start, target: positions at rest (u), or State, with arrays of the shape (axes,) for one group of axes, or (..., axes) for
+start, target: positions at rest (u), or State, with arrays of the shape (axes,) for one group of axes, or
+(..., axes) for
 many groups, which are planned in one loop without the GIL. `sync`: "time" (all arrive at the same instant), "phase"
-(and stay on a straight line), "none", "time_if_moving" or "phase_or_time". Every duration is at least `minimum_duration`
+(and stay on a straight line), "none", "time_if_moving" or "phase_or_time". Every duration is at least
+`minimum_duration`
 (s).
 
-Returns Moves of that shape. For one group, MoveError is raised if there is no common motion; for many, its durations are
+Returns Moves of that shape. For one group, MoveError is raised if there is no common motion; for many, its
+durations are
 NaN.)");
   bind_via(m);
   bind_commands(m);

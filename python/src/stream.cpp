@@ -300,7 +300,8 @@ Every call releases the GIL. Several threads may use a client: one call at a tim
   c.def(
        py::init<std::string, std::string, const std::string&, double>(), "axis"_a, py::kw_only(),
        "url"_a = "udpm://239.255.76.67:7667", "key"_a = "", "patience"_a = 2.0,
-       R"(axis: its name. url: "udpm://GROUP:PORT" is LCM multicast on this machine, "?ttl=1" on its network; "unix://FOLDER"
+       R"(axis: its name. url: "udpm://GROUP:PORT" is LCM multicast on this machine, "?ttl=1" on its network;
+"unix://FOLDER"
 needs no network. key: file with the key of the executor. patience: greatest duration of a call, s.)")
       .def_property_readonly("axis", &AxisClient::axis, "Name of the axis.")
       .def_property_readonly("url", &AxisClient::url, "Address of the executor.")
@@ -324,8 +325,10 @@ Keeps the session alive. Raises AxisError after `timeout` s. Ctrl-C raises Keybo
           "live"_a = false, "wait"_a = true, "timeout"_a = 60.0, "progress"_a = py::none(),
           R"(Sends the tables of a motion; the axis starts when they have arrived and their hashes match.
 
-source: a Design, a Table in s, or the path of a file. master: for a cam table, a Table of its master over time. live: the
-cam follows the live master of the axis. wait: returns when the motion has begun, otherwise when the start is accepted.
+source: a Design, a Table in s, or the path of a file. master: for a cam table, a Table of its master over
+time. live: the
+cam follows the live master of the axis. wait: returns when the motion has begun, otherwise when the start is
+accepted.
 progress: called with (done, stage); if it returns False, or after Ctrl-C, the axis stops.)")
       .def("__repr__", [](const AxisClient& k) {
         return shown("Client", {{"axis", "'" + k.axis() + "'"}, {"url", "'" + k.url() + "'"}});

@@ -117,7 +117,8 @@ quintic ("quintic_hermite", PVA or XYVA).)")
           py::init(&made_table), "x"_a, "position"_a, "velocity"_a = py::none(),
           "acceleration"_a = py::none(), py::kw_only(), "domain"_a = Domain::time,
           "outside"_a = Extrapolation::hold, "x_unit"_a = "", "position_unit"_a = "",
-          R"(x: time (s), or master position with domain="master". velocity, acceleration: derivatives with respect to x.
+          R"(x: time (s), or master position with domain="master". velocity, acceleration: derivatives with
+respect to x.
 
 `outside` is "refuse", "hold", "wrap" or "advance". Raises InputError for columns that do not make a table.)")
       .def_property_readonly(
@@ -171,14 +172,19 @@ quintic ("quintic_hermite", PVA or XYVA).)")
           [](const NamedTable& t, const std::string& format) { return text_of(t.file, format); },
           "format"_a = "csv", R"(Returns the content of a table file: "csv" or "json".)")
       .def(
-          "write", [](const NamedTable& t, const std::filesystem::path& path) { write_table(path.string(), t.file); },
+          "write",
+          [](const NamedTable& t, const std::filesystem::path& path) {
+            write_table(path.string(), t.file);
+          },
           "path"_a,
           R"(Writes a table file: JSON if the path ends in ".json", otherwise CSV. The whole file or nothing.
 
 Raises InputError if a unit is missing, and OSError.)")
       .def("__repr__", table_repr);
   m.def(
-      "read_table", [](const std::filesystem::path& path) { return NamedTable{read_table(path.string())}; }, "path"_a,
+      "read_table",
+      [](const std::filesystem::path& path) { return NamedTable{read_table(path.string())}; },
+      "path"_a,
       "Reads a table file of Jounce, CSV or JSON. Raises InputError with its place for a wrong "
       "file.");
   m.def(
@@ -247,8 +253,10 @@ By default the knots are the breaks. `tolerance` (u): as few equal intervals in 
           "position_unit"_a = "", py::call_guard<py::gil_scoped_release>(),
           R"(Returns the table with the fewest knots that a controller can hold, with its certified error.
 
-`tolerance` (u), `velocity_tolerance`: permitted errors. `most`: number of knots; without a tolerance, the table with the
-smallest error. `spacing`: least distance of knots. `x_step`, `p_step`, `v_step`: knots at multiples of these, such as 1
+`tolerance` (u), `velocity_tolerance`: permitted errors. `most`: number of knots; without a tolerance, the
+table with the
+smallest error. `spacing`: least distance of knots. `x_step`, `p_step`, `v_step`: knots at multiples of these,
+such as 1
 ms or 1 pulse; 0: anywhere.)");
 }
 

@@ -62,7 +62,7 @@ class Stream(unittest.TestCase):
 
     def test_no_answer(self) -> None:
         with self.assertRaises(jounce.AxisError) as caught:
-            jounce.Client("nobody", url=self.url, patience=0.3).enable()
+            jounce.Client("absent", url=self.url, patience=0.3).enable()
         self.assertEqual(caught.exception.error, "no_answer")
         with self.assertRaises(jounce.InputError):
             jounce.Client("no name", url=self.url)
