@@ -2,12 +2,10 @@
 // Many moves at once: one loop in C++, without the GIL.
 #include <limits>
 #include <optional>
-#include <type_traits>
 
 #include <pybind11/stl.h>
 
 #include "jounce/base/parallel.hpp"
-#include "jounce/profiles/detail/large_pages.hpp"
 #include "jounce/profiles/moves/batch.hpp"
 #include "jounce/profiles/moves/explain.hpp"
 
@@ -20,22 +18,16 @@ namespace jounce::python {
 
 using namespace py::literals;
 
-Moves::Moves(Broadcast::Shape shape, std::size_t size)
+Moves::Moves(Broadcast::Shape shape, std::size_t size, ProfileOf profile)
     : shape_(std::move(shape)),
       size_(size),
-      memory_(static_cast<Profile*>(::operator new(size * sizeof(Profile)))),
-      profiles_(memory_.get()),
+      profile_(std::move(profile)),
       status_(std::make_unique_for_overwrite<MoveStatus[]>(size)),
-      durations_(std::make_unique_for_overwrite<double[]>(size)) {
-  static_assert(std::is_trivially_destructible_v<Profile>);
-  profiles_detail::prefer_large_pages(profiles_, size * sizeof(Profile));
-}
+      durations_(std::make_unique_for_overwrite<double[]>(size)) {}
 
-void Moves::set(std::size_t i, MoveStatus status, const Profile& profile) {
-  std::construct_at(profiles_ + i, profile);
+void Moves::set(std::size_t i, MoveStatus status, double duration) {
   status_[i] = status;
-  durations_[i] =
-      status == MoveStatus::ok ? profile.duration() : std::numeric_limits<double>::quiet_NaN();
+  durations_[i] = status == MoveStatus::ok ? duration : std::numeric_limits<double>::quiet_NaN();
 }
 
 void in_parts(std::size_t size, const std::function<void(std::size_t, std::size_t)>& body) {
@@ -47,16 +39,43 @@ void in_parts(std::size_t size, const std::function<void(std::size_t, std::size_
 
 namespace {
 
+/// The arguments of many moves, as copies: the caller may change its arrays. A profile is solved again when it is used,
+/// which takes less time than to store all of them.
+class MoveInputs {
+ public:
+  MoveInputs(MoveReaders readers, std::optional<Reader> duration, std::size_t size)
+      : readers_(readers), duration_(duration) {
+    for (Reader* reader : readers_.all()) keep(*reader, size);
+    if (duration_) keep(*duration_, size);
+  }
+
+  [[nodiscard]] MoveResult move(std::size_t i) const {
+    return duration_
+               ? move_to(readers_.from(i), readers_.to(i), readers_.bounds(i), (*duration_)[i])
+               : move_to(readers_.from(i), readers_.to(i), readers_.bounds(i));
+  }
+
+ private:
+  void keep(Reader& reader, std::size_t size) {
+    const std::size_t count = reader.step == 0 ? 1 : size;
+    kept_.emplace_back(reader.data, reader.data + count);
+    reader.data = kept_.back().data();
+  }
+
+  std::vector<std::vector<double>> kept_;
+  MoveReaders readers_;
+  std::optional<Reader> duration_;
+};
+
 Moves many(Broadcast& all, const MoveReaders& readers, const std::optional<Column>& duration) {
-  const Reader wanted = duration ? all.read(*duration) : Reader{};
+  const auto wanted = duration ? std::optional(all.read(*duration)) : std::nullopt;
   const py::gil_scoped_release release;
-  Moves moves(all.shape(), all.size());
+  const auto inputs = std::make_shared<const MoveInputs>(readers, wanted, all.size());
+  Moves moves(all.shape(), all.size(), [inputs](std::size_t i) { return inputs->move(i).profile; });
   in_parts(all.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const MoveResult move =
-          duration ? move_to(readers.from(i), readers.to(i), readers.bounds(i), wanted[i])
-                   : move_to(readers.from(i), readers.to(i), readers.bounds(i));
-      moves.set(i, move.status, move.profile);
+      const MoveResult move = inputs->move(i);
+      moves.set(i, move.status, move.profile.duration());
     }
   });
   return moves;
@@ -144,7 +163,8 @@ py::object least_durations(const Column& distance, const Column& velocity,
 void bind_batches(py::module_& m) {
   py::class_<Moves>(m, "Moves", R"(Many moves, in the shape of the arrays from which they were made.
 
-A move that does not exist has the duration NaN, and `moves[i]` raises MoveError. 200 bytes for each move.)")
+A move that does not exist has the duration NaN, and `moves[i]` raises MoveError. A
+profile is solved again when it is used, so that many moves need little memory.)")
       .def_property_readonly(
           "duration",
           [](const py::object& self) -> py::object {

@@ -26,28 +26,25 @@ MotionState one(const StateColumns& state, const char* key);
 /// Many moves in one shape, with the status of each.
 class Moves {
  public:
-  explicit Moves(Broadcast::Shape shape, std::size_t size);
+  /// Returns the profile of a move, empty where there is none. Several threads may call it.
+  using ProfileOf = std::function<Profile(std::size_t)>;
+
+  Moves(Broadcast::Shape shape, std::size_t size, ProfileOf profile);
 
   [[nodiscard]] const Broadcast::Shape& shape() const { return shape_; }
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// A profile, empty where there is no move; its status; the durations, s, NaN where there is no move.
-  [[nodiscard]] const Profile& profile(std::size_t i) const { return profiles_[i]; }
+  [[nodiscard]] Profile profile(std::size_t i) const { return profile_(i); }
   [[nodiscard]] MoveStatus status(std::size_t i) const { return status_[i]; }
+  /// s; NaN where there is no move.
   [[nodiscard]] std::span<const double> durations() const { return {durations_.get(), size_}; }
 
-  /// Sets every move. Two calls for different moves may run in parallel.
-  void set(std::size_t i, MoveStatus status, const Profile& profile);
+  /// Sets status and duration of a move. Two calls for different moves may run in parallel.
+  void set(std::size_t i, MoveStatus status, double duration);
 
  private:
-  struct Free {
-    void operator()(Profile* memory) const { ::operator delete(memory); }
-  };
-
   Broadcast::Shape shape_;
   std::size_t size_;
-  // Not initialized: the threads that set the moves touch their memory first.
-  std::unique_ptr<Profile, Free> memory_;
-  Profile* profiles_;
+  ProfileOf profile_;
   std::unique_ptr<MoveStatus[]> status_;
   std::unique_ptr<double[]> durations_;
 };

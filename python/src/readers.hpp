@@ -29,6 +29,11 @@ struct MoveReaders {
         position_min(all.read(b.position_min)),
         position_max(all.read(b.position_max)) {}
 
+  [[nodiscard]] std::array<Reader*, 14> all() {
+    return {&position,        &velocity,     &acceleration, &to_position,      &to_velocity,
+            &to_acceleration, &velocity_min, &velocity_max, &acceleration_min, &acceleration_max,
+            &jerk_min,        &jerk_max,     &position_min, &position_max};
+  }
   [[nodiscard]] MotionState from(std::size_t i) const {
     return {position[i], velocity[i], acceleration[i]};
   }

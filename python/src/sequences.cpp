@@ -28,12 +28,12 @@ Moves planned_groups(const Broadcast& all, const MoveReaders& readers, Sync sync
                      double minimum_duration, std::vector<Synchronised>& results) {
   const py::gil_scoped_release release;
   const auto axes = static_cast<std::size_t>(all.shape().back());
-  Moves moves(all.shape(), all.size());
+  const auto profiles = std::make_shared<std::vector<Profile>>(all.size());
+  Moves moves(all.shape(), all.size(), [profiles](std::size_t i) { return (*profiles)[i]; });
   if (axes == 0) return moves;
   results.resize(all.size() / axes);
   in_parts(results.size(), [&](std::size_t first, std::size_t last) {
     std::vector<AxisMove> group(axes);
-    std::vector<Profile> profiles(axes);
     for (std::size_t g = first; g < last; ++g) {
       for (std::size_t k = 0; k < axes; ++k)
         group[k] = {.from = readers.from(g * axes + k),
@@ -42,9 +42,10 @@ Moves planned_groups(const Broadcast& all, const MoveReaders& readers, Sync sync
                     .goal = MoveGoal::state,
                     .enabled = true,
                     .under_way = nullptr};
-      results[g] = synchronise(group, sync, profiles, minimum_duration);
-      for (std::size_t k = 0; k < axes; ++k)
-        moves.set(g * axes + k, results[g].status, profiles[k]);
+      results[g] =
+          synchronise(group, sync, std::span(*profiles).subspan(g * axes, axes), minimum_duration);
+      for (std::size_t k = g * axes; k < (g + 1) * axes; ++k)
+        moves.set(k, results[g].status, (*profiles)[k].duration());
     }
   });
   return moves;
