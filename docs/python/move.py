@@ -8,7 +8,7 @@ move = jounce.move_to(0, 1, axis)
 print(move)
 print(move.check(axis.limits))
 t, motion = move.sample(0.001)
-figure, plots = plt.subplots(4, sharex=True)
+figure, plots = plt.subplots(4, sharex=True, layout="constrained")
 for plot, name, unit in zip(plots, motion._fields, ("m", "m/s", "m/s²", "m/s³")):
     plot.plot(t, getattr(motion, name))
     plot.set_ylabel(f"{name}\n[{unit}]")
