@@ -34,10 +34,17 @@ struct ConvertArguments {
   bool json = false;
 };
 
+std::optional<Interpolation> wanted_rule(const ConvertArguments& options) {
+  for (const Interpolation rule :
+       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
+    if (options.rule == name(rule)) return rule;
+  return std::nullopt;
+}
+
 Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
                          const Input& input) {
   Conversion wanted{
-      .rule = rule_for(form, options.rule, options.target.controller, input.table.table),
+      .rule = rule_for(form, wanted_rule(options), options.target.controller, input.table.table),
       .intervals = options.intervals,
       .units = {options.master_unit, options.position_unit},
       .periodic = options.periodic,

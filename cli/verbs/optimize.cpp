@@ -9,9 +9,9 @@
 #include "jounce/design/input.hpp"
 #include "jounce/plot/optimum_figure.hpp"
 #include "jounce/study/optimum.hpp"
-#include "jounce/study/tune.hpp"
 
 #include "cli/common/json.hpp"
+#include "cli/common/option_names.hpp"
 #include "cli/common/outputs.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
@@ -28,14 +28,6 @@ struct OptimizeArguments {
   bool json = false;
   std::optional<double> seconds = {};  ///< instead of the time budget of the spec
 };
-
-void give_budget(Spec& spec, double seconds) {
-  require_positive("--seconds", seconds);
-  if (spec.parameters)
-    spec.parameters->options.budget.seconds = seconds;
-  else
-    spec.optimize.seconds = seconds;
-}
 
 SpecOptimum optimum(const OptimizeArguments& options, const Spec& spec) {
   std::optional<Spec> drive;
@@ -86,9 +78,7 @@ int run_optimize(const OptimizeArguments& options) {
   for (const std::string& output : {options.table, options.plot})
     require_other_file(options.spec, output);
   Spec spec = read_spec(options.spec);
-  if (std::holds_alternative<PathSpec>(spec.subject) && !spec.parameters)
-    spec.parameters = corner_parameters(spec);
-  if (options.seconds) give_budget(spec, *options.seconds);
+  with_option_names({"seconds"}, [&] { prepare_optimum(spec, options.seconds); });
   if (!options.plot.empty() && spec.parts().size() > 1)
     throw InputError("--plot", options.plot,
                      "compares one axis, but this spec has several: draw them with `jounce plot`");

@@ -221,6 +221,14 @@ TableForm table_form(const std::string& name, const std::string& path) {
   return {name};
 }
 
+Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wanted,
+                       const std::string& controller, const Table& table) {
+  if (form.format != nullptr) return rule_of(*form.format);
+  if (wanted) return *wanted;
+  const ControllerTable* const target = controller_table(controller);
+  return target != nullptr ? target->rule : table.rule();
+}
+
 std::string form_text(const TableForm& form, const TableFile& file) {
   if (form.format != nullptr) return exchange_text(*form.format, file);
   if (form.name == "points") return points_text(file);
@@ -261,16 +269,6 @@ std::vector<std::string> all_losses(const Input& input, const TableForm& form, c
   const std::vector<std::string> more = losses(input, form.format, made);
   all.insert(all.end(), more.begin(), more.end());
   return all;
-}
-
-Interpolation rule_for(const TableForm& form, const std::string& rule,
-                       const std::string& controller, const Table& table) {
-  if (form.format != nullptr) return rule_of(*form.format);
-  for (const Interpolation each :
-       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
-    if (rule == name(each)) return each;
-  const ControllerTable* const target = controller_table(controller);
-  return target != nullptr ? target->rule : table.rule();
 }
 
 std::vector<std::string> form_names() {

@@ -58,9 +58,10 @@ struct TableForm {
 /// default CSV.
 TableForm table_form(const std::string& name, const std::string& path);
 
-/// Returns the rule of a table in this form: that of its format; or `rule`, a name; or that of the
-/// controller with this name; or that of the table itself.
-Interpolation rule_for(const TableForm& form, const std::string& rule,
+/// Returns the interpolation of a table in this form: that of the controller's format; otherwise the
+/// `wanted` one; otherwise that of the controller (controller_table()) with the name `controller`;
+/// otherwise that of `table`.
+Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wanted,
                        const std::string& controller, const Table& table);
 
 /// Returns the text of a file in this form. Throws InputError like exchange_text() and

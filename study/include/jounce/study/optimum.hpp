@@ -22,6 +22,11 @@ struct SpecOptimum {
 /// the optimizer with the best result so far, return false.
 using OptimumProgress = std::function<bool(double done, const std::string& step)>;
 
+/// Prepares a spec for optimum_of(). A path without [[optimize.parameter]] gets its corners as
+/// parameters (corner_parameters()). `seconds` > 0: time limit in place of that of the spec. Throws
+/// InputError like corner_parameters(), and with the key `seconds`.
+void prepare_optimum(Spec& spec, std::optional<double> seconds = {});
+
 /// Optimizes everything that a spec leaves free: the numbers of [[optimize.parameter]] if the spec
 /// has any; otherwise the segments of free shape if it has any; otherwise the knots of a cam,
 /// within their bounds.

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <optional>
+
+#include <pybind11/stl.h>
+
+#include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/six_digits.hpp"
+#include "jounce/report/rules.hpp"
+
+#include "python/src/bind.hpp"
+#include "python/src/report.hpp"
+
+namespace jounce::python {
+
+using namespace py::literals;
+
+std::string shown(double value) {
+  return six_digits(value);
+}
+
+std::string shown(const std::string& name,
+                  const std::vector<std::pair<std::string, std::string>>& members) {
+  std::string text = name + "(";
+  for (const auto& [key, value] : members) {
+    if (text.back() != '(') text += ", ";
+    text += key + "=" + value;
+  }
+  return text + ")";
+}
+
+std::vector<NamedFinding> NamedReport::findings() const {
+  std::vector<NamedFinding> all;
+  for (const Finding& f : report.findings)
+    all.push_back({f, labels.segment_of(f), labels.unit_of(f), sentence(f, labels)});
+  return all;
+}
+
+namespace {
+
+const char* severity_name(const Finding& f) {
+  switch (f.severity) {
+    case Severity::required:
+      return "required";
+    case Severity::warning:
+      return "warning";
+    case Severity::note:
+      break;
+  }
+  return "note";
+}
+
+std::string limits_text(const Limits& limits) {
+  std::vector<std::pair<std::string, std::string>> members;
+  for (const auto& [name, value] : {std::pair{"position_min", limits.position_min},
+                                    {"position_max", limits.position_max},
+                                    {"velocity", limits.velocity},
+                                    {"acceleration", limits.acceleration},
+                                    {"jerk", limits.jerk}})
+    if (value) members.emplace_back(name, shown(*value));
+  return shown("Limits", members);
+}
+
+void bind_limits(py::module_& m) {
+  py::class_<Limits>(m, "Limits", R"(Limits of an axis for a check.
+
+The rates are magnitudes > 0: u/s, u/s^2, u/s^3; for a cam u/m, u/m^2, u/m^3 with the master's unit m. A limit that is
+None does not apply.)")
+      .def(py::init([](std::optional<double> velocity, std::optional<double> acceleration,
+                       std::optional<double> jerk, std::optional<double> position_min,
+                       std::optional<double> position_max) {
+             const Limits limits{position_min, position_max, velocity, acceleration, jerk};
+             require_valid(limits);
+             return limits;
+           }),
+           py::kw_only(), "velocity"_a = py::none(), "acceleration"_a = py::none(),
+           "jerk"_a = py::none(), "position_min"_a = py::none(), "position_max"_a = py::none(),
+           "Raises InputError if a limit is not finite, a limit of a rate is not positive, or min "
+           "> max.")
+      .def_readonly("position_min", &Limits::position_min, "u, or None")
+      .def_readonly("position_max", &Limits::position_max, "u, or None")
+      .def_readonly("velocity", &Limits::velocity, "u/s (cam: u/m), or None")
+      .def_readonly("acceleration", &Limits::acceleration, "u/s^2 (cam: u/m^2), or None")
+      .def_readonly("jerk", &Limits::jerk, "u/s^3 (cam: u/m^3), or None")
+      .def("__repr__", limits_text);
+}
+
+void bind_ranges(py::module_& m) {
+  py::class_<Extremum>(m, "Extremum", "An extreme value of a curve and its place.")
+      .def_readonly("value", &Extremum::value, "Value, in the unit of the quantity.")
+      .def_readonly("where", &Extremum::where, "Time (s) or master position (m).")
+      .def_property_readonly(
+          "side", [](const Extremum& e) { return e.side == Side::right ? "right" : "left"; },
+          R"(Side from which the value is approached: "right" or "left". They differ at a step only.)")
+      .def("__repr__", [](const Extremum& e) {
+        return shown("Extremum", {{"value", shown(e.value)}, {"where", shown(e.where)}});
+      });
+  py::class_<Range>(m, "Range", "The least and the greatest value of a quantity.")
+      .def_readonly("min", &Range::min, "The least value.")
+      .def_readonly("max", &Range::max, "The greatest value.")
+      .def_property_readonly("peak", &Range::peak, "The one of larger magnitude.")
+      .def("__repr__", [](const Range& r) {
+        return shown("Range", {{"min", shown(r.min.value)}, {"max", shown(r.max.value)}});
+      });
+  py::class_<Jump>(m, "Jump", "A step of a derivative.")
+      .def_readonly("step", &Jump::step, "Right limit minus left limit.")
+      .def_readonly("where", &Jump::where, "Time (s) or master position (m).")
+      .def("__repr__", [](const Jump& j) {
+        return shown("Jump", {{"step", shown(j.step)}, {"where", shown(j.where)}});
+      });
+}
+
+void bind_findings(py::module_& m) {
+  py::class_<NamedFinding>(
+      m, "Finding", "One result of a check: a quantity at its worst place, against its limit.")
+      .def_property_readonly(
+          "rule", [](const NamedFinding& f) { return f.finding.rule.text(); },
+          R"(Stable identifier of the rule: "limit/velocity", "continuity/position", ... See explain().)")
+      .def_property_readonly(
+          "quantity", [](const NamedFinding& f) { return f.finding.quantity; },
+          R"("velocity", "torque", ...)")
+      .def_property_readonly(
+          "axis", [](const NamedFinding& f) { return f.finding.axis; },
+          "Name of the axis; may be empty.")
+      .def_property_readonly(
+          "where", [](const NamedFinding& f) { return f.finding.where; },
+          "Time (s) or master position (m).")
+      .def_property_readonly(
+          "where_unit", [](const NamedFinding& f) { return f.finding.where_unit; },
+          "Unit of `where`; empty: that of the time or the master.")
+      .def_property_readonly(
+          "value", [](const NamedFinding& f) { return f.finding.value; },
+          "Value at this place, in `unit`.")
+      .def_property_readonly(
+          "limit",
+          [](const NamedFinding& f) {
+            return f.finding.has_limit ? std::optional(f.finding.limit) : std::nullopt;
+          },
+          "Permitted value with the sign of `value`, in `unit`; None: no limit.")
+      .def_property_readonly(
+          "margin",
+          [](const NamedFinding& f) {
+            return f.finding.has_limit ? std::optional(f.finding.margin) : std::nullopt;
+          },
+          "Distance to the limit as a share of the limit; negative: broken; None: no limit.")
+      .def_readonly("unit", &NamedFinding::unit, "Unit of value and limit; may be empty.")
+      .def_property_readonly(
+          "broken", [](const NamedFinding& f) { return f.finding.broken; },
+          "True if the rule is broken.")
+      .def_property_readonly(
+          "severity", [](const NamedFinding& f) { return severity_name(f.finding); },
+          R"("required", "warning" or "note".)")
+      .def_property_readonly(
+          "segment", [](const NamedFinding& f) { return f.finding.segment; },
+          "Index of the segment of the curve, from 0; None: no segment.")
+      .def_readonly("segment_name", &NamedFinding::segment_name,
+                    "Number and name in the spec; may be empty.")
+      .def_property_readonly(
+          "advice", [](const NamedFinding& f) { return f.finding.advice; }, "Remedy; may be empty.")
+      .def("__str__", [](const NamedFinding& f) { return f.text; })
+      .def("__repr__", [](const NamedFinding& f) {
+        return "Finding('" + f.finding.rule.text() + "': " + f.text + ")";
+      });
+
+  py::class_<NamedReport>(m, "Report",
+                          R"(Result of a check: a sequence of findings, the broken ones first.
+
+A check raises no exception for a broken limit. A report is true if no finding is broken, like `ok`.
+`print(report)` prints the findings as `jounce check` does.)")
+      .def_property_readonly(
+          "ok", [](const NamedReport& r) { return r.report.ok(); }, "True if no finding is broken.")
+      .def_property_readonly("findings", &NamedReport::findings,
+                             "All findings, the broken ones first.")
+      .def_property_readonly(
+          "broken",
+          [](const NamedReport& r) {
+            std::vector<NamedFinding> broken = r.findings();
+            std::erase_if(broken, [](const NamedFinding& f) { return !f.finding.broken; });
+            return broken;
+          },
+          "The broken findings.")
+      .def_property_readonly(
+          "warnings", [](const NamedReport& r) { return r.report.warnings(); },
+          "Number of warnings.")
+      .def("__len__", [](const NamedReport& r) { return r.report.findings.size(); })
+      .def("__iter__", [](const NamedReport& r) { return py::iter(py::cast(r.findings())); })
+      .def("__bool__", [](const NamedReport& r) { return r.report.ok(); })
+      .def("__str__", [](const NamedReport& r) { return full_text(r.report, r.labels); })
+      .def("__repr__", [](const NamedReport& r) {
+        return shown("Report", {{"ok", r.report.ok() ? "True" : "False"},
+                                {"findings", std::to_string(r.report.findings.size())},
+                                {"broken", std::to_string(r.report.broken())}});
+      });
+
+  m.def(
+      "explain",
+      [](const std::string& rule) -> std::optional<std::pair<std::string, std::string>> {
+        const RuleInfo* info = rule_info(rule);
+        if (info == nullptr) return std::nullopt;
+        return std::pair<std::string, std::string>{info->meaning, info->remedy};
+      },
+      "rule"_a,
+      "Returns the meaning of a rule and the remedy, as two sentences; None for an unknown rule.");
+}
+
+}  // namespace
+
+void bind_reports(py::module_& m) {
+  bind_limits(m);
+  bind_ranges(m);
+  bind_findings(m);
+}
+
+}  // namespace jounce::python

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A client of an executor, which runs in a process of its own behind sockets in a folder."""
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import jounce
+import numpy as np
+
+AXIS = """jounce = 1
+kind = "axis"
+name = "feeder"
+units = { position = "mm" }
+axis = { cycle = "1 ms" }
+limits = { velocity = "500 mm/s", acceleration = "5000 mm/s^2", jerk = "100000 mm/s^3" }
+"""
+
+
+class Stream(unittest.TestCase):
+    def setUp(self) -> None:
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        (pathlib.Path(self.folder.name) / "axis.toml").write_text(AXIS)
+        self.url = "unix://" + self.folder.name
+        self.executor = subprocess.Popen([os.environ["JOUNCE"], "run", "axis.toml", "--url", self.url, "--seconds", "60"],
+                                         cwd=self.folder.name, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.addCleanup(self.end)
+        with jounce.Client("feeder", url=self.url, patience=10) as axis:
+            self.assertEqual(axis.status(timeout=10).state, "disabled")
+
+    def end(self) -> None:
+        self.executor.terminate()
+        self.executor.communicate(timeout=20)
+
+    def test_commands_and_tables(self) -> None:
+        with jounce.Client("feeder", url=self.url, patience=10) as axis:
+            with self.assertRaises(jounce.AxisError) as caught:
+                axis.move_absolute(10)
+            self.assertEqual(caught.exception.error, "refused")
+            self.assertGreater(caught.exception.cause, 0)
+            axis.enable()
+            axis.move_absolute(10, velocity=200)
+            self.assertEqual(axis.wait_for_rest(20), "standstill")
+            self.assertAlmostEqual(axis.status().position, 10, delta=1e-9)
+            self.assertEqual(axis.status().unit, "mm")
+
+            t, motion = jounce.move_to(10, 40, jounce.Bounds(200, 2000, 50000)).sample(0.01)
+            table = jounce.Table(t, motion.position, motion.velocity, x_unit="s", position_unit="mm")
+            stages: list[str] = []
+            axis.stream(table, progress=lambda done, stage: stages.append(stage))
+            self.assertEqual(axis.wait_for_rest(20), "standstill")
+            self.assertAlmostEqual(axis.status().position, 40, delta=1e-9)
+            self.assertEqual(axis.status().finished, 2)
+            self.assertTrue(stages)
+            with self.assertRaises(jounce.AxisError):  # a table that begins elsewhere would be a step
+                axis.stream(table)
+            with self.assertRaises(jounce.InputError):
+                axis.move_absolute(float("nan"))
+            self.assertTrue(np.isfinite(axis.status().position))
+
+    def test_no_answer(self) -> None:
+        with self.assertRaises(jounce.AxisError) as caught:
+            jounce.Client("absent", url=self.url, patience=0.3).enable()
+        self.assertEqual(caught.exception.error, "no_answer")
+        with self.assertRaises(jounce.InputError):
+            jounce.Client("no name", url=self.url)
+        with self.assertRaises(jounce.InputError):
+            jounce.Client("feeder", url="http://example")
+
+
+if __name__ == "__main__":
+    unittest.main()
