@@ -19,6 +19,8 @@ LawForm shown_form(Law law);
 /// Returns the law of this name. Throws InputError (key "law"), with the nearest name, if there is
 /// none.
 Law law_of(const std::string& name);
+/// The names of all laws.
+std::vector<std::string> law_names();
 /// The laws that have characteristic values, because they have a rise of their own from 0 to 1.
 std::vector<Law> rising_laws();
 /// Returns the characteristic values of such a law.
