@@ -25,7 +25,8 @@ in_namespaces() {
   for tool in debootstrap git unshare setpriv; do
     command -v $tool > /dev/null || refuse "$tool is missing: apt-get install debootstrap git util-linux"
   done
-  unshare -m true 2> /dev/null || refuse "no mount namespace can be made here: CAP_SYS_ADMIN is missing, as in a container"
+  unshare -m true 2> /dev/null ||
+    refuse "no mount namespace can be made here: CAP_SYS_ADMIN is missing, as in a container"
   BARE_WORK=$(mktemp -d "${TMPDIR:-/var/tmp}/jounce-$script.XXXXXX")
   export BARE_WORK
   unshare --mount --pid --fork --kill-child --propagation private "$0" "$@" &
@@ -58,7 +59,10 @@ make_root() {
   site=$(sources | sed -n "s/ $release main$//p" | head -1)
   [ -n "$site" ] || refuse "apt has no source of Debian $release here: name one in MIRROR"
   bootstrap_log=${2:-$BARE_WORK/debootstrap.log}
-  debootstrap --variant=minbase "$release" "$1" "$site" > "$bootstrap_log" 2>&1 || { tail -20 "$bootstrap_log"; refuse "debootstrap failed" 1; }
+  debootstrap --variant=minbase "$release" "$1" "$site" > "$bootstrap_log" 2>&1 || {
+    tail -20 "$bootstrap_log"
+    refuse "debootstrap failed" 1
+  }
   sources | sed 's/^/deb /' > "$1/etc/apt/sources.list"
   apt-config dump Acquire | grep -E '::(Check-Valid-Until|Check-Date|Proxy) ' > "$1/etc/apt/apt.conf.d/99bare" || true
   cp /etc/resolv.conf /etc/hosts "$1/etc/"

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: Apache-2.0
-# man_pages.sh JOUNCE: each verb has a manual page, with each of its options; man and mandoc, if they are installed, accept all
-# pages without a warning.
+# man_pages.sh JOUNCE: each verb has a manual page, with each of its options. mandoc or man, if one of them is
+# installed, accepts all pages without a warning.
 set -u
 jounce=$1
 scratch=$(mktemp -d)
@@ -27,8 +27,7 @@ for page in "$scratch"/*.1; do
   grep -nE "^['.]" "$page" | grep -vE '^[0-9]+:\.(TH|SH|TP|nf|fi|\\")' && report "$page: unknown requests"
   if command -v mandoc > /dev/null; then
     mandoc -Tlint -W warning "$page" || report "$page: mandoc warns"
-  fi
-  if command -v man > /dev/null; then
+  elif command -v man > /dev/null; then
     warnings=$(LC_ALL=C.UTF-8 MANROFFSEQ='' man --warnings -E UTF-8 -l -Tutf8 -Z "$page" 2>&1 > /dev/null)
     [ -z "$warnings" ] || report "$page: $warnings"
   fi

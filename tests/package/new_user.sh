@@ -39,12 +39,12 @@ status 0 jounce validate better.toml feeder.csv
 
 echo "- run, stream, order"
 bus=unix://$PWD/bus
-jounce run $examples/pmc600-cam/axis.toml --url "$bus" --enable --seconds 60 --log run.csv > run.out 2>&1 &
+jounce run $examples/pmc600-cam/axis.toml --url "$bus" --once --seconds 60 --log run.csv > run.out 2>&1 &
 executor=$!
+for try in $(seq 50); do jounce order feeder enable --url "$bus" > out 2>&1 && break || sleep 0.1; done
+[ "$try" -lt 50 ] || { cat out; fail "the executor does not answer"; }
 status 0 jounce stream better.toml --url "$bus" --to feeder
-status 0 jounce order feeder disable --url "$bus"
-kill -INT $executor
-wait $executor || { cat run.out; fail "the executor failed"; }
+wait $executor || { cat run.out; fail "the executor does not finish the motion"; }
 status 0 jounce validate better.toml --log run.csv
 
 echo "- forty specs in the form of a CI system, and a broken limit"
@@ -61,7 +61,7 @@ grep -q '^40 files' summary || fail "not 40 files"
 
 cp $examples/pmc600-cam/cam.toml motions/broken.toml
 status 1 jounce check motions --format github
-line=$(sed -n 's/^::error file=motions\/broken\.toml,line=\([0-9]*\).*limit%2Fgeo_velocity.*\|^::error file=motions\/broken\.toml,line=\([0-9]*\).*limit\/geo_velocity.*/\1\2/p' out)
+line=$(sed -n 's/^::error .*file=motions\/broken\.toml,line=\([0-9]*\).*limit\/geo_velocity.*/\1/p' out)
 [ -n "$line" ] || { cat out; fail "no annotation of the broken limit"; }
 sed -n "${line}p" motions/broken.toml | grep -q '^\[\[segment\]\]' || fail "line $line is not the line of a segment"
 echo "  $(grep -m1 '^::error' out)"
