@@ -5,6 +5,7 @@
 #   program  jounce          the program and the files beside it
 #   mpi      jounce-mpi      `jounce sweep` under mpirun; only if MPI was found
 #   dev      libjounce-dev   headers, static libraries, files for CMake and pkg-config
+#   python   python3-jounce  the Python module; only if the target _jounce exists
 #
 # cpack makes the packages from a build tree with the prefix /usr; scripts/package makes such a tree.
 set(JOUNCE_MAINTAINER "Jounce maintainers <maintainers@users.noreply.h-seed-59eaa41d.example>" CACHE STRING
@@ -93,6 +94,13 @@ jounce_package(dev libjounce-dev SECTION libdevel
 This package contains the headers and the static libraries of Jounce, and
 the files with which CMake and pkg-config find them. The library profiles
 (curves, moves, exact extrema) needs no other library.")
+if(TARGET _jounce)
+  jounce_package(python python3-jounce SECTION python
+    DEPENDS "python3 (>= 3.11)" "python3 (<< 3.12)" python3-numpy DESCRIPTION
+"toolkit for motion tables and electronic cams - Python module
+With this package, a Python program reads and designs motions, evaluates
+them on NumPy arrays, checks their limits, and optimizes them.")
+endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
