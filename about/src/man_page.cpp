@@ -7,18 +7,35 @@
 namespace jounce {
 namespace {
 
-/// A text as roff prints it: no character of it is a command. A hyphen would become a typographic one.
+/// The escape of a character that roff reads as a command, or prints as a typographic sign; "" for any other.
+std::string_view escape(char c) {
+  switch (c) {
+    case '\\':
+      return "\\e";
+    case '-':
+      return "\\-";
+    case '\'':
+      return "\\(aq";
+    case '`':
+      return "\\(ga";
+    case '^':
+      return "\\(ha";
+    case '~':
+      return "\\(ti";
+    default:
+      return "";
+  }
+}
+
+/// A text for roff, which prints it as it is.
 std::string roff(std::string_view text) {
   std::string out;
   bool line_begins = true;
   for (const char c : text) {
-    if (line_begins && (c == '.' || c == '\'')) out += "\\&";
-    if (c == '\\')
-      out += "\\e";
-    else if (c == '-')
-      out += "\\-";
-    else
-      out += c;
+    if (line_begins && c == '.') out += "\\&";
+    const std::string_view escaped = escape(c);
+    if (escaped.empty()) out += c;
+    out += escaped;
     line_begins = c == '\n';
   }
   return out;

@@ -13,7 +13,8 @@ void add_completion(CommandLine& line) {
   const auto shell = std::make_shared<std::string>();
   const Verb verb = line.verb(
       "completion", "Print the script with which a shell completes verbs, options and values",
-      "source <(jounce completion bash)");
+      "jounce completion bash > ~/.local/share/bash-completion/completions/jounce\n"
+      "source <(jounce completion zsh)");
   verb.option("SHELL", *shell, "bash, fish or zsh").required().check(one_of(completion_shells()));
   verb.work([shell] {
     fmt::print("{}", completion_script(*shell));

@@ -27,10 +27,10 @@ TEST(ManPage, OfAVerbHasItsNameArgumentsOptionsAndExamples) {
             ".SH OPTIONS\n"
             ".TP\n\\fB\\-\\-format\\fR \\fIvalue\\fR\nFormat. Default: text.\n"
             ".TP\n\\fB\\-\\-limit\\fR \\fIvalue\\fR\nLimit.\n"
-            ".TP\n\\fB\\-n\\fR, \\fB\\-\\-count\\fR \\fInumber\\fR\n\\&'Count' of runs. Required.\n"
+            ".TP\n\\fB\\-n\\fR, \\fB\\-\\-count\\fR \\fInumber\\fR\n\\(aqCount\\(aq of runs. Required.\n"
             ".TP\n\\fB\\-\\-strict\\fR\nStrict.\n"
             ".SH EXIT STATUS\n.TP\n\\fB0\\fR\nsuccess\n.TP\n\\fB1\\fR\na finding\n"
-            ".SH EXAMPLES\n.nf\ntool check a.toml\n\\&.b \\e 'c\n.fi\n"
+            ".SH EXAMPLES\n.nf\ntool check a.toml\n\\&.b \\e \\(aqc\n.fi\n"
             ".SH SEE ALSO\n\\fBtool\\fR(1)\n");
 }
 
