@@ -85,6 +85,11 @@ function(jounce_add_modules)
   endforeach()
 endfunction()
 
+# jounce_built_with(NAME VERSION): a library that `jounce --version` lists.
+function(jounce_built_with name version)
+  set_property(GLOBAL APPEND PROPERTY JOUNCE_BUILT_WITH "{\"${name}\", \"${version}\"}")
+endfunction()
+
 function(jounce_module name)
   cmake_parse_arguments(MODULE "LIGHT" "" "SOURCES;APART;LINKS;PRIVATE_LINKS;PRECOMPILE;PKGCONFIG" ${ARGN})
   set_property(GLOBAL PROPERTY JOUNCE_PKGCONFIG_${name} "${MODULE_PKGCONFIG}")

@@ -7,11 +7,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "jounce/about/build_info.hpp"
+#include "jounce/about/completion.hpp"
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/printable.hpp"
-#include "jounce/io/table_file.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "cli/common/program_info.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {
@@ -147,15 +149,22 @@ CommandLine::CommandLine()
     : app_(std::make_unique<CLI::App>("Design, check, optimize, prove and play motion tables.",
                                       "jounce")) {
   app_->formatter(std::make_shared<Help>());
-  app_->set_version_flag("--version", made_by());
+  CLI::Option* version = app_->set_version_flag("--version", "", "Print the version and the build");
+  app_->add_flag("--json")->description("With --version: as JSON")->needs(version);
   app_->require_subcommand(1);
+  std::vector<std::string> statuses;
+  for (const auto& [status, meaning] : exit_statuses)
+    statuses.push_back(fmt::format("{} {}", status, meaning));
   app_->footer(
-      "Name files as arguments; - is standard input or output.\n"
-      "Exit status: 0 success, 1 a finding, 2 bad input or usage, 3 a fault at run time.\n"
-      "jounce VERB --help shows an example of each verb.");
+      fmt::format("{}\nExit status: {}.\njounce VERB --help shows an example of each verb.", notes,
+                  fmt::join(statuses, ", ")));
 }
 
 CommandLine::~CommandLine() = default;
+
+ProgramInfo CommandLine::info() const {
+  return program_info(*app_, words_);
+}
 
 Verb CommandLine::verb(const std::string& name, const std::string& description,
                        const std::string& examples) {
@@ -164,17 +173,22 @@ Verb CommandLine::verb(const std::string& name, const std::string& description,
   for (std::size_t at = 0; (at = lines.find('\n', at)) != std::string::npos; at += 3)
     lines.insert(at + 1, "  ");
   verb->footer(lines);
-  return Verb(*verb, chosen_);
+  return {*verb, chosen_, words_};
 }
 
 int CommandLine::run(int argc, char** argv) {
+  if (argc > 1 && argv[1] == std::string("__complete")) {  // asked by the scripts of the shells
+    fmt::print("{}", completion_lines(complete(info(), {argv + 2, argv + argc})));
+    return fine;
+  }
   try {
     app_->parse(meant(std::span(argv, static_cast<std::size_t>(argc)).subspan(1)));
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", app_->help());
     return fine;
   } catch (const CLI::CallForVersion&) {
-    fmt::print("{}\n", made_by());
+    const bool json = app_->count("--json") > 0;
+    fmt::print("{}", json ? build_json(build_info()) : build_text(build_info()));
     return fine;
   } catch (const CLI::ParseError& error) {
     const std::span<char*> words(argv, static_cast<std::size_t>(argc));

@@ -62,10 +62,14 @@ std::string name_of(const CLI::Option& option) {
 template <class Target>
 constexpr bool is_list = std::is_same_v<Target, std::vector<std::string>>;
 
+template <class Target>
+constexpr bool is_text = is_list<Target> || std::is_same_v<Target, std::string> ||
+                         std::is_same_v<Target, std::optional<std::filesystem::path>>;
+
 }  // namespace
 
 Check one_of(std::vector<std::string> words) {
-  return [words = std::move(words)](const std::string& text) -> std::string {
+  Check check = [words](const std::string& text) -> std::string {
     if (std::find(words.begin(), words.end(), text) != words.end()) return "";
     const std::string near = nearest(text, words);
     if (near.empty()) return fmt::format("must be one of {}", fmt::join(words, ", "));
@@ -73,6 +77,8 @@ Check one_of(std::vector<std::string> words) {
                ? fmt::format("is unknown: did you mean {}?", near)
                : fmt::format("must be one of {}: did you mean {}?", fmt::join(words, ", "), near);
   };
+  check.words = std::move(words);
+  return check;
 }
 
 Check whole(std::int64_t low, std::int64_t high) {
@@ -112,8 +118,9 @@ const Option& Option::required() const {
 }
 
 const Option& Option::check(Check check) const {
+  if (!check.words.empty()) completed_by([words = check.words] { return words; });
   option_->check([option = option_, check = std::move(check)](const std::string& text) {
-    const std::string rule = check(text);
+    const std::string rule = check.broken_rule(text);
     if (!rule.empty()) throw InputError(name_of(*option), text, rule);
     return std::string();
   });
@@ -150,6 +157,11 @@ const Option& Option::excludes(const std::vector<Option>& others) const {
   return *this;
 }
 
+const Option& Option::completed_by(Words words) const {
+  (*words_)[option_] = std::move(words);
+  return *this;
+}
+
 template <class Target>
 Option Verb::option(const std::string& name, Target& target, const std::string& help) const {
   CLI::Option* option = verb_->add_option(
@@ -163,9 +175,9 @@ Option Verb::option(const std::string& name, Target& target, const std::string& 
         return true;
       },
       help, false, [&target] { return shown_of(target); });
-  option->type_name("value");
+  option->type_name(is_text<Target> ? "value" : "number");
   if constexpr (is_list<Target>) option->expected(CLI::detail::expected_max_vector_size);
-  return Option(option);
+  return {option, *words_};
 }
 
 // All types that the verbs use.
@@ -186,7 +198,7 @@ template Option Verb::option(const std::string&, std::optional<std::filesystem::
                              const std::string&) const;
 
 Option Verb::flag(const std::string& name, bool& target, const std::string& help) const {
-  return Option(verb_->add_flag(name, target, help));
+  return {verb_->add_flag(name, target, help), *words_};
 }
 
 Option Verb::axis(std::string& target) const {
@@ -199,6 +211,11 @@ Option Verb::machine(std::string& target) const {
   return option(
       "--machine", target,
       "For a G-code program: spec of kind \"path\" with the axes and limits of the machine");
+}
+
+const Verb& Verb::hidden() const {
+  verb_->group("");
+  return *this;
 }
 
 void Verb::work(Work work) const {

@@ -3,10 +3,16 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+namespace jounce {
+struct ProgramInfo;
+}
 
 namespace CLI {
 class App;
@@ -35,8 +41,18 @@ enum Exit : int {
 /// Action of a verb after parsing the command line; returns the exit status.
 using Work = std::function<int()>;
 
-/// Returns the rule that a value breaks, or "".
-using Check = std::function<std::string(const std::string& text)>;
+/// Words that can be the value of an option, for the completion of the shell.
+using Words = std::function<std::vector<std::string>()>;
+using WordsOfOptions = std::map<const CLI::Option*, Words>;
+
+/// A rule for the value of an option: a function that returns the broken rule, or "".
+struct Check {
+  template <class Rule>
+  Check(Rule rule) : broken_rule(std::move(rule)) {}  // NOLINT(google-explicit-constructor)
+
+  std::function<std::string(const std::string& text)> broken_rule;
+  std::vector<std::string> words;  ///< all permitted words, if they can be listed
+};
 
 Check one_of(std::vector<std::string> words);
 /// A whole number, both ends included.
@@ -52,7 +68,7 @@ std::optional<double> number_in(const std::string& text);
 /// An option of a verb, for further settings. Each call returns the same option.
 class Option {
  public:
-  explicit Option(CLI::Option* option) : option_(option) {}
+  Option(CLI::Option* option, WordsOfOptions& words) : option_(option), words_(&words) {}
 
   const Option& required() const;
   const Option& check(Check check) const;
@@ -62,15 +78,18 @@ class Option {
   const Option& separated() const;  ///< option of a list: values between commas
   const Option& needs(const Option& other) const;
   const Option& excludes(const std::vector<Option>& others) const;
+  const Option& completed_by(Words words) const;
 
  private:
   CLI::Option* option_;
+  WordsOfOptions* words_;
 };
 
 /// A verb, while its options and its action are defined.
 class Verb {
  public:
-  explicit Verb(CLI::App& verb, Work& chosen) : verb_(&verb), chosen_(&chosen) {}
+  Verb(CLI::App& verb, Work& chosen, WordsOfOptions& words)
+      : verb_(&verb), chosen_(&chosen), words_(&words) {}
 
   /// A name without dashes is a positional. The target is a string, a number, an optional number or
   /// a list of strings (verb.cpp names the types), and outlives the command line.
@@ -83,10 +102,12 @@ class Verb {
   Option machine(std::string& target) const;
 
   void work(Work work) const;
+  const Verb& hidden() const;  ///< not in --help
 
  private:
   CLI::App* verb_;
   Work* chosen_;
+  WordsOfOptions* words_;
 };
 
 /// The command line of the program.
@@ -101,9 +122,13 @@ class CommandLine {
   /// Executes the command and returns the exit status. Prints help and errors.
   int run(int argc, char** argv);
 
+  /// Its visible verbs and options, for manual pages and completion.
+  [[nodiscard]] ProgramInfo info() const;
+
  private:
   std::unique_ptr<CLI::App> app_;
   Work chosen_;
+  WordsOfOptions words_;
 };
 
 /// Each adds one verb: its options, its help with an example, and what it does.
@@ -132,5 +157,7 @@ void add_run(CommandLine& line);
 void add_monitor(CommandLine& line);
 void add_page(CommandLine& line);
 void add_replay(CommandLine& line);
+void add_completion(CommandLine& line);
+void add_man(CommandLine& line);
 
 }  // namespace jounce::cli

@@ -102,12 +102,14 @@ void add_options(const Verb& verb, CommandWords& words) {
 
 /// Checks WHAT; a command in place of NAME is named.
 Check command_word(const OrderArguments& options) {
-  return [&options, known = one_of(command_words())](const std::string& what) {
+  Check check = one_of(command_words());
+  check.broken_rule = [&options, known = check.broken_rule](const std::string& what) {
     std::string rule = known(what);
     if (!rule.empty() && known(options.executor).empty())
       rule = "is not a command: did you mean jounce order " + what + " " + options.executor + "?";
     return rule;
   };
+  return check;
 }
 
 }  // namespace

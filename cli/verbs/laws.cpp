@@ -52,7 +52,7 @@ void add_laws(CommandLine& line) {
   const auto options = std::make_shared<LawsArguments>();
   const Verb verb = line.verb("laws", "List the motion laws of cams, or describe one",
                               "jounce laws modified_sine -o modified_sine.svg");
-  verb.option("LAW", options->law, "Name of a law, as in a spec");
+  verb.option("LAW", options->law, "Name of a law, as in a spec").completed_by(law_names);
   verb.option("-o,--output", options->output, "Picture of the law to write, .svg or .png")
       .check(ends_in({".svg", ".png"}));
   verb.flag("--markdown", options->markdown, "Print the whole guide (docs/laws.md)");

@@ -255,12 +255,16 @@ std::string laws_json() {
   return all.dump();
 }
 
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const LawInfo& one : all_laws()) names.emplace_back(one.name);
+  return names;
+}
+
 Law law_of(const std::string& word) {
   if (const auto law = law_named(word)) return *law;
   if (const LawAlias* alias = law_alias(word)) throw InputError("law", word, rule_of(*alias));
-  std::vector<std::string> names;
-  for (const LawInfo& one : all_laws()) names.emplace_back(one.name);
-  const std::string near = nearest(word, names);
+  const std::string near = nearest(word, law_names());
   throw InputError("law", word,
                    "is not a law: " + (near.empty() ? "`jounce laws` lists them all"
                                                     : "did you mean " + near + "?"));

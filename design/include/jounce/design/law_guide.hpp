@@ -19,6 +19,8 @@ LawForm shown_form(Law law);
 /// Returns the law of this name. Throws InputError (key "law"), with the nearest name, if no law
 /// has the name.
 Law law_of(const std::string& name);
+/// Returns the names of all laws.
+std::vector<std::string> law_names();
 /// Returns the laws that have characteristic values, that is, a rise of their own from 0 to 1.
 std::vector<Law> rising_laws();
 /// Returns the characteristic values of one of the rising_laws().

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "jounce/about/build_info.hpp"
+#include "jounce/about/program.hpp"
+
+namespace jounce {
+
+/// The manual page of the program in roff, with the macros of man(7): jounce(1). `build` gives its version and date.
+std::string man_page(const ProgramInfo& program, const BuildInfo& build);
+
+/// The manual page of one verb: jounce-check(1).
+std::string man_page(const ProgramInfo& program, const VerbInfo& verb, const BuildInfo& build);
+
+}  // namespace jounce
