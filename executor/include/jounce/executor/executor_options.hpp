@@ -8,7 +8,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "jounce/axis/group_program.hpp"
 #include "jounce/axis/machine.hpp"
 #include "jounce/executor/cycle.hpp"
 #include "jounce/stream/receiver/receiver.hpp"
@@ -16,6 +18,14 @@
 namespace jounce {
 
 class Recorder;
+
+/// A group of an executor (docs/executor/groups.md).
+struct ExecutorGroup {
+  AxisGroup of;                                      ///< its axes in the machine
+  std::vector<std::string> names;                    ///< names of these axes
+  std::vector<AxisConfig> configs;                   ///< configurations of these axes
+  std::shared_ptr<const GroupProgram> program = {};  ///< path that StartTable plays; null: none
+};
 
 /// Options of one axis of an executor.
 struct ExecutorOptions {
@@ -28,6 +38,7 @@ struct ExecutorOptions {
   ReceiverOptions receiver{};  ///< options of its receiver, with the name of the axis
   bool enable = true;          ///< true: enabled at the start; false: a command must enable it
   std::optional<StoredTable> table = {};  ///< table over time that StartTable plays; nullopt: none
+  std::optional<ExecutorGroup> group = {};  ///< its axes, if it is a group; nullopt: a single axis
   /// True: at standstill, arming a table sets the position of the axis to the start of the table.
   bool adopt_start = false;
   bool stop_when_silent = true;  ///< true: stop a motion if its session times out
