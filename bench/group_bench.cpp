@@ -54,17 +54,19 @@ void group_cycle(benchmark::State& state) {
   axes.push_back({.name = "group", .config = group_config(configs), .group = group});
   Machine machine(axes);
   std::vector<AxisImage> images(count + 1);
-  GroupPath path(
-      1, group_program(std::make_shared<const Plan>(
-                           plan(lines(count, 2000), {.axes = std::vector<Limits>(count, limits)})),
-                       configs, names));
+  const GroupProgram program =
+      group_program(std::make_shared<const Plan>(
+                        plan(lines(count, 2000), {.axes = std::vector<Limits>(count, limits)})),
+                    configs, names);
+  std::unique_ptr<GroupPath> path;
   std::int64_t tick = -1;
   const auto step = [&] {
     machine.step(++tick, images);
     for (AxisImage& image : images) image.command = {};
   };
   const auto start = [&] {
-    images[count].command = {command::Arm{&path}};
+    path = std::make_unique<GroupPath>(1, program);
+    images[count].command = {command::Arm{path.get()}};
     step();
     images[count].command = {command::Start{}};
     step();

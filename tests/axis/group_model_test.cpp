@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "axis/group_rig.hpp"
@@ -163,7 +164,7 @@ void tidy(Plotter& rig, std::vector<std::unique_ptr<GroupPath>>& paths) {
 /// JOUNCE_GROUP_STEPS sets the number of ticks; scripts/nightly uses more.
 std::int64_t steps_wanted() {
   const char* const steps = std::getenv("JOUNCE_GROUP_STEPS");
-  return steps == nullptr ? 200'000 : std::atoll(steps);
+  return steps == nullptr ? 1'000'000 : std::atoll(steps);
 }
 
 TEST(GroupModel, RandomCommandsKeepThePathTheLimitsAndTheStates) {
@@ -195,6 +196,19 @@ TEST(GroupModel, RandomCommandsKeepThePathTheLimitsAndTheStates) {
   for (const State state : {State::disabled, State::standstill, State::discrete_motion,
                             State::stopping, State::error_stop})
     EXPECT_GT(seen[static_cast<std::size_t>(state)], 0) << name(state);
+}
+
+TEST(GroupModel, TheJudgeFindsAMotionBeyondTheLimits) {
+  const Limits axis = limits(200, 2000, 1e5);
+  for (const Limits& lower :
+       {limits(100, 2000, 1e5), limits(200, 1000, 1e5), limits(200, 2000, 5e4)}) {
+    Plotter rig(axis);
+    Judge judge(Plotter::config(lower));
+    rig.start();
+    std::string wrong;
+    for (int i = 0; i < 2000 && wrong.empty(); ++i, rig.step()) wrong = judge.see(rig);
+    EXPECT_THAT(wrong, testing::StartsWith("beyond a limit"));
+  }
 }
 
 }  // namespace
