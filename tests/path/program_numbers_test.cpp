@@ -85,7 +85,7 @@ TEST(ProgramNumbers, ListsThatAreNoProgramAreRejected) {
   EXPECT_THAT(error([](auto& list) { list[3] = std::nan(""); }), HasSubstr("must be finite"));
 }
 
-// Whatever one number becomes, the list is rejected or is a program, and nothing else happens.
+// A list with one spoiled number is rejected, or is a program again. It causes nothing else.
 TEST(ProgramNumbers, AnySpoiledNumberIsRejectedOrIsAProgram) {
   const std::vector<double> good = numbers_of(everything());
   Random random(27);
