@@ -15,11 +15,11 @@ std::vector<Input> axis_of(std::vector<Input> all, const std::string& path,
   return with_option_names({"axis"}, [&] { return axes_named(std::move(all), axis, path); });
 }
 
+}  // namespace
+
 Input only_one(std::vector<Input> all, const std::string& path) {
   return with_option_names({"axis"}, [&] { return only_axis(std::move(all), path); });
 }
-
-}  // namespace
 
 std::vector<Input> load_axes(const std::string& path, const std::string& axis, bool decimal_comma) {
   return axis_of(read_inputs(path, decimal_comma), path, axis);

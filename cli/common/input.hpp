@@ -23,6 +23,9 @@ Input load(const std::string& path, const std::string& axis = "", bool decimal_c
 Input load_program_axis(const std::string& path, const std::string& machine,
                         const std::string& axis);
 
+/// Returns the only one of the axes of a file. Throws InputError for --axis if there are several.
+Input only_one(std::vector<Input> all, const std::string& path);
+
 /// The only axis of the file, or the axis with the name of `input`.
 Input load_beside(const std::string& path, const Input& input);
 

@@ -45,6 +45,7 @@ void add_stream(CommandLine& line) {
       "on\n"
       "jounce stream xyz.toml --to x,y,z                        several axes, started in the same "
       "cycle\n"
+      "jounce stream square.toml --to plotter                   a path, to a group of axes\n"
       "jounce stream long.csv --to feeder --rolling             for a table longer than its "
       "memory\n"
       "jounce stream first.csv --to feeder --bank loop.csv --loops 20   two banks, the second 20 "

@@ -2,6 +2,7 @@
 // Whole tables: to one axis, or to several of one machine, all or none.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -34,6 +35,11 @@ PlayOptions play_options(const StreamArguments& options) {
   return play;
 }
 
+StreamGoal goal_of(const StreamArguments& options) {
+  if (options.until == "download") return StreamGoal::download;
+  return options.until == "arm" ? StreamGoal::arm : StreamGoal::start;
+}
+
 StreamPlan plan_of(const StreamArguments& options, const std::string& executor,
                    const Input& input) {
   const PlayOptions play = play_options(options);
@@ -44,9 +50,7 @@ StreamPlan plan_of(const StreamArguments& options, const std::string& executor,
     plan.position = quantity_of("--start-at", options.start_at, plan.tables.front().units.x);
   }
   for (const std::string& file : options.swaps) add_swap(plan, load(file, options.axis), play);
-  plan.goal = options.until == "download" ? StreamGoal::download
-              : options.until == "arm"    ? StreamGoal::arm
-                                          : StreamGoal::start;
+  plan.goal = goal_of(options);
   return plan;
 }
 
@@ -129,16 +133,34 @@ int report(const std::vector<std::string>& names, const std::vector<StreamOutcom
   return status;
 }
 
+/// A path for a group: all of its axes.
+std::optional<StreamPlan> group_plan(const StreamArguments& options,
+                                     const std::vector<Input>& axes) {
+  if (!is_path(axes)) return std::nullopt;
+  if (options.live || !options.swaps.empty() || !options.master.empty())
+    throw InputError(
+        "--to", options.to,
+        "is a group, so the options for one axis do not apply: omit --live, --swap and "
+        "--master, or name one axis of the path with --axis");
+  StreamPlan plan = path_plan(options.to, axes);
+  plan.await = !options.no_wait;
+  plan.goal = goal_of(options);
+  return plan;
+}
+
 }  // namespace
 
 int stream_table(const StreamArguments& options) {
-  const Input input = load(options.file, options.axis);
-  if (is_live_follow(input, options)) return stream_follow(input, options);
+  std::vector<Input> axes = load_axes(options.file, options.axis);
+  std::optional<StreamPlan> path = group_plan(options, axes);
+  std::optional<Input> input;
+  if (!path) input = only_one(std::move(axes), options.file);
+  if (input && is_live_follow(*input, options)) return stream_follow(*input, options);
   if (options.relative)
     throw InputError("--relative", "",
                      "applies to --rolling, --bank and live follow specs only: other tables begin "
                      "at their first position");
-  StreamPlan plan = plan_of(options, options.to, input);
+  StreamPlan plan = path ? std::move(*path) : plan_of(options, options.to, *input);
   Link link(options.link);
   plan.start_tick = tick_of(options, link, options.to);
   const Interrupt interrupt;

@@ -75,6 +75,11 @@ constexpr std::array entries{
     Entry{Cause::master_reversed, "master_reversed",
           "The master reversed while the slave engaged with it.",
           "Reset the axis, and engage while the master moves in its normal direction."},
+    Entry{Cause::axis_fault, "axis_fault",
+          "An axis of the group has a fault, was stopped or was disabled: the group stopped on its "
+          "path.",
+          "Find the axis with `jounce monitor`, remove the cause, and reset and enable the axis. "
+          "Then reset the group. `jounce order GROUP resume` continues the path."},
     Entry{Cause::not_enabled, "not_enabled", "The axis is disabled.",
           "Enable the axis: `jounce order NAME enable`."},
     Entry{Cause::in_error, "in_error", "The axis has a fault.",
@@ -207,6 +212,21 @@ constexpr std::array entries{
           "The drive does not report the switch or the index that the homing method needs.",
           "Choose a method for the switches that the machine has. For a simulated drive, add "
           "[drive.machine] to the spec of the axis."},
+    Entry{Cause::in_group, "in_group",
+          "The axis belongs to an enabled group, which alone moves it.",
+          "Command the group, or disable it first: `jounce order GROUP disable`."},
+    Entry{Cause::single_axis, "single_axis", "The command moves a single axis, not a group.",
+          "Send the command to an axis of the group, while the group is disabled."},
+    Entry{Cause::axis_not_ready, "axis_not_ready",
+          "An axis of the group is disabled, not homed, has a fault, or moves.",
+          "Find the axis with `jounce monitor`. Reset, enable or home it, or wait for its "
+          "standstill."},
+    Entry{Cause::axis_away, "axis_away",
+          "An axis of the group does not stand where the path begins or continues.",
+          "Disable the group or leave it in its fault, move the axis there, and repeat the "
+          "command."},
+    Entry{Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
+          "Send a path to a group, or the table of one axis to an axis (`--axis`)."},
     Entry{Cause::stopped, "stopped", "Stopped on request.", "Nothing."},
     Entry{Cause::halted, "halted", "Halted on request.", "Nothing."},
     Entry{Cause::pass_ended, "pass_ended", "Finished at the end of the current pass, as requested.",
@@ -245,6 +265,16 @@ std::string unit_of(Cause cause, const std::string& unit) {
   }
 }
 
+/// The axis of a group that prevents a motion; Refusal::where is its number.
+std::string of_group_axis(const Refusal& refusal, const std::string& unit) {
+  if (!(refusal.where >= 1)) return "";
+  std::string words = " It is axis " + six_digits(refusal.where) + " of the group";
+  if (refusal.cause == Cause::axis_away)
+    words += ": it stands at " + six_digits(refusal.value) + unit_of(refusal.cause, unit) +
+             ", and its place is " + six_digits(refusal.limit) + unit_of(refusal.cause, unit);
+  return words + ".";
+}
+
 const Entry& entry(Cause cause) {
   const auto* const found = std::find_if(entries.begin(), entries.end(),
                                          [&](const Entry& e) { return e.cause == cause; });
@@ -268,6 +298,8 @@ const char* meaning(Cause cause) {
 std::string text(const Refusal& refusal, const std::string& unit) {
   const Cause cause = refusal.cause;
   std::string words = std::string(name(cause)) + ": " + meaning(cause);
+  if (cause == Cause::axis_away || cause == Cause::axis_not_ready)
+    return words + of_group_axis(refusal, unit);
   if (!is_measured(cause)) return words;
   words.pop_back();  // the full stop: the numbers follow
   const auto shown = [&](double number) { return six_digits(number) + unit_of(cause, unit); };

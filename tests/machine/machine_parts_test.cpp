@@ -3,6 +3,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,6 +71,91 @@ TEST_F(MachineParts, SendTheirNoticesWithTheNameOfTheAxis) {
 TEST(LogOf, NamesTheAxisIfThereAreSeveral) {
   EXPECT_EQ(log_of("run.csv", "feeder", 1), "run.csv");
   EXPECT_EQ(log_of("logs/run.csv", "feeder", 2), "logs/run.feeder.csv");
+}
+
+/// A machine of two axes and the group "plotter"; `more`: further keys of the group.
+class MachineGroups : public MachineParts {
+ protected:
+  std::string machine(const std::string& group, const std::string& program) {
+    axis("x");
+    axis("y");
+    std::ofstream(folder_ / "part.toml") << program;
+    const std::string path = (folder_ / "machine.toml").string();
+    std::ofstream(path) << "jounce = 1\nkind = \"machine\"\n[[axis]]\nspec = \"x.toml\"\n"
+                           "[[axis]]\nspec = \"y.toml\"\n[[group]]\nname = \"plotter\"\n"
+                        << group;
+    return path;
+  }
+  static std::string part(const std::string& first = "x", const std::string& velocity = "10",
+                          const std::string& unit = "mm") {
+    const std::string limits = "limits = { velocity = 20, acceleration = 1, jerk = 10 }\n";
+    return "jounce = 1\nkind = \"path\"\nunits = { position = \"" + unit +
+           "\", time = \"s\" }\n[path]\nvelocity = " + velocity + "\n[[axis]]\nname = \"" + first +
+           "\"\n" + limits + "[[axis]]\nname = \"y\"\n" + limits +
+           "[[command]]\ntype = \"line\"\nto = [30, 40]\n";
+  }
+  std::string error(const std::string& group, const std::string& program = part()) {
+    const std::string path = machine(group, program);
+    return test::error_of([&] { machine_parts({.files = {path}}); });
+  }
+};
+
+TEST_F(MachineGroups, AreVirtualAxesAfterTheOthers) {
+  const std::string path =
+      machine("axes = [\"x\", \"y\"]\nprogram = \"part.toml\"\ntolerance = \"2 um\"\n", part());
+  const auto parts = machine_parts({.files = {path}, .log = "run.csv", .enable = true});
+  ASSERT_EQ(parts.axes.size(), 3U);
+  const ExecutorOptions& group = parts.axes[2];
+  EXPECT_EQ(group.receiver.executor, "plotter");
+  EXPECT_EQ(group.log, "run.plotter.csv");
+  EXPECT_EQ(group.units.position, "mm");
+  EXPECT_EQ(group.group->of.axes, (std::vector<std::size_t>{0, 1}));
+  EXPECT_DOUBLE_EQ(group.group->of.tolerance, 0.002);
+  EXPECT_FALSE(group.enable) << "its axes are enabled first";
+  EXPECT_EQ(group.group->program->plan->path().length(), 50);
+}
+
+TEST_F(MachineGroups, TakeAProgramWithOtherNamesInItsOrder) {
+  const std::string path = machine("axes = [\"y\", \"x\"]\nprogram = \"part.toml\"\n", part("u"));
+  EXPECT_EQ(machine_parts({.files = {path}}).axes[2].group->of.axes,
+            (std::vector<std::size_t>{1, 0}));
+}
+
+TEST_F(MachineGroups, RejectWhatTheyCannotPlayWithItsPlace) {
+  using testing::AllOf;
+  using testing::HasSubstr;
+  const std::string good = "axes = [\"x\", \"y\"]\nprogram = \"part.toml\"\n";
+  EXPECT_THAT(error("axes = [\"x\", \"z\"]\nprogram = \"part.toml\"\n"),
+              AllOf(HasSubstr("machine.toml:9"), HasSubstr("group[1].axes = z"),
+                    HasSubstr("is not an axis of this machine")));
+  EXPECT_THAT(error("axes = [\"y\", \"x\"]\nprogram = \"part.toml\"\n"),
+              AllOf(HasSubstr("machine.toml:9"), HasSubstr("use the same order")));
+  EXPECT_THAT(error("axes = [\"x\"]\nprogram = \"part.toml\"\n"),
+              HasSubstr("has 2 axes, but the group has 1"));
+  EXPECT_THAT(error(good + "tolerance = \"1 s\"\n"), HasSubstr("machine.toml:11"));
+  EXPECT_THAT(error(good + "tolerance = 1\n"),
+              AllOf(HasSubstr("machine.toml:11"), HasSubstr("must be at most 0.04")));
+  EXPECT_THAT(error(good + "speed = 1\n"), HasSubstr("group[1].speed"));
+  EXPECT_THAT(error(good, part("x", "10", "deg")), HasSubstr("has the unit deg"));
+  EXPECT_THAT(error(good, "jounce = 1\nkind = \"path\"\n"), HasSubstr("part.toml"));
+  EXPECT_THAT(error(good, "x = 1\n"), HasSubstr("part.toml"));
+  std::string hard = part();
+  for (int axis = 0; axis < 2; ++axis)
+    hard.replace(hard.find("acceleration = 1"), 16, "acceleration = 9");
+  EXPECT_THAT(error(good, hard), AllOf(HasSubstr("machine.toml:10"), HasSubstr("x.acceleration")));
+}
+
+TEST_F(MachineGroups, TheNameOfAGroupIsItsOwn) {
+  const std::string path = machine("axes = [\"x\", \"y\"]\nprogram = \"part.toml\"\n", part());
+  std::string text;
+  {
+    std::ifstream file(path);
+    text.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  text.replace(text.find("plotter"), 7, "x");
+  std::ofstream(path) << text;
+  EXPECT_THAT(test::error_of([&] { machine_parts({.files = {path}}); }),
+              testing::HasSubstr("is also the name of an axis"));
 }
 
 }  // namespace

@@ -271,6 +271,8 @@ TEST_F(ReceiverTest, RefusesAModeThatTheTableDoesNotFit) {
   EXPECT_EQ(answer<wire::Reply>().refusal, Refusal::wrong_axis);
   put(1, wire::Arm{.command = 2, .mode = wire::ArmMode::follow_table, .slave = hash});
   EXPECT_EQ(answer<wire::Reply>().refusal, Refusal::table_missing) << "the master table";
+  put(1, wire::Arm{.command = 3, .mode = wire::ArmMode::path, .slave = hash});
+  EXPECT_EQ(answer<wire::Reply>().refusal, Refusal::wrong_axis) << "a program is a list of numbers";
 }
 
 TEST_F(ReceiverTest, HandsTheArmToTheAxisAndItsAnswerBack) {

@@ -49,6 +49,7 @@ inline std::vector<wire::Message> samples() {
        wire::Arm{
            .command = 2, .mode = wire::ArmMode::follow_input, .slave = one, .end = CamEnd::extend}},
       {name, 13, wire::Arm{.command = 3, .mode = wire::ArmMode::queue, .queue = 65, .bank = 1}},
+      {name, 13, wire::Arm{.command = 4, .mode = wire::ArmMode::path, .slave = one}},
       {name, 14, wire::Start{3, 1'234'567'890'123}, 141},
       {name, 14, wire::Start{4, -1, StartAt::master_position, 90.5}, 142},
       {name, 15, wire::Stop{4, wire::StopMode::abort}},

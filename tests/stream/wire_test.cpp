@@ -260,7 +260,7 @@ TEST(Wire, RefusesFieldsOutOfRange) {
   EXPECT_EQ(reject(forged(wire::Start{.command = 1}, fields + 3, 0)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Start{.command = 1}, fields + 11, 0xFE)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 4, 3)), Reject::bad_field) << "queue 0";
-  EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 4, 4)), Reject::bad_field);
+  EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 4, 5)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 69, 6)), Reject::bad_field) << "start";
   EXPECT_EQ(reject(forged(wire::Arm{.command = 1}, fields + 69, 2)), Reject::bad_field)
       << "ramp_in without its limits";
@@ -407,6 +407,7 @@ TEST(Wire, EveryEnumeratorHasItsOwnName) {
   EXPECT_STREQ(name(wire::Refusal::hash_mismatch), "hash_mismatch");
   EXPECT_STREQ(name(Reject::bad_field), "bad_field");
   EXPECT_STREQ(name(wire::ArmMode::follow_table), "follow_table");
+  EXPECT_STREQ(name(wire::ArmMode::path), "path");
   EXPECT_STREQ(name(State::error_stop), "error_stop");
   EXPECT_STREQ(name(wire::Next::waiting), "waiting");
 }

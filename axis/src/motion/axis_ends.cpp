@@ -21,6 +21,10 @@ void MotionAxis::conclude() {
     if (!next_.empty()) begin_next();
     return;
   }
+  if (base_ == Base::group) {
+    if (inputs_.peers == Peers::landing) rest();
+    return;
+  }
   if (base_ == Base::live) {
     if (live_->progress() != Progress::done) return;
     const double still = profiles_detail::rounded_input * *config_.limits.velocity;  // rounding
@@ -29,7 +33,7 @@ void MotionAxis::conclude() {
   }
   const bool passed = path_.finishes() && path_.reaches_boundary(now_.tick);
   if (path_->progress() == Progress::done || passed) return rest();
-  const bool resumable = ending_ == Ending::fault && now_.fault == Cause::underrun;
+  const bool resumable = ending_ == Ending::fault && (now_.fault == Cause::underrun || is_group());
   if (ending_ != Ending::none && path_.rests(now_.tick) && !resumable) rest();
 }
 
@@ -110,6 +114,9 @@ void MotionAxis::fail(Cause cause) {
   forget_later();
   Reaction reaction = reaction_to(cause);
   if (cause == Cause::aborted && config_.abort_acceleration == 0) reaction = Reaction::freeze;
+  // The axes of a group stop on its path in any fault, unless the setpoint itself was at fault.
+  if (is_group() && on_path() && ending_ != Ending::fault && cause != Cause::stalled)
+    reaction = Reaction::stop_on_path;
   if (reaction == Reaction::power_off) {
     now_.power = false;
     cut_off();

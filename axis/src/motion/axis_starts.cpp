@@ -12,6 +12,10 @@ namespace jounce {
 MotionAxis::Rejection MotionAxis::act(const command::Arm& what) {
   Movement* const movement = what.movement;
   if (!movement) return Refusal{Cause::no_value};
+  if (is_group() && movement->parts().empty()) {
+    hand_back(movement);
+    return Refusal{Cause::single_axis};
+  }
   const auto from = expected_end();
   Rejection no;
   if (from || path_.open_ended())
@@ -64,6 +68,9 @@ void MotionAxis::disarm() {
 
 MotionAxis::Rejection MotionAxis::act(const command::Start& what) {
   if (!armed_) return Refusal{Cause::not_armed};
+  if (is_group() && on_path())
+    return Refusal{Cause::in_motion};  // it holds: a new path is elsewhere
+  if (auto no = against_axes()) return no;
   if (what.when == StartAt::end_of_table && moving()) return start_at_end();
   if (what.when == StartAt::tick && what.tick >= 0 && what.tick < now_.tick)
     return Refusal{Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick)};
@@ -189,6 +196,8 @@ std::optional<Refusal> MotionAxis::against_switch(const Movement& path) const {
 
 void MotionAxis::begin_pending(const Moment& at) {
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
+  if (const auto refusal = against_axes()) return drop(*refusal);
+  if (is_group()) now_.position = 0;  // the length along its path
   const bool live = armed_.is_live();
   Cause no = Cause::none;
   const auto state = state_at(at, no);

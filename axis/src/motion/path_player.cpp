@@ -105,7 +105,7 @@ bool PathPlayer::knows(std::int64_t tick, double rate, double times,
 
 /// The requested rate, at most the highest one of this path, and of the next one.
 double PathPlayer::wanted(double rate, const Movement* next) const noexcept {
-  const double most = highest_rate(peaks_, config_);
+  const double most = std::min(highest_rate(peaks_, config_), path_->highest_rate());
   return std::min({rate, most, next ? highest_rate(next->peaks(), config_) : most});
 }
 
@@ -120,7 +120,8 @@ double PathPlayer::granted(double rate, const Movement* next) const noexcept {
 
 /// The slope of a change to that rate from that tick on.
 double PathPlayer::slope_to(double rate, std::int64_t tick, const Peaks& added) const noexcept {
-  return rate_slope(peaks_, config_, std::max({1.0, clock_.highest(tick), rate}), added);
+  const double highest = std::max({1.0, clock_.highest(tick), rate});
+  return std::min(rate_slope(peaks_, config_, highest, added), path_->rate_slope(highest));
 }
 
 bool PathPlayer::rests(std::int64_t tick) const noexcept {

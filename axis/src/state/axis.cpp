@@ -45,6 +45,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   obey_due();
   obey(command);
   watch();
+  follow_group();
   begin_due();
   if (state_ == State::homing && moving()) seek();
   if (rested && moving()) outputs_.begin();
@@ -111,11 +112,14 @@ void MotionAxis::watch() {
     if (wrong == Cause::drive_not_ready) return;
     state_ = now_.fault == Cause::none ? State::standstill : State::error_stop;
   }
-  // Without a heartbeat, an axis in motion stops; an axis at rest stays at rest.
+  // Without a heartbeat, an axis in motion stops; an axis at rest stays at rest. A group stops with
+  // its axes on its path.
   const bool stops = state_ == State::error_stop || !(moving() || armed_.waiting() || later_);
-  if (wrong == Cause::watchdog && stops) wrong = Cause::none;
+  if (wrong == Cause::watchdog && (stops || base_ == Base::group)) wrong = Cause::none;
   if (windows_.too_far(now_.following_error, dt(), config_) && wrong == Cause::none)
     wrong = Cause::following_error;
+  const bool broken = inputs_.peers == Peers::failed && state_ != State::error_stop;
+  if (broken && wrong == Cause::none) wrong = Cause::axis_fault;
   if (wrong != Cause::none) return fail(wrong);
   stop_with_group();
 }
@@ -147,6 +151,7 @@ void MotionAxis::play() {
 
 Cause MotionAxis::advance(Setpoint& next) {
   if (on_path()) return advance_path(next);
+  if (base_ == Base::group) return advance_group(next);
   return base_ == Base::live ? advance_live(next) : advance_move(next);
 }
 
@@ -194,6 +199,7 @@ bool MotionAxis::inside_as_a_whole() const {
 void MotionAxis::give_out(const Setpoint& next) {
   const auto& [p, v, a, j] = next.slave;
   path_.put_out(now_.tick);
+  keep_parts();
   now_.master = next.master;
   now_.master_velocity = next.master_velocity;
   now_.position = p;

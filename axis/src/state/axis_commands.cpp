@@ -24,6 +24,7 @@ MotionAxis::Rejection MotionAxis::take_up(const Command& command) {
   const bool released = ending_ == Ending::release && !homing_;
   const State state = released ? State::discrete_motion : state_;
   Cause no = permitted(state, command.kind());
+  if (no == Cause::none) no = against_group(command.kind());
   if (no == Cause::none && needs_home(command)) no = Cause::not_homed;
   if (no != Cause::none) {
     if (const Movement* const movement = movement_of(command.what)) hand_back(movement);
@@ -45,7 +46,10 @@ bool MotionAxis::needs_home(const Command& command) const {
 
 MotionAxis::Rejection MotionAxis::power(bool on) {
   if (on && inputs_.feedback.fault) return Refusal{Cause::drive_fault};
-  if (!on && moving() && state_ != State::error_stop) {
+  if (on && inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
+  if (is_group() && !on && moving()) {
+    if (!path_.rests(now_.tick)) return Refusal{Cause::in_motion};
+  } else if (!on && moving() && state_ != State::error_stop) {
     fail(Cause::disabled_in_motion);
     return std::nullopt;
   }
@@ -63,6 +67,8 @@ MotionAxis::Rejection MotionAxis::power(bool on) {
 MotionAxis::Rejection MotionAxis::act(const command::Reset& /*it*/) {
   if (state_ == State::error_stop && moving() && !(on_path() && now_.velocity == 0))
     return Refusal{Cause::in_motion};
+  if (state_ == State::error_stop)
+    if (auto no = against_reset()) return no;
   now_.fault = Cause::none;
   if (state_ != State::error_stop) return std::nullopt;
   ending_ = Ending::none;
@@ -100,6 +106,7 @@ MotionAxis::Rejection MotionAxis::end_motion(Ending ending, const MoveDynamics& 
   if (!homing_) dynamics = {.deceleration = asked.deceleration, .jerk = asked.jerk};
   const bool stops = ending != Ending::halt || homing_;
   if (auto no = stops ? fill_stop(dynamics, config_) : fill(dynamics, config_)) return no;
+  if (base_ == Base::group) return std::nullopt;  // the machine stops its group
   break_groups();
   forget_next();
   if (stops) forget_later();
@@ -139,6 +146,8 @@ void MotionAxis::stop_with_group() {
 MotionAxis::Rejection MotionAxis::hold(bool on) {
   if (base_ == Base::live) return Refusal{Cause::not_on_path};
   if (ending_ != Ending::none) return Refusal{Cause::halting};
+  if (!on && on_path())
+    if (auto no = against_axes()) return no;
   const bool before = std::exchange(held_, on);
   const auto no = replan();
   if (no) held_ = before;
@@ -157,8 +166,11 @@ MotionAxis::Rejection MotionAxis::act(const command::Override& what) {
   // The superimposed move was planned within the limits that the factor left.
   const double most = std::max(1.0, factor_);
   if (above_.running() && factor > most) return Refusal{Cause::in_motion, factor, most};
+  if (on_path() && factor > 0 && !held_)
+    if (auto no = against_axes()) return no;
   const double before = std::exchange(factor_, factor + 0.0);  // no -0
   if (!moving() || ending_ != Ending::none || base_ == Base::live) return std::nullopt;
+  if (base_ == Base::group) return std::nullopt;
   const auto no = replan();
   if (no) factor_ = before;
   return no;

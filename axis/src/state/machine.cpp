@@ -50,18 +50,51 @@ void require_leaders(const std::vector<MachineAxis>& axes, std::size_t masters) 
   }
 }
 
-/// Leaders first, otherwise in declared order: each axis comes after its chain of leaders.
-std::vector<std::size_t> order_of(const std::vector<MachineAxis>& axes) {
+using Memberships = std::vector<std::optional<std::size_t>>;  ///< group of each axis
+
+/// The group of each axis. Throws for groups that cannot be.
+Memberships groups_of(const std::vector<MachineAxis>& axes) {
+  Memberships groups(axes.size());
+  for (std::size_t g = 0; g < axes.size(); ++g) {
+    if (!axes[g].group) continue;
+    const auto refuse = [&](const std::string& value, const std::string& rule) {
+      throw InputError(axes[g].name + ".axes", value, rule);
+    };
+    const std::vector<std::size_t>& members = axes[g].group->axes;
+    if (members.empty() || members.size() > max_axes)
+      refuse(std::to_string(members.size()), "must be 1 to " + std::to_string(max_axes) + " axes");
+    if (axes[g].follow.what != Follow::What::nothing)
+      refuse(axes[g].name, "a group cannot follow a master");
+    for (const std::size_t k : members) {
+      if (k >= axes.size() || axes[k].group)
+        refuse(std::to_string(k), "must be an axis of the machine, and not a group");
+      if (groups[k])
+        refuse(axes[k].name, "is already an axis of the group " + axes[*groups[k]].name);
+      if (axes[k].follow.what != Follow::What::nothing)
+        refuse(axes[k].name, "follows a master: an axis of a group follows only its group");
+      const double most = *axes[k].config.limits.velocity * seconds(axes[k].config.period);
+      if (!(axes[g].group->tolerance >= 0 && axes[g].group->tolerance <= most))
+        throw InputError(axes[g].name + ".tolerance", axes[g].group->tolerance,
+                         "must be at most " + number(most) + ", the distance that " + axes[k].name +
+                             " covers in one cycle");
+      groups[k] = g;
+    }
+  }
+  return groups;
+}
+
+/// Leaders and groups first, otherwise in declared order: each axis comes after its chain of leaders.
+std::vector<std::size_t> order_of(const std::vector<MachineAxis>& axes, const Memberships& groups) {
   std::vector<std::size_t> order;
   std::vector<bool> placed(axes.size(), false);
   for (std::size_t i = 0; i < axes.size(); ++i) {
     std::vector<std::size_t> chain;
-    for (std::size_t k = i; !placed[k]; k = axes[k].follow.index) {
+    for (std::size_t k = i; !placed[k]; k = groups[k].value_or(axes[k].follow.index)) {
       if (std::find(chain.begin(), chain.end(), k) != chain.end())
         throw InputError(axes[k].name + ".follow", axes[axes[k].follow.index].name,
                          "the axes follow each other in a ring: let one of them follow no axis");
       chain.push_back(k);
-      if (axes[k].follow.what != Follow::What::setpoint) break;
+      if (!groups[k] && axes[k].follow.what != Follow::What::setpoint) break;
     }
     for (auto k = chain.rbegin(); k != chain.rend(); ++k) {
       order.push_back(*k);
@@ -104,10 +137,22 @@ bool is_incomplete(std::size_t axis, std::span<const AxisImage> images) {
   return false;
 }
 
+/// True for a group whose path time passes.
+bool moves(const Tick& group) {
+  return group.job != 0 && group.rate != 0;
+}
+
 }  // namespace
 
 Machine::Machine(std::vector<MachineAxis> axes, std::size_t masters)
-    : axes_(checked(std::move(axes), masters)), masters_(masters), order_(order_of(axes_)) {
+    : axes_(checked(std::move(axes), masters)),
+      masters_(masters),
+      memberships_(axes_.size()),
+      order_(order_of(axes_, groups_of(axes_))),
+      moved_(axes_.size(), false) {
+  for (std::size_t g = 0; g < axes_.size(); ++g)
+    for (std::size_t k = 0; axes_[g].group && k < axes_[g].group->axes.size(); ++k)
+      memberships_[axes_[g].group->axes[k]] = Membership{g, k};
   motion_.reserve(axes_.size());
   for (const MachineAxis& axis : axes_)
     motion_.emplace_back(axis.config, axis.switches, axis.compare);
@@ -124,8 +169,53 @@ void Machine::step(std::int64_t tick, std::span<AxisImage> images, std::span<con
     image.inputs.master_offset = master_offset_of(i, images);
     image.inputs.group_broken = is_broken(image.tick.group, i, images);
     if (is_broken(image.tick.next.group, i, images)) image.inputs.peers = Peers::broken;
+    if (axes_[i].group) gather(i, images);
+    if (memberships_[i]) lead(i, *memberships_[i], images);
     image.tick = motion_[i].step(tick, image.command, image.inputs);
   }
+  for (const std::size_t i : order_)
+    if (axes_[i].group) moved_[i] = moves(images[i].tick);
+}
+
+/// The inputs of a group before its step: can its axes follow? In motion, they follow since the
+/// previous tick. At rest, they stand still. The first axis that is not in its place is named.
+void Machine::gather(std::size_t group, std::span<AxisImage> images) const {
+  const std::span<const Jet> parts = motion_[group].parts();
+  const AxisGroup& of = *axes_[group].group;
+  const State expected = moved_[group] ? State::synchronized_motion : State::standstill;
+  Inputs& inputs = images[group].inputs;
+  inputs.peers = parts.size() == of.axes.size() ? Peers::together : Peers::away;
+  inputs.master = lost;
+  inputs.group_broken = false;
+  for (std::size_t k = 0; k < of.axes.size(); ++k) {
+    const AxisImage& axis = images[of.axes[k]];
+    const double place = parts.size() == of.axes.size() ? parts[k][0] : axis.tick.position;
+    const bool lost_home = axes_[of.axes[k]].config.require_home && !axis.tick.homed;
+    const bool fails = axis.tick.state != expected || axis.tick.waiting || lost_home;
+    const bool away = !(std::abs(axis.tick.position - place) <= of.tolerance);
+    if (moved_[group] && axis.command.kind() == CommandKind::stop) inputs.group_broken = true;
+    if (inputs.peers == Peers::failed || (!fails && (!away || inputs.peers == Peers::away)))
+      continue;
+    inputs.peers = fails ? Peers::failed : Peers::away;
+    inputs.master = {axis.tick.position, place, static_cast<double>(k + 1), 0};
+  }
+}
+
+/// The inputs of an axis of a group that was stepped in this tick. The last setpoint of a motion is
+/// that at rest. If the group froze in motion, its axes lose it.
+void Machine::lead(std::size_t axis, const Membership& in, std::span<AxisImage> images) const {
+  const Tick& group = images[in.group].tick;
+  Inputs& inputs = images[axis].inputs;
+  inputs.master = lost;
+  const bool moving = moves(group);
+  if (moving || moved_[in.group]) {
+    const bool rests = group.velocity == 0 && !group.frozen;
+    inputs.peers = moving || !rests ? Peers::led : Peers::landing;
+    if (moving || rests) inputs.master = motion_[in.group].parts()[in.place];
+    return;
+  }
+  const bool enabled = group.state != State::disabled && group.state != State::error_stop;
+  if (enabled) inputs.peers = Peers::grouped;
 }
 
 Jet Machine::master_of(std::size_t axis, std::span<const AxisImage> images,

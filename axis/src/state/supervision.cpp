@@ -62,6 +62,7 @@ Reaction reaction_to(Cause fault) noexcept {
       return Reaction::freeze;
     case Cause::underrun:
     case Cause::watchdog:
+    case Cause::axis_fault:
       return Reaction::stop_on_path;
     default:
       return Reaction::brake;

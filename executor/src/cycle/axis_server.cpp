@@ -37,7 +37,7 @@ AxisServer::AxisServer(ExecutorOptions options, Receiver& receiver, MachineExcha
       cycle_(exchange.cycle),
       commands_(exchange_),
       queues_(exchange_.rows, recorded_rows()),
-      builder_(worker, options_.build_apart) {
+      builder_(worker, options_.build_apart, options_.group) {
   if (options_.log) log_.emplace(*options_.log, options_.units);
   if (options_.enable) commands_.send({command::Enable{}});
   commands_.flush();
@@ -77,6 +77,9 @@ void AxisServer::handle(const TableReady& ready) {
 
 std::optional<Refusal> AxisServer::unfit(const ArmRequested& arm) const {
   if (retired_) return Refusal{.cause = Cause::leaving};
+  const bool path = arm.mode == wire::ArmMode::path;
+  if (path != options_.group.has_value())
+    return Refusal{.cause = path ? Cause::not_a_group : Cause::single_axis};
   const bool live = arm.mode == wire::ArmMode::follow_input;
   if (live && options_.follow.what == Follow::What::nothing)
     return Refusal{.cause = Cause::no_master_input};
@@ -131,6 +134,9 @@ void AxisServer::arm(MovementBuilder::Built built) {
 
 void AxisServer::arm(const Request& request, MadeMovement made, const Sha256& hash,
                      std::int64_t group) {
+  if (!made.reason.empty())
+    return receiver_.refuse(request.session, request.command, made.reason,
+                            static_cast<std::int32_t>(Cause::bad_table));
   if (!made.movement) return answer(request, Refusal{.cause = Cause::bad_table});
   const bool resets = last_.state == State::error_stop && request.session != fault_session_;
   const bool stands = last_.state == State::standstill || resets;
@@ -149,17 +155,22 @@ void AxisServer::arm(const Request& request, MadeMovement made, const Sha256& ha
       commands_.send({command::Stop{}});  // the remainder of an underrun is not continued
   }
   if (adopts) commands_.send({command::SetPosition{*made.first}});
-  if (options_.recorder != nullptr && made.source) record(*made.source);
+  record(made);
   commands_.send({command::Arm{made.movement.get(), group}}, request);
   armed_ = made.movement->id();
   movements_[armed_] = {std::move(made), hash};
 }
 
 /// Called before the arm is sent to the axis.
-void AxisServer::record(const MadeFrom& source) {
-  RecordedJob job = source.job;
+void AxisServer::record(const MadeMovement& made) {
+  if (options_.recorder == nullptr) return;
+  if (made.program)
+    for (const RecordedProgram& part : recorded(*made.program, axis_, made.movement->id()))
+      options_.recorder->note(part);
+  if (!made.source) return;
+  RecordedJob job = made.source->job;
   job.axis = axis_;
-  options_.recorder->job(job, source.time, source.cam ? &*source.cam : nullptr);
+  options_.recorder->job(job, made.source->time, made.source->cam ? &*made.source->cam : nullptr);
 }
 
 void AxisServer::handle(const StartRequested& start) {
@@ -246,13 +257,14 @@ void AxisServer::couple(const CommandRequested& requested, const Request& reques
 /// Arms and starts the axis's own table. It is accepted when it is armed: nothing can prevent the
 /// start then.
 void AxisServer::obey(const command::StartTable& /*it*/, const CommandRequested& requested,
-                      const Request& /*start*/) {
+                      const Request& request) {
+  if (options_.group) return play_program(requested, request);
   if (!options_.table)
     return decline(
         requested,
         "the spec of the axis has no table of its own to start: send a table with `jounce stream`");
-  const Request request{requested.session, requested.command, Kind::arm};
-  if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
+  const Request armed{requested.session, requested.command, Kind::arm};
+  if (moving()) return answer(armed, Refusal{.cause = Cause::in_motion});
   const ArmRequested own{.session = requested.session,
                          .command = requested.command,
                          .mode = wire::ArmMode::play,
@@ -260,9 +272,27 @@ void AxisServer::obey(const command::StartTable& /*it*/, const CommandRequested&
                          .master = {}};
   motion_session_ = requested.session;
   commands_.send({command::Disarm{}});  // if the arm fails, the start then starts nothing else
-  arm(request, movement_of(own, ++numbers_, options_.axis.period, last_.position),
+  arm(armed, movement_of(own, ++numbers_, options_.axis.period, last_.position),
       options_.table->hash, no_group);
   commands_.send({command::Start{.tick = requested.at}});
+}
+
+/// Arms and starts the program of a group. The start decides whether its axes stand where it begins.
+void AxisServer::play_program(const CommandRequested& requested, const Request& request) {
+  const auto& program = options_.group->program;
+  if (!program)
+    return decline(requested,
+                   "the group has no program of its own: send a path with `jounce stream`, or add "
+                   "program to its [[group]]");
+  if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
+  motion_session_ = requested.session;
+  const std::uint64_t id = ++numbers_;
+  MadeMovement path = movement_of(program, id);
+  record(path);
+  commands_.send({command::Disarm{}});
+  commands_.send({command::Arm{path.movement.get()}});
+  commands_.send({command::Start{.tick = requested.at}}, request);
+  movements_[id] = {std::move(path), {}};
 }
 
 /// Returns the function that records a queue's rows; empty: no record.

@@ -2,9 +2,12 @@
 #include "jounce/executor/made_movement.hpp"
 
 #include <new>
+#include <utility>
 
+#include "jounce/axis/group_path.hpp"
 #include "jounce/axis/job.hpp"
 #include "jounce/axis/live_cam.hpp"
+#include "jounce/path/program_numbers.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -36,6 +39,26 @@ MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t
     return {};
   } catch (const std::bad_alloc&) {
     return {};
+  }
+}
+
+MadeMovement movement_of(std::shared_ptr<const GroupProgram> program, std::uint64_t id) {
+  return {.movement = std::make_shared<GroupPath>(id, *program), .program = std::move(program)};
+}
+
+MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const ExecutorGroup& group) {
+  try {
+    const LimitedProgram sent = program_of(arm.slave.table->columns().p);
+    require_order(sent.names, group.names);
+    auto path =
+        std::make_shared<const Plan>(plan(sent.program, within(sent.limits, group.configs)));
+    return movement_of(std::make_shared<const GroupProgram>(
+                           group_program(std::move(path), group.configs, group.names)),
+                       id);
+  } catch (const InputError& error) {
+    return {.reason = error.what()};
+  } catch (const std::bad_alloc&) {
+    return {.reason = "the program does not fit into the memory of the executor"};
   }
 }
 

@@ -10,7 +10,9 @@ std::optional<MovementBuilder::Built> MovementBuilder::build(const ArmRequested&
                                                              double position) {
   const std::size_t knots =
       arm.slave.table->size() + (arm.master ? arm.master->table->size() : std::size_t{0});
-  auto now = [arm, id, period, position] { return movement_of(arm, id, period, position); };
+  auto now = [arm, id, period, position, group = group_] {
+    return group ? movement_of(arm, id, *group) : movement_of(arm, id, period, position);
+  };
   if (knots <= most_knots_) return Built{arm, now()};
   building_.emplace(Building{arm, worker_.ask(std::move(now))});
   return std::nullopt;

@@ -206,7 +206,7 @@ inline constexpr int count_of<CommandKind> = static_cast<int>(command_kinds);
 template <>
 inline constexpr int count_of<StartAt> = static_cast<int>(StartAt::master_position) + 1;
 template <>
-inline constexpr int count_of<Peers> = static_cast<int>(Peers::broken) + 1;
+inline constexpr int count_of<Peers> = static_cast<int>(Peers::failed) + 1;
 template <>
 inline constexpr int count_of<Progress> = static_cast<int>(Progress::broken) + 1;
 template <>

@@ -16,6 +16,7 @@
 #include "jounce_record/lost_t.hpp"
 #include "jounce_record/master_t.hpp"
 #include "jounce_record/output_t.hpp"
+#include "jounce_record/program_t.hpp"
 #include "jounce_record/queue_t.hpp"
 #include "jounce_record/rows_t.hpp"
 #include "jounce_record/sample_t.hpp"
@@ -55,6 +56,7 @@ master_t on_wire(const RecordedMaster& ours);
 sight_t on_wire(const RecordedSight& ours);
 output_t on_wire(const RecordedOutput& ours);
 sample_t on_wire(const RecordedSample& ours);
+program_t on_wire(const RecordedProgram& ours);
 
 RecordedAxis ours(const axis_t& w);
 RecordedTable ours(const table_t& w);
@@ -68,5 +70,6 @@ RecordedMaster ours(const master_t& w);
 RecordedSight ours(const sight_t& w);
 RecordedOutput ours(const output_t& w);
 RecordedSample ours(const sample_t& w);
+RecordedProgram ours(const program_t& w);
 
 }  // namespace jounce::record_wire

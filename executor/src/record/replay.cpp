@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "jounce/axis/group_path.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -93,6 +94,17 @@ class Replayer {
 
   void take(const RecordedGear& gear) {
     keep(gear.axis, gear_of(gear.gear, gear.id, config(gear.axis), gear.position));
+  }
+
+  void take(const RecordedProgram& part) {
+    std::vector<LawStretch>& law = laws_[{part.axis, part.id}];
+    if (part.first != law.size())
+      throw InputError("program", std::to_string(part.first),
+                       "must be " + std::to_string(law.size()) + ", the next stretch of its law");
+    law.insert(law.end(), part.law.begin(), part.law.end());
+    if (law.size() < part.total) return;
+    keep(part.axis, std::make_shared<GroupPath>(part.id, remade(law, part.axes)));
+    laws_.erase({part.axis, part.id});
   }
 
   void take(const RecordedQueue& opened) {
@@ -264,6 +276,7 @@ class Replayer {
   std::map<Sha256, Growing> growing_;
   std::map<Sha256, std::shared_ptr<const Table>> tables_;
   std::map<Key, std::shared_ptr<Movement>> movements_;
+  std::map<Key, std::vector<LawStretch>> laws_;  // programs whose parts arrive
   std::map<Key, QueueMovement> queues_;
   std::map<std::size_t, std::deque<HandedOver>> handed_over_;  // not yet seen, by axis
   bool ended_ = false;

@@ -14,6 +14,7 @@
 #include "jounce/spec/axis_drive.hpp"
 
 #include "machine/src/parts/axis_drive.hpp"
+#include "machine/src/parts/machine_groups.hpp"
 #include "machine/src/parts/machine_masters.hpp"
 
 namespace jounce {
@@ -184,14 +185,15 @@ std::vector<Read> read_axes(const MachineOptions& options,
   return read;
 }
 
-/// Masters that play a table are axes, too.
+/// Groups, and masters that play a table, are axes, too.
 std::size_t virtual_axes(const std::optional<MachineSpec>& machine) {
   if (!machine) return 0;
   const auto& masters = machine->masters;
-  return static_cast<std::size_t>(
+  const auto tables =
       std::count_if(masters.begin(), masters.end(), [](const MachineMasterSpec& one) {
         return std::holds_alternative<MachineMasterSpec::FromTable>(one.what);
-      }));
+      });
+  return machine->groups.size() + static_cast<std::size_t>(tables);
 }
 
 }  // namespace
@@ -234,12 +236,18 @@ MachineParts machine_parts(const MachineOptions& options) {
       masters.push_back(
           {spec.name, spec.unit,
            machine_detail::add_machine_master(spec, machine->document, options, parts)});
+  if (machine)
+    for (const MachineSpec::Group& group : machine->groups)
+      machine_detail::add_machine_group(group, machine->document, options, parts);
   for (std::size_t i = 0; i < read.size(); ++i)
     parts.axes[i].follow = resolved(read[i], axes, masters);
   if (options.notify)
     for (auto& axis : parts.axes) axis.notify = notice_of(options, axis, parts.axes.size());
-  (void)Machine(machine_of(parts.axes),
-                parts.masters.size());  // throws if the axes do not fit together
+  try {
+    (void)Machine(machine_of(parts.axes), parts.masters.size());
+  } catch (const InputError& error) {  // the axes do not fit together
+    throw machine ? machine_detail::in_group(*machine, error) : error;
+  }
   return parts;
 }
 

@@ -27,6 +27,20 @@ MachineSpec::Axis read_one(TomlReader& reader, const std::filesystem::path& fold
   return axis;
 }
 
+MachineSpec::Group read_group(TomlReader& reader, const std::filesystem::path& folder) {
+  MachineSpec::Group group{.name = reader.text("name"), .key = reader.path("name")};
+  group.key.erase(group.key.rfind('.'));
+  group.axes = reader.texts("axes");
+  if (group.axes.empty())
+    reader.fail("axes", "", "is missing: add the names of its axes, such as axes = [\"x\", \"y\"]");
+  group.program = reader.optional_text("program").value_or("");
+  if (const std::filesystem::path given(group.program); !given.empty() && given.is_relative())
+    group.program = (folder / given).string();
+  group.tolerance = reader.optional_quantity("tolerance");
+  reader.finish();
+  return group;
+}
+
 /// The communication thread runs every 2 ms: a shorter watchdog time would expire without a fault.
 std::optional<double> read_watchdog(TomlReader& top) {
   const auto watchdog = top.optional_number("watchdog", "s");
@@ -47,6 +61,8 @@ void read_body(TomlReader& top, MachineSpec& machine) {
     if (machine.axes.empty())
       top.fail("axis", "", "is missing: add [[axis]] with spec = \"FILE.toml\" for each axis");
   });
+  top.for_each("group",
+               [&](TomlReader& reader) { machine.groups.push_back(read_group(reader, folder)); });
   machine.masters = spec_detail::read_masters(top);
   top.finish();
 }
@@ -70,8 +86,10 @@ std::optional<FollowWhom> spec_detail::read_whom(TomlReader& owner) {
 }
 
 std::optional<MachineSpec> parse_machine(std::string text, std::string name) {
-  MachineSpec machine{
-      .document = {std::move(name), std::move(text), {}, {}}, .axes = {}, .masters = {}};
+  MachineSpec machine{.document = {std::move(name), std::move(text), {}, {}},
+                      .axes = {},
+                      .groups = {},
+                      .masters = {}};
   if (spec_kind(machine.document.text) != "machine") return std::nullopt;
   const toml::table root = spec_detail::parse_toml(machine.document);
   spec_detail::ErrorList errors;

@@ -34,7 +34,7 @@ inline constexpr int last_of<Extrapolation> = static_cast<int>(Extrapolation::ad
 template <>
 inline constexpr int last_of<StartMode> = static_cast<int>(StartMode::ramp_in_distance);
 template <>
-inline constexpr int last_of<ArmMode> = static_cast<int>(ArmMode::queue);
+inline constexpr int last_of<ArmMode> = static_cast<int>(ArmMode::path);
 template <>
 inline constexpr int last_of<StopMode> = static_cast<int>(StopMode::abort);
 template <>

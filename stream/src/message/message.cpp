@@ -23,6 +23,8 @@ const char* name(ArmMode mode) {
       return "follow_input";
     case ArmMode::follow_table:
       return "follow_table";
+    case ArmMode::path:
+      return "path";
     case ArmMode::queue:
       break;
   }

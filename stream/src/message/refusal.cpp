@@ -16,6 +16,14 @@ Refused not_over_time(const char* which, TableInUnits table) {
   return {};
 }
 
+/// True for a list of numbers: a linear table over their index.
+bool is_list(const Table& table) {
+  const std::vector<double>& x = table.columns().x;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (x[i] != static_cast<double>(i)) return false;
+  return table.rule() == Interpolation::linear;
+}
+
 }  // namespace
 
 Refused contradiction(const wire::Header& header) {
@@ -42,9 +50,12 @@ Refused contradiction(const wire::Header& header) {
 
 Refused misfit(wire::ArmMode mode, TableInUnits slave, const TableInUnits* master) {
   if (mode == wire::ArmMode::play) return not_over_time("the slave", slave);
+  if (mode == wire::ArmMode::path && !is_list(slave.table))
+    return {wire::Refusal::wrong_axis,
+            "the program of a path must be a linear table over 0, 1, 2, ..."};
   if (slave.table.axis() != Domain::master)
     return {wire::Refusal::wrong_axis, "the slave table must be over master position"};
-  if (mode == wire::ArmMode::follow_input) return {};
+  if (mode == wire::ArmMode::follow_input || mode == wire::ArmMode::path) return {};
   if (master == nullptr) return {wire::Refusal::table_missing, "follow_table needs a master table"};
   if (Refused refused = not_over_time("the master", *master)) return refused;
   if (master->units.position != slave.units.x) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "jounce/axis/armed_motion.hpp"
 #include "jounce/axis/axis_config.hpp"
@@ -21,6 +22,7 @@
 #include "jounce/axis/supervision.hpp"
 #include "jounce/axis/waiting_moves.hpp"
 #include "jounce/command/state.hpp"
+#include "jounce/path/point.hpp"
 
 namespace jounce {
 
@@ -127,6 +129,11 @@ bool in_motion(const Tick& tick);
 /// that the drive reports. During homing, the position range does not apply, and the axis may stand
 /// on a limit switch.
 ///
+/// **Groups.** Inputs::peers states whether a MotionAxis is a group of the machine, or an axis of a
+/// group (docs/executor/groups.md). The position of a group is the length along its path. The
+/// setpoints for the axes of the group are parts(); in motion, each axis of the group receives its
+/// setpoint as Inputs::master.
+///
 /// **Safety.** When the axis arms a movement, it checks the movement against its limits, for every
 /// sender. Before the axis outputs a setpoint in motion, it compares the setpoint with the previous
 /// one and with the limits. A fault stays until a reset. reaction_to() returns the reaction of the
@@ -145,13 +152,17 @@ class MotionAxis {
   [[nodiscard]] const AxisConfig& config() const { return config_; }
   /// State after the last step.
   [[nodiscard]] State state() const { return state_; }
+  /// For a group (AxisGroup in machine.hpp): the setpoints of its axes after the last step: u, u/s,
+  /// u/s^2, u/s^3. At rest with an armed path: where this path begins. Empty if it had no path yet.
+  [[nodiscard]] std::span<const Jet> parts() const;
 
  private:
   /// Reason to reject a command; nullopt: accepted.
   using Rejection = std::optional<Refusal>;
 
-  /// The player of the motion, without the superimposed move.
-  enum class Base : std::uint8_t { rest, path, live, move };
+  /// The player of the motion, without the superimposed move. group: the group of the axis gives
+  /// the setpoints.
+  enum class Base : std::uint8_t { rest, path, live, move, group };
   /// Reason for the present stop. table: the movement ended at a velocity.
   enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
 
@@ -218,6 +229,16 @@ class MotionAxis {
   void stop_with_group();
   Rejection hold(bool on);
   Rejection replan();
+
+  // axis_group.cpp: a group, and an axis of a group
+  [[nodiscard]] Cause against_group(CommandKind kind) const;
+  [[nodiscard]] Rejection against_axes() const;
+  [[nodiscard]] Rejection against_reset() const;
+  [[nodiscard]] Refusal axis_refusal(Cause cause) const;
+  void follow_group();
+  Cause advance_group(Setpoint& next) const;
+  void keep_parts();
+  [[nodiscard]] bool is_group() const { return is_of_group(inputs_.peers); }
 
   // axis_homing.cpp: the search for the home position
   void seek();
@@ -310,9 +331,11 @@ class MotionAxis {
   Ending ending_ = Ending::none;
   double factor_ = 1;  // override
   bool held_ = false;
-  std::int64_t begun_ = 0;  // tick at which the motion began
-  TimedState bare_;         // the last output setpoint, without the superimposed move
-  bool joint_ = false;      // true if one motion continues another in this tick
+  std::int64_t begun_ = 0;             // tick at which the motion began
+  TimedState bare_;                    // the last output setpoint, without the superimposed move
+  bool joint_ = false;                 // true if one motion continues another in this tick
+  std::array<Jet, max_axes> parts_{};  // setpoints of the axes of a group
+  std::size_t part_count_ = 0;
 
   std::optional<Homing> homing_;  // the homing in progress, until the axis is at rest
 

@@ -29,13 +29,36 @@ struct Sensors {
   Sensor index;     ///< index mark of the encoder
 };
 
-/// State of the other axes of a group (machine.hpp), for the start of the armed movement of this
-/// axis.
+/// State of the other axes that start together with this one (machine.hpp), for the start of the
+/// armed movement of this axis. For a group of the machine (AxisGroup), and for each of its axes: their
+/// present relation. The numbers are part of the record.
 enum class Peers : std::uint8_t {
   ready,    ///< the other axes, if any, each have an accepted start for the same tick
   missing,  ///< an axis has no start, or a start for another tick
   broken,   ///< an axis was stopped, has failed, or rejected its start
+
+  // For an axis of a group:
+  grouped,  ///< its group is enabled: the axis accepts no motion of its own
+  led,      ///< its group moves: Inputs::master is its setpoint, u, u/s, u/s^2, u/s^3
+  landing,  ///< led, and the group has come to rest in this tick
+
+  // For a group:
+  together,  ///< every axis can follow, and stands at its place on the path
+  /// Every axis can follow, but one stands elsewhere, or there is no path. Inputs::master: position
+  /// of this axis, its place on the path, u, and its number in the group, from 1.
+  away,
+  /// An axis cannot follow: it is disabled, has a fault, or moves alone. Inputs::master: as for away.
+  failed,
 };
+
+/// True for the inputs of a group of the machine.
+inline bool is_of_group(Peers peers) noexcept {
+  return peers >= Peers::together;
+}
+/// True for the inputs of an axis whose group is enabled.
+inline bool is_of_member(Peers peers) noexcept {
+  return peers >= Peers::grouped && peers <= Peers::landing;
+}
 
 /// Feedback of a drive in one cycle. NaN: the drive does not report the value. Unit u: the unit of
 /// the axis.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,13 +26,23 @@ struct Follow {
   std::size_t index = 0;      ///< index of the master, or of the other axis
 };
 
-/// One axis of a machine. It stays the same while the machine runs.
+/// A group: several axes that move together along a planned path (PLCopen part 4).
+struct AxisGroup {
+  std::vector<std::size_t> axes = {};  ///< indices of its axes, in the order of the path's axes
+  /// Greatest distance of an axis from its place on the path at the start of a motion, in the unit
+  /// of the axis; at most the distance that the axis covers in one tick at its velocity limit.
+  double tolerance = 1e-6;
+};
+
+/// One axis of a machine, or one group. It stays the same while the machine runs.
 struct MachineAxis {
   std::string name;            ///< name of the axis in messages
   AxisConfig config;           ///< configuration
   AxisSwitches switches = {};  ///< cam switches
   Follow follow = {};          ///< live master
   AxisCompare compare = {};    ///< position compare
+  /// A group is a virtual axis: its position is the length along its path. nullopt: a single axis.
+  std::optional<AxisGroup> group = {};
 };
 
 /// The process image of one axis: its inputs and its outputs in one tick.
@@ -67,6 +78,12 @@ struct AxisImage {
 /// fails, or cannot begin. Then waiting starts are dropped, later starts are rejected, and all
 /// motions stop. An axis that has output only its first point has not moved, and stays there.
 ///
+/// **Groups of the machine** (AxisGroup, docs/executor/groups.md). A group plays a GroupPath, and its
+/// axes follow it: they begin to move, and come to rest, in the same tick as the group. An axis of an
+/// enabled group rejects motions of its own. A stop of an axis in motion stops the group. If an axis
+/// of an enabled group can no longer follow (a fault, an abort, a disable), the group stops on its
+/// path, with the fault `axis_fault`.
+///
 /// **Masters** are inputs: one Jet for each master and tick, in m (the unit of the master), m/s,
 /// m/s^2, m/s^3. NaN: lost. If an axis is a master, m is the unit of that axis. The jerk of an
 /// axis' setpoint counts as 0; the acceleration and jerk of an actual position count as 0.
@@ -78,8 +95,8 @@ class Machine {
 
   /// `masters` is the number of masters that step() receives. Throws InputError, with the name of
   /// the axis, for no axis or more than 64 axes, a missing or duplicate name, different periods, an
-  /// invalid configuration, invalid switches, an index out of range, and axes that follow each
-  /// other in a ring.
+  /// invalid configuration, invalid switches, an index out of range, axes that follow each other in
+  /// a ring, an axis in two groups, and an axis of a group that has a live master.
   explicit Machine(std::vector<MachineAxis> axes, std::size_t masters = 0);
 
   [[nodiscard]] std::size_t size() const { return axes_.size(); }  ///< number of axes
@@ -101,7 +118,17 @@ class Machine {
   std::vector<MachineAxis> axes_;
   std::size_t masters_;
   std::vector<MotionAxis> motion_;
-  std::vector<std::size_t> order_;  // order of the steps: leaders first
+  /// The group of an axis, and the place of the axis in it.
+  struct Membership {
+    std::size_t group = 0;
+    std::size_t place = 0;
+  };
+  void gather(std::size_t group, std::span<AxisImage> images) const;
+  void lead(std::size_t axis, const Membership& in, std::span<AxisImage> images) const;
+
+  std::vector<std::optional<Membership>> memberships_;  // one for each axis
+  std::vector<std::size_t> order_;  // order of the steps: leaders and groups first
+  std::vector<bool> moved_;         // true for a group that moved in the previous tick
 };
 
 }  // namespace jounce

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "jounce/command/cause.hpp"
 #include "jounce/profiles/curve/jet.hpp"
@@ -142,6 +143,16 @@ class Movement {
   /// For a path: the length of one run of its table (a pass), s of path time; 0 for a stream of
   /// rows.
   [[nodiscard]] virtual double pass() const noexcept { return 0; }
+  /// For the path of a group: the setpoints of its axes at the last at(), or at its start, at the
+  /// original speed. Empty for any other movement.
+  [[nodiscard]] virtual std::span<const Jet> parts() const noexcept { return {}; }
+  /// For the path of a group: the greatest rate, from 1 to 2, that its axes permit.
+  [[nodiscard]] virtual double highest_rate() const noexcept { return 2; }
+  /// For the path of a group: the greatest slope of the rate, 1/s, that its axes permit for rates up
+  /// to `highest` (rate_slope() in path_clock.hpp).
+  [[nodiscard]] virtual double rate_slope(double /*highest*/) const noexcept {
+    return std::numeric_limits<double>::infinity();
+  }
   /// For a path: the state at the end of a pass, where another path can take over; nullopt if no
   /// other path can take over.
   [[nodiscard]] virtual std::optional<MotionState> end() const noexcept { return std::nullopt; }

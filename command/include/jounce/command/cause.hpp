@@ -31,6 +31,7 @@ enum class Cause : std::uint8_t {
   master_lost = 15,
   jump = 16,
   master_reversed = 17,
+  axis_fault = 18,
 
   // Rejected commands; the axis continues unchanged.
   not_enabled = 20,
@@ -83,6 +84,13 @@ enum class Cause : std::uint8_t {
   no_such_method = 67,
   no_sensor = 68,
 
+  // Groups: rejected commands.
+  in_group = 70,
+  single_axis = 71,
+  axis_not_ready = 72,
+  axis_away = 73,
+  not_a_group = 74,
+
   // Reasons why the last motion ended without a fault; none: it reached its end.
   stopped = 80,
   halted = 81,
@@ -100,7 +108,7 @@ const char* meaning(Cause cause);
 
 /// True if the cause is a fault, which stays latched until a reset.
 constexpr bool is_fault(Cause cause) {
-  return (cause >= Cause::aborted && cause <= Cause::master_reversed) ||
+  return (cause >= Cause::aborted && cause <= Cause::axis_fault) ||
          (cause >= Cause::home_timeout && cause <= Cause::both_switches);
 }
 

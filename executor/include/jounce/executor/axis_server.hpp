@@ -92,6 +92,7 @@ class AxisServer {
             const Request& request);
   void obey(const command::StartTable& it, const CommandRequested& requested,
             const Request& request);
+  void play_program(const CommandRequested& requested, const Request& request);
   void couple(const CommandRequested& requested, const Request& request);
   [[nodiscard]] bool untimed(const CommandRequested& requested);
   void answer_queue(const Request& request, bool done);
@@ -104,7 +105,7 @@ class AxisServer {
   void take_built();
   void arm(MovementBuilder::Built built);
   void arm(const Request& request, MadeMovement made, const Sha256& hash, std::int64_t group);
-  void record(const MadeFrom& source);
+  void record(const MadeMovement& made);
   [[nodiscard]] Queues::Record recorded_rows() const;
   void clear_commands();
   void take_answers();

@@ -8,7 +8,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "jounce/axis/group_program.hpp"
 #include "jounce/axis/machine.hpp"
 #include "jounce/executor/cycle.hpp"
 #include "jounce/stream/receiver/receiver.hpp"
@@ -16,6 +18,14 @@
 namespace jounce {
 
 class Recorder;
+
+/// A group of an executor (docs/executor/groups.md).
+struct ExecutorGroup {
+  AxisGroup of;                                      ///< its axes in the machine
+  std::vector<std::string> names;                    ///< names of these axes
+  std::vector<AxisConfig> configs;                   ///< configurations of these axes
+  std::shared_ptr<const GroupProgram> program = {};  ///< path that StartTable plays; null: none
+};
 
 /// Options of one axis of an executor.
 struct ExecutorOptions {
@@ -30,6 +40,7 @@ struct ExecutorOptions {
                                ///< enable it
   std::optional<StoredTable> table = {};  ///< table over time that the command StartTable plays;
                                           ///< nullopt: none
+  std::optional<ExecutorGroup> group = {};  ///< axes of a group; nullopt: a single axis
   /// True: at standstill, arming a table sets the position of the axis to the start of the table.
   bool adopt_start = false;
   bool stop_when_silent = true;  ///< true: stop a motion if its session times out

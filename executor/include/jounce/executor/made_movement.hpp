@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "jounce/axis/movement.hpp"
+#include "jounce/executor/executor_options.hpp"
 #include "jounce/executor/record.hpp"
 #include "jounce/stream/receiver/receiver.hpp"
 
@@ -24,6 +26,8 @@ struct MadeMovement {
   std::optional<double> first = {};         ///< start position, u (unit of the axis), if known
   std::optional<double> last = {};          ///< end position, u, if known
   std::optional<MadeFrom> source = {};      ///< parts of the movement
+  std::shared_ptr<const GroupProgram> program = {};  ///< program of a group
+  std::string reason = {};  ///< reason as a sentence why there is no movement, if it is known
 };
 
 /// Makes the movement for an arm request. `id` is the id of the movement, `period` the tick of the
@@ -32,5 +36,13 @@ struct MadeMovement {
 /// the tables.
 MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t period,
                          double position);
+
+/// Makes the movement of a group from its program.
+MadeMovement movement_of(std::shared_ptr<const GroupProgram> program, std::uint64_t id);
+
+/// Plans the path of an arm request within the limits of the axes of the group, and makes its
+/// movement. The result has a reason instead if the numbers are not a program, or the path does not
+/// suit the group. The duration of the call is proportional to the length of the program.
+MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const ExecutorGroup& group);
 
 }  // namespace jounce

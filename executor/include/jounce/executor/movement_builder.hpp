@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <future>
 #include <optional>
+#include <utility>
 
 #include "jounce/executor/made_movement.hpp"
 #include "jounce/executor/worker.hpp"
@@ -35,9 +36,9 @@ class MovementBuilder {
   };
 
   /// `most_knots`: tables with more knots are built in the thread of the worker. `worker` must
-  /// outlive the builder.
-  MovementBuilder(Worker& worker, std::size_t most_knots)
-      : worker_(worker), most_knots_(most_knots) {}
+  /// outlive the builder. `group`: for a group, its axes.
+  MovementBuilder(Worker& worker, std::size_t most_knots, std::optional<ExecutorGroup> group = {})
+      : worker_(worker), most_knots_(most_knots), group_(std::move(group)) {}
 
   /// True if a build is in progress.
   [[nodiscard]] bool busy() const { return building_.has_value(); }
@@ -61,6 +62,7 @@ class MovementBuilder {
 
   Worker& worker_;
   std::size_t most_knots_;
+  std::optional<ExecutorGroup> group_;
   std::optional<Building> building_;
   std::optional<ArmRequested> next_;
 };

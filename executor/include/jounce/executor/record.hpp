@@ -8,8 +8,10 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "jounce/axis/axis.hpp"
+#include "jounce/axis/group_program.hpp"
 #include "jounce/axis/job.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/axis/master.hpp"
@@ -80,6 +82,23 @@ struct RecordedQueue {
   wire::Queue queue = {};  ///< the message that opened the queue
 };
 
+/// A part of the program of a group: numbers of its timing law (15 for each interval: the fields of
+/// LawStretch, in their order). The first part also has the limits and peaks of the axes. The paths of
+/// the axes are not in it: the ticks of each axis contain its setpoints.
+struct RecordedProgram {
+  std::size_t axis = 0;              ///< index of the group
+  std::uint64_t id = 0;              ///< id of the movement
+  std::size_t total = 0;             ///< intervals of the whole law
+  std::size_t first = 0;             ///< index of the first interval of this part
+  std::vector<LawStretch> law = {};  ///< intervals of this part; at most 32
+  std::vector<GroupAxis> axes = {};  ///< the axes; at most 9
+};
+/// Returns the parts of a program.
+std::vector<RecordedProgram> recorded(const GroupProgram& program, std::size_t axis,
+                                      std::uint64_t id);
+/// Returns the program of a group with a straight path of the same length, for a replay of its ticks.
+GroupProgram remade(const std::vector<LawStretch>& law, std::vector<GroupAxis> axes);
+
 /// Rows that were added to a queue, or another change of the queue. If many rows were added at
 /// once, they are several events.
 struct RecordedRows {
@@ -131,9 +150,10 @@ struct RecordedLoss {
 };
 
 /// Any event of a record.
-using RecordEvent = std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle,
-                                 RecordedLoss, RecordedQueue, RecordedRows, RecordedGear,
-                                 RecordedMaster, RecordedSight, RecordedOutput, RecordedSample>;
+using RecordEvent =
+    std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle, RecordedLoss,
+                 RecordedQueue, RecordedRows, RecordedGear, RecordedMaster, RecordedSight,
+                 RecordedOutput, RecordedSample, RecordedProgram>;
 
 /// Returns the channel of an event: "JOUNCE.cycle", ...
 std::string_view channel_of(const RecordEvent& event);

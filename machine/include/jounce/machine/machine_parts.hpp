@@ -30,7 +30,7 @@ std::string log_of(const std::string& log, const std::string& axis, std::size_t 
 
 /// The axes and masters of one executor.
 struct MachineParts {
-  /// All axes; virtual masters that play a table follow at the end.
+  /// All axes; then virtual masters that play a table; then groups.
   std::vector<ExecutorOptions> axes = {};
   std::vector<MachineMaster> masters = {};  ///< all other masters
   std::optional<double> watchdog = {};      ///< RunOptions::watchdog, s; nullopt: not in the spec
@@ -41,7 +41,8 @@ struct MachineParts {
 ///     auto [axes, masters, watchdog] = machine_parts({.files = {"machine.toml"}});
 ///     run_executor(*link, axes, {.masters = masters});
 ///
-/// Throws InputError with file, line and key for a file of another kind, an invalid configuration,
+/// Throws InputError with file, line and key for a file of another kind, an invalid configuration, a group
+/// whose program exceeds the limits of its axes,
 /// an axis that follows an unknown axis or master, and units that do not match. Throws
 /// std::system_error if the shared memory of a drive cannot be created.
 MachineParts machine_parts(const MachineOptions& options);

@@ -60,6 +60,12 @@ BankPlan bank_plan(const TableFile& first, const TableFile& second, std::int32_t
 /// the position of the axis.
 RowPlan row_plan(const std::string& executor, TableFile table, std::uint32_t ahead, bool relative);
 
+/// True for the axes of a path of several axes.
+bool is_path(const std::vector<Input>& axes);
+/// Returns the plan that plays a path on a group: its program, as a list of numbers. Throws
+/// InputError for a path with joints, an override, or lines that overlap in time.
+StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes);
+
 /// Returns the input for each of these executors, from the axes of a file. If the file has one
 /// axis, every executor gets it. Otherwise each executor gets the axis of its name or, if the
 /// numbers of executors and axes are equal, the axis at its place in the list. `path` is the name

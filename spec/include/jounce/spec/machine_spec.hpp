@@ -27,14 +27,30 @@ struct FollowWhom {
 ///     [[axis]]
 ///     spec = "knife.toml"
 ///     follow = { axis = "feeder" }      # or { master = "line" } with [master.line]
+///     [[group]]                         # axes that move together on a path
+///     name = "plotter"
+///     axes = ["x", "y"]
+///     program = "part.toml"             # a spec of kind "path"
 struct MachineSpec {
   struct Axis {
     std::string spec = {};                  ///< file of the axis; relative to the machine's file
     std::optional<FollowWhom> follow = {};  ///< replaces [follow] in the file of the axis
     std::string key = {};                   ///< full key for messages: "axis[1]"
   };
+  /// Axes that move together along a path: [[group]].
+  struct Group {
+    std::string name = {};               ///< name for commands
+    std::vector<std::string> axes = {};  ///< names of its axes
+    /// Spec of the path that `jounce order NAME start` plays; relative to the machine's file; "":
+    /// none.
+    std::string program = {};
+    /// Greatest distance of an axis from its place at a start, in the unit of the axes.
+    std::optional<std::string> tolerance = {};
+    std::string key = {};  ///< full key for messages: "group[1]"
+  };
   Document document;
   std::vector<Axis> axes;
+  std::vector<Group> groups = {};
   std::vector<MachineMasterSpec> masters = {};
   std::optional<double> watchdog = {};  ///< s; 0: not supervised
 };

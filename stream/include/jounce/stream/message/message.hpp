@@ -44,6 +44,9 @@ enum class ArmMode : std::int8_t {
   follow_input = 1,  ///< a table over a master; the master is the live master of the axis
   follow_table = 2,  ///< a table over a master; the master is virtual: a second table over time
   queue = 3,         ///< no table: a queue, which accepts rows during the motion
+  /// The path of a group: a program as a table of numbers (jounce/path/program_numbers.hpp) over
+  /// their index.
+  path = 4,
 };
 
 /// Kind of a stop.

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "jounce/axis/group_program.hpp"
+#include "jounce/axis/movement.hpp"
+#include "jounce/path/plan.hpp"
+#include "jounce/path/point.hpp"
+
+namespace jounce {
+
+/// The path of a group as a movement. The group plays it like a table over time: its setpoint is the
+/// length along the path, and parts() are the setpoints of its axes.
+///
+///     MotionAxis group(group_config(configs));
+///     GroupPath path(1, program);
+///     group.step(t, {command::Arm{&path}}, {.peers = Peers::together}); ...
+///     const std::span<const Jet> setpoints = group.parts();
+///
+/// At the original speed, the position, velocity and acceleration of each axis are bit for bit those
+/// of Plan::at(). A change of the rate (a hold, a stop, an override) changes only the time of the
+/// plan, so the axes never leave the path. Its slope keeps the stop limits of every axis.
+///
+/// A GroupPath is played once: before its first setpoint, parts() are the places where its axes begin.
+class GroupPath final : public Movement {
+ public:
+  /// `id`: id of the motion in Tick::job. The program is shared.
+  GroupPath(std::uint64_t id, GroupProgram program);
+
+  /// Returns none, or no_movement if it was played before.
+  Cause begin(const MotionState& group, const Moment& now) noexcept override;
+  Setpoint at(const Moment& now) noexcept override;
+  [[nodiscard]] Progress progress() const noexcept override { return progress_; }
+  [[nodiscard]] double known() const noexcept override { return program_.plan->duration(); }
+  [[nodiscard]] double pass() const noexcept override { return program_.plan->duration(); }
+  [[nodiscard]] Peaks peaks() const noexcept override { return peaks_; }
+  [[nodiscard]] std::span<const Jet> parts() const noexcept override {
+    return std::span(parts_).first(program_.axes.size());
+  }
+  [[nodiscard]] double highest_rate() const noexcept override;
+  [[nodiscard]] double rate_slope(double highest) const noexcept override;
+
+ private:
+  void seek(double t);
+
+  GroupProgram program_;
+  PlanCursor cursor_;
+  Peaks peaks_;  // along the path
+  std::array<Jet, max_axes> parts_{};
+  Progress progress_ = Progress::running;
+  bool played_ = false;
+};
+
+}  // namespace jounce

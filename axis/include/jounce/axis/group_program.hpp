@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "jounce/axis/axis_config.hpp"
+#include "jounce/axis/movement.hpp"
+#include "jounce/path/plan.hpp"
+
+namespace jounce {
+
+/// An axis of a group: its configuration, with the defaults filled in, and the greatest magnitudes
+/// of its motion on the path. u is the unit of the axis.
+struct GroupAxis {
+  AxisConfig config;
+  Peaks peaks = {};
+};
+
+/// A planned path that was checked against the limits of the axes of a group.
+struct GroupProgram {
+  std::shared_ptr<const Plan> plan;  ///< over s, in the units of the axes
+  std::vector<GroupAxis> axes;       ///< in the order of the axes of the plan
+};
+
+/// Checks a plan against the limits of the axes that will play it: position range, velocity,
+/// acceleration and jerk, by exact extrema, and steps of position and velocity. Time and memory are
+/// proportional to the number of pieces.
+///
+///     const GroupProgram program = group_program(plan, {x.config(), y.config()}, {{"x", "y"}});
+///     GroupPath path(1, program);                               // group_path.hpp
+///
+/// Throws InputError with the key "axes" if the numbers of axes differ, and with the name of the
+/// axis and the broken limit ("x.velocity") if a limit is exceeded by more than a billionth.
+GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const AxisConfig> axes,
+                           std::span<const std::string> names);
+
+/// Returns limits of a program, each lowered to the limit of the axis that will play it; position
+/// limits are omitted. Throws InputError "axes" if the numbers of axes differ.
+GroupLimits within(const GroupLimits& limits, std::span<const AxisConfig> axes);
+
+/// Throws InputError "axes" if the axes of a path have the names of the axes of a group in another
+/// order. Other names are not compared: the first axis of the group plays the first axis of the path.
+void require_order(std::span<const std::string> path, std::span<const std::string> group);
+
+/// Returns the configuration of the MotionAxis of a group with these axes. Its limits do not bind:
+/// those of the axes do. Throws InputError "axes" for none.
+AxisConfig group_config(std::span<const AxisConfig> axes);
+
+}  // namespace jounce

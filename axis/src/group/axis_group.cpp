@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "jounce/axis/axis.hpp"
+
+// A group of the machine (AxisGroup in machine.hpp), and an axis of a group. The machine connects
+// them by Inputs::peers: a group reads whether its axes can follow it, an axis whether its group is
+// enabled or moves.
+
+namespace jounce {
+namespace {
+
+/// True for the commands that an axis accepts while its group is enabled: none sets it in motion.
+bool suits_member(CommandKind kind) {
+  switch (kind) {
+    case CommandKind::none:
+    case CommandKind::enable:
+    case CommandKind::disable:
+    case CommandKind::disarm:
+    case CommandKind::stop:
+    case CommandKind::abort:
+    case CommandKind::reset:
+    case CommandKind::override_:
+    case CommandKind::release:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// True for the commands of a group.
+bool suits_group(CommandKind kind) {
+  switch (kind) {
+    case CommandKind::arm:
+    case CommandKind::start:
+    case CommandKind::hold:
+    case CommandKind::resume:
+    case CommandKind::halt:
+      return true;
+    default:
+      return suits_member(kind);
+  }
+}
+
+}  // namespace
+
+/// The reason why the axis of an enabled group, or a group, rejects a command of this kind; or none.
+Cause MotionAxis::against_group(CommandKind kind) const {
+  if (is_of_member(inputs_.peers) && !suits_member(kind)) return Cause::in_group;
+  if (is_group() && !suits_group(kind)) return Cause::single_axis;
+  return Cause::none;
+}
+
+/// The reason why a group at rest cannot begin or continue its path, or none.
+MotionAxis::Rejection MotionAxis::against_axes() const {
+  if (!is_group() || (on_path() && !path_.rests(now_.tick))) return std::nullopt;
+  if (inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
+  if (inputs_.peers == Peers::away) return axis_refusal(Cause::axis_away);
+  return std::nullopt;
+}
+
+/// The reason why a group stays in its fault, or none. It keeps its path, so that it can continue.
+MotionAxis::Rejection MotionAxis::against_reset() const {
+  if (inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
+  if (inputs_.peers == Peers::away && moving()) return axis_refusal(Cause::axis_away);
+  return std::nullopt;
+}
+
+/// The refusal names the axis of Inputs::master (Peers::away).
+Refusal MotionAxis::axis_refusal(Cause cause) const {
+  const Jet& axis = inputs_.master;
+  return {.cause = cause, .value = axis[0], .limit = axis[1], .where = axis[2]};
+}
+
+/// An axis at standstill follows its group from the tick in which the group moves.
+void MotionAxis::follow_group() {
+  if (inputs_.peers != Peers::led || state_ != State::standstill || moving()) return;
+  base_ = Base::group;
+  state_ = State::synchronized_motion;
+  begun_ = now_.tick;
+  now_.reason = Cause::none;
+  joint_ = true;
+}
+
+Cause MotionAxis::advance_group(Setpoint& next) const {
+  const bool led = inputs_.peers == Peers::led || inputs_.peers == Peers::landing;
+  next = {0, 0, inputs_.master};
+  return led && std::isfinite(inputs_.master[0]) ? Cause::none : Cause::master_lost;
+}
+
+/// Keeps the setpoints of the axes of a group at the rate of this tick.
+void MotionAxis::keep_parts() {
+  if (!on_path()) return;
+  const std::span<const Jet> parts = path_->parts();
+  if (parts.empty()) return;
+  const PathTime time = path_.time(now_.tick);
+  part_count_ = parts.size();
+  for (std::size_t k = 0; k < parts.size(); ++k) parts_[k] = at_rate({0, 0, parts[k]}, time).slave;
+}
+
+std::span<const Jet> MotionAxis::parts() const {
+  if (!on_path() && armed_) return armed_->parts();
+  return std::span(parts_).first(part_count_);
+}
+
+}  // namespace jounce

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/axis/group_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "jounce/axis/path_clock.hpp"
+
+namespace jounce {
+namespace {
+
+/// The greatest magnitudes of a law: u/s, u/s^2, u/s^3 along the path.
+Peaks peaks_of(const TimingLaw& law) {
+  Peaks peaks;
+  const auto raise = [](double& peak, double value) {
+    if (std::isfinite(value)) peak = std::max(peak, value);
+  };
+  for (const LawStretch& s : law.stretches()) {
+    for (const double v : {s.v0, s.peak, s.v1}) raise(peaks.velocity, v);
+    for (const double a : {s.acceleration, s.deceleration}) raise(peaks.acceleration, std::abs(a));
+    raise(peaks.jerk, std::abs(s.jerk));
+  }
+  return peaks;
+}
+
+}  // namespace
+
+GroupPath::GroupPath(std::uint64_t id, GroupProgram program)
+    : Movement(id, Course::path),
+      program_(std::move(program)),
+      cursor_(*program_.plan),
+      peaks_(peaks_of(program_.plan->law())) {
+  seek(0);
+}
+
+void GroupPath::seek(double t) {
+  std::array<Motion, max_axes> motion;
+  cursor_.at(t, std::span(motion).first(program_.axes.size()));
+  for (std::size_t k = 0; k < program_.axes.size(); ++k)
+    parts_[k] = {motion[k].position, motion[k].velocity, motion[k].acceleration, motion[k].jerk};
+}
+
+Cause GroupPath::begin(const MotionState& /*group*/, const Moment& /*now*/) noexcept {
+  return played_ ? Cause::no_movement : Cause::none;
+}
+
+Setpoint GroupPath::at(const Moment& now) noexcept {
+  const double end = program_.plan->duration();
+  const double t = std::clamp(now.t, 0.0, end);
+  played_ = true;
+  seek(t);
+  const Motion q = program_.plan->law().at(t);
+  Setpoint next{0, 0, {q.position, q.velocity, q.acceleration, q.jerk}};
+  if (now.t < end) return next;
+  progress_ = Progress::done;
+  next.slave = {program_.plan->path().length(), 0, 0, 0};
+  for (Jet& part : parts_) part = {part[0], 0, 0, 0};
+  return next;
+}
+
+double GroupPath::highest_rate() const noexcept {
+  double rate = 2;
+  for (const GroupAxis& axis : program_.axes)
+    rate = std::min(rate, jounce::highest_rate(axis.peaks, axis.config));
+  return rate;
+}
+
+double GroupPath::rate_slope(double highest) const noexcept {
+  double slope = std::numeric_limits<double>::infinity();
+  for (const GroupAxis& axis : program_.axes)
+    slope = std::min(slope, jounce::rate_slope(axis.peaks, axis.config, highest));
+  return slope;
+}
+
+}  // namespace jounce

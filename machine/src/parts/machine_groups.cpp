@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machine/src/parts/machine_groups.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "jounce/axis/group_program.hpp"
+#include "jounce/base/nearest.hpp"
+#include "jounce/base/units.hpp"
+#include "jounce/design/input.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce::machine_detail {
+namespace {
+
+std::size_t index_of(const std::string& name, const MachineParts& parts) {
+  std::vector<std::string> names;
+  for (const ExecutorOptions& axis : parts.axes) names.push_back(axis.receiver.executor);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const std::string near = nearest(name, names);
+  throw InputError("axes", name,
+                   near.empty() ? "is not an axis of this machine: add its [[axis]]"
+                                : "is not an axis of this machine: did you mean " + near + "?");
+}
+
+/// The motions of the axes of a path over s; the file has one for each axis.
+std::vector<Input> path_of(const std::string& file, std::size_t axes) {
+  std::vector<Input> inputs = read_inputs(file);
+  if (!inputs.front().plan)
+    throw InputError("program", file,
+                     inputs.front().overlap
+                         ? "overlaps lines in time, so its path depends on time: "
+                           "remove overlap"
+                         : "must be a spec of kind \"path\"");
+  if (inputs.size() != axes)
+    throw InputError("program", file,
+                     "has " + std::to_string(inputs.size()) + " axes, but the group has " +
+                         std::to_string(axes));
+  return inputs;
+}
+
+void require_units(const Input& motion, const Units& group, const std::string& file) {
+  const Units& units = motion.table.units;
+  if (units.x != "s")
+    throw InputError("program", file, "has the time unit " + units.x + ": use units.time = \"s\"");
+  if (!group.position.empty() && units.position != group.position)
+    throw InputError("program", file,
+                     "has the unit " + units.position + ", but the axes of the group have " +
+                         group.position + ": use the same unit");
+}
+
+double tolerance_of(const std::string& text, const std::string& unit) {
+  try {
+    return quantity(text, unit);
+  } catch (const InputError& error) {  // it has no key
+    throw InputError("tolerance", text, error.rule());
+  }
+}
+
+std::shared_ptr<const GroupProgram> program_of(const MachineSpec::Group& spec,
+                                               const ExecutorGroup& group, const Units& units) {
+  const std::vector<Input> path = path_of(spec.program, group.names.size());
+  require_units(path.front(), units, spec.program);
+  std::vector<std::string> names;
+  for (const Input& axis : path) names.push_back(axis.axis);
+  require_order(names, group.names);
+  try {
+    return std::make_shared<const GroupProgram>(
+        group_program(path.front().plan, group.configs, group.names));
+  } catch (const InputError& error) {
+    throw InputError("program", spec.program,
+                     error.key() + " " + error.value() + " " + error.rule());
+  }
+}
+
+ExecutorGroup group_of(const MachineSpec::Group& spec, const MachineParts& parts) {
+  ExecutorGroup group;
+  for (const std::string& name : spec.axes) {
+    const std::size_t index = index_of(name, parts);
+    group.of.axes.push_back(index);
+    group.names.push_back(name);
+    group.configs.push_back(resolved(parts.axes[index].axis));
+    if (parts.axes[index].units.position != parts.axes[group.of.axes.front()].units.position)
+      throw InputError("axes", name,
+                       "has another unit than " + spec.axes.front() + ": use the same unit");
+  }
+  return group;
+}
+
+ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& options,
+                     const MachineParts& parts) {
+  ExecutorOptions made;
+  ExecutorGroup& group = made.group.emplace(group_of(spec, parts));
+  const ExecutorOptions& first = parts.axes[group.of.axes.front()];
+  made.units = {"", first.units.position};
+  if (spec.tolerance) group.of.tolerance = tolerance_of(*spec.tolerance, made.units.position);
+  if (!spec.program.empty()) group.program = program_of(spec, group, made.units);
+  made.axis = group_config(group.configs);
+  made.receiver.executor = spec.name;
+  made.receiver.session_timeout = first.receiver.session_timeout;
+  made.enable = false;  // its axes are enabled first
+  made.stop_when_silent = first.stop_when_silent;
+  made.build_apart = first.build_apart;
+  // Never alone: its axes are there besides.
+  if (!options.log.empty()) made.log = log_of(options.log, spec.name, 2);
+  return made;
+}
+
+}  // namespace
+
+void add_machine_group(const MachineSpec::Group& spec, const Document& document,
+                       const MachineOptions& options, MachineParts& parts) {
+  const bool taken = std::any_of(parts.axes.begin(), parts.axes.end(), [&](const auto& axis) {
+    return axis.receiver.executor == spec.name;
+  });
+  if (taken)
+    throw document.located(InputError(spec.key + ".name", spec.name,
+                                      "is also the name of an axis of this machine: rename one"));
+  if (!wire::is_executor_name(spec.name))
+    throw document.located(InputError(spec.key + ".name", spec.name, wire::executor_name_rule));
+  try {
+    parts.axes.push_back(made(spec, options, parts));
+  } catch (const InputError& error) {
+    if (!error.document().empty())  // an error of the program, or a missing file
+      throw document.naming(spec.key + ".program", spec.program, error);
+    throw document.located(InputError(spec.key + "." + error.key(), error.value(), error.rule()));
+  }
+}
+
+InputError in_group(const MachineSpec& machine, const InputError& error) {
+  for (const MachineSpec::Group& group : machine.groups)
+    if (error.key().starts_with(group.name + "."))
+      return machine.document.located(InputError(group.key + error.key().substr(group.name.size()),
+                                                 error.value(), error.rule()));
+  return error;
+}
+
+}  // namespace jounce::machine_detail

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// A group of the machine: its states, its path, and its axes.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "axis/group_rig.hpp"
+#include "support/errors.hpp"
+
+namespace jounce::group_test {
+namespace {
+
+using namespace test;
+using ::jounce::test::error_of;
+using ::testing::HasSubstr;
+
+constexpr auto x = Plotter::x;
+constexpr auto y = Plotter::y;
+constexpr auto group = Plotter::group;
+constexpr double on_path = 1e-12;  ///< u, rounding of the closed form
+
+void expect_on_path(const Plotter& rig) {
+  const auto [px, py] = contour_at(rig.at(group).position);
+  EXPECT_NEAR(rig.at(x).position, px, on_path) << "tick " << rig.tick;
+  EXPECT_NEAR(rig.at(y).position, py, on_path) << "tick " << rig.tick;
+}
+
+TEST(Group, PlaysItsPlanToTheLastBit) {
+  Plotter rig;
+  rig.start();
+  const std::int64_t begin = rig.tick;
+  EXPECT_EQ(rig.at(group).state, State::discrete_motion);
+  std::vector<Motion> wanted(2);
+  int compared = 0;
+  for (; rig.at(group).job != 0; rig.step(), ++compared) {
+    const double t = static_cast<double>((rig.tick - begin) * 1'000'000) / 1e9;
+    rig.plan->at(t, wanted);
+    for (const std::size_t i : {x, y}) {
+      ASSERT_EQ(rig.at(i).position, wanted[i].position) << t;
+      ASSERT_EQ(rig.at(i).velocity, wanted[i].velocity) << t;
+      ASSERT_EQ(rig.at(i).acceleration, wanted[i].acceleration) << t;
+      ASSERT_EQ(rig.at(i).state, State::synchronized_motion) << t;
+    }
+    ASSERT_EQ(rig.at(group).time, rig.at(x).time);
+  }
+  EXPECT_EQ(compared, static_cast<int>(std::ceil(rig.plan->duration() * 1000)));
+  for (const std::size_t i : {x, y, group}) {
+    EXPECT_EQ(rig.at(i).state, State::standstill);
+    EXPECT_EQ(rig.at(i).finished, 1U);
+    EXPECT_EQ(rig.at(i).velocity, 0);
+  }
+  EXPECT_EQ(rig.at(x).position, 0);
+  EXPECT_EQ(rig.at(y).position, 0);
+}
+
+TEST(Group, IsEnabledOnlyWithItsAxes) {
+  Plotter rig;
+  rig.tell(x, command::Enable{});
+  EXPECT_EQ(rig.tell(group, command::Enable{}), Cause::axis_not_ready);
+  EXPECT_EQ(rig.at(group).state, State::disabled);
+  rig.images[group].command = {command::Enable{}};
+  rig.step();
+  EXPECT_THAT(rig.at(group).refused->text(), HasSubstr("It is axis 2 of the group."));
+  rig.tell(y, command::Enable{});
+  EXPECT_EQ(rig.tell(group, command::Enable{}), Cause::none);
+  EXPECT_EQ(rig.at(group).state, State::standstill);
+}
+
+TEST(Group, AnAxisOfItMovesAloneOnlyWhileItIsDisabled) {
+  Plotter rig;
+  rig.enable();
+  for (const AxisCommand& move :
+       {AxisCommand{command::MoveAbsolute{.position = 5}}, AxisCommand{command::MoveVelocity{3}},
+        AxisCommand{command::Home{}}, AxisCommand{command::SetPosition{4}},
+        AxisCommand{command::Halt{}}})
+    EXPECT_EQ(rig.tell(x, move), Cause::in_group);
+  EXPECT_EQ(rig.tell(group, command::MoveAbsolute{.position = 5}), Cause::single_axis);
+  EXPECT_EQ(rig.tell(group, command::SetPosition{5}), Cause::single_axis);
+  EXPECT_EQ(rig.tell(group, command::Disable{}), Cause::none);
+  EXPECT_EQ(rig.tell(x, command::MoveAbsolute{.position = 5}), Cause::none);
+  EXPECT_EQ(rig.tell(group, command::Enable{}), Cause::axis_not_ready) << "x moves";
+}
+
+TEST(Group, StartsOnlyWhereItsAxesStand) {
+  Plotter rig;
+  for (const std::size_t i : {x, y}) rig.tell(i, command::Enable{});
+  rig.tell(y, command::SetPosition{0.5});
+  rig.tell(group, command::Enable{});
+  rig.tell(group, command::Arm{&rig.path});
+  rig.images[group].command = {command::Start{}};
+  rig.step();
+  EXPECT_THAT(rig.at(group).refused->text(),
+              HasSubstr("axis 2 of the group: it stands at 0.5, and its place is 0."));
+  rig.steps(10);
+  EXPECT_EQ(rig.at(group).state, State::standstill);
+  rig.tell(group, command::Disable{});
+  rig.tell(y, command::SetPosition{0});
+  rig.tell(group, command::Enable{});
+  rig.tell(group, command::Arm{&rig.path});
+  EXPECT_EQ(rig.tell(group, command::Start{}), Cause::none);
+  EXPECT_TRUE(rig.moves());
+  rig.tell(group, command::Stop{});
+  rig.steps(1000);
+  rig.tell(group, command::Arm{&rig.path});
+  EXPECT_EQ(rig.tell(group, command::Start{}), Cause::no_movement) << "it is played once";
+}
+
+TEST(Group, HoldsAtAnyInstantOnItsPathAndContinues) {
+  for (int hold = 1; hold < 5000; hold += 37) {
+    Plotter rig;
+    rig.start();
+    rig.steps(hold);
+    if (rig.at(group).job == 0) break;
+    ASSERT_EQ(rig.tell(group, command::Hold{}), Cause::none);
+    for (int i = 0; rig.moves(); ++i, rig.step()) {
+      ASSERT_LT(i, 2000);
+      expect_on_path(rig);
+    }
+    EXPECT_EQ(rig.at(x).state, State::standstill);
+    EXPECT_EQ(rig.at(x).velocity, 0);
+    if (rig.at(group).job == 0) continue;  // it reached the end before it came to rest
+    const double there = rig.at(group).position;
+    EXPECT_EQ(rig.at(group).state, State::discrete_motion);
+    EXPECT_EQ(rig.tell(x, command::MoveAbsolute{.position = 5}), Cause::in_group);
+    rig.steps(20);
+    ASSERT_EQ(rig.at(group).position, there);
+    ASSERT_EQ(rig.tell(group, command::Resume{}), Cause::none);
+    for (int i = 0; rig.at(group).job != 0; ++i, rig.step()) {
+      ASSERT_LT(i, 6000);
+      expect_on_path(rig);
+    }
+    EXPECT_EQ(rig.at(group).finished, 1U);
+    EXPECT_EQ(rig.at(y).position, 0);
+  }
+}
+
+TEST(Group, AnOverrideDoesNotChangeItsPath) {
+  Plotter rig;
+  rig.start();
+  rig.tell(group, command::Override{0.3});
+  rig.steps(1000);
+  EXPECT_EQ(rig.at(group).rate, 0.3);
+  expect_on_path(rig);
+  rig.tell(group, command::Override{0});
+  rig.steps(500);
+  EXPECT_FALSE(rig.moves());
+  EXPECT_EQ(rig.at(x).state, State::standstill);
+  rig.tell(group, command::Override{2});
+  EXPECT_EQ(rig.at(group).override_, 1) << "the plan uses the full acceleration of its axes";
+  for (; rig.at(group).job != 0; rig.step()) expect_on_path(rig);
+  EXPECT_EQ(rig.at(group).finished, 1U);
+}
+
+// The plan has a reserve: half of the velocity and a tenth of the acceleration of its axes.
+TEST(Group, AnOverrideAboveOneUsesTheReserveOfItsAxes) {
+  const Limits axis = limits(200, 2000, 1e5);
+  Program program(2);
+  program.set({.velocity = 50, .acceleration = 200, .deceleration = 200, .jerk = 1e4});
+  program.line({100, 60});
+  Plotter rig(axis, program);
+  rig.start();
+  rig.tell(group, command::Override{1.8});
+  rig.steps(900);
+  EXPECT_EQ(rig.at(group).rate, 1.8);
+  EXPECT_NEAR(std::hypot(rig.at(x).velocity, rig.at(y).velocity), 90, 1e-9);
+}
+
+TEST(Group, HaltsAndStopsOnItsPath) {
+  for (const bool stop : {false, true}) {
+    Plotter rig;
+    rig.start();
+    rig.steps(700);
+    const AxisCommand ending = stop ? AxisCommand{command::Stop{}} : AxisCommand{command::Halt{}};
+    ASSERT_EQ(rig.tell(group, ending), Cause::none);
+    EXPECT_EQ(rig.at(group).state, stop ? State::stopping : State::discrete_motion);
+    EXPECT_EQ(rig.tell(group, command::Disable{}), Cause::in_motion);
+    for (; rig.moves(); rig.step()) expect_on_path(rig);
+    EXPECT_EQ(rig.at(group).state, State::standstill);
+    EXPECT_EQ(rig.at(group).reason, stop ? Cause::stopped : Cause::halted);
+    EXPECT_EQ(rig.at(y).state, State::standstill);
+    EXPECT_EQ(rig.tell(group, command::Resume{}), Cause::no_movement);
+  }
+}
+
+TEST(Group, AStopOfAnAxisStopsTheGroupOnItsPath) {
+  Plotter rig;
+  rig.start();
+  rig.steps(700);
+  EXPECT_EQ(rig.tell(y, command::Stop{}), Cause::none);
+  EXPECT_EQ(rig.at(group).state, State::stopping);
+  for (; rig.moves(); rig.step()) expect_on_path(rig);
+  EXPECT_EQ(rig.at(group).reason, Cause::group_stopped);
+  EXPECT_EQ(rig.at(y).state, State::standstill);
+  EXPECT_EQ(rig.at(y).fault, Cause::none);
+}
+
+TEST(Group, TheFaultOfAnAxisStopsTheGroupAndItContinuesFromThere) {
+  Plotter rig;
+  rig.start();
+  rig.steps(700);
+  rig.images[y].inputs.feedback.fault = true;
+  rig.step();
+  EXPECT_EQ(rig.at(y).state, State::disabled);
+  rig.step();
+  EXPECT_EQ(rig.at(group).state, State::error_stop);
+  EXPECT_EQ(rig.at(group).fault, Cause::axis_fault);
+  for (; rig.moves(); rig.step())
+    EXPECT_NEAR(rig.at(x).position, contour_at(rig.at(group).position).first, on_path);
+  EXPECT_EQ(rig.at(x).state, State::standstill);
+  EXPECT_FALSE(in_motion(rig.at(group)));
+  rig.images[y].inputs.feedback.fault = false;
+  EXPECT_EQ(rig.tell(group, command::Reset{}), Cause::axis_not_ready);
+  rig.tell(y, command::Reset{});
+  rig.tell(y, command::Enable{});
+  EXPECT_EQ(rig.tell(group, command::Reset{}), Cause::axis_away);
+  const double place = contour_at(rig.at(group).position).second;
+  EXPECT_EQ(rig.tell(y, command::MoveAbsolute{.position = place}), Cause::none);
+  rig.steps(1000);
+  EXPECT_EQ(rig.tell(group, command::Reset{}), Cause::none);
+  EXPECT_EQ(rig.tell(group, command::Resume{}), Cause::none);
+  rig.steps(2);
+  for (; rig.at(group).job != 0; rig.step()) expect_on_path(rig);
+  EXPECT_EQ(rig.at(group).finished, 1U);
+  EXPECT_EQ(rig.at(y).fault, Cause::none);
+}
+
+TEST(Group, TheWatchdogStopsItOnItsPath) {
+  Plotter rig;
+  rig.start();
+  rig.steps(700);
+  for (AxisImage& image : rig.images) image.inputs.watchdog = true;
+  rig.step();
+  EXPECT_EQ(rig.at(group).fault, Cause::watchdog);
+  for (; rig.moves(); rig.step()) expect_on_path(rig);
+  EXPECT_EQ(rig.at(x).fault, Cause::none);
+  EXPECT_EQ(rig.at(x).state, State::standstill);
+}
+
+TEST(Group, AProgramBeyondTheLimitsOfAnAxisIsRejected) {
+  const Limits fast = limits(200, 2000, 1e5);
+  const auto plan = std::make_shared<const Plan>(
+      jounce::plan(contour(150), {.axes = std::vector<Limits>(2, fast)}));
+  std::vector<AxisConfig> configs(2, Plotter::config(fast));
+  const std::vector<std::string> names{"x", "y"};
+  EXPECT_NO_THROW(group_program(plan, configs, names));
+  configs[1].limits.acceleration = 1500;
+  EXPECT_THAT(error_of([&] { group_program(plan, configs, names); }), HasSubstr("y.acceleration"));
+  configs[1] = Plotter::config(fast);
+  configs[0].limits.position_max = 99;
+  EXPECT_THAT(error_of([&] { group_program(plan, configs, names); }),
+              HasSubstr("exceeds position_max of the axis, 99"));
+}
+
+TEST(Group, ImpossibleGroupsAreRejected) {
+  auto axes = Plotter::axes_of(limits(200, 2000, 1e5));
+  axes[2].group->axes = {0, 0};
+  EXPECT_THAT(error_of([&] { Machine{axes}; }), HasSubstr("is already an axis of the group"));
+  axes[2].group->axes = {0, 2};
+  EXPECT_THAT(error_of([&] { Machine{axes}; }), HasSubstr("and not a group"));
+  axes[2].group->axes = {};
+  EXPECT_THAT(error_of([&] { Machine{axes}; }), HasSubstr("1 to 9 axes"));
+  axes[2].group->axes = {0, 1};
+  axes[0].follow = {.what = Follow::What::setpoint, .index = 1};
+  EXPECT_THAT(error_of([&] { Machine{axes}; }), HasSubstr("follows a master"));
+  axes[0].follow = {};
+  axes[2].group->tolerance = 1;
+  EXPECT_THAT(error_of([&] { Machine{axes}; }), HasSubstr("must be at most 0.2"));
+}
+
+}  // namespace
+}  // namespace jounce::group_test

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// A group from the client's commands to the setpoints of its axes, its record, and its cycle.
+#include <cmath>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/axis/group_path.hpp"
+#include "jounce/executor/cycle.hpp"
+#include "jounce/executor/recorder.hpp"
+#include "jounce/stream/sender/client.hpp"
+
+#include "axis/group_rig.hpp"
+#include "executor/hooks.hpp"
+#include "executor/site.hpp"
+
+namespace jounce::group_play_test {
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+
+constexpr std::size_t x = Plotter::x;
+constexpr std::size_t y = Plotter::y;
+constexpr std::size_t group = Plotter::group;
+
+std::vector<ExecutorOptions> plotter() {
+  const Limits axis = limits(200, 2000, 1e5);
+  std::vector<ExecutorOptions> axes{axis_named("x", axis, {"", "mm"}),
+                                    axis_named("y", axis, {"", "mm"})};
+  const std::vector<AxisConfig> configs{axes[x].axis, axes[y].axis};
+  const std::vector<std::string> names{"x", "y"};
+  ExecutorOptions all = axis_named("plotter", {}, {"", "mm"});
+  all.axis = group_config(configs);
+  all.enable = false;
+  all.group = ExecutorGroup{.of = {{x, y}}, .names = names, .configs = configs};
+  all.group->program = std::make_shared<const GroupProgram>(group_program(
+      std::make_shared<const Plan>(plan(contour(150), {.axes = std::vector<Limits>(2, axis)})),
+      configs, names));
+  axes.push_back(std::move(all));
+  return axes;
+}
+
+struct Site3 : Site {
+  explicit Site3(bool recorded = false)
+      : Site(plotter(), {.masters = {}, .recorded = recorded, .said = {}}) {
+    after = [this] {
+      if (each_tick) each_tick();
+    };
+  }
+  CallOutcome tell(const char* name, const ClientCommand& command) {
+    Client client(link, name, {}, clock);
+    const CallOutcome outcome = client.command(command);
+    static_cast<void>(client.release());
+    return outcome;
+  }
+  void expect_on_path() const {
+    const auto [px, py] = contour_at(last(group).position);
+    ASSERT_NEAR(last(x).position, px, 1e-12);
+    ASSERT_NEAR(last(y).position, py, 1e-12);
+  }
+  std::function<void()> each_tick;
+};
+
+TEST(GroupPlay, IsStartedHeldAndContinuedByCommands) {
+  Site3 site;
+  site.advance(10ms);
+  EXPECT_THAT(site.tell("plotter", command::StartTable{}).reason, HasSubstr("not_enabled"));
+  ASSERT_TRUE(site.tell("plotter", command::Enable{}).ok());
+  site.each_tick = [&] { site.expect_on_path(); };
+  const CallOutcome start = site.tell("plotter", command::StartTable{});
+  ASSERT_TRUE(start.ok()) << start.reason;
+  EXPECT_THAT(site.tell("x", command::MoveAbsolute{.position = 5}).reason, HasSubstr("in_group"));
+  ASSERT_TRUE(site.tell("plotter", command::Override{0.5}).ok());
+  site.advance(500ms);
+  EXPECT_THAT(site.tell("plotter", command::StartTable{}).reason, HasSubstr("in_motion"));
+  ASSERT_TRUE(site.tell("plotter", command::Hold{}).ok());
+  site.advance(500ms);
+  EXPECT_EQ(site.last(x).velocity, 0);
+  EXPECT_EQ(site.last(x).state, State::standstill);
+  ASSERT_TRUE(site.tell("plotter", command::Resume{}).ok());
+  ASSERT_TRUE(site.tell("plotter", command::Override{1}).ok());
+  site.advance(6s);
+  EXPECT_EQ(site.last(group).finished, 1U);
+  EXPECT_EQ(site.last(group).state, State::standstill);
+  const CallOutcome again = site.tell("plotter", command::StartTable{});
+  EXPECT_TRUE(again.ok()) << "it ends where it begins: " << again.reason;
+  site.advance(300ms);
+  EXPECT_GT(site.last(group).position, 1);
+}
+
+TEST(GroupPlay, AStartElsewhereIsRejectedWithTheNumbers) {
+  Site3 site;
+  site.advance(10ms);
+  ASSERT_TRUE(site.tell("x", command::SetPosition{2.5}).ok());
+  ASSERT_TRUE(site.tell("plotter", command::Enable{}).ok());
+  EXPECT_THAT(site.tell("plotter", command::StartTable{}).reason,
+              HasSubstr("axis 1 of the group: it stands at 2.5 mm, and its place is 0 mm"));
+  EXPECT_EQ(site.last(group).state, State::standstill);
+}
+
+TEST(GroupPlay, AStopByAnOperatorAndTheEndOfTheExecutorStayOnThePath) {
+  for (const bool leaves : {false, true}) {
+    Site3 site;
+    site.advance(10ms);
+    ASSERT_TRUE(site.tell("plotter", command::Enable{}).ok());
+    ASSERT_TRUE(site.tell("plotter", command::StartTable{}).ok());
+    site.advance(700ms);
+    site.each_tick = [&] { site.expect_on_path(); };
+    if (leaves)
+      site.dispatcher.retire();
+    else
+      ASSERT_TRUE(Client(site.link, "y", {}, site.clock).stop().ok());
+    site.advance(1s);
+    EXPECT_TRUE(site.dispatcher.settled());
+    EXPECT_EQ(site.last(group).stopped, 1U);
+    for (const std::size_t i : {x, y}) EXPECT_EQ(site.last(i).fault, Cause::none);
+  }
+}
+
+TEST(GroupPlay, ARecordIsReplayedToTheLastBit) {
+  Site3 site(true);
+  site.advance(10ms);
+  ASSERT_TRUE(site.tell("plotter", command::Enable{}).ok());
+  ASSERT_TRUE(site.tell("plotter", command::StartTable{}).ok());
+  site.advance(700ms);
+  ASSERT_TRUE(site.tell("plotter", command::Hold{}).ok());
+  site.advance(300ms);
+  ASSERT_TRUE(site.tell("plotter", command::Resume{}).ok());
+  ASSERT_TRUE(site.tell("plotter", command::Override{0.4}).ok());
+  site.advance(500ms);
+  ASSERT_TRUE(site.tell("y", command::Disable{}).ok());
+  site.advance(500ms);
+  EXPECT_EQ(site.last(group).fault, Cause::axis_fault);
+  const Replay replay = site.replayed();
+  EXPECT_TRUE(replay.same()) << replay.shorter
+                             << (replay.difference ? replay.difference->what.field : "");
+  EXPECT_GT(replay.compared, 3000);
+}
+
+TEST(GroupPlay, ItsCycleNeitherAllocatesNorLocksNorWrites) {
+  Plotter rig;
+  VirtualPacer pacer;
+  MachineExchange exchange(3);
+  const auto buffer = std::make_unique<RecordBuffer>();
+  Cycle cycle(rig.machine, pacer, exchange, {.drives = {}, .record = buffer.get()});
+  Noise noise{};
+  Tick last;
+  const auto tell = [&](std::size_t axis, Command command, int cycles) {
+    command.id = 1;
+    exchange.axes[axis]->commands.push(command);
+    for (int i = 0; i < cycles; ++i) {
+      const Noise before = test::noise();
+      cycle.once();
+      const Noise now = test::noise() - before;
+      noise = {noise.heap + now.heap, noise.locks + now.locks, noise.writes + now.writes};
+      for (auto& each : exchange.axes) {
+        while (each->ticks.pop(last)) continue;
+        for (Answer answer; each->answers.pop(answer);) continue;
+      }
+    }
+  };
+  for (const std::size_t i : {x, y, group}) tell(i, {command::Enable{}}, 1);
+  tell(group, {command::Arm{&rig.path}}, 1);
+  tell(group, {command::Start{}}, 500);
+  tell(group, {command::Override{0.5}}, 300);
+  tell(group, {command::Hold{}}, 300);
+  tell(group, {command::Resume{}}, 300);
+  tell(y, {command::Abort{}}, 500);
+  EXPECT_EQ(last.fault, Cause::axis_fault);
+  EXPECT_EQ(noise, Noise{});
+}
+
+}  // namespace
+}  // namespace jounce::group_play_test

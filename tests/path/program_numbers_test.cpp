@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program as a list of numbers: the same program again, and lists that are none.
+#include "jounce/path/program_numbers.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/path/plan.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "support/errors.hpp"
+#include "support/random.hpp"
+
+namespace jounce::program_numbers_test {
+namespace {
+
+using test::error_of;
+using test::Random;
+using ::testing::HasSubstr;
+
+/// Every kind of command in two axes and a follower.
+LimitedProgram everything() {
+  Program program(3, {1, 2, 3}, 2);
+  program.set({.velocity = 50, .acceleration = 400});
+  program.line({101, 2, 5}, 11);
+  program.set({.velocity = 80,
+               .corner = Corner::deviation,
+               .value = 0.5,
+               .junction = Junction::blending_low});
+  program.line({101, 102, 5}, 12);
+  program.dwell(0.25, 13);
+  program.set({.velocity = 80});
+  program.arc(arc_about(program.position(), {51, 102}, {1, 102}, Plane{0, 1},
+                        ArcRotation::counterclockwise),
+              14);
+  const std::vector<Point> points{program.position(), {0, 60, 6}, {10, 30, 7}, {1, 2, 8}};
+  program.curve(spline_through(points, 3), 15);
+  const Limits axis{.velocity = 200, .acceleration = 1000, .jerk = 1e4};
+  return {.program = program,
+          .limits = {.axes = {axis, axis, {.velocity = 90, .acceleration = 800, .jerk = 9000}},
+                     .path = {.velocity = 120, .normal_acceleration = 700}},
+          .names = {"x", "y", "feed"}};
+}
+
+TEST(ProgramNumbers, AreTheSameProgramAgain) {
+  const LimitedProgram given = everything();
+  const std::vector<double> numbers = numbers_of(given);
+  const LimitedProgram same = program_of(numbers);
+  EXPECT_EQ(same.names, given.names);
+  EXPECT_EQ(numbers_of(same), numbers) << "bit for bit";
+  EXPECT_EQ(same.program.commands().size(), given.program.commands().size());
+  EXPECT_EQ(same.program.commands()[3].line, 14);
+  EXPECT_EQ(same.limits.path.normal_acceleration, 700);
+  EXPECT_TRUE(std::isinf(same.limits.path.jerk));
+  const Plan a = plan(given.program, given.limits);
+  const Plan b = plan(same.program, same.limits);
+  ASSERT_EQ(a.duration(), b.duration());
+  std::vector<Motion> at_a(3);
+  std::vector<Motion> at_b(3);
+  for (double t = 0; t < a.duration(); t += a.duration() / 997) {
+    a.at(t, at_a);
+    b.at(t, at_b);
+    for (std::size_t k = 0; k < 3; ++k) ASSERT_EQ(at_a[k].position, at_b[k].position);
+  }
+}
+
+TEST(ProgramNumbers, ListsThatAreNoProgramAreRejected) {
+  const std::vector<double> good = numbers_of(everything());
+  const auto error = [&](auto spoil) {
+    std::vector<double> list = good;
+    spoil(list);
+    return error_of([&] { static_cast<void>(program_of(list)); });
+  };
+  EXPECT_THAT(error([](auto& list) { list.clear(); }), HasSubstr("numbers[0]"));
+  EXPECT_THAT(error([](auto& list) { list[0] = 2; }), HasSubstr("must be 1, the version"));
+  EXPECT_THAT(error([](auto& list) { list[1] = 10; }), HasSubstr("from 1 to 9"));
+  EXPECT_THAT(error([](auto& list) { list[2] = 4; }), HasSubstr("from 1 to 3"));
+  EXPECT_THAT(error([](auto& list) { list.pop_back(); }), HasSubstr("ends within a command"));
+  EXPECT_THAT(error([](auto& list) { list.push_back(7); }), HasSubstr("from 0 to 4"));
+  EXPECT_THAT(error([](auto& list) { list[3] = std::nan(""); }), HasSubstr("must be finite"));
+}
+
+// A list with one spoiled number is rejected, or is a program again. It causes nothing else.
+TEST(ProgramNumbers, AnySpoiledNumberIsRejectedOrIsAProgram) {
+  const std::vector<double> good = numbers_of(everything());
+  Random random(27);
+  const double values[] = {0, -1, 1, 2.5, 1e300, -1e300, 1e18, 4, 7};
+  int rejected = 0;
+  for (int i = 0; i < 5000; ++i) {
+    std::vector<double> list = good;
+    list[random.below(list.size())] = values[random.below(std::size(values))];
+    try {
+      static_cast<void>(program_of(list));
+    } catch (const InputError&) {
+      ++rejected;
+    }
+  }
+  EXPECT_GT(rejected, 1000);
+}
+
+}  // namespace
+}  // namespace jounce::program_numbers_test
