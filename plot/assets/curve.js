@@ -126,17 +126,19 @@ function sampled(curve, from, to, step) {
   return {x, y};
 }
 
-/// The corners of the band between the least and the greatest values of an outline, as points of a line.
+/// The band between the least (`low`) and the greatest values (`y`) of an outline: both ends of each block.
 function sampledOutline(curve, from, to) {
-  const x = [], y = [[], [], [], []];
-  if (to < curve.start || from > curve.end) return {x, y};
+  const x = [], y = [[], [], [], []], low = [[], [], [], []];
+  if (to < curve.start || from > curve.end) return {x, y, low};
   const last = intervalAt(curve.breaks, Math.min(to, curve.end));
   for (let i = intervalAt(curve.breaks, Math.max(from, curve.start)); i <= last; ++i) {
-    const a = Math.max(from, curve.breaks[i]), b = Math.min(to, curve.breaks[i + 1]);
-    x.push(a, a, b, b);
-    for (let k = 0; k < 4; ++k) y[k].push(curve.low[k][i], curve.high[k][i], curve.high[k][i], curve.low[k][i]);
+    x.push(Math.max(from, curve.breaks[i]), Math.min(to, curve.breaks[i + 1]));
+    for (let k = 0; k < 4; ++k) {
+      y[k].push(curve.high[k][i], curve.high[k][i]);
+      low[k].push(curve.low[k][i], curve.low[k][i]);
+    }
   }
-  return {x, y};
+  return {x, y, low};
 }
 
 const raised = (exponent) => [...String(exponent)].map((c) => c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c]).join('');

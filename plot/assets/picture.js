@@ -54,6 +54,9 @@ function pathData(xs, ys, toX, toY) {
   return out;
 }
 
+/// A closed band between two lines over the same points.
+const bandData = (xs, high, low, toX, toY) => `${pathData(xs, high, toX, toY)}L${pathData([...xs].reverse(), [...low].reverse(), toX, toY).slice(1)}z`;
+
 /// The range of a y axis: the values that are visible, and a limit that is close to them.
 function yRange(panel, values, withLimits) {
   let low = Infinity, high = -Infinity;
@@ -106,9 +109,11 @@ function draw(root, view, {from, to, difference, piece}, width) {
     return row;
   });
   const panels = view.panels.map((panel, k) => {
-    const values = points.map(({y}) => panel.size === 1 ? y[k] : y[k].map((value) => value / panel.size));
-    const [low, high] = yRange(panel, values, !difference);
-    const place = {panel, values, low, high, top: top + look.header, bottom: top + look.header + look.panel};
+    const inUnit = (list) => panel.size === 1 ? list : list.map((value) => value / panel.size);
+    const values = points.map(({y}) => inUnit(y[k]));
+    const least = points.map((one) => one.low ? inUnit(one.low[k]) : []);  // lower edges of bands
+    const [low, high] = yRange(panel, [...values, ...least], !difference);
+    const place = {panel, values, least, low, high, top: top + look.header, bottom: top + look.header + look.panel};
     place.toY = (y) => place.bottom - (y - low) / (high - low) * look.panel;
     top = place.bottom;
     return place;
@@ -121,6 +126,7 @@ function draw(root, view, {from, to, difference, piece}, width) {
       const [x0, x1] = [toX(Math.max(a, from)), toX(Math.min(b, to))];
       const most = Math.floor((x1 - x0 - 6) / 6.2);
       if (x1 <= x0 || most < 2) continue;
+      if (name.length > most && names !== view.segments) continue;  // only names of segments are cut
       const shown = name.length > most ? `${name.slice(0, most - 1)}…` : name;
       children.push(label(names === view.shades ? 'zonetext mid' : 'soft mid', (x0 + x1) / 2, y + 11, shown));
     }
@@ -138,20 +144,20 @@ function draw(root, view, {from, to, difference, piece}, width) {
   const xTicks = ticks(from, to, Math.max(2, Math.min(12, (right - look.left) / 64)), view.degrees);
   const clip = `clip-${root.id}`;
   children.push(svg('clipPath', {id: clip}, svg('rect', {x: look.left, y: 0, width: px(right - look.left), height})));
-  const knots = view.curves[0].breaks.length > 400 ? [] : view.segments.length > 0
-    ? [view.segments[0][0], ...view.segments.map(([, end]) => end)] : view.curves[0].breaks;
+  const knots = view.segments.length > 0 ? [view.segments[0][0], ...view.segments.map(([, end]) => end)]
+    : view.curves[0] instanceof Outline ? [] : view.curves[0].breaks;
   const shownKnots = knots.filter(inside);
-  for (const {panel, values, top: y0, bottom: y1, low, high, toY} of panels) {
+  for (const {panel, values, least, top: y0, bottom: y1, low, high, toY} of panels) {
     const group = svg('g', {'clip-path': `url(#${clip})`});
     for (const [a, b] of view.shades)
       if (b > from && a < to) group.append(svg('rect', {class: 'zone', x: px(toX(a)), y: y0, width: px(toX(b) - toX(a)), height: look.panel}));
     if (piece) group.append(svg('rect', {class: 'piece', x: px(toX(piece[0])), y: y0, width: px(Math.max(toX(piece[1]) - toX(piece[0]), 2)), height: look.panel}));
-    const yTicks = ticks(low, high, 4);
+    const yTicks = ticks(low, high, 6);
     children.push(path('grid', yTicks.map(([y]) => `M${look.left} ${px(toY(y))}H${px(right)}`).join('') +
       xTicks.map(([x]) => `M${px(toX(x))} ${y0}V${y1}`).join('')));
     for (const [y, words] of yTicks) children.push(label('soft end', look.left - 8, toY(y) + 4, words));
     if (shownKnots.length * 8 < right - look.left) group.append(path('knot', shownKnots.map((x) => `M${px(toX(x))} ${y0}V${y1}`).join('')));
-    const notes = [];
+    const notes = [], taken = [];
     for (const [limit, sign] of difference ? [] : [[panel.lower, -1], [panel.upper, 1]]) {
       if (limit === null) continue;
       if (limit < low || limit > high) {
@@ -161,16 +167,19 @@ function draw(root, view, {from, to, difference, piece}, width) {
       const y = toY(limit), edge = sign > 0 ? y0 : y1;
       const above = sign > 0 ? y - y0 > 14 : y1 - y < 16;  // beyond the limit if there is space
       group.append(path('over', `M${look.left} ${px(y)}H${px(right)}V${edge}H${look.left}z`), path('lim', `M${look.left} ${px(y)}H${px(right)}`));
-      children.push(label('halo limtext end', right - 4, above ? y - 4 : y + 12, `limit ${number(limit)}`));
+      const words = `limit ${number(limit)}`, base = above ? y - 4 : y + 12;
+      taken.push([right - 4 - 3.3 * words.length, base, 3.3 * words.length]);
+      children.push(label('halo limtext end', right - 4, base, words));
     }
     points.map((one, i) => i).reverse().forEach((i) => {
-      const kind = i > 0 ? 'under' : curves[i] instanceof Outline ? 'l l1 outline' : 'l l1';
-      group.append(path(kind, pathData(points[i].x, values[i], toX, toY)));
+      const kind = i > 0 ? 'under' : 'l l1';
+      group.append(curves[i] instanceof Outline ? path(`${kind} band`, bandData(points[i].x, values[i], least[i], toX, toY))
+        : path(kind, pathData(points[i].x, values[i], toX, toY)));
     });
     children.push(group, path('frame', `M${look.left} ${y0}H${px(right)}V${y1}H${look.left}z`));
     children.push(label('label', look.left, y0 - 7, (difference ? 'difference of ' : '') + panel.name + (panel.unit ? ` [${panel.unit}]` : '')));
     if (notes.length > 0) children.push(label('soft end', right, y0 - 7, notes.join(' · ')));
-    if (!difference) children.push(...marks(panel, inside, toX, toY, [look.left, right, y0, y1]));
+    if (!difference) children.push(...marks(panel, inside, toX, toY, [look.left, right, y0, y1], taken));
   }
   for (const [x, words] of xTicks) children.push(label('soft mid', toX(x), bottom + 16, words));
   children.push(label('label mid', (look.left + right) / 2, bottom + 34, view.axis));
@@ -180,9 +189,10 @@ function draw(root, view, {from, to, difference, piece}, width) {
   return {toX, toValue: (x) => from + (x - look.left) / (right - look.left) * (to - from), panels, cursor, left: look.left, right};
 }
 
-/// The exact extrema: a circle; beyond a limit, a full diamond. A text that would cover another is left out.
-function marks(panel, inside, toX, toY, [left, right, top, bottom]) {
-  const out = [], taken = [];
+/// The exact extrema: a circle; beyond a limit, a full diamond. A text that would cover another is left out;
+/// `taken` are the texts that are there: [middle, base line, half of the width].
+function marks(panel, inside, toX, toY, [left, right, top, bottom], taken) {
+  const out = [];
   for (const [at, value, broken] of panel.marks.filter(([x]) => inside(x))) {
     const x = toX(at), y = toY(value), words = number(withoutRounding(panel, value));
     out.push(broken ? path('badmark', `M${px(x)} ${px(y - 4)}l4 4-4 4-4-4z`) : svg('circle', {class: 'mark', cx: px(x), cy: px(y), r: 2.5}));

@@ -57,6 +57,7 @@ class Report {
     this.build(id);
     this.show(0);
     this.render();
+    this.box.hidden = false;
     figure.classList.add('live');  // only now: after an error, the still figure stays
     new ResizeObserver(() => this.change()).observe(this.plot);
   }
@@ -78,7 +79,7 @@ class Report {
       textContent: 'Move the pointer, or use the keys: ← → cursor, Page Up and Page Down next joint, + − zoom, Shift with ← → pan, 0 whole. ' +
         'The wheel zooms after a click into the picture, or with Ctrl. Two fingers zoom and pan; dragging pans.'});
     this.note = html('p', {className: 'keys'});
-    this.box = html('div', {className: 'live'}, this.tools, this.plot, this.note, this.readout, keys);
+    this.box = html('div', {className: 'live', hidden: true}, this.tools, this.plot, this.note, this.readout, keys);
     this.figure.prepend(this.box);
     this.listen();
   }
@@ -95,7 +96,7 @@ class Report {
     const [first] = view.curves;
     this.note.hidden = !(first instanceof Outline);
     this.note.textContent = first instanceof Outline
-      ? `The curve has ${first.pieceCount} pieces. The picture shows the exact least and greatest values of ${first.count} blocks of pieces.` : '';
+      ? `The curve has ${first.pieceCount} segments. The picture shows the exact least and greatest values of ${first.count} blocks of segments.` : '';
     this.heads.replaceChildren(...['quantity', 'value', ...(view.curves.length > 1 ? [view.curves[1].label, 'difference'] : []), 'unit', 'limit', 'used']
       .map((text, i) => html('th', {scope: 'col', textContent: text, className: i > 0 && text !== 'unit' ? 'n' : ''})));
     this.rows = view.panels.map((panel) => html('tr', {}, html('th', {scope: 'row', textContent: panel.name}),

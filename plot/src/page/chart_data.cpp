@@ -23,7 +23,7 @@ using nlohmann::json;
 
 constexpr std::size_t bytes_per_number = 20;  // 17 digits, sign, point, comma
 constexpr std::size_t most_blocks = 4000;     // more than the pixels of a screen
-constexpr std::size_t most_names = 2000;      // of segments and shades
+constexpr std::size_t most_names = 2000;      // names of segments, names of shades
 constexpr std::size_t orders = 4;             // value and three derivatives
 
 json piece(const Segment& f) {

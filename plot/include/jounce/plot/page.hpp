@@ -32,7 +32,7 @@ struct DataTable {
   struct Row {
     std::vector<std::string> cells;   ///< one for each column; missing ones are empty
     bool broken = false;              ///< true: the row shows a broken limit
-    std::optional<Place> place = {};  ///< what the script shows in the chart for this row
+    std::optional<Place> place = {};  ///< place in the chart that the script shows for this row
   };
 
   std::string caption{};               ///< text below the table
@@ -75,10 +75,10 @@ struct Page {
 
 /// Returns the page as one HTML file that needs no other file and loads nothing. If no chart has
 /// data, the page has no script. Otherwise it has the script of plot/assets, and the page is
-/// complete without it. The Content-Security-Policy makes the browser reject every other script
-/// and all further files. All text is escaped, so a name in a spec cannot become markup. Colors are light or dark as the reader
-/// prefers, and a print is white. Figures are included a second time for narrow windows, such as a
-/// phone. Equal pages give equal bytes.
+/// complete without it. The Content-Security-Policy makes the browser reject every other script and
+/// all further files. All text is escaped, so a name in a spec cannot become markup. Colors are
+/// light or dark as the reader prefers, and a print is white. Figures are included a second time
+/// for narrow windows, such as a phone. Equal pages give equal bytes.
 std::string html(const Page& page);
 
 /// Returns the CSS of that page, for other pages with the same appearance: colors as variables
