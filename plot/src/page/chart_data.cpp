@@ -13,6 +13,7 @@
 #include "jounce/plot/input_figure.hpp"
 #include "jounce/plot/label.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/error.hpp"
 
 #include "plot/src/figure/input_look.hpp"
 
@@ -174,22 +175,27 @@ json view_json(const Input& input, const std::optional<Input>& before, std::size
   return view;
 }
 
-bool has_time_view(const Input& input) {
-  return std::holds_alternative<Cam>(*input.curve) && input.spec && input.spec->master;
+/// The slave over time; nullopt without a [master], or if the slave has no motion for this master.
+/// The report of such a spec has its findings, and only this view is missing.
+std::optional<Input> slave_of(const Input& input) {
+  if (!std::holds_alternative<Cam>(*input.curve) || !input.spec || !input.spec->master)
+    return std::nullopt;
+  try {
+    return over_time(input);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
 
 std::string chart_data(const Input& input, const std::optional<Input>& before) {
-  const bool two = has_time_view(input);
-  const std::size_t curves = (two ? 2 : 1) * (before ? 2 : 1);
+  const std::optional<Input> slave = slave_of(input);
+  const std::size_t curves = (slave ? 2 : 1) * (before ? 2 : 1);
   const std::size_t each = most_chart_bytes / curves;
   json views = json::array({view_json(input, before, each, input)});
-  if (two) {
-    const std::optional<Input> before_over_time =
-        before && has_time_view(*before) ? std::optional(over_time(*before)) : std::nullopt;
-    views.push_back(view_json(over_time(input), before_over_time, each, input));
-  }
+  if (slave)
+    views.push_back(view_json(*slave, before ? slave_of(*before) : std::nullopt, each, input));
   return json{{"name", input.name}, {"views", std::move(views)}}.dump(
       -1, ' ', false, json::error_handler_t::replace);
 }
