@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "jounce/design/cam_check.hpp"
+#include "jounce/plot/chart_data.hpp"
 #include "jounce/plot/findings.hpp"
 #include "jounce/plot/input_figure.hpp"
 #include "jounce/plot/label.hpp"
@@ -42,7 +43,9 @@ DataTable extrema_table(const Input& input) {
              groups(curve.segments().size(), input.labels, rows_for_people)) {
           const Ranges r = segment_extrema(curve, first, last);
           DataTable::Row row{
-              {label, tidy_number(r[0].min.value, r[0]), tidy_number(r[0].max.value, r[0])}, false};
+              {label, tidy_number(r[0].min.value, r[0]), tidy_number(r[0].max.value, r[0])},
+              false,
+              DataTable::Place{curve.breaks()[first], curve.breaks()[last + 1]}};
           for (std::size_t k = 1; k < r.size(); ++k)
             row.cells.push_back(short_number(std::abs(r[k].peak().value)) + " @ " +
                                 short_number(r[k].peak().where, 4));
@@ -126,12 +129,13 @@ ReportPage report_page(const Input& input, const std::optional<Input>& before,
             .footer = "Made by " + made_by()};
   Figure figure = figure_of(input, before);
   figure.title.clear();
-  page.sections.push_back(
-      {"Curve",
-       {Chart{std::move(figure), before ? "The pale line is " + before->name +
-                                              " as it was before. Marked are the exact extrema."
-                                        : "Marked are the exact extrema."},
-        extrema_table(input)}});
+  page.sections.push_back({"Curve",
+                           {Chart{std::move(figure),
+                                  before ? "The pale line is " + before->name +
+                                               " as it was before. Marked are the exact extrema."
+                                         : "Marked are the exact extrema.",
+                                  chart_data(input, before)},
+                            extrema_table(input)}});
   if (input.plan) page.sections.push_back(path_section(input));
   page.sections.push_back({"Limits and joints", {findings_table(report, input.labels)}});
   page.sections.push_back(proof_section(proof, input));

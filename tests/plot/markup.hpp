@@ -30,7 +30,7 @@ struct Element {
 
 /// A strict reader of the markup that Jounce writes: elements balanced and in one root, attributes
 /// quoted and not repeated, every & an entity, no raw < in text. Throws std::runtime_error. With
-/// `html`, a doctype and the void elements meta, link are allowed, and style is raw text.
+/// `html`, a doctype and the void elements meta, link are allowed, and style and script are raw text.
 class Markup {
  public:
   explicit Markup(std::string_view text, bool html = false) : rest_(text), html_(html) {
@@ -87,9 +87,9 @@ class Markup {
     elements_.push_back(element);
     if (empty || is_void) return;
     open_.push_back(elements_.size() - 1);
-    if (element.name == "style") {
-      const std::size_t end = rest_.find("</");
-      if (end == std::string_view::npos) fail("style without an end");
+    if (element.name == "style" || element.name == "script") {
+      const std::size_t end = rest_.find("</" + element.name);
+      if (end == std::string_view::npos) fail(element.name + " without an end");
       elements_.back().text = rest_.substr(0, end);
       rest_.remove_prefix(end);
     }

@@ -2,6 +2,8 @@
 #include "jounce/plot/page.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -111,6 +113,36 @@ TEST(Html, AdaptsToReaderAndPaper) {
   EXPECT_THAT(style, HasSubstr("@media screen and (prefers-color-scheme:dark){:root{--paper:"));
   EXPECT_THAT(style, HasSubstr("@media print"));
   EXPECT_THAT(style, HasSubstr(".jf .l1{stroke:var(--one)}"));
+}
+
+/// Relative luminance of "#rrggbb" (WCAG 2.1).
+double luminance(const std::string& color) {
+  double sum = 0;
+  for (const auto& [at, weight] : {std::pair{1U, 0.2126}, {3U, 0.7152}, {5U, 0.0722}}) {
+    const double c = std::stoi(color.substr(at, 2), nullptr, 16) / 255.0;
+    sum += weight * (c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+  }
+  return sum;
+}
+
+/// The value of a variable in the palette that begins at `palette` of the style.
+std::string color_of(const std::string& style, std::size_t palette, const std::string& name) {
+  return style.substr(style.find("--" + name + ":", palette) + name.size() + 3, 7);
+}
+
+TEST(Html, HasTheContrastOfLevelAa) {
+  const std::string style = page_style();
+  for (const std::size_t palette : {style.find(":root{"), style.find("dark){:root{")}) {
+    const double paper = luminance(color_of(style, palette, "paper"));
+    const auto contrast = [&](const std::string& name) {
+      const double other = luminance(color_of(style, palette, name));
+      return (std::max(paper, other) + 0.05) / (std::min(paper, other) + 0.05);
+    };
+    for (const char* text : {"ink", "soft", "limit", "three"})
+      EXPECT_GE(contrast(text), 4.5) << text;
+    for (const char* line : {"one", "two", "three", "four", "frame", "limit"})
+      EXPECT_GE(contrast(line), 3) << line;
+  }
 }
 
 TEST(Html, MarksBrokenRowsByASignToo) {

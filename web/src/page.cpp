@@ -3,7 +3,7 @@
 
 #include "jounce/plot/page.hpp"
 
-#include "page_files.hpp"
+#include "web_files.hpp"
 
 namespace jounce::web {
 namespace {
@@ -31,7 +31,7 @@ std::string escaped(const std::string& text) {
 }  // namespace
 
 std::string page(const std::string& title, const std::string& warning) {
-  std::string out(page_html);
+  std::string out(web_files::page_html);
   const auto fill_in = [&](std::string_view mark, const std::string& text) {
     for (std::size_t at = out.find(mark); at != std::string::npos;
          at = out.find(mark, at + text.size()))
@@ -45,11 +45,11 @@ std::string page(const std::string& title, const std::string& warning) {
 }
 
 std::string_view script() {
-  return page_script;
+  return web_files::page_script;
 }
 
 std::string style() {
-  return page_style() + std::string(page_rules);
+  return page_style() + std::string(web_files::page_rules);
 }
 
 }  // namespace jounce::web

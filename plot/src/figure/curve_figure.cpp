@@ -16,6 +16,8 @@
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "plot/src/figure/input_look.hpp"
+
 namespace jounce {
 namespace {
 
@@ -134,20 +136,6 @@ std::vector<Extremum> extrema_to_mark(const Curve<Over>& f, int order, const Ban
   return marks;
 }
 
-/// The unit of a panel, and its size in the unit of the curve.
-struct PanelUnit {
-  std::string name;
-  double size = 1;
-};
-
-PanelUnit unit_of(const CurveLook& look, int order) {
-  const std::string own = rate_unit(look.unit, look.axis_unit, order);
-  if (order == 0) return {own};
-  const std::string& other = look.rate_units[static_cast<std::size_t>(order) - 1];
-  if (other.empty() || other == own) return {own};
-  return {other, conversion(other, own)};
-}
-
 /// All values of a panel in a unit of this size.
 Panel in_unit(Panel panel, double size) {
   if (panel.lower) *panel.lower /= size;
@@ -162,8 +150,8 @@ Panel in_unit(Panel panel, double size) {
 template <class Over>
 Panel panel_of(const Curve<Over>& f, const Curve<Over>* before, int order, const CurveLook& look) {
   const std::string name = Over::names[static_cast<std::size_t>(order)];
-  const PanelUnit panel_unit = unit_of(look, order);
-  const std::string unit = superscripts(panel_unit.name);
+  const PanelUnit shown = panel_unit(look, order);
+  const std::string unit = superscripts(shown.name);
   const std::string with_unit = unit.empty() ? "" : " " + unit;
   const std::string in_axis_unit = look.axis_unit.empty() ? "" : " " + look.axis_unit;
   const Band band = band_of(look.limits, order);
@@ -173,7 +161,7 @@ Panel panel_of(const Curve<Over>& f, const Curve<Over>* before, int order, const
   panel.upper = band.upper;
   panel.noise = noise_of(f, order);
   for (const Extremum& e : extrema_to_mark(f, order, band, panel.noise)) {
-    const double value = (std::abs(e.value) <= panel.noise ? 0 : e.value) / panel_unit.size;
+    const double value = (std::abs(e.value) <= panel.noise ? 0 : e.value) / shown.size;
     panel.markers.push_back({e.where, e.value, short_number(value),
                              fmt::format("{} {}{} at {}{}", name, number(value), with_unit,
                                          number(e.where), in_axis_unit),
@@ -184,7 +172,7 @@ Panel panel_of(const Curve<Over>& f, const Curve<Over>* before, int order, const
     panel.series.push_back(line_of(*before, order, look.before, Style::under));
     panel.noise = std::max(panel.noise, noise_of(*before, order));
   }
-  return in_unit(std::move(panel), panel_unit.size);
+  return in_unit(std::move(panel), shown.size);
 }
 
 template <class Over>
@@ -205,6 +193,14 @@ Figure stacked_figure(const Curve<Over>& f, const Curve<Over>* before, const Cur
 }
 
 }  // namespace
+
+PanelUnit panel_unit(const CurveLook& look, int order) {
+  const std::string own = rate_unit(look.unit, look.axis_unit, order);
+  if (order == 0) return {own};
+  const std::string& other = look.rate_units[static_cast<std::size_t>(order) - 1];
+  if (other.empty() || other == own) return {own};
+  return {other, conversion(other, own)};
+}
 
 template <class Over>
 Figure curve_figure(const Curve<Over>& f, const CurveLook& look) {

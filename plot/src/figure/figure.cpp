@@ -227,11 +227,27 @@ void draw_x_axis(std::string& out, const Figure& figure, const Layout& at) {
        fitted(label, label_font, at.right - at.left));
 }
 
+/// Text of a figure for screen readers: "velocity [mm/s]: 2.1 at 42, −3.39 at 241.9; ...", the most
+/// important marked values of each panel.
+std::string description(const Figure& figure) {
+  constexpr std::size_t most = 2;  // the least and the greatest value
+  std::string out = figure.title;
+  for (const Panel& panel : figure.panels) {
+    std::string values;
+    for (std::size_t i = 0; i < std::min(most, panel.markers.size()); ++i)
+      values += fmt::format("{}{} at {}", values.empty() ? ": " : ", ", panel.markers[i].text,
+                            short_number(panel.markers[i].x));
+    if (!values.empty()) out += (out.empty() ? "" : "; ") + panel.y_label + values;
+  }
+  return out;
+}
+
 std::string opening(const Figure& figure, const SvgOptions& options, double height) {
   const std::string width = coordinate(options.width);
   const std::string size =
       options.inlined ? "" : fmt::format(R"( width="{}" height="{}")", width, coordinate(height));
-  const std::string name = figure.title.empty() ? "plot" : figure.title;
+  std::string name = options.inlined ? description(figure) : figure.title;
+  if (name.empty()) name = "plot";
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"jf\"{} viewBox=\"0 0 {} {}\" "
       "role=\"img\" aria-label=\"{}\">\n",

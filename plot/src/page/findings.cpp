@@ -41,6 +41,12 @@ std::vector<std::string> cells(const Finding& f, const Labels& labels) {
           f.advice};
 }
 
+/// The place on the axis of the motion; nullopt for one elsewhere, such as a frequency.
+std::optional<DataTable::Place> place(const Finding& f) {
+  if (!f.where_unit.empty() || !std::isfinite(f.where)) return std::nullopt;
+  return DataTable::Place{f.where, f.where};
+}
+
 void drop_empty_columns(DataTable& table) {
   for (std::size_t k = table.columns.size(); k-- > 0;) {
     const bool empty = std::all_of(table.rows.begin(), table.rows.end(),
@@ -59,7 +65,8 @@ DataTable findings_table(const Report& report, const Labels& labels, std::string
       std::move(caption),
       {"rule", "of", "segment", "at", "value", "limit", "unit", "margin", "what to change"},
       {}};
-  for (const Finding& f : report.findings) table.rows.push_back({cells(f, labels), f.broken});
+  for (const Finding& f : report.findings)
+    table.rows.push_back({cells(f, labels), f.broken, place(f)});
   if (!table.rows.empty()) drop_empty_columns(table);
   return table;
 }

@@ -2,14 +2,17 @@
 #include "jounce/plot/page.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "jounce/base/hash.hpp"
 #include "jounce/plot/label.hpp"
 
 #include "plot/src/figure/style.hpp"
 #include "plot/src/figure/text.hpp"
+#include "plot_files.hpp"
 
 namespace jounce {
 namespace {
@@ -100,7 +103,10 @@ const char* kind(const DataTable& table, std::size_t column) {
 
 std::string table_row(const DataTable::Row& row, const std::vector<const char*>& kinds,
                       bool marked) {
-  std::string out = row.broken ? "<tr class=\"broken\">" : "<tr>";
+  std::string out = row.broken ? "<tr class=\"broken\"" : "<tr";
+  if (row.place)
+    out += fmt::format(" data-from=\"{}\" data-to=\"{}\"", row.place->from, row.place->to);
+  out += ">";
   if (marked) out += row.broken ? "<td class=\"m\" title=\"broken\">✗</td>" : "<td></td>";
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     out +=
@@ -126,6 +132,13 @@ std::string table(const DataTable& block) {
   return out + "</tbody>\n</table></div>\n";
 }
 
+/// JSON that cannot end its script element: a < is only in strings, where an escape stands for it.
+std::string in_script(std::string_view data) {
+  std::string out;
+  for (const char c : data) c == '<' ? out += "\\u003c" : out += c;
+  return out;
+}
+
 std::string chart(const Chart& block) {
   const auto drawn = [&](double width, const char* kind) {
     std::string out = svg(block.figure, {.width = width, .inlined = true});
@@ -133,6 +146,8 @@ std::string chart(const Chart& block) {
     return out.replace(out.find(plain), plain.size(), fmt::format("class=\"jf {}\"", kind));
   };
   std::string out = "<figure>\n" + drawn(wide_figure, "wide") + drawn(narrow_figure, "narrow");
+  if (!block.data.empty())
+    out += fmt::format("<script type=\"application/json\">{}</script>\n", in_script(block.data));
   if (!block.caption.empty())
     out += fmt::format("<figcaption>{}</figcaption>\n", escaped(block.caption));
   return out + "</figure>\n";
@@ -145,14 +160,46 @@ struct Write {
   std::string operator()(const Chart& block) const { return chart(block); }
 };
 
+bool has_script(const Page& page) {
+  const auto live = [](const Block& block) {
+    const auto* found = std::get_if<Chart>(&block);
+    return found != nullptr && !found->data.empty();
+  };
+  return std::any_of(page.sections.begin(), page.sections.end(), [&](const Section& section) {
+    return std::any_of(section.blocks.begin(), section.blocks.end(), live);
+  });
+}
+
+/// The hash in base 64 (RFC 4648), as a Content-Security-Policy has it.
+std::string base64(const Sha256& hash) {
+  constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  std::uint32_t bits = 0;
+  int held = 0;
+  for (const std::uint8_t byte : hash) {
+    bits = bits << 8U | byte;
+    for (held += 8; held >= 6; held -= 6)
+      out += digits[bits >> static_cast<unsigned>(held - 6) & 63U];
+  }
+  return out + digits[bits << 2U & 63U] + "=";  // 256 bits: 42 digits, 4 bits, one digit of padding
+}
+
+std::string script_source() {
+  return fmt::format("; script-src 'sha256-{}'", base64(sha256(plot_files::report_script)));
+}
+
 std::string head(const Page& page) {
+  const bool script = has_script(page);
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-      "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">\n"
+      "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'{}\">\n"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
-      "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>\n{}{}\n</style>\n</head>\n",
-      escaped(page.title), page_style(), inlined_figure_style());
+      "<link rel=\"icon\" "
+      "href=\"data:,\">\n<title>{}</title>\n<style>\n{}{}{}\n</style>\n</head>\n",
+      script ? script_source() : "", escaped(page.title), page_style(), inlined_figure_style(),
+      script ? plot_files::report_rules : "");
 }
 
 }  // namespace
@@ -181,7 +228,9 @@ std::string html(const Page& page) {
     out += "</section>\n";
   }
   if (!page.footer.empty()) out += fmt::format("<footer>{}</footer>\n", escaped(page.footer));
-  return out + "</main>\n</body>\n</html>\n";
+  out += "</main>\n";
+  if (has_script(page)) out += fmt::format("<script>{}</script>\n", plot_files::report_script);
+  return out + "</body>\n</html>\n";
 }
 
 }  // namespace jounce

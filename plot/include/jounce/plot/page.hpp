@@ -24,9 +24,15 @@ struct Facts {
 /// A table in a page. Columns that contain only numbers are aligned to the right. A broken row is
 /// tinted and has a cross.
 struct DataTable {
+  /// A range of the x axis of the page's chart with data; from == to is a point.
+  struct Place {
+    double from = 0;
+    double to = 0;
+  };
   struct Row {
-    std::vector<std::string> cells;  ///< one for each column; missing cells are empty
-    bool broken = false;             ///< true: the row shows a broken limit
+    std::vector<std::string> cells;   ///< one for each column; missing cells are empty
+    bool broken = false;              ///< true: the row shows a broken limit
+    std::optional<Place> place = {};  ///< place in the chart that the script shows for this row
   };
 
   std::string caption{};               ///< text below the table
@@ -38,6 +44,9 @@ struct DataTable {
 struct Chart {
   Figure figure{};
   std::string caption{};  ///< text below the figure
+  /// The numbers behind the figure, chart_data(): the script of the page then draws the figure, and
+  /// the reader can zoom and read values. Empty: the figure is a still picture.
+  std::string data{};
 };
 
 /// Any part of a section.
@@ -64,11 +73,12 @@ struct Page {
   std::string footer{};  ///< origin of the page: version of the program, hash of the table
 };
 
-/// Returns the page as one HTML file that needs no other file. The page has no script and loads
-/// nothing; its Content-Security-Policy makes the browser reject scripts and further files. All
-/// text is escaped, so a name in a spec cannot become markup. Colors are light or dark as the
-/// reader prefers; a print is white. Figures are included a second time for narrow windows, such as
-/// that of a phone. Equal pages give equal bytes.
+/// Returns the page as one HTML file that needs no other file and loads nothing. If no chart has
+/// data, the page has no script. Otherwise the page has the script of plot/assets, and is complete
+/// without it. The Content-Security-Policy makes the browser reject every other script and all
+/// further files. All text is escaped, so a name in a spec cannot become markup. Colors are light or
+/// dark as the reader prefers; a print is white. Figures are included a second time for narrow
+/// windows, such as that of a phone. Equal pages give equal bytes.
 std::string html(const Page& page);
 
 /// Returns the CSS of html(), for other pages with the same appearance: colors as variables

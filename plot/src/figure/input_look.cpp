@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/src/figure/input_look.hpp"
+
+#include <span>
+#include <utility>
+
+#include "jounce/design/sync_zones.hpp"
+#include "jounce/report/comparison.hpp"
+#include "jounce/spec/spec.hpp"
+
+namespace jounce {
+namespace {
+
+/// The ends of the segments of the spec. Ends of the pieces of a law are left out.
+std::vector<double> knots(std::span<const double> breaks, const Labels& labels) {
+  std::vector<double> all{breaks.front()};
+  for (const auto& group : groups(breaks.size() - 1, labels)) all.push_back(breaks[group.last + 1]);
+  return all;
+}
+
+/// The segments of a cam's spec, as reports call them, and their laws.
+std::vector<std::vector<Shade>> strips(std::span<const double> breaks, const Input& input) {
+  if (!input.spec || !std::holds_alternative<CamSpec>(input.spec->subject)) return {};
+  const auto& segments = std::get<CamSpec>(input.spec->subject).segments;
+  std::vector<Shade> names;
+  std::vector<Shade> laws;
+  for (const auto& group : groups(breaks.size() - 1, input.labels)) {
+    if (names.size() == segments.size()) break;
+    const CamSegment& segment = segments[names.size()];
+    names.push_back({breaks[group.first], breaks[group.last + 1], group.label});
+    laws.push_back({breaks[group.first], breaks[group.last + 1], name(segment.law)});
+  }
+  return {std::move(names), std::move(laws)};
+}
+
+}  // namespace
+
+CurveLook look_of(const Input& input) {
+  CurveLook look{.title = input.name,
+                 .axis_unit = input.labels.units.x,
+                 .unit = input.labels.units.position,
+                 .rate_units = input.rate_units,
+                 .limits = input.limits};
+  for (const SyncZone& zone : sync_zones(input))
+    look.shades.push_back({zone.from, zone.to, zone.name});
+  const auto breaks = std::visit([](const auto& curve) { return curve.breaks(); }, *input.curve);
+  look.knots = knots(breaks, input.labels);
+  look.strips = strips(breaks, input);
+  return look;
+}
+
+template <class Over>
+Curve<Over> in_units_of(const Input& input, const Input& other, const Curve<Over>& curve) {
+  const Version version = in_units({other.name, curve, other.labels}, input.labels.units);
+  return std::get<Curve<Over>>(version.curve);
+}
+
+template Trajectory in_units_of(const Input&, const Input&, const Trajectory&);
+template Cam in_units_of(const Input&, const Input&, const Cam&);
+
+}  // namespace jounce
