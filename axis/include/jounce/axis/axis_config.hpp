@@ -34,7 +34,8 @@ struct AxisConfig {
   /// Jerk of a stop, u/s^3, > limits.jerk; 0: twice the limit. Not used without a jerk limit.
   double stop_jerk = 0;
   double position = 0;  ///< initial position of the axis, u
-  /// Greatest number of ticks by which a cycle may be late in motion. A longer gap is a fault.
+  /// Number of skipped ticks in motion that is a fault (`stalled`), >= 1. A smaller gap is no
+  /// fault.
   std::int64_t longest_gap = 100;
 
   /// Deceleration of an abort, u/s^2; 0: the setpoint freezes at once.

@@ -95,9 +95,9 @@ struct MoveResult {
 /// **Accuracy.** The duration is the true minimum, to rounding. The move ends exactly at `to`.
 /// Results do not depend on the unit.
 ///
-/// **Position limits.** If a position limit excludes the shortest motion, the axis first stops at
-/// the point nearest to the target that the limit allows. Such a move stays within the limits, but
-/// is not always the shortest.
+/// **Position limits.** If a position limit excludes the shortest motion, the axis first stops
+/// inside the limits, as near as possible to the end of its fastest stop. Such a move stays within
+/// the limits, but is not always the shortest.
 ///
 /// Does not allocate or throw. Derivation: docs/generators/move.md.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
