@@ -89,8 +89,8 @@ struct GearInPos {
 };
 
 /// Computes the engagement. Throws InputError for a value out of range: "denominator" 0 or less
-/// (PMC600 error 675), "numerator" 0, "master_start_distance" 0, a period that is not positive, or
-/// a law that does not take a velocity at its end.
+/// (PMC600 error 675), "numerator" 0, "master_start_distance" 0, a number that is not finite, a
+/// period that is not positive, or a law that does not accept a velocity at its end.
 GearInPos gear_in_pos(const GearInPosSpec& spec);
 
 /// The start distances with which a quintic neither reverses nor exceeds the velocity of the gear:

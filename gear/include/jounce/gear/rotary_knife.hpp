@@ -105,10 +105,11 @@ SyncCam rotary_knife(const RotaryKnifeSpec& spec);
 /// Returns the key figures. Throws like rotary_knife().
 RotaryKnifeFigures figures(const RotaryKnifeSpec& spec);
 
-/// Returns findings about the knife that do not depend on its limits. Broken findings:
-/// "knife/reversal", and "knife/contact" (the sync zone is less than two contact angles). Warning:
-/// "knife/slip" (the blade is more than 1 % slower than required in the sync zone). Throws like
-/// rotary_knife().
+/// Returns findings about the knife that do not depend on its limits. "knife/reversal": the least
+/// velocity; broken if the knife reverses. "knife/contact", for a web with a thickness: the sync
+/// angle; broken if it is less than two contact angles. "knife/slip", for surface matching: the
+/// share by which the blade is slower than required where it enters the web; a warning above 1 %,
+/// otherwise a note. Throws like rotary_knife().
 Report check(const RotaryKnifeSpec& spec);
 
 }  // namespace jounce

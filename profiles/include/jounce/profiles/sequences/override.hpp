@@ -80,7 +80,7 @@ struct Overridden {
 /// - the plan itself, or the plan at the first factor, breaks a limit (the error has the limit, the
 ///   place and the amount);
 /// - a factor is out of range, the times do not ascend, or the first one is before the start;
-/// - the axes have different intervals, or none of them moves;
+/// - there is no axis, the axes have different intervals, or none of them moves;
 /// - the first factor is 0 and no request starts the motion;
 /// - composed() throws: a plan of degree 4 or more does not fit the ramp of a clock (degree 3).
 Overridden overridden(std::span<const Trajectory> axes, std::span<const Limits> limits,

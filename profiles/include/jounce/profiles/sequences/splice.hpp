@@ -41,7 +41,7 @@ Trajectory until(const Trajectory& f, double t);
 Trajectory spliced(const Trajectory& running, double t, const Trajectory& next);
 
 /// Like spliced() above, with a sequence of profiles as the continuation; profiles without duration
-/// are omitted.
+/// are omitted. Throws InputError if t is the start and no profile has a duration.
 Trajectory spliced(const Trajectory& running, double t, std::span<const Profile> next);
 inline Trajectory spliced(const Trajectory& running, double t, const Profile& next) {
   return spliced(running, t, std::span(&next, 1));

@@ -77,10 +77,12 @@ struct ViaMotion {
 ///   shortest. No axis reverses between two points.
 ///
 /// Throws InputError
-/// - if there are fewer than two points;
-/// - if a point has the wrong number of axes, equals the previous point, or has a position that is
-///   not finite, above 1e30 or outside the position bounds;
-/// - for bounds that move_to() rejects;
+/// - if there are no axes or fewer than two points;
+/// - if a point, a rate or a stretch has the wrong number of axes, or `stretches` the wrong size;
+///   if a point equals the previous one, or has a position that is not finite, above 1e30 in
+///   magnitude or outside the position bounds;
+/// - for bounds that move_to() rejects, a limit of the norm outside 1e-30 to 1e30, a limit of its
+///   position, and bounds that do not limit the motion;
 /// - if no motion without a reversal was found that starts or ends with the given velocities and
 ///   stays within the bounds.
 ///
