@@ -166,14 +166,14 @@ struct DriveOptions {
   double settle = 0.2;  ///< standstill after the end of the reference, s, >= 0
   /// Number of samples, equally spaced over reference and standstill; for plots.
   std::size_t samples = 0;
-  DriveLimits limits = {};          ///< limits for the findings
-  std::vector<Interval> sync = {};  ///< intervals in which the slave is in step; within the
-                                    ///< reference
-  double tolerance = 1e-8;          ///< relative tolerance of the integration, 1e-12 to 1e-3
-  long max_steps = 10'000'000;      ///< greatest number of steps of the integration, > 0
+  DriveLimits limits = {};  ///< limits for the findings
+  /// Intervals in which the slave is in step; each has from < to and is within the reference.
+  std::vector<Interval> sync = {};
+  double tolerance = 1e-8;      ///< relative tolerance of the integration, 1e-12 to 1e-3
+  long max_steps = 10'000'000;  ///< greatest number of steps of the integration, > 0
   /// True: the reference is one period of a motion without end, such as a cam on a rotating master.
-  /// The run is one period of the steady state, without a standstill (`settle` is not used). For
-  /// linear drives only.
+  /// The run is one period of the steady state, without a standstill (`settle` is not used, and
+  /// limits that need a standstill are rejected). For linear drives only.
   bool periodic = false;
 };
 
