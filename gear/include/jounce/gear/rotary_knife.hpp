@@ -77,7 +77,8 @@ struct RotaryKnifeFigures {
   double recovery_length = 0;  ///< web length of the recovery
   /// Slope at both ends of the recovery divided by its mean slope; 1: a straight line.
   double rho = 0;
-  /// Extreme speed of the recovery (greatest or least) divided by the speed of the plain gear.
+  /// Speed in the middle of the recovery (its greatest or least) divided by the speed of the plain
+  /// gear; 0 if the knife stops.
   double surface_ratio = 0;
   double longest = 0;  ///< cut length above which the knife reverses or needs a dwell (Lcrit)
   double dwell = 0;    ///< m of web that pass while the knife stands still; 0: the knife does not

@@ -11,7 +11,7 @@ namespace jounce {
 /// Correction that is added to a cam so that a slave engages without a jump. It begins at the
 /// difference between slave and cam, ends at zero, and stays at zero. A correction over time is a
 /// Profile within limits. A correction over the master is a polynomial of the master's position, so
-/// it stands still while the master stands still. A value type; does not allocate.
+/// it stands still while the master stands still. Copies are independent; it does not allocate.
 class Correction {
  public:
   Correction() = default;  ///< no correction: zero everywhere
