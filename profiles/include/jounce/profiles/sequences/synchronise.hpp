@@ -57,7 +57,8 @@ struct Synchronised {
 /// - An axis inside its bounds cannot stay inside them on the line. On a line, the axis with the
 ///   least jerk in proportion to its distance limits how fast the accelerations of all axes fall.
 ///
-/// A start outside the bounds: see move_to(). Does not allocate or throw.
+/// If minimum_duration or grid is not finite, the status is `not_finite`. Without axes, the status
+/// is ok and the duration 0. A start outside the bounds: see move_to(). Does not allocate or throw.
 Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
                          double minimum_duration = 0, double grid = 0) noexcept;
 
