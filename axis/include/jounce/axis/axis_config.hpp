@@ -20,7 +20,7 @@ struct HomingSpec {
   /// Velocity of the search for the edge and the index, u/s (6099h:2), at most the limit; 0:
   /// search_velocity / 4.
   double index_velocity = 0;
-  /// acceleration, u/s^2 (609Ah), at most the limit; 0: the limit of the axis.
+  /// Acceleration, u/s^2 (609Ah), at most the limit; 0: the limit of the axis.
   double acceleration = 0;
   double offset = 0;    ///< position value of the axis at the home position, u (607Ch)
   double timeout = 60;  ///< time limit of the whole homing, s, > 0

@@ -72,7 +72,7 @@ enum class CouplingStatus : std::uint8_t {
   master_outside_cam,  ///< the master is outside a cam that refuses positions outside
   /// ramp_in_pos, ramp_in_neg: a linear slave would have to move in the other direction.
   would_reverse,
-  /// Ramp_in_distance: the slave moves, but the master is at rest, or so slow that no correction
+  /// ramp_in_distance: the slave moves, but the master is at rest, or so slow that no correction
   /// exists.
   master_stands,
   no_ramp,        ///< the limits or the state contain numbers beyond 1e50, so no correction exists
