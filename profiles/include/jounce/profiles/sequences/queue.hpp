@@ -117,7 +117,8 @@ struct CommandRecord {
 
 /// Result of queue().
 struct QueuedMotion {
-  Trajectory trajectory;  ///< begins at 0 s; holds outside if it ends at rest, otherwise refuses
+  /// Begins at 0 s; holds outside if it begins and ends at rest; otherwise it refuses.
+  Trajectory trajectory;
   std::vector<CommandRecord> commands;  ///< one for each command, in their order
   MotionState end;                      ///< state at the end of the trajectory
 };
