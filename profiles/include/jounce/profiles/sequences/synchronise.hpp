@@ -36,18 +36,22 @@ enum class Sync : std::uint8_t {
   /// Like time, except that an axis whose target is at rest takes its own shortest time and waits
   /// at the target.
   time_if_moving,
-  phase_or_time,  ///< phase if the states are on one line, otherwise time
+  phase_or_time,  ///< phase; if its status would be `not_straight`: time
 };
 
 /// Result of synchronise().
 struct Synchronised {
   MoveStatus status = MoveStatus::ok;  ///< ok, or why there is no common motion
   std::size_t axis = 0;                ///< the axis that causes the status, if it is not ok
-  double duration = 0;                 ///< s, the longest duration of an axis
+  /// s, the common duration: the longest of an axis, and at least the minimum; 0 if the status is
+  /// not ok.
+  double duration = 0;
 };
 
 /// Plans one profile for each axis and writes them to `out`; both spans have the same size. Every
-/// duration is at least `minimum_duration` (s). With `grid` > 0 (s) it is a multiple of `grid`.
+/// duration of an enabled axis is at least `minimum_duration` (s); with Sync::time_if_moving, this
+/// does not apply to an axis whose target is at rest. With `grid` > 0 (s), every duration is a
+/// multiple of `grid`. If the status is not ok, the profiles in `out` are not a motion.
 ///
 /// With Sync::phase, the status is `not_straight` (the path is never bent) in these cases:
 /// - The states are not on the line from start to goal: velocities and accelerations must be
