@@ -81,8 +81,8 @@ struct Queue {
   QueueEvent event = QueueEvent::start;  ///< start condition, over a master
   double event_position = 0;             ///< for pass: position of the master, m; otherwise 0
   std::int8_t event_direction = 0;  ///< for pass: direction of the master, 1 or -1; otherwise 0
-  /// Number of rows that a start requires, 1 to room(); fewer rows are enough if the stream ends
-  /// with them.
+  /// Number of rows that a start requires, from 1 to the capacity (of both banks in a dynamic
+  /// queue); fewer rows are enough if the stream ends with them.
   std::uint32_t prefill = 1;
   /// False: the axis must stand at `origin`, the start of the first row. True: rows count from the
   /// position of the axis at the start.
