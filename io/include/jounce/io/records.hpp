@@ -22,10 +22,12 @@ struct RecordUnits {
 ///     2;       2;        2000;     0;        0;        1000; 2000; 1700;  700
 ///
 /// **Columns**, in upper or lower case:
-/// - `X_EndPos`, and a column of this form for each other axis of the machine: absolute positions;
+/// - `X_EndPos`, and a column of this form for each other axis of the machine: absolute positions,
+///   to which a rotary axis takes the shorter way;
 /// - `DataType`: 1: line (also if the column is missing); 2: arc through Aux_Pos0 and Aux_Pos1 in
 ///   the plane of the first two axes, while all other axes move in proportion to its angle;
-/// - `Vel` and `Acc`: if the columns are missing, those of the machine's settings;
+/// - `Vel` and `Acc`: > 0; `Acc` is also the deceleration; if the columns are missing, those of the
+///   machine's settings;
 /// - `LineNum`: a whole number >= 0; not used.
 ///
 /// The number of each command's source line is that of its row in the document, not LineNum.
