@@ -44,9 +44,10 @@ struct Tick {
   double position = 0;            ///< commanded position (setpoint), u
   double velocity = 0;            ///< commanded velocity, u/s
   double acceleration = 0;        ///< commanded acceleration, u/s^2
-  std::uint64_t job = 0;          ///< id of the motion that is played; 0: none
-  std::uint64_t armed = 0;        ///< id of the armed motion; 0: none
-  bool waiting = false;           ///< true if a start was accepted, but its motion has not begun
+  /// Id of the movement that is played; 0: none, or a move that the axis plans.
+  std::uint64_t job = 0;
+  std::uint64_t armed = 0;             ///< id of the armed movement; 0: none
+  bool waiting = false;                ///< true if an accepted start, move or command has not begun
   Progress progress = Progress::done;  ///< progress of the motion that is played
   Cause fault = Cause::none;           ///< the latched fault; none: no fault
   std::int64_t skipped = 0;            ///< ticks skipped between the previous step and this one
@@ -76,8 +77,8 @@ struct Tick {
   double following_error = std::numeric_limits<double>::quiet_NaN();
   /// Share of the rated torque; NaN: unknown.
   double torque = std::numeric_limits<double>::quiet_NaN();
-  /// True if the axis is at rest and the following error is within the window
-  /// AxisConfig::in_position.
+  /// True if the axis is at standstill, and the following error has been within the window
+  /// AxisConfig::in_position for AxisConfig::in_position_time.
   bool in_position = false;
   SwitchStep switches{};  ///< outputs of the cam switches, with their edges since the previous tick
   /// Output of the position compare, with its edges since the previous tick.
@@ -115,10 +116,10 @@ bool in_motion(const Tick& tick);
 /// neither. When it reads a movement for the last time, it returns the movement in
 /// Tick::handed_back, once.
 ///
-/// **Outputs** (cam switches, position compare) are computed from the state of each tick. A new
-/// coordinate (set_position), or a new master at the start of a motion, may switch outputs; such a
-/// change is not an edge. Outputs are computed in every state, even if the axis is disabled or in a
-/// fault.
+/// **Outputs** (cam switches, position compare) are computed in each tick from its positions. A new
+/// coordinate (set_position), or a new master at the start of a motion, passes no switch and no
+/// compare position; a switch whose state differs there changes at time 0 of the tick. Outputs are
+/// computed in every state, even if the axis is disabled or in a fault.
 ///
 /// **Drives.** Feedback is in the coordinate of the drive. set_position changes the coordinate of
 /// the axis by `offset`, and does not move the drive. While the axis is disabled, its setpoint is
@@ -144,8 +145,8 @@ class MotionAxis {
   explicit MotionAxis(const AxisConfig& config, const AxisSwitches& switches = {},
                       const AxisCompare& compare = {});
 
-  /// Executes the command and returns the outputs of this tick. Call once a tick; `tick` must be
-  /// greater than in the previous call.
+  /// Executes the command and returns the outputs of this tick. Call once a tick; `tick` must be >=
+  /// 0 and greater than in the previous call (asserted).
   Tick step(std::int64_t tick, const Command& command = {}, const Inputs& inputs = {});
 
   /// The configuration with its defaults filled in.

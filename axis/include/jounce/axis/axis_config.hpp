@@ -11,15 +11,19 @@ namespace jounce {
 /// Homing of an axis, with the objects of CiA 402. A value of 0 stands for the default that its
 /// comment states; resolved() fills in the defaults. u is the unit of the axis.
 struct HomingSpec {
-  int method = 37;  ///< homing method, object 6098h; 37: the present position becomes the home
-                    ///< position
-  /// Velocity of the search for a switch, u/s (6099h:1); 0: a tenth of the limit.
+  /// Homing method, object 6098h: 1 to 14, 17 to 30, 33, 34, 35 or 37; 37: the present position
+  /// becomes the home position.
+  int method = 37;
+  /// Velocity of the search for a switch, u/s (6099h:1), at most the limit; 0: a tenth of the
+  /// limit.
   double search_velocity = 0;
-  /// Velocity of the search for the edge and the index, u/s (6099h:2); 0: search_velocity / 4.
+  /// Velocity of the search for the edge and the index, u/s (6099h:2), at most the limit; 0:
+  /// search_velocity / 4.
   double index_velocity = 0;
-  double acceleration = 0;  ///< acceleration, u/s^2 (609Ah); 0: the limit of the axis
-  double offset = 0;        ///< position value of the axis at the home position, u (607Ch)
-  double timeout = 60;      ///< time limit of the whole homing, s, > 0
+  /// Acceleration, u/s^2 (609Ah), at most the limit; 0: the limit of the axis.
+  double acceleration = 0;
+  double offset = 0;    ///< position value of the axis at the home position, u (607Ch)
+  double timeout = 60;  ///< time limit of the whole homing, s, > 0
   std::optional<double> distance = {};  ///< u, > 0: greatest length of each search; omitted: no
                                         ///< limit
 };
@@ -29,24 +33,26 @@ struct HomingSpec {
 struct AxisConfig {
   std::int64_t period = 1'000'000;  ///< duration of a tick, ns, > 0
   Limits limits = {};               ///< limits of the axis; velocity and acceleration are required
-  /// Deceleration of a stop, u/s^2, > limits.acceleration; 0: twice the limit.
+  /// Deceleration of a stop, u/s^2, at least 1.1 times limits.acceleration; 0: twice the limit.
   double stop_acceleration = 0;
-  /// Jerk of a stop, u/s^3, > limits.jerk; 0: twice the limit. Not used without a jerk limit.
+  /// Jerk of a stop, u/s^3, at least 1.1 times limits.jerk; 0: twice the limit. Not used without a
+  /// jerk limit.
   double stop_jerk = 0;
-  double position = 0;  ///< initial position of the axis, u
-  /// Greatest number of ticks by which a cycle may be late in motion. A longer gap is a fault.
+  double position = 0;  ///< initial position of the axis, u; within the position limits
+  /// Number of skipped ticks in motion that is a fault (`stalled`), >= 1. A smaller gap is no
+  /// fault.
   std::int64_t longest_gap = 100;
 
   /// Deceleration of an abort, u/s^2; 0: the setpoint freezes at once.
   double abort_acceleration = 0;
   double limit_acceleration = 0;  ///< deceleration before a soft limit, u/s^2; 0: stop_acceleration
   double modulo = 0;              ///< length of one turn of a modulo axis, u; 0: a linear axis
-  /// Limit of the following error, u. If the error exceeds it for following_time, the axis has a
-  /// fault.
+  /// Limit of the following error, u; 0: none. If the error exceeds it for following_time, the axis
+  /// has a fault.
   double following_error = 0;
   double following_time = 0;  ///< s; see following_error
-  /// Window of the following error, u. The axis is in position if the error stays in the window for
-  /// in_position_time.
+  /// Window of the following error, u; 0: the axis is never in position. The axis is in position if
+  /// it is at standstill and the error stays in the window for in_position_time.
   double in_position = 0;
   double in_position_time = 0;  ///< s; see in_position
 

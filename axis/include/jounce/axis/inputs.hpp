@@ -75,8 +75,8 @@ struct Feedback {
 
 /// Inputs of an axis in one cycle, besides commands. The axis stays within its limits for all
 /// inputs. The master counts as lost if one of its numbers is not finite or exceeds 1e50. The drive
-/// counts as failed (`drive_fault`) if it reports such a number, or a position that the axis could
-/// not reach in 2^40 ticks. m is the unit of the master.
+/// counts as failed (`drive_fault`) if it reports an infinite number, a magnitude above 1e50, or a
+/// position that the axis could not reach in 2^40 ticks. m is the unit of the master.
 struct Inputs {
   /// The master: position, m, and its derivatives, m/s, m/s^2, m/s^3. NaN: no master, or a lost
   /// one.
@@ -89,12 +89,14 @@ struct Inputs {
   /// feedback.sensors.
   bool positive_switch = false;
   bool negative_switch = false;  ///< true if the negative limit switch is active
-  /// Number of the last available row in the queues of the axis; the greatest value means all rows.
+  /// Number of the last change of the queues that the axis may use (HandedOver::number); the
+  /// greatest value means all changes.
   std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();
   /// True if another motion of the same group was stopped or failed: the axis stops.
   bool group_broken = false;
   Peers peers = Peers::ready;  ///< state of the other axes, for the start of the armed movement
-  bool watchdog = false;       ///< true if a heartbeat is missing: the axis stops
+  /// True if the communication thread of the executor does not respond: the axis stops.
+  bool watchdog = false;
 };
 
 }  // namespace jounce

@@ -31,9 +31,9 @@ namespace jounce {
 /// least until the ramp ends. If the master table repeats, admit() rejects a ramp, because the axis
 /// would not return to its start position.
 ///
-/// The constructor throws InputError if `time` is not over time, if `cam` is not over the position
-/// of a master, and for an invalid coupling. Units: u is the unit of the axis, m that of the
-/// master.
+/// The constructor throws InputError if `time` is not over time or has the policy `advance`, if
+/// `cam` is not over the position of a master, and for an invalid coupling. Units: u is the unit of
+/// the axis, m that of the master.
 class Job final : public Movement {
  public:
   /// `id` is the id of the motion in Tick::job. `time` is the table over time: the position of the

@@ -22,7 +22,8 @@ class LiveGear final : public Movement {
   /// `id` is the id of the motion in Tick::job. Throws InputError like gear_in().
   LiveGear(std::uint64_t id, const GearInSpec& spec);
 
-  /// Returns none, or no_master_input if the master is not finite or exceeds 1e50.
+  /// Returns none; no_master_input if a number of the master or of the axis is not finite or
+  /// exceeds 1e50; or no_ramp if no ramp to the velocity of the gear exists.
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;
   Setpoint at(const Moment& now) noexcept override;
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }

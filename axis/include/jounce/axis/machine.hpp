@@ -65,7 +65,7 @@ struct AxisImage {
 /// **Order.** An axis that follows the setpoint of another axis (its leader) uses the setpoint of
 /// the same tick. Therefore leaders are stepped first; the other axes are stepped in the order in
 /// which they are declared. Images, names and messages keep the declared order. The constructor
-/// rejects axes that follow each other in a ring.
+/// rejects a ring of axes that follow the setpoints of each other.
 ///
 /// **Leaders.** A change of the coordinate of a leader (set_position, home) does not move its
 /// followers. If a leader freezes (an abort, a disabled drive), it is lost to its followers in that
@@ -95,8 +95,9 @@ class Machine {
 
   /// `masters` is the number of masters that step() receives. Throws InputError, with the name of
   /// the axis, for no axis or more than 64 axes, a missing or duplicate name, different periods, an
-  /// invalid configuration, invalid switches, an index out of range, axes that follow each other in
-  /// a ring, an axis in two groups, and an axis of a group that has a live master.
+  /// invalid configuration, invalid switches, an invalid position compare, an index out of range,
+  /// an axis that follows itself, a ring of axes that follow the setpoints of each other, an axis in
+  /// two groups, and an axis of a group that has a live master.
   explicit Machine(std::vector<MachineAxis> axes, std::size_t masters = 0);
 
   [[nodiscard]] std::size_t size() const { return axes_.size(); }  ///< number of axes

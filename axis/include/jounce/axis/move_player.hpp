@@ -25,7 +25,7 @@ struct TimedState {
 ///     const Jet next = player.at(tick);                           // u, u/s, u/s^2, u/s^3
 ///     if (player.is_over(tick)) ...                               // it continues at its velocity
 ///
-/// A value type of fixed size. Does not allocate or throw.
+/// It has a fixed size, and copies are independent. Does not allocate or throw.
 class MovePlayer {
  public:
   /// `period`: duration of a tick, ns.

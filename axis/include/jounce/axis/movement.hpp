@@ -37,8 +37,8 @@ struct Moment {
 /// Independent variable of a movement. It determines how the axis holds, slows down and stops the
 /// movement.
 enum class Course : std::uint8_t {
-  /// The movement's own time: the movement is a path. The axis can slow down this time, to
-  /// standstill, without leaving the path. `t` is path time; at full speed it is exactly ticks *
+  /// The movement's own time: the movement is a path. The axis can pass this time faster or slower,
+  /// or stop it, without leaving the path. `t` is path time; at rate 1 it is exactly ticks *
   /// period.
   path,
   /// A master that moves freely. To stop, the axis leaves the movement and plans a move from its
@@ -85,8 +85,9 @@ class Movement {
   /// Independent variable of the movement.
   [[nodiscard]] Course course() const noexcept { return course_; }
 
-  /// Begins the movement at `now`, from the state `axis` of the axis. Returns none, or the reason
-  /// why the movement cannot begin. After none, at() returns the first point.
+  /// Begins the movement at `now`, from the state `axis` of the axis. Returns the reason why the
+  /// movement cannot begin, or Cause::none. After Cause::none, the next at() returns the first
+  /// point.
   virtual Cause begin(const MotionState& axis, const Moment& now) noexcept = 0;
   /// Returns the setpoint at `now`. Call once a tick.
   virtual Setpoint at(const Moment& now) noexcept = 0;
@@ -96,8 +97,9 @@ class Movement {
   /// Reason for Progress::broken; otherwise none.
   [[nodiscard]] virtual Cause cause() const noexcept { return Cause::none; }
 
-  /// Sets the number of the last available row, for rows that arrive during play. The axis calls
-  /// this function at the beginning of every tick (Inputs::rows).
+  /// Sets the number of the last change of the FIFOs that is visible in this tick
+  /// (HandedOver::number), for rows that arrive during play. The axis calls this function at the
+  /// beginning of every tick (Inputs::rows).
   virtual void see(std::uint64_t /*number*/) noexcept {}
 
   /// True if the positions of the movement are absolute; false if they are relative to the position
@@ -115,18 +117,19 @@ class Movement {
 
   /// For a path: its available length, s of path time; infinite if it repeats.
   [[nodiscard]] virtual double known() const noexcept { return 0; }
-  /// For a path: its greatest magnitudes. For a live movement: the greatest magnitudes that an
-  /// engagement at this moment would add to the motion of its master.
+  /// For a path: its greatest magnitudes. For a live movement: the greatest magnitudes by which the
+  /// slave, if it engaged at this moment, would exceed the motion that it gets from its master.
   [[nodiscard]] virtual Peaks peaks() const noexcept { return {}; }
   /// For a path: the sign of its first motion, -1 or 1; 0: no motion, or unknown.
   [[nodiscard]] virtual int direction() const noexcept { return 0; }
-  /// For a path: true if more rows will arrive. Before the available part is shorter than its
-  /// stopping distance, the axis then stops on the path, with the fault `underrun`.
+  /// For a path: true if more rows will arrive. The axis then begins to stop on the path, with the
+  /// fault `underrun`, as soon as the available part is only just long enough for the stop.
   [[nodiscard]] virtual bool growing() const noexcept { return false; }
   /// For a path: true if its available part stays within the range that was checked at arming. If
   /// false, the axis checks before every setpoint that it can still stop within its limits.
   [[nodiscard]] virtual bool bounded() const noexcept { return true; }
-  /// After begin() returned start_position: the required position of the axis, u; NaN: unknown.
+  /// After begin() returned Cause::start_position: the required position of the axis, u; NaN:
+  /// unknown.
   [[nodiscard]] virtual double place() const noexcept {
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -12,7 +12,7 @@ namespace jounce {
 /// The position compare of an axis: one list of positions. The list starts again with each motion
 /// that begins from rest.
 struct AxisCompare {
-  /// The compared position: setpoint (position) or actual position.
+  /// The compared position: `position` (of the setpoint) or `actual`.
   SwitchesOf of = SwitchesOf::position;
   std::optional<PositionCompare> list = {};  ///< the list; nullopt: no position compare
 };
@@ -31,7 +31,7 @@ struct OutputPlaces {
 };
 
 /// The outputs of an axis that depend on its position: its cam switches and its position compare,
-/// evaluated at the state of each tick.
+/// computed in each tick from its positions.
 ///
 ///     Outputs outputs(switches, compare);
 ///     outputs.begin();                                   // a motion begins from rest
@@ -45,8 +45,9 @@ class Outputs {
   /// of the master.
   Outputs(const AxisSwitches& switches, const AxisCompare& compare);
 
-  /// Announces that the position `what` will change without motion in the next step, so that the
-  /// change is not an edge.
+  /// Announces that the position `what` will be set without motion in the next step; with
+  /// SwitchesOf::position, also the actual position. Then no switch and no point is passed. The
+  /// output of a switch whose state differs at the new position changes at time 0 of that step.
   void place(SwitchesOf what);
   /// Starts the list of the position compare again. Call when a motion begins from rest.
   void begin();

@@ -31,7 +31,7 @@ void require_valid(const TrackerSpec& spec);
 /// Estimate of position, velocity and acceleration from noisy measurements, by the fading-memory
 /// filter: a least-squares fit of a straight line (order 2) or a parabola (order 3). The weight of
 /// a measurement falls by the factor exp(-1) in half a time constant (equations (1) to (5) in
-/// tracker.cpp). A value type.
+/// tracker.cpp). Copies are independent.
 struct Estimate {
   double time = 0;             ///< time of the last measurement, s
   double x = 0, v = 0, a = 0;  ///< position, velocity and acceleration at that time: m, m/s, m/s^2

@@ -273,7 +273,9 @@ struct MoveVelocity {
   double velocity = 0;         ///< u/s, signed; 0: to rest
   MoveDynamics dynamics = {};  ///< the member `velocity` is not used
   BufferMode buffer = BufferMode::aborting;
-  bool hold_to_run = false;  ///< true: the axis stops if the sender sends no heartbeat for 0.2 s
+  /// True: the axis stops if its sender is silent for the hold timeout of the executor, by default
+  /// 0.2 s.
+  bool hold_to_run = false;
 };
 template <Of<MoveVelocity> C, class F>
 constexpr void each_field(C& c, F f) {

@@ -6,14 +6,14 @@
 
 namespace jounce {
 
-/// An error of a controller for a cam or a gear, and its equivalent in Jounce. docs/cam/errors.md
-/// lists all of them.
+/// An error about a cam or a gear that a controller reports, and its equivalent in Jounce.
+/// docs/cam/errors.md lists all of them.
 ///
 ///     for (const ControllerError& error : controller_errors()) print(row(error));
 struct ControllerError {
   const char* controller;  ///< name of the controller: "PMC600" or "HMPL"
   unsigned code;           ///< error number in the manual of the controller
-  const char* meaning;     ///< one sentence: what happened
+  const char* meaning;     ///< a few words: what happened
   /// The equivalent in Jounce: "InputError KEY", "CouplingStatus NAME", "GearInPosStatus NAME",
   /// "SwitchStep lost" (of CamSwitches), "Cause NAME" or "Refusal NAME" (of an executor), or
   /// "none".

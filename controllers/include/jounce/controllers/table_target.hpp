@@ -27,8 +27,9 @@ struct ControllerTable {
   bool quadratic = false;  ///< true if the velocity is linear between knots (Target::quadratic)
 };
 
-/// Returns all controller tables: hmpl_pvt, sew, googol_pt, googol_pt_1024, googol_follow and
-/// googol_follow_512. The four of Googol have segments of the type NORMAL.
+/// Returns all controller tables: googol_pt, googol_pt_1024, googol_follow, googol_follow_512,
+/// hmpl_pvt, and sew (the curve point table of the MOVI-C controllers of SEW). The four of Googol
+/// have segments of the type NORMAL (GTS manual 7.4): linear velocity, quadratic position.
 std::span<const ControllerTable> controller_tables();
 
 /// Returns the controller table with this name; null if no table has the name.
@@ -45,8 +46,8 @@ Target target_of(const ControllerTable& controller, const Units& units,
 /// "geo_velocity..."; x_step has the key "time_resolution" or "master_resolution".
 std::string spec_key(Domain axis, const std::string& member);
 
-/// A Target as texts. Each text is a quantity with or without its unit; an empty text means that
-/// the quantity is not given.
+/// A Target as the user writes it. Each text except `controller` is a quantity with or without its
+/// unit. An empty text means that the quantity is not given.
 struct TargetTexts {
   std::string controller = {};  ///< name of a ControllerTable
   std::string tolerance = {};
@@ -63,7 +64,8 @@ struct TargetTexts {
 /// Returns the name of a member for messages; by default, the name in TargetTexts.
 using MemberName = std::function<std::string(const std::string& member)>;
 
-/// Returns the target of the texts in these units, within the limits of the controller. Throws
+/// Returns the target of the texts in these units, with the capacity and the counts of
+/// texts.controller. `most` and x_step, if given, replace those of the controller. Throws
 /// InputError, with the name of the member as key, for a text that is not a positive quantity in
 /// the unit of the member, for a controller that is not in controller_tables(), and for one whose
 /// table needs another variable (time or master position) or another interpolation.

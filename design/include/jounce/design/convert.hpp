@@ -26,7 +26,9 @@ struct Conversion {
 /// A converted table, and its difference from the input.
 struct Converted {
   TableFile file;  ///< the table, with its units and names
-  /// Error in the units of the input; nullopt: the result has the knots of the input, bit for bit.
+  /// Error in the units of the input. If the knots and the rule are unchanged, and the controller
+  /// does not join the knots by a spline, it is the error of the input: for a spec, that of its
+  /// table; for a table, nullopt.
   std::optional<SampleError> error;
 };
 

@@ -19,7 +19,7 @@ namespace jounce {
 /// its run-up and its return depend on the speed; so the cam is made again for each speed.
 struct CutLengths {
   /// Returns the fastest line for a length. If the cut is impossible, the speed is 0, and the limit
-  /// is "length" or "reversal".
+  /// is "length", "reversal" or, for a shear, the limit that no speed satisfies.
   std::function<CutSpeed(double length, const CutLimits&)> fastest;
   /// Returns the shortest cut that is possible at a speed; nullopt if no cut is possible. For a
   /// knife, only cuts up to the synchronous length are considered.

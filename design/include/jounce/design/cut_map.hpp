@@ -19,8 +19,9 @@ struct CutMap {
   std::vector<CutSpeed> speeds;  ///< in ascending order of the length
   /// Lengths at which another limit begins to determine the speed.
   std::vector<LimitChange> changes;
-  double running = 0;  ///< speed of the line: that of [master], otherwise the greatest speed of the
-                       ///< line
+  /// Speed of the line: that of [master], but at most the greatest speed of the line; without
+  /// [master], the greatest speed.
+  double running = 0;
   /// Shortest cut at the speed `running`, master unit; nullopt if no cut is possible.
   std::optional<double> shortest;
   double per_minute = 60;  ///< cuts per minute for one cut per unit of time
@@ -34,8 +35,8 @@ struct CutMap {
 /// InputError, with the place in the document, if nothing would limit the speed.
 CutLimits cut_limits(const Spec& spec, const std::optional<double>& line_speed);
 
-/// Returns the map at `steps` >= 2 equally spaced lengths from `from` to `to` (master unit), both
-/// included.
+/// Returns the map at `steps` equally spaced lengths from `from` to `to` (master unit), both
+/// included. Requires steps >= 2 and 0 < from < to.
 CutMap cut_map(Spec spec, CutLengths cuts, const CutLimits& limits, double from, double to,
                std::size_t steps);
 

@@ -16,10 +16,10 @@
 namespace jounce {
 
 /// Predicted residual vibration of a mode at the end of the motion, in the unit of the position. A
-/// spec has one for each mode that an operator suppresses.
+/// spec has one for each mode that an operator or [polydyne] suppresses.
 struct Residual {
   Mode mode;          ///< the mode, frequency in Hz
-  double before = 0;  ///< vibration of the motion without its operators
+  double before = 0;  ///< vibration of the motion without operators and [polydyne]
   double after = 0;   ///< vibration of the finished motion
 };
 
@@ -31,27 +31,30 @@ struct Made {
   /// Name of each segment of the curve, for reports; empty: segments have numbers from 1.
   std::vector<std::string> segments;
   Sampled sampled;                       ///< the table and its error
-  std::vector<Residual> residuals = {};  ///< one for each mode of an operator
+  std::vector<Residual> residuals = {};  ///< one for each mode of an operator or of [polydyne]
   std::vector<SyncZone> zones = {};      ///< sync zones of the slave, if its generator reports them
   std::shared_ptr<const Plan> plan = {};  ///< for kind "path": the plan, shared by its axes
   /// For kind "path" with overlapping lines: their motion, instead of a plan.
   std::shared_ptr<const Overlapped> overlap = {};
 };
 
-/// Makes a spec: the generator, then the operators, then the table. Returns one result for each
-/// axis, all over the same time. Throws InputError, with the place in the document.
+/// Makes the motions of a spec: first the generator, then the operators, then the table. Returns
+/// one result for each axis; the axes of a motion over time have the same start and end. Throws
+/// InputError, with the place in the document.
 std::vector<Made> make_axes(const Spec& spec);
 
 /// Makes the motion of a spec of one axis. Throws InputError if the spec has several axes.
 Made make(const Spec& spec);
 
 /// Returns warnings of a valid spec. For a time table (kinds "pt" and "pvt", without operators):
-/// steps, oscillation and overshoot. For a polydyne cam: steps of its acceleration. Empty for all
-/// other specs.
+/// steps of the velocity, oscillation and overshoot. For a polydyne cam: steps of its acceleration.
+/// Empty for all other specs.
 Report table_warnings(const Spec& spec);
 
-/// Returns the motion of a cam's master over time in *seconds*. If the spec has no [master], throws
-/// InputError with the section to add.
+/// Returns the motion of a cam's master over time in *seconds*. It begins at the start of the cam.
+/// If the spec has no [master], throws InputError with the section to add. Throws also for a
+/// distance outside 1e-9 to 1e4 times the length of the cam, and for one that the master travels in
+/// less than 1 us.
 Trajectory make_master(const Spec& spec);
 
 /// Returns the length of the spec's unit of time, s.
@@ -65,9 +68,9 @@ Limits slave_limits_by_master(const Spec& spec);
 /// speed. Throws InputError, with the place in the document, unless the problem is valid.
 CamProblem make_problem(const Spec& spec);
 
-/// Returns the problem of a spec with free shapes (spec.optimize.shape). A figure of a drive cannot
-/// be computed before the drive is given (jounce/spec/drive_figures.hpp); unless `against_a_drive`
-/// is true, such a figure throws InputError.
+/// Returns the problem of a spec with free shapes (spec.optimize.shape). Throws InputError for a
+/// figure of a drive (jounce/spec/drive_figures.hpp), which needs the drive, unless
+/// `against_a_drive` is true: then the caller adds the drive.
 CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive = false);
 
 }  // namespace jounce

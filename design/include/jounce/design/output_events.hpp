@@ -13,17 +13,20 @@ struct OutputEvent {
   double time = 0;     ///< time of the change
   std::string output;  ///< "compare", "output 16", "track 1", "line 12", "M3"
   bool on = false;     ///< true: the output goes on
-  /// At this time: the position of the axis to which the output belongs, or the length along the
-  /// path.
+  /// At this time: the position of the axis to which the output belongs; for a compare in a plane,
+  /// that of its first axis; for [[switch]] with `of` = "master", that of the master; for a path,
+  /// the length along it.
   double position = 0;
 };
 
 /// The changes of all outputs of a spec during its motion.
 struct OutputEvents {
-  std::vector<OutputEvent> all;  ///< for each kind of output, in order of time
+  std::vector<OutputEvent> all;  ///< in order of time
   std::string time, position;    ///< units of time and position
-  Report report;                 ///< broken if a point does not fire, or if the device is too slow
-  Labels labels;                 ///< names and units for the report
+  /// For [compare]: a broken finding for each point that does not fire, and if the compare hardware
+  /// is too slow.
+  Report report;
+  Labels labels;  ///< names and units for the report
 };
 
 /// Returns the edges of the outputs of a spec, at exact times. With [compare], they are its edges.

@@ -18,8 +18,8 @@ Reference exact_reference(const Input& input);
 /// Returns the motion of the interpolated table, as the executor plays it.
 Reference table_reference(const Input& input);
 
-/// Returns the motion of the master of a cam over seconds. Throws InputError if the spec has no
-/// [master].
+/// Returns the motion of the master of a cam over seconds. Throws InputError if the input is a
+/// table, or its spec has no [master].
 Trajectory master_of(const Input& input);
 
 /// Returns the slave's exact motion over the spec's unit of time: the trajectory, or the curve of a

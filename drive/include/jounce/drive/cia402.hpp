@@ -47,7 +47,7 @@ std::uint16_t statusword(const Cia402Status& status);
 /// Request of the controller to the drive.
 struct Cia402Wish {
   bool operate = false;    ///< true: to operation enabled; false: stop, then power off
-  bool hold_back = false;  ///< true: do not go beyond the state `switched on`
+  bool hold_back = false;  ///< true: do not go from `switched on` to `operation enabled`
   bool reset = false;      ///< true: reset the fault (rising edge of the bit)
   bool standing = false;   ///< true: the axis is at rest, so a quick stop may end
 };
@@ -81,8 +81,8 @@ class Increments {
   Increments(double per_rev, double position_per_rev, bool reversed = false);
 
   /// Returns the nearest integer number of increments; ties are rounded away from 0. The exact
-  /// quotient is rounded once. Returns nullopt if the number exceeds 2^52, or if the position is
-  /// NaN.
+  /// quotient is rounded once. Returns nullopt if the magnitude of the number is 2^52 or more, or
+  /// if the position is NaN.
   [[nodiscard]] std::optional<std::int64_t> of(double position) const noexcept;
   /// Returns the position of this number of increments, u.
   [[nodiscard]] double position(double increments) const noexcept {

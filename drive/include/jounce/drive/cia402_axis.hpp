@@ -51,8 +51,8 @@ struct Cia402Config {
 /// target (bit 12). `fault` means that the drive is in a fault or in its reaction to a fault. The
 /// position is the drive's counter, extended beyond 32 bits from its first value on.
 ///
-/// **Reset.** A reset keeps bit 7 set until the drive has left the fault, for at most
-/// `reset_cycles` cycles.
+/// **Reset.** A reset has an effect only if the drive is in the state fault. It keeps bit 7 set
+/// until the drive has left this state, for at most `reset_cycles` cycles.
 class Cia402Axis {
  public:
   static constexpr int reset_cycles = 100;  ///< greatest duration of a reset, cycles

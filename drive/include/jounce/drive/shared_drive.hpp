@@ -10,9 +10,9 @@
 
 namespace jounce {
 
-/// Content of the shared memory `/dev/shm/NAME` between an executor and another process. The other
-/// process simulates a drive or communicates with a real one. Each side writes its own half as a
-/// whole, together with the number of its cycle.
+/// Content of the shared memory `/dev/shm/jounce-drive-NAME` between an executor and another
+/// process. The other process simulates a drive or communicates with a real one. Each side writes
+/// its own half as a whole, together with the number of its cycle.
 struct SharedProcessData {
   static constexpr std::uint64_t magic_number = 0x3145'4349'5244'4a4a;  ///< "JJDRICE1"
 
@@ -63,12 +63,12 @@ class SharedMemory {
 ///
 ///     SharedDrive drive("feeder", {.increments_per_rev = 131072, .position_per_rev = 10});
 ///
-/// Before the first write of the other process, the drive is not ready. If the other process writes
-/// nothing during `silent_cycles` calls of feedback(), the drive reports a fault.
+/// Before the first write of the other process, the drive is not ready. If, after that, the other
+/// process writes nothing during `silent_cycles` calls of feedback(), the drive reports a fault.
 class SharedDrive final : public AxisDrive {
  public:
-  /// For `name`, see SharedMemory. Requires silent_cycles >= 1. Throws like SharedMemory and
-  /// Cia402Axis.
+  /// For `name`, see SharedMemory. Throws like SharedMemory and Cia402Axis, and InputError unless
+  /// silent_cycles >= 1.
   SharedDrive(const std::string& name, const Cia402Config& config, int silent_cycles = 50);
 
   void command(const DriveSetpoint& setpoint) noexcept override;

@@ -50,7 +50,8 @@ class QueueMovement {
   [[nodiscard]] SegmentFifos& fifos() const { return *fifos_; }
   /// Selects the bank with which the movement begins.
   void choose(int bank) const { choose_(bank); }
-  /// Applies a recorded change again. Returns false if the FIFOs do not accept it.
+  /// Applies a change to the FIFOs: a new one, or one of a record. Returns false if the FIFOs do
+  /// not accept it.
   [[nodiscard]] bool take(const HandedOver& what) const;
 
  private:
@@ -60,34 +61,35 @@ class QueueMovement {
 };
 
 /// The queues of rows that the owner of an axis has opened (see "Queues" in
-/// docs/stream-protocol.md). Rows that arrive are put into the FIFOs of a movement, while the axis
-/// plays the movement. Rows that were played free their space.
+/// docs/stream-protocol.md). The executor puts the rows that arrive into the FIFOs of a movement,
+/// before and while the axis plays the movement. A row frees its space after it was played.
 ///
 /// Each change of the FIFOs has a number, and the whole change is visible to the axis from the next
-/// tick on. So the motion depends only on the changes and on the numbers in the ticks, and a replay
-/// of a record with both is identical to the last bit.
+/// tick on. So the motion depends only on the changes and on Inputs::rows of each tick. A replay of
+/// a record with both is identical to the last bit.
 class Queues {
  public:
   /// Receives each change for the record.
   using Record = std::function<void(const HandedOver&)>;
 
-  /// `last` receives the number of the last change, for the cycle; it must outlive the queues.
-  /// `record` is called before `last` is set.
+  /// `last` receives the number of the last change, which the cyclic thread reads; it must outlive
+  /// the queues. `record` is called before `last` is set.
   explicit Queues(std::atomic<std::uint64_t>& last, Record record = {})
       : last_(last), record_(std::move(record)) {}
 
   /// Opens a queue: makes its movement with this id. Returns false if the queue is rejected.
   bool open(const QueueOpened& opened, std::uint64_t id, const AxisConfig& config,
             Receiver& receiver);
-  /// Adds the rows that have arrived. A row that breaks a rule is rejected and never played.
+  /// Adds the rows that have arrived. The first row that breaks a rule is rejected, and the rows
+  /// after it in the message are dropped. Ignores rows for a queue that is not open.
   void take(const RowsArrived& arrived, Receiver& receiver);
   /// Returns the movement of a queue; null if the queue is not open.
   [[nodiscard]] std::shared_ptr<Movement> movement(std::uint32_t queue) const;
   /// Returns the position at which the axis must stand at the start, u (unit of the axis); nullopt
-  /// if rows are relative to the position of the axis.
+  /// if rows are relative to the position of the axis, or if the queue is not open.
   [[nodiscard]] std::optional<double> origin(std::uint32_t queue) const;
-  /// Selects the bank with which a queue begins. Requires that the axis does not have the movement
-  /// of the queue.
+  /// Selects the bank with which a queue begins. Requires that the movement of the queue is neither
+  /// armed nor played. Ignored if the queue is not open.
   void begin_with(std::uint32_t queue, int bank);
   /// Drops the rows of this movement that were not played. Call when the axis no longer reads the
   /// movement.
@@ -105,8 +107,8 @@ class Queues {
   /// with its rows.
   void close() { open_.clear(); }
 
-  /// Returns the number of waiting rows and the capacity of the queue with this movement; 0, 0 if
-  /// no queue has the movement.
+  /// Returns, for the queue with this movement, the number of rows that wait in both banks and the
+  /// capacity of both banks together; 0, 0 if no open queue has the movement.
   [[nodiscard]] std::array<std::uint32_t, 2> fill(std::uint64_t movement) const;
 
  private:

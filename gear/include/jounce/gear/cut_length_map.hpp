@@ -50,7 +50,8 @@ struct CutSpeed {
   std::string limit = {};
   double where = 0;  ///< m, position on the cam at which the slave reaches the limit
 };
-/// Returns the greatest line speed for a length.
+/// Returns the greatest line speed for a length. Throws InputError unless the length and the line
+/// speed of the limits are positive, and like greatest_master_velocity().
 CutSpeed fastest_cut(const CamOfLength& cams, double length, const CutLimits& limits);
 
 /// Returns the speed for a length without a given cam: for a shear that is designed anew for every
@@ -70,7 +71,7 @@ struct LimitChange {
   std::string after = {};   ///< limit of longer lengths
 };
 /// Returns the changes between successive entries of a map whose limits differ. A limit that
-/// determines the speed only between two entries is not found.
+/// determines the speed only between two entries may be missed.
 std::vector<LimitChange> limit_changes(const CutSpeedOfLength& fastest,
                                        std::span<const CutSpeed> map);
 std::vector<LimitChange> limit_changes(const CamOfLength& cams, std::span<const CutSpeed> map,

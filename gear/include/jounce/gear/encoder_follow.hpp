@@ -36,7 +36,7 @@ class EncoderFollow {
  public:
   static constexpr int max_filter = 100;  ///< greatest filter, cycles
 
-  /// Throws InputError for a value out of range; the error has the number of the PMC600.
+  /// Throws InputError for a value out of range, with the error number of the PMC600 if it has one.
   explicit EncoderFollow(const EncoderFollowSpec& spec);
 
   /// State from cycle to cycle.

@@ -23,8 +23,8 @@ namespace jounce {
 ///
 /// **Vocabulary.** The master is the travel of the material, in its unit m. The slave is the travel
 /// of the carriage along its guide, in its unit u. The cam has five intervals: *accelerate*,
-/// *sync*, *decelerate*, *return*, and *wait* at home if the return ends early. It begins at home
-/// (u = 0) at rest, and ends exactly at home.
+/// *sync*, *decelerate*, *return*, and *wait* at home if `return_length` leaves a part of the
+/// cycle. It begins at home (position 0) at rest, and ends exactly at home.
 ///
 /// **Omitted values are computed.** Accelerating and braking take the shortest lengths that the
 /// limits permit, times `safety`. The return takes the rest of the cycle. If sync_time and
@@ -38,13 +38,15 @@ struct FlyingShear {
   double line_speed = 0;  ///< m/s, > 0: line speed at which the limits must hold
 
   /// Time or distance for which carriage and material are in step. Give at most one of them; if
-  /// both are omitted, the stroke determines the sync.
+  /// both are omitted, `stroke` is required, and the sync is as long as the stroke and the return
+  /// permit.
   std::optional<double> sync_time = {};    ///< s, > 0
   std::optional<double> sync_length = {};  ///< m, > 0
   std::optional<double> stroke = {};       ///< u, > 0: greatest distance from home
 
-  /// Travel of the line (m) while the carriage accelerates, brakes, and returns. Omitted: computed
-  /// from the limits.
+  /// Travel of the line (m) while the carriage accelerates, brakes, and returns. If
+  /// acceleration_length is omitted, it is computed from the limits, and the limit of the
+  /// acceleration or of the jerk is required.
   std::optional<double> acceleration_length = {};
   std::optional<double> deceleration_length = {};  ///< default: acceleration_length
   std::optional<double> return_length = {};
@@ -62,8 +64,9 @@ struct FlyingShear {
   /// 1/4-1/2-1/4 trapezoid.
   LawForm return_form = {};
 
-  double ratio = 1;  ///< u/m, > 0: converts the line's travel to the slave's unit, such as 1000 for
-                     ///< m to mm
+  /// u/m, > 0: converts the line's travel to the slave's unit, such as 1000 for a line in meters
+  /// and a carriage in mm.
+  double ratio = 1;
   /// rad, |angle| < pi/2: angle between guide and line; not 0 for a diagonal saw.
   double angle = 0;
 };
@@ -75,7 +78,9 @@ struct ShearPlan {
   double decelerate = 0;
   double back = 0;  ///< the return
   double wait = 0;
-  double ratio = 1;   ///< k, u/m: ratio of the carriage along its guide in the sync zone
+  /// u/m: travel of the carriage per travel of the line in the sync zone, FlyingShear::ratio /
+  /// cos(angle).
+  double ratio = 1;
   double stroke = 0;  ///< u, greatest distance from home
 };
 
@@ -102,9 +107,10 @@ std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length);
 /// at the bound, so only longer pieces can be cut. Exact: closed form.
 ShearBound least_cut_length(const FlyingShear& shear);
 
-/// Returns the greatest line speed (m/s) at which `cut_length` is possible; shear.line_speed is not
-/// used. Returns infinity if nothing limits the speed, and 0 if no speed is possible. Bisected to
-/// the last digit, because every requirement grows with the speed.
+/// Returns the greatest line speed (m/s) at which `cut_length` is possible; shear.line_speed must
+/// be > 0: the search begins there, but the result does not depend on it. Returns infinity if
+/// nothing limits the speed, and 0 if no speed is possible. Every requirement grows with the speed,
+/// so bisection finds the bound to the last digit.
 ShearBound greatest_line_speed(const FlyingShear& shear);
 
 }  // namespace jounce

@@ -49,11 +49,12 @@ struct FollowTable {
 /// steps if the previous pass ended at another ratio.
 ///
 /// **Beyond the end.** An endless table repeats and continues from its end: the cam advances, or
-/// wraps if the slave returns to its start. If the first pass differs from later passes, or if
-/// other tables precede the endless one, the cam contains all different passes and one more; it
-/// then refuses positions beyond. A last table that ends at a ratio has a finding: a controller
-/// stops the slave at once, while an axis of Jounce brakes. If the master moves backwards, the
-/// slave moves back along the same curve.
+/// wraps if the slave returns to its start. If its first pass differs from later passes, or if
+/// other tables precede it, the cam contains the passes of the other tables and the first pass, or
+/// the first two passes, of the endless one; it then refuses positions beyond. A cam without an
+/// endless table holds outside if start_ratio is 0; otherwise it refuses. A last table that ends at
+/// a ratio has a finding: a controller stops the slave at once, while an axis of Jounce brakes. If
+/// the master moves backwards, the slave moves back along the same curve.
 ///
 /// Throws InputError like pt(); if the spec has several tables, the key begins with the table's
 /// number. Throws also if the spec has no table, if an endless table is not the last one, or if all
@@ -71,10 +72,11 @@ SyncCam follow(const FollowSpec& spec);
 std::vector<PtRate> follow_ratios(const FollowSpec& spec);
 
 /// Reports features that a controller would play without a message. Each rule reports its worst
-/// place and the number of places. A step of the ratio counts above 1e-9 of the greatest ratio.
-/// `segment` of a finding is that of the cam. Throws like follow().
+/// place (a reversal: the first place) and the number of places. All findings are broken, except
+/// the warnings named below. A step of the ratio counts above 1e-9 of the greatest ratio. `segment`
+/// of a finding is that of the cam. Throws like follow().
 /// - follow/ratio_step: the ratio steps within a table, at an even or a stop segment, or at the
-///   start.
+///   start. At the start of an endless table without other passes: a warning.
 /// - follow/wrap_step: the ratio steps from the end of a pass to the start of the next.
 /// - follow/switch_step: the ratio steps from one table to the next, whose first segment is not
 ///   continued.

@@ -6,9 +6,9 @@
 
 namespace jounce {
 
-/// Plays follow tables with a live master: its start event, direction and progress. A value. The
-/// rows are in SegmentFifos; x is the master's travel since following began. u is the slave's unit,
-/// m the master's.
+/// State of a slave that plays follow tables over a live master: start event, direction and
+/// progress. It can be copied freely. The rows are in SegmentFifos; their x is the master's travel
+/// since following began. u is the slave's unit, m the master's.
 ///
 ///     FollowRun run{.event = {FollowEvent::pass, 50000}};
 ///     if (fifos.take(0)) begin(run, fifos, master_now, slave_now);
@@ -19,7 +19,8 @@ namespace jounce {
 struct FollowRun {
   FollowStart event = {};  ///< start event
   /// Direction of the master that the slave follows: 1, -1, or 0 for both. With 1 or -1, the slave
-  /// stands still while the master moves in the other direction, and until the master is back.
+  /// stands still while the master moves in the other direction, and until the master is back at
+  /// the position at which it turned.
   int dir = 0;
 
   bool waiting = false;  ///< true while the slave waits for the event
@@ -34,8 +35,9 @@ void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave);
 
 /// Returns the slave's position and its derivatives with respect to the master, for the samples of
 /// the master in two successive cycles. The slave stands still, with derivatives of 0, before the
-/// event, after the end, and while the master moves against `dir`. If the master is not finite, the
-/// state becomes SegmentFifos::State::lost. Does not allocate.
+/// event, after the end, and while the master moves against `dir`. If the master is not finite
+/// while the slave follows, the state of the FIFOs becomes SegmentFifos::State::lost. Does not
+/// allocate.
 Jet step(FollowRun& run, SegmentFifos& fifos, const Sample& before, const Sample& now);
 
 }  // namespace jounce

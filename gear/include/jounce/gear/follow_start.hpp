@@ -34,19 +34,21 @@ struct FollowStart {
 /// Throws InputError if the position is not finite, or the direction is neither 1 nor -1.
 void require_valid(const FollowStart& start);
 
-/// Returns the exact time (s), not before `armed` (s), at which following begins. Returns nullopt
-/// if the master does not pass the position before its motion ends. For a periodic master, only its
-/// first period is searched.
+/// Returns the exact time (s), not before `armed` (s), at which following begins; without an event:
+/// `armed`. Returns nullopt if the master does not pass the position before its motion ends. For a
+/// periodic master, only its first period is searched.
 std::optional<double> begin_of(const FollowStart& start, const Trajectory& master, double armed);
 
-/// Returns the master at the start of following, if the start lies after `before` and not after
-/// `now`; otherwise nullopt. For use in each cycle: the function has no memory and does not
-/// allocate. Between the cycles, the master is assumed to move as in passing.hpp.
+/// Returns the master at the start of following, if the start lies between `before` and `now`;
+/// otherwise nullopt. Without an event, returns `now`. If the master is on the position in `before`
+/// and beyond it in `now`, returns `before`. For use in each cycle: the function has no memory and
+/// does not allocate. Between the cycles, the master is assumed to move as in passing.hpp.
 std::optional<Sample> begin_of(const FollowStart& start, const Sample& before, const Sample& now);
 
-/// Returns the motion of the slave over time from t (s) on. Before t, the slave stands at `slave`
-/// (u); the start of the cam is shifted to the master's position at t. Throws like Followed, and if
-/// t is not before the end of the master's motion.
+/// Returns the motion of the slave over time from t (s) on. It begins at t, with the slave at
+/// `slave` (u); the start of the cam is shifted to the master's position at t. Throws like
+/// Followed, and InputError "t" if t is before the start of the master's motion or not before its
+/// end.
 Followed followed_from(const Cam& cam, const Trajectory& master, double t, double slave);
 
 }  // namespace jounce

@@ -20,7 +20,8 @@ namespace jounce {
 class Gear {
  public:
   /// Returns a gear of the given ratio, reduced. Throws InputError if the denominator is 0 or less
-  /// (PMC600 error 675). With a numerator of 0 the slave stands still.
+  /// (PMC600 error 675), or if the numerator is -2^63. With a numerator of 0 the slave stands
+  /// still.
   static Gear ratio(std::int64_t numerator, std::int64_t denominator);
 
   [[nodiscard]] std::int64_t numerator() const { return numerator_; }

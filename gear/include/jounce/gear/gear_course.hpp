@@ -48,9 +48,9 @@ struct GearCourse {
                                         ///< shifts
 };
 
-/// Returns the exact cam of the slave. A cam that ends at rest holds outside; any other cam
-/// refuses. The names of its segments are "hold" (ratio 0), "gear" (constant ratio), "clutch", and
-/// "phase" (a shift). The zones are the "gear" segments.
+/// Returns the exact cam of the slave. A cam that begins and ends at rest holds outside; any other
+/// cam refuses. The names of its segments are "hold" (ratio 0), "gear" (constant ratio), "clutch",
+/// and "phase" (a shift). The zones are the "gear" segments.
 ///
 /// Throws InputError "master_end", "change[i].at", "change[i].distance" or "shift[i]...." (i from
 /// 1) if changes overlap, leave the course, or are out of range. Throws InputError "...law" for a

@@ -66,8 +66,8 @@ bool in_gear(const GearedIn& gear, double t);
 
 /// Returns the exact motion of a slave for a known motion of the master. The slave stands at
 /// `slave` (u) until the trigger at t (s). The motion ends when both the master's motion and the
-/// ramp have ended. Throws like gear_in() above, and InputError "t" for a time outside the master's
-/// motion.
+/// ramp have ended. Throws like gear_in() above, and InputError "t" for a time before the start of
+/// the master's motion, or not before its end.
 Trajectory gear_in(const GearInSpec& spec, double slave, const Trajectory& master, double t);
 
 }  // namespace jounce

@@ -58,8 +58,7 @@ struct GearInPosSpec {
   /// Period of a modulo master, m, > 0. Such a master can engage in its next turn. Omitted: a
   /// linear master.
   std::optional<double> master_period = {};
-  Law law = Law::quintic;  ///< any law that accepts a velocity at its end; see docs/laws.md, "G or
-                           ///< R"
+  Law law = Law::quintic;  ///< any law with G among its ends (docs/laws.md)
 };
 
 /// Reasons why the gear does not engage. The values are error numbers of the PMC600 (manual,
@@ -90,24 +89,25 @@ struct GearInPos {
 };
 
 /// Computes the engagement. Throws InputError for a value out of range: "denominator" 0 or less
-/// (PMC600 error 675), "numerator" 0, "master_start_distance" 0, a period that is not positive, or
-/// a law that does not take a velocity at its end.
+/// (PMC600 error 675), "numerator" 0, "master_start_distance" 0, a number that is not finite, a
+/// period that is not positive, or a law that does not accept a velocity at its end.
 GearInPos gear_in_pos(const GearInPosSpec& spec);
 
 /// The start distances with which a quintic neither reverses nor exceeds the velocity of the gear:
-/// 5/3 h/k to 5/2 h/k, with the sign of the given start distance.
+/// magnitudes from 5/3 |h/k| to 5/2 |h/k|, with the sign of the given start distance.
 struct EngageWindow {
   double rho = 0;                  ///< k D / h of the spec; infinite if h is 0
-  bool exists = false;             ///< true if rho > 0, so that such start distances exist
+  bool exists = false;             ///< true if such start distances exist: rho > 0, and h is not 0
   double least = 0, greatest = 0;  ///< m, magnitudes of the start distances
   std::string advice;  ///< "a start distance of 6666.67 to 10000 instead of 4000 ...", or ""
 };
-/// Returns the window for a spec, and an advice for its start distance.
+/// Returns the window for a spec, with advice on its start distance. Throws InputError like
+/// gear_in_pos().
 EngageWindow engage_window(const GearInPosSpec& spec);
 
 /// Returns the slave over a master that moves from `from` to `to` (m): hold, engagement and gear.
-/// Use it for checks, tables and plots. Throws InputError "master_start" or "master_end" if from >=
-/// to, or if one of them is strictly inside the engagement.
+/// Use it for checks, tables and plots. Requires status ok. The interval must contain the whole
+/// engagement; otherwise throws InputError "master_start" or "master_end".
 SyncCam sync_cam(const GearInPos& gear, double from, double to);
 
 // ---- cycle by cycle ---------------------------------------------------------------------------
@@ -146,7 +146,8 @@ GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet
 ///     Motion now = slave.at(0.5);
 class GearedInPos {
  public:
-  /// `gear`: a computed engagement with status ok.
+  /// `gear`: a computed engagement with status ok. Throws InputError "master" if the master begins
+  /// past the start of the engagement.
   GearedInPos(const GearInPos& gear, const Trajectory& master);
 
   [[nodiscard]] double start() const { return connecting_.start(); }

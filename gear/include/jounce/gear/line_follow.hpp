@@ -11,7 +11,7 @@ namespace jounce {
 /// `from` to `to` (u). The slave's position is a linear function of the master's: from + (to -
 /// from) (x - x0) / (x1 - x0), where x is the master's position and x0, x1 are its positions at the
 /// start and end of its motion. u is the slave's unit. Throws InputError "master" if the master
-/// ends where it starts.
+/// ends where it starts, and "from" or "to" if it is not finite.
 Trajectory line_follow(const Trajectory& master, double from, double to);
 
 namespace pmc600 {

@@ -30,8 +30,8 @@ namespace jounce {
 /// outstanding correction together are the sum of all errors, so nothing drifts.
 ///
 /// **Throws** InputError if the window is not inside the period or not finite, `most` is not
-/// positive, the law does not go from rest to rest, an error is not finite, or the cam does not
-/// repeat.
+/// positive, the law does not go from rest to rest, an error is not finite, there is no error, or
+/// the cam does not repeat (wrap or advance).
 struct Registration {
   double window_from = 0;    ///< m, >= 0: start of the window, from the cam's start
   double window_length = 0;  ///< m, > 0

@@ -77,7 +77,8 @@ struct RotaryKnifeFigures {
   double recovery_length = 0;  ///< web length of the recovery
   /// Slope at both ends of the recovery divided by its mean slope; 1: a straight line.
   double rho = 0;
-  /// Extreme speed of the recovery (greatest or least) divided by the speed of the plain gear.
+  /// Speed in the middle of the recovery (its greatest or least) divided by the speed of the plain
+  /// gear; 0 if the knife stops.
   double surface_ratio = 0;
   double longest = 0;  ///< cut length above which the knife reverses or needs a dwell (Lcrit)
   double dwell = 0;    ///< m of web that pass while the knife stands still; 0: the knife does not
@@ -105,10 +106,11 @@ SyncCam rotary_knife(const RotaryKnifeSpec& spec);
 /// Returns the key figures. Throws like rotary_knife().
 RotaryKnifeFigures figures(const RotaryKnifeSpec& spec);
 
-/// Returns findings about the knife that do not depend on its limits. Broken findings:
-/// "knife/reversal", and "knife/contact" (the sync zone is less than two contact angles). Warning:
-/// "knife/slip" (the blade is more than 1 % slower than required in the sync zone). Throws like
-/// rotary_knife().
+/// Returns findings about the knife that do not depend on its limits. "knife/reversal": the least
+/// velocity; broken if the knife reverses. "knife/contact", for a web with a thickness: the sync
+/// angle; broken if it is less than two contact angles. "knife/slip", for surface matching: the
+/// share by which the blade is slower than required where it enters the web; a warning above 1 %,
+/// otherwise a note. Throws like rotary_knife().
 Report check(const RotaryKnifeSpec& spec);
 
 }  // namespace jounce

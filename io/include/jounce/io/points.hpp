@@ -24,14 +24,16 @@ struct PointColumn {
 ///     0;         0;             normal
 ///     16;        0,25;          even
 ///
-/// **Separator**: comma, semicolon or tab, as in the header. **Decimals**: a point. A decimal comma
-/// is accepted if the separator is not a comma and no number of the file has a point. **Ignored**:
-/// empty lines, lines that begin with `#`, spaces around cells, a byte order mark.
+/// **Separator**: that of a first line `sep=;`; otherwise a semicolon if the header contains one,
+/// then a tab, then a comma. **Decimals**: a point. A decimal comma is accepted if the separator is
+/// not a comma and no number of the file has a point. **Ignored**: empty lines, lines of separators
+/// only, lines that begin with `#`, spaces and quotes around cells, and the byte order mark of a
+/// file.
 ///
 /// The whole file is read, or InputError is thrown with file, line, key (the name of the column),
 /// value and rule. Errors are: a missing header, a repeated name, an unknown unit, a row of another
-/// length, an empty cell, text that is not a finite number, decimal commas together with points,
-/// and a file without points.
+/// length, an empty cell or text that is not a finite number (except in the column `type`), decimal
+/// commas together with points, and a file without points.
 struct Points {
   std::string document;              ///< name of the file
   std::vector<PointColumn> columns;  ///< the columns, in the order of the file
@@ -51,7 +53,8 @@ struct Points {
 Points read_points(const std::string& path);
 Points parse_points(std::string_view text, const std::string& document);
 
-/// True if the text begins like points: two or more columns, whose names contain letters.
+/// True if the text begins like points: two or more columns, whose names consist of letters, `_`
+/// and spaces.
 bool begins_as_points(std::string_view text);
 
 }  // namespace jounce

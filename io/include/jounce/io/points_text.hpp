@@ -18,13 +18,14 @@ namespace jounce {
 ///     time [ms],position [pulse],type
 ///     16,0.6,normal
 ///
-/// Numbers are relative to the first knot, which is not a point. A piece of constant velocity
-/// becomes a point of the type `even`; a piece of linear velocity (reduce.hpp) becomes a point of
-/// the type `normal`. If a table over a master begins at a nonzero ratio, its first point has the
-/// type `continued` (in the CSV: continue).
+/// Numbers are relative to the first knot, which is not a point. The pieces of a linear table
+/// become points of the type `even`. In a cubic table, the velocity of each piece must be linear or
+/// constant (reduce.hpp); the pieces become points of the type `normal`. If such a table over a
+/// master begins at a nonzero ratio, its first point has the type `continued` (in the CSV:
+/// continue).
 ///
-/// Throws InputError if the velocity within a piece is neither constant nor linear, and for a table
-/// over time that begins at a nonzero velocity.
+/// Throws InputError for a quintic table, if the velocity within a piece is neither constant nor
+/// linear, and for a cubic table over time that begins at a nonzero velocity.
 std::vector<PtPoint> points_of(const Table& table);
 /// Returns the points as CSV.
 std::string points_text(const TableFile& file);

@@ -16,13 +16,14 @@ namespace jounce {
 /// `time` and `command` are required, and at least one of these columns:
 /// - `feedback`: position of the motor's encoder, in the unit of the command;
 /// - `velocity`;
-/// - `torque`, or `current`, which is multiplied by the torque constant of the drive;
+/// - `torque`; or, if this column is missing, `current`, which is multiplied by the torque constant
+///   of the drive;
 /// - `load`: position of an encoder at the last mass.
 ///
 /// Other columns are ignored. A column without a unit has the unit of the drive's spec, or s, N m,
 /// A. Throws InputError with file, line, column and rule for everything that points.hpp rejects,
-/// for a missing column, for times that do not ascend, and for a current if the drive has no torque
-/// constant.
+/// for a missing column, for fewer than four rows, for a number of magnitude 1e100 or more, for
+/// times that do not ascend, and for a current if the drive has no torque constant.
 Recording read_recording(const std::string& path, const Drive& drive, const std::string& position);
 
 }  // namespace jounce

@@ -22,16 +22,19 @@ struct RecordUnits {
 ///     2;       2;        2000;     0;        0;        1000; 2000; 1700;  700
 ///
 /// **Columns**, in upper or lower case:
-/// - `X_EndPos`, and a column of this form for each other axis of the machine: absolute positions;
+/// - `X_EndPos`, and a column of this form for each other axis of the machine: absolute positions,
+///   to which a rotary axis takes the shorter way;
 /// - `DataType`: 1: line (also if the column is missing); 2: arc through Aux_Pos0 and Aux_Pos1 in
 ///   the plane of the first two axes, while all other axes move in proportion to its angle;
-/// - `Vel` and `Acc`: if the columns are missing, those of the machine's settings;
-/// - `LineNum`: a whole number.
+/// - `Vel` and `Acc`: > 0; `Acc` is also the deceleration; if the columns are missing, those of the
+///   machine's settings;
+/// - `LineNum`: a whole number >= 0; not used.
 ///
-/// The source line of each command is the line of its row.
+/// The number of each command's source line is that of its row in the document, not LineNum.
 ///
-/// **Errors**: throws InputError with document, line and column (as its key) for an unknown or
-/// missing column, another DataType, a number out of range, or an arc that does not fit.
+/// **Errors**: throws InputError with the document, the line, and as key the name of the column,
+/// for an unknown or missing column, another DataType, a number out of range, or an arc that does
+/// not fit.
 Program record_program(const Points& records, const GcodeMachine& machine,
                        const RecordUnits& units);
 

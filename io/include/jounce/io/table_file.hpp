@@ -41,7 +41,8 @@ TableFile parse_table(const std::string& text, const std::string& name);
 /// Reads a table file.
 TableFile read_table(const std::string& path);
 
-/// True if the text is a table file; false for a spec.
+/// True if the text begins like a table file: with `# jounce table`, or with a brace, unless a
+/// letter follows it (a pragma of Structured Text). False for a spec.
 bool is_table(const std::string& text);
 
 /// Returns the text of a table file: JSON if the path ends in ".json", otherwise CSV. Throws

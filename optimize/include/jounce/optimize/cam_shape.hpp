@@ -22,8 +22,9 @@ enum class EndJerk {
 /// A segment of a cam that may get any shape. Its law is only the start of the search.
 struct FreeShape {
   std::size_t segment = 0;   ///< index of the segment, from 0
-  std::size_t pieces = 100;  ///< number of polynomials
-  /// Continuous derivatives between the polynomials, 2 to 6; their degree is one more.
+  std::size_t pieces = 100;  ///< number of polynomials, 1 to 2000
+  /// Continuous derivatives between the polynomials, 2 to 6, the same in all free segments; their
+  /// degree is one more.
   int continuity = 4;
   bool monotone = false;                 ///< true: the slave must not reverse within the segment
   EndJerk end_jerk = EndJerk::as_given;  ///< condition at an end of a run, if the run begins or
@@ -65,14 +66,15 @@ struct CamShapeProblem {
   std::vector<Ceiling> ceilings = {};  ///< greatest values of figures, for each run
   /// Objectives, the most important first; see Order.
   std::vector<std::vector<WeightedFigure>> minimize = {};
-  bool refine = false;           ///< true: add knots where the optimum switches (see ShapeProblem)
+  bool refine = false;           ///< true: add knots (see ShapeProblem)
   OptimizeOptions options = {};  ///< options for each run; budget.seconds is for all runs together
   double concession = 1e-3;      ///< permitted relative loss of earlier objectives; see Order
 };
 
 /// Throws InputError (keys like "segment[2].free.shape") unless the problem is complete and
-/// consistent: a valid cam, an objective, existing segments, one continuity in each run, free knots
-/// that belong to a run.
+/// consistent: a valid cam, an objective, existing segments, the same continuity in all free
+/// segments, free knots that belong to a run, corridors that meet a run, and `concession` between 0
+/// and 1.
 void require_valid(const CamShapeProblem& problem);
 
 /// Result of one run.

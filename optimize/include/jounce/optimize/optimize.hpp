@@ -7,10 +7,10 @@
 namespace jounce {
 
 /// Minimizes the objectives of a cam with free knots, one after another, under its limits (method:
-/// docs/optimize/README.md). Limits and objectives are exact: they are computed from isolated
-/// extrema, not from samples. If the given cam satisfies the limits, the result is never worse in
-/// the first objective. The result is deterministic. For `keep_going`, see KeepGoing. Throws
-/// InputError like require_valid(CamProblem).
+/// docs/optimize/README.md). Limits and objectives are exact: they are computed from exact extrema,
+/// not from samples. If the given cam satisfies the limits, the result is never worse in the first
+/// objective. The result is deterministic. For `keep_going`, see KeepGoing. Throws InputError like
+/// require_valid(CamProblem).
 ///
 /// **Outcome.** `limits` is check(best, limits), including the limits of CamProblem::ramped; its
 /// segments count from 0 as in the spec. `value` and `bound` are those of the last objective.

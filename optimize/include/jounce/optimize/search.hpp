@@ -78,7 +78,8 @@ struct SearchOutcome : Outcome<std::vector<double>> {
 /// **Calls.** The result is deterministic for a seed and a number of evaluations, unless `seconds`
 /// or keep_going end the search. `f` is called only in the calling thread, with numbers within
 /// their bounds. Exceptions of `f` are rethrown. keep_going is called after each evaluation. Throws
-/// InputError (keys `variable[1].lower`, `seconds`, ...) for variables or options out of range.
+/// InputError (keys `variable[1].lower`, `seconds`, ...) for variables or options out of range, and
+/// if there is no variable.
 SearchOutcome search(const std::vector<SearchVariable>& variables, const SearchFunction& f,
                      const OptimizeOptions& options = {}, const KeepGoing& keep_going = {});
 

@@ -178,8 +178,9 @@ struct ShapeProblem {
   bool periodic = false;     ///< true: all derivatives are equal at both ends
   int degree = 5;            ///< 2 to 7
   std::size_t pieces = 100;  ///< number of polynomials
-  bool refine = false;       ///< true: add knots where the highest derivative of the optimum
-                             ///< switches
+  /// True: add knots where the highest derivative of the optimum jumps from one of its limits to
+  /// the other.
+  bool refine = false;
   /// Shape to start from and to compare with; empty: the smoothest polynomial.
   std::vector<Segment> given = {};
   std::vector<WeightedFigure> minimize = {};  ///< objective: the weighted sum of these figures

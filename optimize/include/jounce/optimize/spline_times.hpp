@@ -71,8 +71,9 @@ struct SplineTimesOutcome : Outcome<SplineTimes> {
 /// of them. keep_going is called after each start.
 SplineTimesOutcome spline_times(const SplineTimesSpec& spec, const KeepGoing& keep_going = {});
 
-/// Returns the joints as cubic splines with these intervals. Requires intervals > 0 (s), one more
-/// than points. (spline_times() varies these intervals.)
+/// Returns the joints as cubic splines with these intervals (s). (spline_times() varies these
+/// intervals.) Throws InputError for points as described above, unless the number of intervals is
+/// that of the points plus one, and unless every interval is positive.
 std::vector<Trajectory> spline_through(const std::vector<std::vector<double>>& points,
                                        const std::vector<double>& intervals);
 

@@ -21,8 +21,9 @@ namespace jounce {
 ///                                 ArcRotation::counterclockwise, 4);  // four extra turns
 ///
 /// **Units**: the axes of the plane have the same unit of length; angles are in rad. **Throws**
-/// InputError with the reason and the size of the difference. The reader of a program adds the line
-/// of the program.
+/// InputError with the reason and the size of the difference; the functions also throw for numbers
+/// that are not finite, an invalid plane ("plane"), and negative extra turns ("turns"). The reader
+/// of a program adds the line of the program.
 struct Arc {
   Point center{}, e1{}, e2{};  ///< center and unit vectors
   double radius = 0;           ///< unit of length
@@ -54,8 +55,8 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
 /// used. If start and end coincide in the plane, the arc is a full turn. `extra_turns` >= 0 whole
 /// turns are added (PMC600 RunCycle). All other axes move in proportion to the angle. If the radii
 /// of start and end differ by at most `tolerance` (unit of length), the function moves the center
-/// along the bisector of the chord, and `center_moved` is the distance. If they differ by more, it
-/// throws InputError "center".
+/// along the bisector of the chord, and `center_moved` is the distance. If they differ by more, or
+/// if the center is an end of the arc, it throws InputError "center".
 Arc arc_about(const Point& from, const Point& center, const Point& to, Plane plane,
               ArcRotation rotation, int extra_turns = 0, double tolerance = 0.01);
 
@@ -66,7 +67,8 @@ Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane
                   ArcRotation rotation, int extra_turns = 0);
 
 /// Returns an arc around a center by an angle in degrees, counterclockwise positive (HIMC
-/// ArcAngle2D; PMC600 StopAngle). The axes outside the plane move to `to`.
+/// ArcAngle2D; PMC600 StopAngle). The axes outside the plane move to `to`. Throws InputError
+/// "angle" for an angle of 0, and "center" if the start is the center.
 Arc arc_by_angle(const Point& from, const Point& center, double degrees, const Point& to,
                  Plane plane);
 

@@ -61,15 +61,16 @@ class Path {
   }
 
   /// Writes the position and three derivatives with respect to q of every axis to `out`, at the
-  /// position u in [0, 1] of a piece (u: share of its length).
+  /// distance u in q from the start of a piece, 0 to its length. `out` has one entry for each axis
+  /// (asserted).
   void jets(std::size_t piece, double u, std::span<Jet> out) const;
-  /// Returns the point at the position u in [0, 1] of a piece.
+  /// Returns the point at the distance u in q from the start of a piece, 0 to its length.
   [[nodiscard]] Point point(std::size_t piece, double u) const;
 
-  /// Writes the segments of one axis on one piece to `out`: one, or up to three for a turn.
+  /// Appends the segments of one axis on one piece to `out`: one, or up to three for a turn.
   void segments(std::size_t piece, std::size_t axis, std::vector<Segment>& out) const;
 
-  /// Returns one axis as a function of q, from 0 to length(). Exact.
+  /// Returns one axis as a function of q, from 0 to length(); it holds outside. Exact.
   [[nodiscard]] Curve<OverLength> curve(std::size_t axis) const;
 
  private:

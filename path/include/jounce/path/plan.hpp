@@ -87,10 +87,12 @@ std::string explain(const CornerRecord& corner, std::string_view length_unit = "
 ///     const Report report = check(axes.curves[0], limits.axes[0]);
 ///
 /// **Guarantees.** The plan begins and ends at rest, exactly at the start and end of the program.
-/// Every axis stays within its limits, to 1e-12, by exact extrema. (Arcs, blends and curves are
-/// planned with limits that are lower by 1e-6; the error of the fits of to_axes() is at most half
-/// of this margin.) The plan never takes longer than stop_duration(), the duration of the fastest
-/// motion of the same laws that stops at each corner. The plan depends only on its arguments.
+/// Every axis stays within its limits of velocity, acceleration and jerk, to 1e-12, by exact
+/// extrema; position limits are checked only at the ends of commands (see GroupLimits). (Arcs,
+/// blends and curves are planned with limits that are lower by 1e-6; the error of the fits of
+/// to_axes() is at most half of this margin.) The plan never takes longer than stop_duration(), the
+/// duration of the fastest motion of the same laws that stops at each corner. The plan depends only
+/// on its arguments.
 class Plan {
  public:
   /// Data from which the plan was made.
@@ -162,7 +164,8 @@ class PlanCursor {
 ///
 /// Requires a velocity limit for every axis that moves or a feed of the program, and limits of
 /// acceleration and jerk of the axes or of the path. Throws InputError, with the source line, if a
-/// limit is missing or not positive, or if the program does not move.
+/// limit is missing or not positive, if the end of a command is outside the position limits of an
+/// axis, or if the program does not move.
 Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& options = {});
 
 /// The axes of a plan over time.

@@ -68,7 +68,8 @@ PathCurve over_length(const PathCurve& curve, double tolerance, std::size_t path
 /// `ratio`, in (0, 1], the minor axis divided by the major axis. The start determines the size. If
 /// start and end are equal, the part is a full turn; `extra_turns` turns are added. All other axes
 /// move in proportion to the length. Throws InputError "to" if the end is farther from the ellipse
-/// than `tolerance` times the major half axis.
+/// than `tolerance` times the major half axis, and "ratio", "plane" or "turns" for a value out of
+/// range.
 PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane plane,
                   double degrees, double ratio, ArcRotation rotation, std::size_t axes,
                   int extra_turns = 0, double tolerance = 1e-6);

@@ -21,7 +21,8 @@ namespace jounce {
 /// Returns the exact range of the position and its three derivatives.
 Ranges extrema(const Table& table);
 
-/// Returns the exact ranges for the intervals first, ..., last - 1, counted from 0.
+/// Returns the exact ranges over the intervals `first` to `last`, both included, counted from 0.
+/// Requires first <= last < table.size() - 1 (asserted).
 Ranges segment_extrema(const Table& table, std::size_t first, std::size_t last);
 
 /// Compares the exact extrema with the limits, like check(table.curve<...>(), limits).

@@ -55,9 +55,9 @@ std::optional<Filling> filling_named(std::string_view name);
 ///
 /// **Throws** InputError with the knot's key, like Table. Throws also for v or a of another size
 /// than x; for a given value that is not finite; for an acceleration if the rule has no
-/// accelerations; for different values at both ends of a periodic table; for monotone or
-/// shape_preserving with an interpolation other than cubic_hermite; for within_limits without
-/// limits; and for invalid limits.
+/// accelerations; for different values at both ends of a periodic table; for the interpolation
+/// linear; for monotone or shape_preserving with an interpolation other than cubic_hermite; for
+/// within_limits without limits; and for invalid limits.
 struct FillSpec {
   Domain axis = Domain::time;                 ///< meaning of x: time or master position
   std::vector<double> x;                      ///< strictly ascending

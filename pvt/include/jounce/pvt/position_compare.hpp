@@ -77,9 +77,9 @@ struct Compared {
   std::vector<OutputEdge> edges;
 };
 
-/// Returns the points that fire during a known motion. Crossings are isolated, not sampled: exact
-/// to the rounding of the position. Throws InputError for a motion that repeats without end, and
-/// like require_valid().
+/// Returns the points that fire during a known motion. Crossings are exact roots, not samples:
+/// exact to the rounding of the position. Throws InputError for a motion that repeats without end,
+/// and like require_valid().
 Compared compared(const PositionCompare& compare, const Trajectory& motion);
 
 /// Properties of the hardware that compares.

@@ -35,26 +35,31 @@ struct Sampled {
   std::optional<Binding> binding = {};  ///< for a table of reduced() only
 };
 
-/// Returns the table through the curve at the given knots. Requires knots that ascend strictly,
-/// from the start to the end of the curve. If a derivative steps at a knot, the table gets its
-/// right limit (at the end: the left limit).
+/// Returns the table through the curve at the given knots. Throws InputError unless there are at
+/// least two knots that ascend strictly, exactly from the start to the end of the curve. If a
+/// derivative steps at a knot, the table gets its right limit (at the end: the left limit).
 template <class Over>
 Sampled sample(const Curve<Over>& f, Interpolation rule, const std::vector<double>& knots);
 
 /// Returns the table with the given columns and its error. Requires columns that cover the interval
-/// of the curve. If the curve repeats and the first and last value of a column are equal to
-/// rounding, the last value is replaced by the first.
+/// of the curve; throws InputError like Table. If the curve repeats and the first and last value of
+/// a column are equal to rounding, the last value is replaced by the first (positions only if the
+/// curve wraps).
 template <class Over>
 Sampled certified(const Curve<Over>& f, Interpolation rule, Columns columns);
 
-/// Returns the table with `intervals` >= 1 equal intervals.
+/// Returns the table with `intervals` equal intervals. Throws InputError if `intervals` is 0.
 template <class Over>
 Sampled sample(const Curve<Over>& f, Interpolation rule, std::size_t intervals);
 
 /// Returns a table with equal intervals in each segment of the curve, as few as bring the position
-/// error within `tolerance` > 0 (unit of the position). A segment that the rule represents exactly
-/// gets one interval. All breaks of the curve are knots. Throws InputError if more than `most`
-/// knots would be necessary.
+/// error within `tolerance` (unit of the position) or within rounding, whichever is greater. A
+/// segment that the rule represents exactly gets one interval. The breaks of the curve are knots.
+/// Exceptions: an additional knot precedes a step that the rule cannot represent; intervals in
+/// which the table breaks one of the `limits` that the curve keeps are halved; and knots so near to
+/// each other that rounding would be visible in the jerk are removed or moved apart. Throws
+/// InputError unless the tolerance is positive, and if more than about `most` knots would be
+/// necessary.
 template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
                       const Limits& limits = {}, std::size_t most = 1'000'000);

@@ -94,8 +94,8 @@ class SegmentFifos {
   [[nodiscard]] std::size_t size(int fifo) const { return fifos_[index(fifo)].size.load(); }
   /// Returns the number of rows that can be pushed now into this FIFO, or into the stream.
   [[nodiscard]] std::size_t space(int fifo) const;
-  /// True if the FIFO is played or selected, is the target of a queued switch, or is part of a
-  /// stream that is played.
+  /// True if the FIFO is played or selected, or is part of a stream that is. (The target of a
+  /// queued switch is not in use yet, but clear() rejects it.)
   [[nodiscard]] bool in_use(int fifo) const;
   /// The FIFO that is played or was played last: 0 or 1.
   [[nodiscard]] int active() const { return active_.load(); }
@@ -133,15 +133,16 @@ class SegmentFifos {
   /// Ends an open stream with the rows pushed so far, as if the last one were marked `last`.
   /// Returns false if the stream is not open, has no rows, or does not end at rest.
   bool complete();
-  /// Empties a FIFO, or the whole stream. If the FIFO is in use, returns false and changes nothing.
+  /// Empties a FIFO, or the whole stream. If the FIFO is in use or the target of a queued switch,
+  /// returns false and changes nothing.
   bool clear(int fifo);
   /// Sets the number of passes of a table; below 1: endless. The number applies from the end of the
   /// present pass.
   void set_loops(std::int64_t loops) { loops_.store(loops); }
   [[nodiscard]] std::int64_t loops() const { return loops_.load(); }
   /// Queues a switch to the other FIFO at the end of the pass; before the start, at the end of the
-  /// first pass. Returns false for a stream, if the tables have ended, or if the other FIFO has no
-  /// rows.
+  /// first pass. Returns false for a stream, if the tables have ended, were left or are lost, or if
+  /// the other FIFO has no rows.
   bool queue_switch();
 
   // ---- player ------------------------------------------------------------------------------------

@@ -84,7 +84,8 @@ class Table {
   void sample(const Grid& grid, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
 
-  /// Returns the index of the interval that contains x, for x in [start, end).
+  /// Returns the index of the interval that contains x, from 0. Before the start: the first
+  /// interval; at or after the end: the last one.
   [[nodiscard]] std::size_t interval(double x) const {
     return knots_->index.find(columns().x, x, Side::right);
   }
@@ -116,8 +117,9 @@ class Table {
 /// Throws InputError like table.curve(), but does not make the curve.
 void require_curve(const Table& table);
 
-/// Returns the table in another unit of its first column: x times `factor` > 0, with derivatives
-/// adapted. For example, 1e-3 converts ms to s.
+/// Returns the table in another unit of its first column: x times `factor`, with derivatives
+/// adapted. Throws InputError unless factor > 0, and if a number overflows or x no longer ascends.
+/// For example, 1e-3 converts ms to s.
 Table stretched(const Table& table, double factor);
 
 /// Return the word used in every file: "linear", "cubic_hermite", "quintic_hermite"; "time",

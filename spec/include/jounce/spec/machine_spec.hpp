@@ -52,7 +52,8 @@ struct MachineSpec {
   std::vector<Axis> axes;
   std::vector<Group> groups = {};
   std::vector<MachineMasterSpec> masters = {};
-  std::optional<double> watchdog = {};  ///< s; 0: not supervised
+  /// s, 0.01 to 3600; 0: not supervised; nullopt: as set for `jounce run`.
+  std::optional<double> watchdog = {};
 };
 
 /// Reads a machine. Returns nullopt if the file is a spec of another kind, or not a spec. Throws

@@ -12,15 +12,15 @@ namespace jounce {
 
 /// The load of the slave's motor: section [load]. All values refer to the motor's shaft or to the
 /// slave, as their comments state. At the slave position f, the angle of the shaft is theta = 2 pi
-/// f / position_per_rev. Let r be the travel of the slave (m; for a rotary slave, rad) for one
-/// radian of the motor.
+/// f / position_per_rev. Let s be the same position in m (for a rotary slave, in rad). Let r be the
+/// travel of the slave (m; for a rotary slave, rad) for one radian of the motor.
 ///
-///     (1)  torque = (inertia + mass r^2) theta'' + damping theta' + torque
-///                   + r (stiffness f + preload + force + mass gravity)
-///                   + coulomb sign(theta') + r lever sin(lever_angle + f)
-///     (2)  power  = torque theta'
-///     (3)  heat   = winding_loss torque^2
-///     (4)  energy = integral of power > 0, less the share `recovered` of power < 0
+///     (1)  T      = (inertia + mass r^2) theta'' + damping theta' + torque
+///                   + r (stiffness s + preload + force + mass gravity)
+///                   + coulomb sign(theta') + r lever sin(lever_angle + s)
+///     (2)  power  = T theta'
+///     (3)  heat   = winding_loss T^2
+///     (4)  energy = integral of max(power, 0) - recovered max(-power, 0)
 ///
 /// The first two lines of (1) are linear in f, f', f''.
 struct LoadSpec {
@@ -41,7 +41,7 @@ struct LoadSpec {
   double recovered = 0;
   /// W/(N m)^2: resistance / (torque constant)^2; omitted: no heat.
   std::optional<double> winding_loss;
-  // Limits of the motor, [load.limits]: checked by check_load().
+  // Limits of the motor, [load.limits]; `jounce check` checks them. Omitted: no limit.
   std::optional<double> peak_torque = {};  ///< N m
   std::optional<double> rms_torque = {};   ///< N m, over the cam
 };
@@ -49,14 +49,16 @@ struct LoadSpec {
 /// True if (1) is linear in f, f', f'', that is, if the load has neither dry friction nor a lever.
 bool is_linear(const LoadSpec& load);
 
-/// Returns the linear part of the torque of (1), as a quantity of a shape over the master. The
-/// master runs at `speed` (master units in 1 s). `unit` is the slave's unit.
+/// Returns the linear part of the torque (1), N m, as a linear function of the slave's position and
+/// its derivatives with respect to the master. The part contains neither dry friction nor the
+/// lever. The master runs at `speed` (master units in 1 s). `unit` is the slave's unit.
 LinearQuantity torque_of(const LoadSpec& load, double speed, const std::string& unit);
-/// Returns the speed of the motor, as a quantity of a shape over the master, like torque_of().
+/// Returns the speed of the motor, rad/s, in the same form.
 LinearQuantity motor_speed_of(const LoadSpec& load, double speed);
 
-/// Returns the whole torque of (1), positive in the direction in which the slave's position grows.
-/// So its peak, its rms value, and its sign relative to the velocity are those of the motor.
+/// Returns the whole torque (1). Its sign is for the direction in which the slave's position grows,
+/// even if position_per_rev is negative. So its magnitude is that of the motor's torque, and torque
+/// times slave velocity has the sign of the power.
 LoadTorque load_torque_of(const LoadSpec& load, double speed, const std::string& unit);
 
 /// Returns the energy (4) of a shape over the master, in J.
@@ -72,9 +74,10 @@ struct ShapeFigureSpec {
   bool times_length = false;  ///< true: the printed number is multiplied by the length of the run
 };
 
-/// Convert the computed value of a figure, for a run of this length, to the printed number, and
-/// back.
+/// Returns the printed number for the computed value of a figure. `length` is the length of the run.
 double shown(const ShapeFigureSpec& figure, double value, double length);
+/// Returns the computed value for a printed number. Not for a figure with `times_length`, which
+/// needs the length of the run.
 double computed(const ShapeFigureSpec& figure, double shown);
 
 /// The free shapes of a cam spec, and the objectives for them; see jounce/optimize/cam_shape.hpp.
@@ -84,11 +87,13 @@ struct ShapeSpec {
   std::vector<std::vector<WeightedFigure>> minimize = {};  ///< objectives, the most important first
   std::vector<Ceiling> ceilings = {};                      ///< upper limits of figures
   /// The figures of `minimize`, followed by those of `ceilings`, in the order of
-  /// CamRunOutcome::figures.
+  /// CamRunOutcome::shape.figures.
   std::vector<ShapeFigureSpec> figures = {};
-  std::vector<Corridor> corridors = {};  ///< corridors for quantities
-  bool refine = false;                   ///< true: add knots where the highest derivative of the
-                                         ///< optimum switches
+  /// Lower and upper bounds of quantities over a range of the master.
+  std::vector<Corridor> corridors = {};
+  /// True: add knots where the highest derivative of the optimum jumps from one of its limits to
+  /// the other.
+  bool refine = false;
 };
 
 }  // namespace jounce

@@ -34,15 +34,17 @@ namespace jounce {
 /// Conversion of a curve to a table: the rule, and a tolerance or a number of equal intervals.
 struct TableOptions {
   /// Interpolation rule. Omitted: quintic_hermite; for a motion whose acceleration steps, and for a
-  /// spec of knots, cubic_hermite.
+  /// spec of knots, cubic_hermite; for a time table whose velocity steps, linear.
   std::optional<Interpolation> rule;
-  std::optional<double> tolerance;       ///< greatest position error, in the unit of the position
+  /// Greatest position error, in the unit of the position; if it and `intervals` are omitted: 1e-9
+  /// of the stroke (time table with rule linear: 1e-6).
+  std::optional<double> tolerance;
   std::optional<std::size_t> intervals;  ///< number of equal intervals, instead of a tolerance
   /// For knots = "fewest": further requirements. Rule and tolerance are the members above.
   std::optional<Target> target = {};
 };
 
-/// Motion of the master of a cam: a move from 0 with trapezoidal velocity.
+/// Motion of the master of a cam: a move with trapezoidal velocity from the start of the cam.
 struct MasterSpec {
   double velocity = 0;  ///< master unit / time unit
   double distance = 0;  ///< master unit
@@ -131,7 +133,7 @@ struct AxisSpec {
   double following_time = 0;      ///< s, time for which the following error may exceed the limit
   double in_position = 0;         ///< u, window for "in position"
   double in_position_time = 0;    ///< s, time for which the error must stay in the window
-  double longest_gap = 0;         ///< s, greatest delay of a cycle; 0: 100 cycles
+  double longest_gap = 0;         ///< s, delay of a cycle in motion that is a fault; 0: 100 cycles
   /// s; after this time without a message, the session ends and the axis is free.
   double session_timeout = 1;
   bool require_home = false;  ///< true: motions to absolute positions are rejected before homing

@@ -43,7 +43,8 @@ class SpecNumbers {
   [[nodiscard]] std::string unit(const std::string& key) const;
   /// True if the number is written as a whole number: 12, but not 12.0 or "12 mm".
   [[nodiscard]] bool is_whole(const std::string& key) const;
-  /// Returns the text with other numbers. Throws InputError for a key that is given twice.
+  /// Returns the text with other numbers. Throws InputError for a key that is given twice, and for
+  /// a value that is not finite.
   [[nodiscard]] std::string text(std::span<const Change> changes) const;
   [[nodiscard]] Spec spec(std::span<const Change> changes) const;  ///< reads the spec from text()
 

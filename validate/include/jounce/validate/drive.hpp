@@ -27,21 +27,25 @@ struct Friction {
 /// A motor. In the comments below, "0: none" means: if the value is 0, the effect is not modeled,
 /// or the quantity is not limited.
 struct Motor {
-  double inertia = 0;          ///< rotor inertia, kg m^2, > 0
-  Friction friction = {};      ///< friction of the rotor
-  double torque_limit = 0;     ///< peak torque, N m, > 0
-  double rated_torque = 0;     ///< continuous torque, N m; 0: none
-  double rated_velocity = 0;   ///< greatest speed with the peak torque, rad/s; 0: none
-  double max_velocity = 0;     ///< speed at which the torque is 0, rad/s; from rated_velocity, the
-                               ///< torque falls linearly; 0: none
+  double inertia = 0;         ///< rotor inertia, kg m^2, > 0
+  Friction friction = {};     ///< friction of the rotor
+  double torque_limit = 0;    ///< peak torque, N m, > 0
+  double rated_torque = 0;    ///< continuous torque, N m; 0: none
+  double rated_velocity = 0;  ///< greatest speed with the peak torque, rad/s; 0: none
+  /// Speed at which the torque is 0, rad/s, > rated_velocity; from rated_velocity, the torque falls
+  /// linearly; 0: none.
+  double max_velocity = 0;
   double torque_constant = 0;  ///< N m/A; 0: none
-  double resistance = 0;       ///< ohm; copper loss = resistance * current^2; 0: none
-  double thermal_time = 0;     ///< thermal time constant of the winding, s, for I2t; 0: none
-  double current_lag = 0;      ///< time constant of the current loop, s; 0: none
+  /// Resistance of the winding, ohm; copper loss = resistance * current^2; requires a
+  /// torque_constant; 0: none.
+  double resistance = 0;
+  /// Thermal time constant of the winding, s, for I2t; requires a rated_torque; 0: none.
+  double thermal_time = 0;
+  double current_lag = 0;  ///< time constant of the current loop, s; 0: none
 };
 
 /// A mass of the drive train. The first mass is connected to the motor, each further mass to the
-/// previous one.
+/// previous one. Damping, backlash and an efficiency below 1 require a stiffness.
 struct Mass {
   double stiffness = 0;  ///< stiffness of the shaft or belt to the previous mass, N m/rad; 0: rigid
   double damping = 0;    ///< damping of this shaft or belt, N m s/rad, >= 0
@@ -56,13 +60,13 @@ struct Mass {
   double gravity_ratio = 1;  ///< turns of the arm for each turn of the motor
 };
 
-/// A pendulum at the last mass, such as the load of a crane or a liquid that sloshes. The inertia
-/// of the pendulum is a share of the inertia of that mass.
+/// A pendulum at the last mass, such as the load of a crane or a liquid that sloshes. The drive
+/// must have a mass. The inertia of the pendulum is a share of the inertia of that mass.
 struct Pendulum {
   double frequency = 0;  ///< natural frequency while the pivot is held, Hz, > 0
   double damping = 0;    ///< damping ratio, >= 0
-  double share = 0;      ///< share of the last mass's inertia that belongs to the pendulum, between
-                         ///< 0 and 1
+  /// Share of the last mass's inertia that belongs to the pendulum, above 0 and below 1.
+  double share = 0;
 };
 
 /// A position loop (P) and a velocity loop (PI), with feed-forward of velocity and torque.
@@ -83,7 +87,7 @@ struct Controller {
   double friction_feed_forward = 0;
   double cycle = 0;           ///< s; 0: a continuous controller
   double delay = 0;           ///< time from the reading to the output of the torque, s, >= 0
-  double encoder_counts = 0;  ///< counts in one turn of the motor; 0: exact
+  double encoder_counts = 0;  ///< counts in one turn of the motor; requires a cycle; 0: exact
 };
 
 /// A servo axis: a motor, a chain of masses that the motor drives, and a controller. **All values
@@ -133,7 +137,8 @@ Drive servo_400w();
 /// Unit of the position: degrees.
 Drive wittenstein_premo_2d();
 
-/// Throws InputError for a value out of range, with the key of the number.
+/// Throws InputError, with the key of the number, for a value that is out of range or that requires
+/// another value.
 void require_valid(const Drive& drive);
 
 /// Limits of a run, each > 0. A value that is not given is not limited. u is the unit of the
@@ -166,14 +171,14 @@ struct DriveOptions {
   double settle = 0.2;  ///< standstill after the end of the reference, s, >= 0
   /// Number of samples, equally spaced over reference and standstill; for plots.
   std::size_t samples = 0;
-  DriveLimits limits = {};          ///< limits for the findings
-  std::vector<Interval> sync = {};  ///< intervals in which the slave is in step; within the
-                                    ///< reference
-  double tolerance = 1e-8;          ///< relative tolerance of the integration, 1e-12 to 1e-3
-  long max_steps = 10'000'000;      ///< greatest number of steps of the integration, > 0
+  DriveLimits limits = {};  ///< limits for the findings
+  /// Intervals in which the slave is in step; each has from < to and is within the reference.
+  std::vector<Interval> sync = {};
+  double tolerance = 1e-8;      ///< relative tolerance of the integration, 1e-12 to 1e-3
+  long max_steps = 10'000'000;  ///< greatest number of steps of the integration, > 0
   /// True: the reference is one period of a motion without end, such as a cam on a rotating master.
-  /// The run is one period of the steady state, without a standstill (`settle` is not used). For
-  /// linear drives only.
+  /// The run is one period of the steady state, without a standstill (`settle` is not used, and
+  /// limits that need a standstill are rejected). For linear drives only.
   bool periodic = false;
 };
 
@@ -290,8 +295,10 @@ struct DriveResult {
 /// of a drive without this limit.
 ///
 /// **Errors.** Throws InputError for a drive, an option or a limit out of range, and for a Table
-/// over a master. If `periodic`, throws also for a signal without segments, and like
-/// exact_period(). A failed integration is not an exception: see DriveResult::integration.
+/// over a master. If `periodic`, throws also for a signal without segments, a nonlinear drive, and
+/// a controller with a cycle, and like exact_period(). A failed integration is not an exception:
+/// see DriveResult::integration. A periodic run of an unstable loop is also a failed integration,
+/// and its only finding is "drive/stability".
 DriveResult drive_through(const SignalView& reference, const Drive& drive,
                           const DriveOptions& options = {});
 

@@ -80,9 +80,9 @@ struct FollowerResult {
   Peak residual;
   std::vector<Flight> flights;          ///< periods without contact
   std::vector<FollowerSample> samples;  ///< samples, if requested
-  /// Findings: "follower/contact" always (the least force and its limit; broken if the contact was
-  /// lost); "follower/force", "follower/impact", "follower/residual" for each given limit;
-  /// "follower/integration" if the integration failed.
+  /// Findings: "follower/contact" always (the least force and its limit; broken if the force is
+  /// less than the limit, or if the contact was lost); "follower/force", "follower/impact",
+  /// "follower/residual" for each given limit; "follower/integration" if the integration failed.
   Report report;
 };
 

@@ -149,7 +149,9 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 /// start of `reference`.
 ///
 /// **Errors.** Throws InputError for an unknown key (the message lists the valid ones), a number
-/// that cannot be fitted, an invalid recording, and like require_valid(Drive).
+/// that cannot be fitted or is named twice, an empty `fit`, an option out of range, an invalid
+/// recording, a recording without position, velocity, torque and load, a reference over a master or
+/// one that begins after the first sample, and like require_valid(Drive).
 Identification identify(const Recording& recording, const SignalView& reference,
                         const IdentifySpec& spec, const IdentifyProgress& keep_going = {});
 

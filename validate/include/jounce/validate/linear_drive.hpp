@@ -91,7 +91,8 @@ ExactRun exact_period(const Trajectory& period, const Drive& drive, std::span<co
 /// `integration` counts the intervals that were examined. All values agree with drive_through()
 /// within 1e-8 (checked by tests), except those that drive_through() computes by parabolas.
 ///
-/// Throws InputError like drive_through().
+/// Throws InputError like drive_through(): if `periodic`, also for a drive that is not linear, or a
+/// controller with a cycle.
 std::optional<DriveResult> exact_through(const Trajectory& reference, const Drive& drive,
                                          const DriveOptions& options = {});
 
@@ -100,7 +101,8 @@ std::optional<DriveResult> exact_through(const Trajectory& reference, const Driv
 /// for a controller with a cycle.
 std::vector<DriveMode> free_vibration(const Trajectory& reference, const Drive& drive);
 
-/// Returns all modes of a linear drive with a continuous controller, without amplitudes.
+/// Returns all modes of a linear drive with a continuous controller; their amplitudes are 0. Throws
+/// InputError like free_vibration().
 std::vector<DriveMode> modes(const Drive& drive);
 
 /// Compares a run of drive_through() with the exact solution. The finding "drive/exact" gives the
@@ -128,7 +130,9 @@ enum class DriveOutput {
 /// Returns a function that computes an output at the given times (s after the start, ascending from
 /// 0) for any reference, of any duration. The output is an affine function of the reference, so an
 /// optimizer needs to compute it only once for each basis function of a shape. `periodic` selects
-/// the steady state, as in exact_period(). response() throws InputError like exact_run().
+/// the steady state, as in exact_period(). response() throws InputError like exact_run(), and if
+/// `periodic`, for a controller with a cycle. The returned function throws like exact_run() or
+/// exact_period().
 std::function<std::vector<double>(const Trajectory&)> response(const Drive& drive,
                                                                DriveOutput output,
                                                                std::vector<double> times,

@@ -34,10 +34,11 @@ struct LoopStability {
   /// limit. nullopt: no factor makes a pole cross.
   std::optional<LoopMargin> gain;
   /// Phase margin: the additional lag (or lead) at |L| = 1 until the loop becomes unstable;
-  /// negative for an unstable loop.
+  /// negative for an unstable loop. nullopt: |L| is not 1 at any frequency that was examined.
   std::optional<LoopMargin> phase;
-  /// For an unstable loop: the velocity gain, N m s/rad, below which the loop is stable; nullopt:
-  /// no such gain.
+  /// For an unstable loop: the nearest velocity gain, N m s/rad, at which the loop becomes stable,
+  /// when the gain of the drive is lowered or raised to it. nullopt: the loop is stable, or no such
+  /// gain was found.
   std::optional<double> velocity_gain;
 };
 
@@ -61,7 +62,8 @@ struct LoopStability {
 /// Throws InputError like require_valid(drive), and for a delay of more than 100 cycles.
 LoopStability loop_stability(const Drive& drive);
 
-/// Returns only the poles, in the order of LoopStability, much faster than loop_stability().
+/// Returns only the poles, in the order of LoopStability, much faster than loop_stability(). Throws
+/// InputError like loop_stability().
 std::vector<LoopPole> loop_poles(const Drive& drive);
 
 /// True if no pole grows by more than rounding. Requires the poles of loop_poles().
@@ -73,11 +75,13 @@ struct LoopPoint {
   std::complex<double> value;  ///< value of L
 };
 
-/// Returns L at the frequencies at which margins are searched, ascending.
+/// Returns L at the frequencies at which margins are searched, ascending. Throws InputError like
+/// loop_stability().
 std::vector<LoopPoint> loop_response(const Drive& drive);
 
 /// Returns the broken finding "drive/stability" if the loop is unstable; `where` is the frequency
-/// in Hz. Returns nullopt if the loop is stable, or if loop_stability() throws.
+/// in Hz. Returns nullopt if the loop is stable, or if the delay is more than 100 cycles. Throws
+/// InputError like require_valid(drive).
 std::optional<Finding> unstable_loop(const Drive& drive);
 
 }  // namespace jounce

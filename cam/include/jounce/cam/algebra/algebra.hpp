@@ -32,29 +32,30 @@ namespace jounce {
 /// Returns the cam between two master positions, with the policy refuse. The interval may exceed
 /// that of `f`: a periodic cam continues with its next period, a cam that holds stays at rest.
 /// Throws InputError if from >= to, if one of them is not finite, if the interval exceeds that of a
-/// cam that refuses, or if the result would have more than 1e6 segments.
+/// cam that refuses or is only rounding, or if the result would have more than 1e6 segments.
 Cam part(const Cam& f, double from, double to);
 
 /// Returns a periodic cam delayed by `phase`: g(x) = f(x - phase), over the same interval. `phase`
 /// may be any finite number. A step of the position at the end of the period becomes a step inside
 /// the interval. A cam that advances still advances. Throws InputError unless the cam is periodic
-/// (wrap or advance).
+/// (wrap or advance) and the phase finite.
 Cam phased(const Cam& f, double phase);
 
 /// Returns the cam for a master that moves in the opposite direction: g(master + x) = f(master -
-/// x).
+/// x). Throws InputError if `master` is not finite.
 Cam mirrored_about_master(const Cam& f, double master);
 
-/// Returns the cam of a slave that moves in the opposite direction: g(x) = 2 slave - f(x).
+/// Returns the cam of a slave that moves in the opposite direction: g(x) = 2 slave - f(x). Throws
+/// InputError if `slave` is not finite.
 Cam mirrored_about_slave(const Cam& f, double slave);
 
-/// Returns f, with g in its place on the interval of g. Throws InputError unless f contains this
-/// interval.
+/// Returns f, with g in its place on the interval of g. The policy of g has no effect. Throws
+/// InputError unless f contains this interval.
 Cam replaced(const Cam& f, const Cam& g);
 
 /// Returns f up to the master position `at`, then g, then the rest of f. The result is longer than
-/// f by the length of g. The start of g has no effect. Throws InputError unless start <= at <= end
-/// of f.
+/// f by the length of g. The start and the policy of g have no effect. Throws InputError unless
+/// start <= at <= end of f.
 Cam inserted(const Cam& f, double at, const Cam& g);
 
 /// Returns f + g. The policies of f and g outside their intervals determine the interval of the
@@ -67,15 +68,16 @@ Cam inserted(const Cam& f, double at, const Cam& g);
 /// | one refuses | its own interval, over which the other extrapolates | refuse |
 /// | both refuse | their interval, which must be equal (to rounding) | refuse |
 ///
-/// Throws InputError "period" in two cases: the two periods have no common multiple (to 1e-12); or
-/// one cam is periodic and the other holds, so the sum would be neither (take a `part` of each).
-/// Throws InputError "sum" if a segment needs more than three sines; the next overload accepts any
-/// number.
+/// Throws InputError "period" in two cases: the two periods have no common multiple (to 1e-12)
+/// within 1000 turns of each; or one cam is periodic and the other holds, so the sum would be
+/// neither (take a `part` of each). Throws InputError "sum" if a segment needs more than three
+/// sines; the next overload accepts any number.
 Cam superimposed(const Cam& f, const Cam& g);
 
 /// Returns f + g for any number of sines. Where the exact sum does not fit, polynomials replace the
 /// sines of `g`, with an error of at most `tolerance` > 0 (unit of the slave). The error is
-/// certified (fitted.hpp); it is zero if nothing is replaced.
+/// certified (fitted.hpp); it is zero if nothing is replaced. Throws InputError "tolerance" unless
+/// it is > 0 and like polynomial_within(), and "period" like the overload above.
 Fitted<OverMaster> superimposed(const Cam& f, const Cam& g, double tolerance);
 
 }  // namespace jounce

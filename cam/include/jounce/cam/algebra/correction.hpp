@@ -9,9 +9,10 @@
 namespace jounce {
 
 /// Correction that is added to a cam so that a slave engages without a jump. It begins at the
-/// difference between slave and cam, ends at zero, and stays at zero. A correction over time is a
-/// Profile within limits. A correction over the master is a polynomial of the master's position, so
-/// it stands still while the master stands still. A value type; does not allocate.
+/// difference between slave and cam, ends at zero, and stays at zero (over the master: while the
+/// master is beyond the distance of the correction). A correction over time is a Profile within
+/// limits. A correction over the master is a polynomial of the master's position, so it stands
+/// still while the master stands still. Copies are independent; it does not allocate.
 class Correction {
  public:
   Correction() = default;  ///< no correction: zero everywhere
@@ -29,8 +30,9 @@ class Correction {
   /// master at t and its derivatives with respect to time.
   [[nodiscard]] Jet jet(double t, const Jet& master) const;
 
-  /// True if the correction is complete at t (s). A correction over the master is complete while
-  /// the master, at position `master`, is farther than the distance from the origin.
+  /// True if the correction is complete at t (s), or if there is no correction. A correction over
+  /// the master is complete while the master, at position `master`, is farther than the distance
+  /// from the origin.
   [[nodiscard]] bool done(double t, double master) const;
 
   /// Duration, s; 0 unless the correction is over time.
@@ -40,9 +42,10 @@ class Correction {
   /// The profile of a correction over time; otherwise empty.
   [[nodiscard]] const Profile& profile() const { return profile_; }
   /// False if a number of a correction over the master is not finite, as for a difference beyond
-  /// 1e300.
+  /// 1e300. Otherwise true.
   [[nodiscard]] bool finite() const;
   /// A correction over the master as a curve over the master's position; zero outside the distance.
+  /// Requires follows_master().
   [[nodiscard]] Cam curve() const;
 
  private:

@@ -72,7 +72,9 @@ enum class CouplingStatus : std::uint8_t {
   master_outside_cam,  ///< the master is outside a cam that refuses positions outside
   /// ramp_in_pos, ramp_in_neg: a linear slave would have to move in the other direction.
   would_reverse,
-  master_stands,  ///< ramp_in_distance: the slave moves, but the master is at rest
+  /// ramp_in_distance: the slave moves, but the master is at rest, or so slow that no correction
+  /// exists.
+  master_stands,
   no_ramp,        ///< the limits or the state contain numbers beyond 1e50, so no correction exists
   window_missed,  ///< the master passed an engage position, but no cycle was in the window around
                   ///< it
@@ -132,7 +134,7 @@ class Coupling {
 };
 
 /// The state of a coupling. engage() creates it; step() returns the next state
-/// (coupling_cycle.hpp). A small value type.
+/// (coupling_cycle.hpp). It is small, and copies are independent.
 struct Engaged {
   Placement placement;    ///< placement of the cam since the engagement
   Correction correction;  ///< present correction
@@ -174,10 +176,10 @@ inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& ma
 
 /// Predicts the result of engage(). Findings:
 /// - "coupling/start": jumps of position, velocity and acceleration; broken if there is a jump;
-/// - "coupling/<status>": engage() would return this status;
-/// - "coupling/period": the jump at the end of each period;
-/// - "coupling/enter": a master outside would enter the cam where the cam has a velocity, so the
-///   velocity of the waiting slave would jump;
+/// - "coupling/<status>": engage() would return this status; broken, and the only finding;
+/// - "coupling/period": the jump at the end of each period; broken if there is a jump;
+/// - "coupling/enter": for a master outside the cam, the velocity of the cam where the master
+///   enters; broken if it is not 0, because the velocity of the waiting slave would jump;
 /// - "coupling/end": a cam that runs once ends at a velocity (see check_ends()); never broken;
 /// - "coupling/ramp": the greatest values of a correction and of its derivatives with respect to
 ///   time or master. Never broken: a correction over the master has no limits.

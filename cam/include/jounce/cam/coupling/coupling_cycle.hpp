@@ -35,7 +35,8 @@ struct Stepped {
   bool in_sync = false;  ///< true if the correction is complete
   bool jumped = false;   ///< true if the master has jumped by more than master_jump
   /// Number of period ends that the master has passed since the last cycle (EndOfProfile); negative
-  /// if it moves backwards.
+  /// if it moves backwards. For a cam that runs once: 1 or -1 when the master leaves it at its end
+  /// or start.
   int periods = 0;
   /// s, time of the last of these period ends: in (before, now], or in [before, now) if the master
   /// moves backwards.
@@ -69,7 +70,8 @@ struct Stepped {
 /// coupling ends.
 ///
 /// **Invalid master.** While the master is NaN (status `not_finite`), the slave keeps its position.
-/// The next valid master counts as a jump.
+/// If master_jump is given, the next valid master counts as a jump; otherwise the slave jumps to
+/// its cam.
 Stepped step(const Coupling& coupling, const Engaged& engaged, const Sample& now);
 
 /// The condition on which a coupling engages, or replaces another one.
@@ -82,13 +84,14 @@ struct Trigger {
   When when = When::now;
   /// The master's position X on the cam; for a periodic cam, this position in every period.
   double position = 0;
-  /// m; 0: at the exact instant; > 0: in the first cycle within this distance of X.
+  /// m, for master_position; 0: at the exact instant; > 0: in the first cycle within this distance
+  /// of X.
   double window = 0;
 };
 
 /// Throws InputError with the key `prefix`_position or `prefix`_window (prefix: "engage",
-/// "disengage") if the position is outside the cam, or if the window is negative or wider than half
-/// of the cam.
+/// "disengage") if the position of a master_position is outside the cam (both ends are inside), or
+/// if the window is negative, NaN or wider than half of the cam.
 void require_valid(const Trigger& trigger, const Cam& cam, const std::string& prefix);
 
 /// Result of due().
@@ -97,7 +100,8 @@ struct Due {
   CouplingStatus status = CouplingStatus::ok;
   std::optional<Sample> at{};  ///< time and master at the instant of the trigger; nullopt: not yet
 };
-/// Returns whether a trigger fires between two cycles, and the instant.
+/// Returns the instant between two cycles at which a trigger fires, if it does. A master that is on
+/// the position in the present cycle (to 1e-12 of the cam) fires now.
 Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, const Sample& before,
         const Sample& now);
 

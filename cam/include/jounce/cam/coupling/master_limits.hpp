@@ -37,8 +37,8 @@ struct MasterLimit {
 ///     (1)  f' w,   f'' w^2 + f' a,   f''' w^3 + 3 f'' w a + f' j
 ///
 /// The result is the greatest w at which these values exceed no limit, for any position on the cam,
-/// and for every sign of a and j. Exact, not sampled: every maximum over the cam is an isolated
-/// extremum (see roots.hpp). The error is about 1e-12.
+/// and for every sign of a and j. Exact, not sampled: every maximum over the cam is an exact
+/// extremum (see extrema.hpp). The error is about 1e-12.
 ///
 /// **Steps.** No speed is permitted in these cases: f steps (inside, or at the end of a period) and
 /// any limit is given; f' steps and acceleration or jerk has a limit; f'' steps and the jerk has a
@@ -53,7 +53,8 @@ MasterLimit greatest_master_velocity(const Cam& cam, const Limits& slave,
 
 /// Returns the greatest acceleration or deceleration (magnitude, m/s^2) that a master may have
 /// while it runs at `velocity` (m/s, >= 0, in either direction), at any position on the cam.
-/// Requires that its jerk is at most `jerk` (m/s^3).
+/// Requires that its jerk is at most `jerk` (m/s^3). The value is 0 if the slave exceeds a limit at
+/// this velocity and jerk alone. Steps and errors: as for greatest_master_velocity().
 MasterLimit greatest_master_acceleration(const Cam& cam, const Limits& slave, double velocity,
                                          double jerk = 0);
 

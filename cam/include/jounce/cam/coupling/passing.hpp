@@ -21,7 +21,9 @@ struct Sample {
 /// the result is one of these instants.
 std::optional<Sample> passing(const Sample& before, const Sample& now, double level);
 
-/// Returns the master at time t (s) between two cycles, on the cubic of passing().
+/// Returns the master at time t (s) between two cycles: position and velocity on the cubic of
+/// passing(), acceleration and jerk interpolated linearly. At or after the later cycle, returns
+/// `now`.
 Sample between(const Sample& before, const Sample& now, double t);
 
 }  // namespace jounce

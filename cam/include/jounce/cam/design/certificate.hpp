@@ -40,8 +40,8 @@ namespace jounce {
 /// over the bound (for bound/duration: the shortfall). `where` is the position of the peak, or the
 /// start of the rise. `segment` is the first segment of the rise.
 ///
-/// Two more findings state identities that hold for every motion. Their `margin` is the unused
-/// share of the tolerance:
+/// For n >= 2, two more findings state identities that hold for every such motion. Their `margin`
+/// is the unused share of the tolerance:
 /// - "identity/acceleration": the integral of f'' is the gain of the velocity;
 /// - "identity/moment": the integral of (1/2 - z) f'' is 1 - (f'(0) + f'(1)) / 2, where z is the
 ///   normalized master position.

@@ -75,14 +75,18 @@ struct CamDesign {
 /// the inflection.
 ///
 /// Throws InputError if
-/// - master positions do not ascend;
+/// - there is no segment, a number is not finite, a position is above 1e100 in magnitude, or master
+///   positions do not ascend;
 /// - a derivative contradicts an adjacent law (by more than 1e-9 of the slope), or a dwell moves;
-/// - a law does not accept its form, or a reversal meets a rest;
+/// - a law does not accept its form or its points, a point is outside its segment, or a reversal
+///   meets a rest;
 /// - no inflection gives the requested acceleration;
-/// - the slave does not end on a whole turn.
+/// - slave_period is given for a cam that is not periodic, or the slave does not end on a whole
+///   turn.
 std::vector<CamKnot> resolved_knots(const CamSpec& spec);
 
-/// Makes the exact cam. Throws like resolved_knots().
+/// Makes the exact cam. Throws like resolved_knots(), and for points from which the law makes no
+/// curve (spline.hpp, hermite.hpp, polynomial.hpp).
 CamDesign design(const CamSpec& spec);
 
 /// Returns the pieces of each segment of the spec, which are linear in the values at its knots

@@ -23,8 +23,8 @@ struct CamRun {
 };
 
 /// Returns the runs of a cam, in the order of the master. Successive runs meet at a turning point
-/// (isolated, not sampled: roots.hpp), at an end of a dwell, or at a jump of the position. A
-/// movement below 1e-15 of a segment's magnitude counts as rest.
+/// (an exact root of the derivative, not found by sampling; see roots.hpp), at an end of a dwell,
+/// or at a jump of the position. Travel of at most 1e-15 of magnitude(segment) counts as rest.
 std::vector<CamRun> runs(const Cam& cam);
 
 /// Master positions at which the slave has a given position: a single position (from == to), or the

@@ -75,14 +75,14 @@ struct DiscPoint {
 
 /// A plate cam and its follower: an immutable value.
 ///
-/// The length of the cam must be one turn, or one turn divided by an integer (the number of lobes),
-/// and the cam must end at its start position. The disc is periodic, for any policy of the cam
-/// outside its interval.
+/// The length of the cam must be one turn, or one turn divided by an integer up to 1000 (the number
+/// of lobes). The cam must end at its start position, and its position must not step. The disc is
+/// periodic, for any policy of the cam outside its interval.
 ///
-/// **Throws** InputError if a length is not finite or has the wrong sign; if the cam does not end
-/// at its start position; if the offset is not less than base radius plus roller radius; and if the
-/// arm does not reach the base circle or swings through the line between the centers of cam and arm
-/// ("arm_length").
+/// **Throws** InputError if a length, `angle` or `arm_angle` is not finite or has the wrong sign;
+/// if the cam is not as described above ("cam"); if the magnitude of the offset is not less than
+/// base radius plus roller radius; and if the arm does not reach the base circle, or swings to 180
+/// deg from the line between the centers of cam and arm ("arm_length").
 class Disc {
  public:
   Disc(const Cam& cam, const DiscSpec& spec);
@@ -131,32 +131,41 @@ struct Interference {
 /// and cuts into a distant part of it. The circle is the roller (roller_radius) or a larger cutter.
 /// Returns the deepest overlap, with its depth to 1e-3 of the radius, or nullopt if the profile has
 /// no overlap; enclosures over all pairs of intervals prove the result. A clearance below 1e-5 of
-/// the radius counts as an overlap of depth 0. Undercuts and narrow hollows (within a quarter turn
-/// of the tangent) follow from the curvature; this function does not detect them.
+/// the radius counts as an overlap of depth 0. Throws InputError for a radius that is negative or
+/// not finite. Undercuts and narrow hollows (within a quarter turn of the tangent) follow from the
+/// curvature; this function does not detect them.
 std::optional<Interference> interference(const Disc& disc, double radius);
 
 /// Limits of the disc; an omitted limit does not apply. The radius of the profile must always be >
 /// 0.
 struct DiscLimits {
   std::optional<double> pressure_angle = {};  ///< rad, in (0, pi/2); for rise and return
-  std::optional<double> profile_radius = {};  ///< u, least radius of curvature of convex parts
-  /// u, radius of the cutter, which must fit into every hollow.
+  /// u, >= 0, least radius of curvature of convex parts.
+  std::optional<double> profile_radius = {};
+  /// u, >= 0, radius of the cutter, which must fit into every hollow.
   std::optional<double> cutter_radius = {};
 };
 
 /// Checks pressure angle (in deg), undercut, interference, cutter and corners against the limits;
 /// `where` is a master position. If a larger base radius would suffice, the advice names the
-/// smallest one. Rules: "disc/pressure_angle", "disc/profile_radius", "disc/interference",
-/// "disc/cutter_radius", "disc/corner". Throws InputError for a limit out of range.
+/// smallest one. Throws InputError for a limit out of range. Findings:
+/// - "disc/profile_radius": always;
+/// - "disc/pressure_angle", "disc/cutter_radius": if the limit is given; for the cutter, only if the
+///   profile has a hollow;
+/// - "disc/corner": for each step of the velocity;
+/// - "disc/interference": for an overlap of the roller or of the cutter. It is searched only if no
+///   other rule is broken.
 Report check(const Disc& disc, const DiscLimits& limits);
 
 /// Returns the least base radius with which the cam satisfies the limits of pressure angle and
-/// profile radius; nullopt if no radius does. spec.base_radius is ignored. The extrema at the
-/// result are exact; a radius smaller by 1e-9 of it breaks one of the limits.
+/// profile radius; nullopt if no radius does, or if the cam cannot be a disc. spec.base_radius is
+/// ignored. Throws InputError for a limit out of range. The extrema at the result are exact; a
+/// radius smaller by 1e-9 of it breaks one of the limits.
 ///
-/// The search increases the radius in steps and returns the first result. A step is 2 %
-/// (translating), or 1/400 of the reach of the arm (oscillating). The search can therefore miss a
-/// narrow range of smaller radii.
+/// The search increases the radius in steps and returns the first result. For a translating
+/// follower, it begins at 1e-3 of the sum of roller radius, offset and stroke, and never returns
+/// less. A step is 2 % (translating), or 1/400 of the reach of the arm (oscillating). The search
+/// can therefore miss a narrow range of smaller radii.
 std::optional<double> least_base_radius(const Cam& cam, const DiscSpec& spec,
                                         const DiscLimits& limits);
 

@@ -88,7 +88,8 @@ struct LawForm {
   std::optional<std::array<double, 3>> shares = {};
 };
 
-/// Throws InputError if the law does not accept the form, or if a value is out of range.
+/// Throws InputError if the law does not accept the form, if `inflection` or `straight` is out of
+/// range, or if the shares of scca are missing. The values of the shares are checked by pieces().
 void require_valid(Law law, const LawForm& form);
 
 /// A piece of a law over z in [0, 1], as shapes that are multiplied by the values at the ends of
@@ -126,13 +127,14 @@ bool is_spline(Law law);  ///< true for cubic_spline and quintic_spline
 /// Between the halves the velocity is constant over the share `straight`, in [0, 1), of the whole.
 /// The laws of this family are, as (b, c, d): parabola (0, 1, 0), simple sine (0, 0, 1), cycloid
 /// (1/2, 0, 1/2), modified sine (1/4, 0, 3/4), modified trapezoid (1/4, 1/2, 1/4); and with a
-/// straight share, modified constant velocity (1/4, 0, 3/4) and sine-straight (0, 0, 1). Source: R.
-/// Norton, Cam Design and Manufacturing Handbook, ch. 3.
+/// straight share, modified constant velocity (1/4, 0, 3/4) and sine-straight (0, 0, 1). Throws
+/// InputError for a negative share, and for a sum of b, c and d other than 1. Requires straight <
+/// 1. Source: R. Norton, Cam Design and Manufacturing Handbook, ch. 3.
 std::vector<Segment> scca(double b, double c, double d, double straight = 0);
 
 /// Returns the inflection lambda with which an R-U law ends with the normalized acceleration f''(1)
-/// = -`deceleration` (stroke 1, length 1). Requires a law that accepts an inflection, and a
-/// deceleration above least_deceleration(law), which belongs to lambda = 0.
+/// = -`deceleration` (stroke 1, length 1). Requires an R-U law that accepts an inflection, and a
+/// deceleration above least_deceleration(law), which belongs to lambda = 0 (asserted).
 double inflection_for(Law law, double deceleration);
 /// Returns the deceleration -f''(1) of an R-U law for lambda = 0.
 double least_deceleration(Law law);

@@ -105,8 +105,8 @@ struct CamSwitchSpec {
 
 /// Throws InputError unless all of these rules hold. The key names the entry, counted from 1
 /// ("switch[2].track"). Numbers in parentheses are errors of the PMC600.
-/// - A track is 1 to 32 (601, 602), has at most one entry of options, and has at least one switch
-///   (600).
+/// - A track is 1 to 32 (601), and has at most one entry of options. A track with options has at
+///   least one switch (600).
 /// - All numbers are finite, `period` is greater than 0, a hysteresis is at least 0.
 /// - Position mode: last_on_position is given, duration is not. The last position is above the
 ///   first one; on a rotary axis, it may be anywhere else within one period of the first one.

@@ -53,8 +53,9 @@ struct SwitchStep {
 /// step() returns an edge in the step after the edge. If an output terminal switches by time stamp,
 /// include one cycle and the delay of the terminal in the compensations.
 ///
-/// step() does not allocate, lock or throw. If an argument is not finite, the step changes nothing,
-/// and its time is added to the next step. The constructor throws like require_valid().
+/// step() does not allocate, lock or throw. If the position or the velocity is not finite, the step
+/// returns the previous outputs without edges, and its time is added to the next step. The
+/// constructor throws like require_valid().
 class CamSwitches {
  public:
   explicit CamSwitches(const CamSwitchSpec& spec);

@@ -19,7 +19,7 @@ namespace jounce {
 /// outer curve.
 ///
 /// **Breaks** of the result are the breaks of the inner curve, and every place where the inner
-/// curve passes a break of the outer curve (isolated as in roots.hpp).
+/// curve passes a break of the outer curve (an exact root, as in roots.hpp).
 ///
 /// **Outside** its interval, the result has the policy of the inner curve. Where the inner curve
 /// leaves the interval of the outer curve, the policy of the outer curve applies: `hold` gives a
@@ -48,8 +48,8 @@ Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner);
 /// Returns outer(inner(x)) for any degrees and sines. Every piece that fits a Segment is exact. Any
 /// other piece is a fit within `tolerance` (in the unit of the value) with a certified error; see
 /// fitted.hpp. Throws InputError("tolerance", ...) unless the tolerance is positive and above
-/// rounding (1e-14 of the magnitude of the outer curve), and InputError("inner", ...) like
-/// composed().
+/// rounding (1e-14 of the magnitude of the outer curve), or if more than 1e6 pieces would be
+/// necessary, and InputError("inner", ...) like composed().
 template <class Outer, class Inner>
 Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inner,
                               double tolerance);

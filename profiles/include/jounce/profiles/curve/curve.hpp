@@ -34,8 +34,10 @@ namespace jounce {
 /// jet.hpp.
 ///
 /// **Throws.** The constructor throws InputError if there is no segment, if a length is not finite
-/// and positive, if a coefficient is not finite, or if start is not finite or so large that start +
-/// length rounds to start. Other members do not throw. Evaluation never allocates.
+/// and positive, if the value or one of the first four derivatives of a segment is not finite (a
+/// coefficient is not finite, or a double cannot hold the derivative), if start or end is not
+/// finite, or if start is so large that start + length rounds to start. Other members do not throw;
+/// the functions below throw if their result breaks these rules. Evaluation never allocates.
 template <class Over>
 class Curve {
  public:
@@ -78,12 +80,13 @@ using Cam = Curve<OverMaster>;
 
 // ---- algebra: each function returns a new curve over the same variable -------------------------
 
-/// Returns the first derivative, as a curve over the same variable.
+/// Returns the first derivative. The result has the policy of f, except that the policy `advance`
+/// becomes `wrap`.
 template <class Over>
 Curve<Over> derivative(const Curve<Over>& f);
 
-/// Returns the integral of f, which has the value `start_value` at start() and is continuous at
-/// every break. Throws InputError if a segment already has degree 11.
+/// Returns the integral of f, which has the value `start_value` at start(), is continuous at every
+/// break, and has the policy of f. Throws InputError if a segment already has degree 11.
 template <class Over>
 Curve<Over> integral(const Curve<Over>& f, double start_value = 0);
 
@@ -91,8 +94,8 @@ Curve<Over> integral(const Curve<Over>& f, double start_value = 0);
 template <class Over>
 Curve<Over> shifted(const Curve<Over>& f, double dx, double dy = 0);
 
-/// Returns f with its value multiplied by `factor`, and its variable (start included) by `stretch`
-/// > 0.
+/// Returns f with its value multiplied by `factor`, and its variable (start included) by `stretch`.
+/// Throws InputError unless stretch > 0.
 template <class Over>
 Curve<Over> scaled(const Curve<Over>& f, double factor, double stretch = 1);
 
@@ -106,13 +109,14 @@ Curve<Over> reversed(const Curve<Over>& f);
 template <class Over>
 Curve<Over> concatenated(const Curve<Over>& f, const Curve<Over>& g);
 
-/// Returns f repeated `times` times, one after the other, with unchanged values. Throws InputError
-/// if times < 1.
+/// Returns f repeated `times` times, one after the other, with unchanged values and the policy of
+/// f. Throws InputError if times < 1.
 template <class Over>
 Curve<Over> repeated(const Curve<Over>& f, int times);
 
-/// Returns f + g over their common interval, with the breaks of both curves. Throws InputError if a
-/// piece needs more than three sines, or if the intervals of f and g differ by more than rounding.
+/// Returns f + g over their common interval, with the breaks of both curves and the policy of f.
+/// Throws InputError if a piece needs more than three sines, or if the intervals of f and g differ
+/// by more than rounding.
 template <class Over>
 Curve<Over> sum(const Curve<Over>& f, const Curve<Over>& g);
 

@@ -26,9 +26,9 @@ namespace jounce {
 /// is an upper bound of the error that the finite digits of both curves cause at a place. A
 /// difference of at most this size counts as zero.
 ///
-/// **Exact.** The difference of two segments is a segment. Its extrema are isolated, not sampled.
-/// If both segments together have more than three sines of different frequency, the piece is
-/// divided until the Taylor polynomial of each sine has an error below the rounding.
+/// **Exact.** The difference of two segments is a segment. Its extrema are exact, not found by
+/// sampling. If both segments together have more than three sines of different frequency, the piece
+/// is divided until the Taylor polynomial of each sine has an error below the rounding.
 ///
 /// **Throws** InputError("interval", ...) if the curves share no interval.
 

@@ -29,9 +29,9 @@ struct Range {
 using Ranges = std::array<Range, 4>;
 
 /// Returns the exact range of the derivative of this order (0: the value, at most 3) over the whole
-/// curve. At a jump, both one-sided limits count. Critical points are isolated, not sampled (see
-/// roots.hpp). Of several equal extrema, the result has the first. The error is rounding: about
-/// 1e-15 of the curve's magnitude.
+/// curve. At a jump, both one-sided limits count. Critical points are exact roots of the
+/// derivative, not found by sampling (see roots.hpp). Of several equal extrema, the result has the
+/// first. The error is rounding: about 1e-15 of the curve's magnitude.
 template <class Over>
 Range extrema(const Curve<Over>& f, int order);
 
@@ -46,7 +46,8 @@ Range segment_range(const Curve<Over>& f, std::size_t segment, int order);
 /// Returns the range of one derivative on a segment that extends from `start` to `end`.
 Range segment_range(const Segment& f, double start, double end, int order);
 
-/// Returns the ranges of all four orders on one segment, or on the segments first, ..., last - 1.
+/// Returns the ranges of all four orders on one segment, or on the segments `first` to `last`, both
+/// included. Segments are counted from 0.
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);
 template <class Over>

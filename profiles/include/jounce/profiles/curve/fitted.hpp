@@ -30,7 +30,7 @@ struct Fitted {
 
 /// Returns f with polynomials in place of its sines. Throws InputError("tolerance", ...) unless the
 /// tolerance (in the unit of the value) is positive and above rounding (1e-14 of the magnitude of
-/// f).
+/// f), and if more than 1e6 pieces would be necessary.
 template <class Over>
 Fitted<Over> polynomial_within(const Curve<Over>& f, double tolerance);
 

@@ -18,10 +18,10 @@ enum class Side { right, left };
 /// Policy for queries outside [start, end] (key `outside` of a spec). It is set when a curve or a
 /// table is made.
 enum class Extrapolation {
-  /// A query outside is a programming error. A debug build asserts; a release build returns the end
-  /// value at rest.
+  /// A query outside is a programming error. A debug build asserts; a release build returns the
+  /// value of the nearer end, at rest.
   refuse,
-  hold,  ///< the end value, at rest
+  hold,  ///< the value of the nearer end, at rest
   wrap,  ///< periodic: the query is reduced to [start, end)
   /// Like wrap, but each period begins at the end value of the previous period (a rotary slave).
   advance,

@@ -66,16 +66,19 @@ struct ModuloTarget {
 ///
 /// The distance is exact for any number of turns, because it is computed from remainders. Keep the
 /// position of an endless axis reduced to one turn, and plan by distance: a position of 1e12 turns
-/// has too few digits. Throws InputError if the period is not positive or a value is not finite.
+/// has too few digits. Throws InputError if the period is not positive, or if `to` or the position
+/// is not finite. For a velocity, an acceleration or bounds that move_to() rejects, the result has
+/// the status.
 ModuloTarget modulo_target(const MotionState& from, double to, Direction direction, double period,
                            const Bounds& bounds);
 
 /// Checks Agito's conditions for a modulo axis with jerk (PCSuite manual 5.3). `modulo` is ModRev
 /// in counts, `jerk` the exponent of the jerk time 2^jerk / 16384 s, `speed_max` in counts/s.
-/// Throws InputError with the key `ModRev` or `Jerk` unless
+/// Throws InputError with the key `ModRev`, `Jerk` or `Speed` unless
 /// - modulo is a whole number in [1, 2e9], and jerk is in [0, 9];
 /// - modulo * 2^jerk < 2^31 - 1;
-/// - the travel of one modulo at speed_max takes longer than the jerk time.
+/// - speed_max is positive and finite, and the travel of one modulo at speed_max takes longer than
+///   the jerk time.
 void require_agito_modulo(double modulo, int jerk, double speed_max);
 
 }  // namespace jounce

@@ -22,10 +22,10 @@ namespace jounce {
 /// **Units**: u, u/s, u/s^2, u/s^3 and s. Distances and velocities are positive in the direction of
 /// travel.
 ///
-/// **No answer.** A function returns nothing (std::nullopt) in these cases: no such motion exists;
-/// a value is not finite; a limit is not positive; a limit or a nonzero distance is below 1e-30; or
-/// a finite input is above 1e30. The functions do not throw or allocate. If the jerk is infinite,
-/// the answers are those of trapezoids.
+/// **No answer.** A function returns std::nullopt in these cases: no such motion exists; a value is
+/// not finite; a limit is not positive; a limit or a nonzero distance is below 1e-30; or a finite
+/// input is above 1e30. The functions do not throw or allocate. If the jerk is infinite, the
+/// answers are those of trapezoids.
 ///
 /// **Accuracy**: the relative error is at most 1e-14 if the question is well-conditioned. Results
 /// do not depend on the unit. The derivation is in query.cpp.
@@ -75,8 +75,8 @@ struct SpanEnds {
 };
 
 /// Returns the peak velocity of the fastest motion over the given distance > 0, between the
-/// velocities of `ends`. The acceleration is zero at both ends. Returns nothing if the distance is
-/// too short for the ramp from entry to exit.
+/// velocities of `ends`. The acceleration is zero at both ends. Returns std::nullopt if the
+/// distance is too short for the ramp from entry to exit.
 std::optional<double> peak_velocity(double distance, const SpanEnds& ends,
                                     const Ramp& ramp) noexcept;
 

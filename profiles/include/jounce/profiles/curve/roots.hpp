@@ -22,7 +22,7 @@ void roots(const Segment& f, double flat, std::vector<double>& out);
 
 /// Returns every position where the derivative of this order (0: the value) equals `level`, in
 /// ascending order. A break counts if the derivative reaches the level on one of its sides. A
-/// stretch that stays at the level (to rounding) gives the start of the stretch. Throws InputError
+/// segment that stays at the level (to rounding) gives one position, its start. Throws InputError
 /// if the level is not finite.
 template <class Over>
 std::vector<double> crossings(const Curve<Over>& f, int order, double level);

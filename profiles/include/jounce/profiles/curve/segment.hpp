@@ -24,7 +24,8 @@ struct SineTerm {
 /// pulse, ...). Every coefficient is in the unit of the value, so stretching a segment changes only
 /// `length`. With degree 11 and three sines, every profile and every classical cam law is exact.
 /// Evaluation costs only the degree in use. Derivatives, parts, and shifted, scaled and reversed
-/// segments are segments again. sum() and integral() return nothing if the result does not fit.
+/// segments are segments again. sum() and integral() return std::nullopt if the result does not
+/// fit.
 struct Segment {
   static constexpr int max_degree = 11;  ///< greatest degree of the polynomial
   static constexpr int max_sines = 3;    ///< greatest number of sine terms
@@ -45,8 +46,8 @@ double value(const Segment& f, double s);
 /// Returns the derivative with respect to u. Exact: the degree falls by one, sines stay sines.
 Segment derivative(const Segment& f);
 
-/// Returns the integral over u, which has the value `start_value` at u = 0. Returns nothing if the
-/// degree would exceed max_degree.
+/// Returns the integral over u, which has the value `start_value` at u = 0. Returns std::nullopt if
+/// the degree would exceed max_degree.
 std::optional<Segment> integral(const Segment& f, double start_value);
 
 /// Returns the segment backwards: g(u) = f(length - u).
@@ -60,7 +61,7 @@ Segment part(const Segment& f, double s0, double s1);
 Segment scaled(const Segment& f, double factor, double offset = 0);
 
 /// Returns f + g. Requires segments of the same length. Sines of the same frequency are merged.
-/// Returns nothing if more than max_sines remain.
+/// Returns std::nullopt if more than max_sines remain.
 std::optional<Segment> sum(const Segment& f, const Segment& g);
 
 /// Returns an upper bound of |f| over the segment: the sum of the magnitudes of all terms. Rounding

@@ -40,10 +40,10 @@ struct Finding {
   std::string quantity;  ///< "velocity", "geo_acceleration", "torque", ...
   double where = 0;      ///< time or master position at which the quantity has its worst value
   double value = 0;      ///< value of the quantity at this position
-  double limit = 0;      ///< permitted value, with the sign of `value`
-  /// Distance from the value to the limit, as a share of the limit; negative if the rule is broken.
-  /// For a position, the margin is a share of the permitted travel, or of the curve's stroke if
-  /// only one end is limited.
+  double limit = 0;      ///< permitted value; for the negative direction of a rate: negative
+  /// Distance from the value to the limit, as a share of the limit; negative if the value is beyond
+  /// the limit. For a position, the margin is a share of the permitted travel, or of the curve's
+  /// stroke if only one end is limited.
   double margin = 0;
   bool broken = false;                 ///< true: the rule is broken
   std::optional<std::size_t> segment;  ///< index of the curve's segment, from 0; empty if the
@@ -57,7 +57,8 @@ struct Finding {
   bool has_limit = true;
 };
 
-/// Result of a check. A check does not print; it returns a finding instead of throwing.
+/// Result of a check. A check does not print. It returns a finding for a broken rule, and throws
+/// only for invalid arguments.
 struct Report {
   std::vector<Finding> findings;  ///< in the order of sort()
 
@@ -72,16 +73,17 @@ struct Report {
 void sort(Report& report);
 
 /// Compares the exact extrema of a curve with the limits. Returns one finding for each segment and
-/// each limit that the segment breaks; a peak on a break counts for the segment before the break.
-/// For each limit that the whole curve satisfies, returns one finding, with the smallest margin.
-/// Throws like require_valid().
+/// each limit that the segment breaks (each direction of a rate is one limit); a peak on a break
+/// counts for the segment before the break. For each limit that the whole curve satisfies, returns
+/// one finding, with the smallest margin. Throws like require_valid().
 template <class Over>
 Report check(const Curve<Over>& f, const Limits& limits);
 
 /// Checks the continuity of the value and of its derivatives up to this order (0 to 3). The steps
 /// are those of largest_jump(): they include the joint of the end with the start of a periodic
 /// curve, and the steps from and to rest at the ends of a curve with the policy `hold`. A rule is
-/// broken if a step exceeds `tolerance` times the range of the derivative. The default 1e-9 permits
+/// broken if a step exceeds `tolerance` times the stroke of the value (order 0) or the peak
+/// magnitude of the derivative (orders 1 to 3), and also exceeds rounding. The default 1e-9 permits
 /// the rounding of numbers in a file.
 template <class Over>
 Report check_continuity(const Curve<Over>& f, int order, double tolerance = 1e-9);

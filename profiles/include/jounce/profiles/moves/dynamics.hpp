@@ -20,12 +20,13 @@ namespace jounce {
 /// (`state_for` in splice.hpp).
 ///
 /// **Throws.** The functions below throw InputError for a value out of range: velocity and
-/// acceleration must be > 0, the others >= 0.
+/// acceleration must be > 0, the others >= 0. They also throw if a time precedes the start of
+/// `running`, and if no motion results.
 struct Dynamics {
   double velocity = 0;           ///< u/s, > 0
   double acceleration = 0;       ///< u/s^2, > 0
   double deceleration = 0;       ///< u/s^2; 0: the same as acceleration
-  double jerk = 0;               ///< u/s^3; 0: not limited
+  double jerk = 0;               ///< u/s^3; 0: not limited; must be > 0 if deceleration_jerk is
   double deceleration_jerk = 0;  ///< u/s^3, while the axis slows down; 0: the same as jerk
 };
 
@@ -56,7 +57,8 @@ Trajectory with_target(const Trajectory& running, double t, double target,
 
 /// Returns `running` until the time t (s), then the change to `velocity` (u/s, signed).
 /// dynamics.velocity is not used. The result ends when the axis reaches the velocity; if `running`
-/// already has this velocity at t, the result ends at t.
+/// already has this velocity at t, the result ends at t (and must begin before t: an empty motion
+/// throws InputError).
 Trajectory with_velocity(const Trajectory& running, double t, double velocity,
                          const Dynamics& dynamics);
 

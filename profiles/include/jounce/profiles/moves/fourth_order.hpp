@@ -28,7 +28,7 @@ struct FourthOrderSpec {
 /// Returns the move, which is symmetric in time. If the velocity limit is not reached, the move is
 /// time-optimal. Otherwise its duration exceeds the minimum by at most 0.1 %; the exact minimum
 /// would need infinitely many phases. Throws InputError for a value out of range, and for a jounce
-/// so high that its phases are too short to be represented.
+/// so high that its phases are below the rounding of the duration.
 ///
 /// Source: Lambrechts, Boerlage, Steinbuch, "Trajectory planning and feedforward design for
 /// electromechanical motion systems", Control Engineering Practice 13 (2005). With a cruise, the

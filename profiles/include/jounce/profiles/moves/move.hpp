@@ -41,9 +41,12 @@ constexpr Bounds within(double velocity, double acceleration = Bounds::none,
 /// The reason why there is no move; `ok` if there is one.
 enum class MoveStatus : std::uint8_t {
   ok,
-  not_finite,  ///< a state or the duration is not finite, or its magnitude exceeds 1e50
-  /// A bound is invalid: a max <= 0, a min >= 0, NaN, or a finite magnitude outside 1e-50 to 1e50.
-  /// Or the highest derivative that has a limit is limited in one direction only.
+  /// The duration is not finite, or |position| + |velocity| + |acceleration| of a state is not
+  /// below 1e50.
+  not_finite,
+  /// A bound of velocity, acceleration or jerk is invalid: a max <= 0, a min >= 0, NaN, or a finite
+  /// magnitude outside 1e-50 to 1e50. Or position_min is not below position_max. Or the highest
+  /// derivative that has a limit is limited in one direction only, or no derivative has a limit.
   invalid_bounds,
   target_outside,  ///< the velocity or acceleration of the target is outside the bounds
   /// The axis can reach (or leave) the acceleration of the target only with a velocity outside the
@@ -95,9 +98,9 @@ struct MoveResult {
 /// **Accuracy.** The duration is the true minimum, to rounding. The move ends exactly at `to`.
 /// Results do not depend on the unit.
 ///
-/// **Position limits.** If a position limit excludes the shortest motion, the axis first stops at
-/// the point nearest to the target that the limit allows. Such a move stays within the limits, but
-/// is not always the shortest.
+/// **Position limits.** If a position limit excludes the shortest motion, the axis first stops
+/// inside the limits, as near as possible to the end of its fastest stop. Such a move stays within
+/// the limits, but is not always the shortest.
 ///
 /// Does not allocate or throw. Derivation: docs/generators/move.md.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
@@ -120,9 +123,10 @@ struct Durations {
   std::array<Interval, 2> blocked{};   ///< s; the first `count` are used
   std::size_t count = 0;               ///< number of blocked intervals
 
-  /// True if a move of this duration (s) exists.
+  /// True if a move of this duration (s) exists, to 1e-12 of it. Requires the status ok.
   [[nodiscard]] bool allows(double duration) const noexcept;
-  /// Returns the least possible duration that is not below the given one, s.
+  /// Returns the least possible duration that is not below the given one, s. Requires the status
+  /// ok.
   [[nodiscard]] double at_least(double duration) const noexcept;
 };
 /// Returns the possible durations of move_to(from, to, bounds).

@@ -33,7 +33,7 @@ struct MotionState {
 /// velocity (order 1). Phases that do not occur are omitted.
 ///
 /// The motion begins exactly at start() and ends exactly at end(). Either state may be in motion.
-/// Outside [0, duration()], at() returns the state at the nearer end, with jerk 0.
+/// Outside [0, duration()), at() returns the state at the nearer end, with jerk 0.
 class Profile {
  public:
   static constexpr std::size_t capacity = 12;  ///< greatest number of phases

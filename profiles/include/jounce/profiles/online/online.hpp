@@ -39,7 +39,7 @@ class OnlineGenerator {
     return axes_[axis].set_state(state);
   }
   /// Sets the goal of an axis. With MoveGoal::moving, `target` is the target's state at the
-  /// beginning of the next step.
+  /// beginning of the next step, and its acceleration counts as 0.
   MoveStatus set_target(std::size_t axis, const MotionState& target,
                         MoveGoal goal = MoveGoal::state) noexcept {
     return axes_[axis].set_target(goal, target);
@@ -60,7 +60,8 @@ class OnlineGenerator {
   void set_enabled(std::size_t axis, bool enabled) noexcept { axes_[axis].set_enabled(enabled); }
   /// Sets the tolerance (u and u/s) for new targets. If a new target differs from the present one
   /// by no more than the tolerance, the present motion continues and ends within the tolerance of
-  /// the new target. Default 0: targets that differ only by rounding count as equal.
+  /// the new target. Default 0: targets that differ only by rounding count as equal. A negative
+  /// tolerance counts as 0.
   void set_tolerance(std::size_t axis, double position, double velocity = 0) noexcept {
     axes_[axis].set_tolerance(position, velocity);
   }
@@ -70,10 +71,11 @@ class OnlineGenerator {
     sync_ = sync;
   }
   /// Rounds the duration of all motions planned after this call up to a multiple of `grid` (s).
-  /// Default 0: any duration.
+  /// Default 0: any duration. A negative grid counts as 0.
   void set_grid(double grid) noexcept { grid_ = std::max(0.0, grid); }
 
-  /// Advances all axes by dt >= 0 s, and plans motions if necessary.
+  /// Advances all axes by dt >= 0 s, and plans motions if necessary. If dt is negative or not
+  /// finite, no axis advances, and the status is `not_finite`.
   OnlineStep step(double dt) noexcept {
     const bool regroup = regroup_;
     regroup_ = false;
@@ -83,13 +85,14 @@ class OnlineGenerator {
 
   /// The present setpoint of an axis: u, u/s, u/s^2, u/s^3.
   const Motion& operator[](std::size_t axis) const noexcept { return axes_[axis].now(); }
-  /// Time until the last axis reaches its goal, s.
+  /// Time until the present motions of all axes have ended, s.
   [[nodiscard]] double remaining() const noexcept {
     double t = 0;
     for (const auto& axis : axes_) t = std::max(t, axis.remaining());
     return t;
   }
-  /// Returns the reason why an axis does not move to its goal, or ok.
+  /// Returns the reason why an axis does not move to its goal, or ok. It is `invalid_bounds` if the
+  /// axis has a target but no bounds.
   [[nodiscard]] MoveStatus status(std::size_t axis) const noexcept { return axes_[axis].status(); }
   /// Returns the bounds of the present motion. While the axis would otherwise pass its target,
   /// these limits of acceleration and jerk may be wider than those that were set.

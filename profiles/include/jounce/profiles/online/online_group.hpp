@@ -10,11 +10,13 @@ namespace jounce {
 /// Result of OnlineGenerator::step().
 struct OnlineStep {
   /// The reason why an axis cannot move to its goal. It is `not_straight` also while the axes move
-  /// off the requested line because no motion on the line stays within the bounds.
+  /// off the requested line because no motion on the line stays within the bounds. `not_finite`:
+  /// step() was called with an invalid dt.
   MoveStatus status = MoveStatus::ok;
   std::size_t axis = 0;  ///< the first axis with this status, if it is not ok
   bool arrived = false;  ///< true if every enabled axis is at its goal
-  bool planned = false;  ///< true if a motion was planned; false if all motions were kept
+  /// True if a motion was planned or a goal refused; false if all motions were kept.
+  bool planned = false;
 };
 
 namespace profiles_detail {

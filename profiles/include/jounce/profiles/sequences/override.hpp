@@ -19,7 +19,9 @@ struct FactorRequest {
 /// Speed factors of a planned motion.
 struct OverrideSpec {
   std::vector<FactorRequest> requests = {};  ///< in ascending order of time
-  double factor = 1;   ///< factor at the start; must be 1 if the plan begins in motion
+  /// Factor at the start; use 1 if the plan begins in motion, because any other factor steps the
+  /// velocity.
+  double factor = 1;
   double maximum = 1;  ///< the largest permitted factor: 1.2 is 120 %
 };
 
@@ -79,8 +81,9 @@ struct Overridden {
 ///   acceleration or jerk;
 /// - the plan itself, or the plan at the first factor, breaks a limit (the error has the limit, the
 ///   place and the amount);
-/// - a factor is out of range, the times do not ascend, or the first one is before the start;
-/// - the axes have different intervals, or none of them moves;
+/// - a factor is out of range, the times descend (equal times are permitted), or the first one is
+///   before the start;
+/// - there is no axis, the axes have different intervals, or none of them moves;
 /// - the first factor is 0 and no request starts the motion;
 /// - composed() throws: a plan of degree 4 or more does not fit the ramp of a clock (degree 3).
 Overridden overridden(std::span<const Trajectory> axes, std::span<const Limits> limits,

@@ -30,9 +30,10 @@ namespace jounce {
 ///
 /// **Units.** The axis' unit u: u, u/s, u/s^2, u/s^3. Times in s from the start of the queue.
 ///
-/// **Throws** InputError for bad input; its key counts commands from 1. Bad input is a magnitude
-/// above 1e30, a limit below 1e-30, a queue of duration 0, or a command that would begin in a state
-/// beyond the range of move_to(). Every other queue has a motion.
+/// **Throws** InputError for bad input; its key counts commands from 1. Bad input is a queue
+/// without commands, a magnitude above 1e30, a limit below 1e-30, a queue of duration 0, or a
+/// command that would begin in a state beyond the range of move_to(). Every other queue has a
+/// motion.
 
 /// When a command begins, relative to the previous command. The numbers are those of the
 /// controllers.
@@ -82,9 +83,11 @@ struct QueuedCommand {
   /// must reverse (after an abort) stops first, then moves back, like with_target(). There is only
   /// one jerk: deceleration_jerk must be 0 or equal to jerk.
   Dynamics dynamics = {};
-  BufferMode mode = BufferMode::buffered;  ///< not used for the first command
-  /// Time at which an aborting command is issued: s, >= 0, ascending. Required for an aborting
-  /// command, except for the first command; not permitted otherwise.
+  /// For the first command, only `aborting` has an effect: it permits `issued`.
+  BufferMode mode = BufferMode::buffered;
+  /// Time at which an aborting command is issued: s, >= 0, not before that of the previous abort.
+  /// Required for an aborting command, except for the first command; not permitted otherwise. A
+  /// Dwell can abort only as the first command.
   std::optional<double> issued = {};
 };
 
@@ -114,7 +117,8 @@ struct CommandRecord {
 
 /// Result of queue().
 struct QueuedMotion {
-  Trajectory trajectory;  ///< begins at 0 s; holds outside if it ends at rest, otherwise refuses
+  /// Begins at 0 s; holds outside if it begins and ends at rest; otherwise it refuses.
+  Trajectory trajectory;
   std::vector<CommandRecord> commands;  ///< one for each command, in their order
   MotionState end;                      ///< state at the end of the trajectory
 };

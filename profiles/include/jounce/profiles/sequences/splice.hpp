@@ -31,8 +31,8 @@ MotionState state_at(const Trajectory& f, double t);
 /// acceleration of `f` steps around t, as in a trapezoid, so that it may step at t as well.
 MotionState state_for(const Trajectory& f, double t, double jerk);
 
-/// Returns f from its start to t, cut or continued as described above. Requires t > f.start(). A t
-/// that differs from a break only by rounding counts as the break.
+/// Returns f from its start to t, cut or continued as described above. Throws InputError also if t
+/// is f.start(). A t that differs from a break only by rounding counts as the break.
 Trajectory until(const Trajectory& f, double t);
 
 /// Returns `running` until t >= its start, then `next`, whose own start time has no effect. `next`
@@ -41,7 +41,7 @@ Trajectory until(const Trajectory& f, double t);
 Trajectory spliced(const Trajectory& running, double t, const Trajectory& next);
 
 /// Like spliced() above, with a sequence of profiles as the continuation; profiles without duration
-/// are omitted.
+/// are omitted. Throws InputError if t is the start and no profile has a duration.
 Trajectory spliced(const Trajectory& running, double t, std::span<const Profile> next);
 inline Trajectory spliced(const Trajectory& running, double t, const Profile& next) {
   return spliced(running, t, std::span(&next, 1));

@@ -36,18 +36,22 @@ enum class Sync : std::uint8_t {
   /// Like time, except that an axis whose target is at rest takes its own shortest time and waits
   /// at the target.
   time_if_moving,
-  phase_or_time,  ///< phase if the states are on one line, otherwise time
+  phase_or_time,  ///< phase; if its status would be `not_straight`: time
 };
 
 /// Result of synchronise().
 struct Synchronised {
   MoveStatus status = MoveStatus::ok;  ///< ok, or why there is no common motion
   std::size_t axis = 0;                ///< the axis that causes the status, if it is not ok
-  double duration = 0;                 ///< s, the longest duration of an axis
+  /// s, the common duration: the longest of an axis, and at least the minimum; 0 if the status is
+  /// not ok.
+  double duration = 0;
 };
 
 /// Plans one profile for each axis and writes them to `out`; both spans have the same size. Every
-/// duration is at least `minimum_duration` (s). With `grid` > 0 (s) it is a multiple of `grid`.
+/// duration of an enabled axis is at least `minimum_duration` (s); with Sync::time_if_moving, this
+/// does not apply to an axis whose target is at rest. With `grid` > 0 (s), every duration is a
+/// multiple of `grid`. If the status is not ok, the profiles in `out` are not a motion.
 ///
 /// With Sync::phase, the status is `not_straight` (the path is never bent) in these cases:
 /// - The states are not on the line from start to goal: velocities and accelerations must be
@@ -57,7 +61,8 @@ struct Synchronised {
 /// - An axis inside its bounds cannot stay inside them on the line. On a line, the axis with the
 ///   least jerk in proportion to its distance limits how fast the accelerations of all axes fall.
 ///
-/// A start outside the bounds: see move_to(). Does not allocate or throw.
+/// If minimum_duration or grid is not finite, the status is `not_finite`. Without axes, the status
+/// is ok and the duration 0. A start outside the bounds: see move_to(). Does not allocate or throw.
 Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
                          double minimum_duration = 0, double grid = 0) noexcept;
 

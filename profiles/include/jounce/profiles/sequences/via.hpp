@@ -69,18 +69,22 @@ struct ViaMotion {
 
 /// Plans the motion.
 /// - One axis: the shortest motion through the points that does not reverse between points that
-///   follow each other in one direction. Such points cost no time. The search varies the
-///   acceleration at turning points.
+///   follow each other in one direction. Such points cost no time if the stretches before and after
+///   them have the same bounds. The search varies the acceleration at turning points.
 /// - Several axes: the search varies velocities and accelerations at the points (coordinate by
 ///   coordinate, from a feasible start; the result is reproducible). It finds a local optimum,
 ///   which is never longer than the motion with a stop at every point, but is not proven to be the
 ///   shortest. No axis reverses between two points.
 ///
 /// Throws InputError
-/// - if there are fewer than two points;
-/// - if a point has the wrong number of axes, equals the previous point, or has a position that is
-///   not finite, above 1e30 or outside the position bounds;
-/// - for bounds that move_to() rejects;
+/// - if there are no axes or fewer than two points;
+/// - if a point, a rate or a stretch has the wrong number of axes, or `stretches` the wrong size;
+///   if a point equals the previous one, or has a position outside the position bounds; if a
+///   position, velocity or acceleration is not finite or above 1e30 in magnitude;
+/// - for bounds that move_to() rejects; for a bound of the velocity, acceleration or jerk that is
+///   not 0, infinite, or from 1e-30 to 1e30 in magnitude; for a limit of the norm that is neither
+///   infinite nor from 1e-30 to 1e30, or a limit of its position; and for bounds that do not limit
+///   the motion;
 /// - if no motion without a reversal was found that starts or ends with the given velocities and
 ///   stays within the bounds.
 ///

@@ -17,7 +17,8 @@ struct NotchSpec {
   double damping = 1;       ///< D of the poles, >= 0.05
   double mode_damping = 0;  ///< D0 of the zeros, >= 0 and < damping
   /// The filtered motion decays after the end of the given motion. The filter cuts this tail when
-  /// the rest of it is below this share of the travel; > 0 and < 1.
+  /// the rest of it is below this share of the travel (the difference between the greatest and the
+  /// least position); > 0 and < 1.
   double settled = 1e-6;
 };
 

@@ -48,7 +48,7 @@ struct ShaperSpec {
 /// neighboring frequencies where the undamped shaper leaves no vibration.
 ///
 /// Throws InputError for a mode or tolerance out of range; for ei also if the damping of the mode
-/// alone leaves less than the tolerance.
+/// is so strong that no middle impulse > 0 leaves the tolerance.
 std::vector<Impulse> shaper(const ShaperSpec& spec);
 
 /// Returns the convolution of two shapers, which suppresses two modes, or one mode with a larger

@@ -39,9 +39,8 @@ struct WorstResidual {
 };
 
 /// Returns the greatest residual vibration for frequencies from low to high (Hz) at the given
-/// damping. Not sampled: the slope of the residual is bounded, so no frequency of the band exceeds
-/// the result by more than 1e-6. Throws InputError unless 0 < low <= high, and like
-/// require_valid().
+/// damping. No frequency of the band exceeds the result by more than 1e-6, because the slope of the
+/// residual is bounded. Throws InputError unless 0 < low <= high, and like require_valid().
 WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, double low,
                              double high);
 

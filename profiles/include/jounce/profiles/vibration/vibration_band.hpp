@@ -9,7 +9,7 @@ namespace jounce {
 
 /// Returns residual_vibration() with its phase, in u: the magnitude of the result is
 /// residual_vibration(). The function is linear: the phasor of a sum of motions over the same time
-/// is the sum of their phasors.
+/// is the sum of their phasors. Throws InputError for a mode out of range.
 std::complex<double> residual_phasor(const Trajectory& motion, const Mode& mode);
 
 /// The possible modes of a machine: all frequencies and dampings within these ranges.
@@ -31,10 +31,10 @@ struct WorstMode {
 ///     const ModeBand band{.low = 14.5, .high = 19.5, .damping_high = 0.05};
 ///     const WorstMode worst = worst_residual(move, band);
 ///
-/// Not sampled: no mode of the band exceeds the result by more than `tolerance` times the travel of
-/// the motion (the sum of all distances, forwards and backwards). The search covers only the
-/// boundary of the band, because no mode inside can be worse (see vibration_band.cpp). Throws
-/// InputError for a band out of range, or a tolerance outside 1e-12 to 1.
+/// No mode of the band exceeds the result by more than `tolerance` times the travel of the motion
+/// (the sum of all distances, forwards and backwards). The search covers only the boundary of the
+/// band, because no mode inside can be worse (see vibration_band.cpp). Throws InputError for a band
+/// out of range, or a tolerance outside 1e-12 to 1.
 WorstMode worst_residual(const Trajectory& motion, const ModeBand& band, double tolerance = 1e-6);
 
 }  // namespace jounce

@@ -16,7 +16,7 @@ namespace jounce {
 struct ClaimOptions {
   /// Time between two requests before the claim is up.
   Nanos repeat = std::chrono::milliseconds(30);
-  int asked = 10;                         ///< number of requests before the claim is up
+  int asked = 10;                         ///< number of requests before the claim is up, > 0
   Nanos again = std::chrono::seconds(1);  ///< time between two requests when the claim is up
 };
 
@@ -46,11 +46,12 @@ class Claim {
 
   /// Processes a message that has arrived.
   void receive(const wire::Message& message, Nanos now);
-  /// Returns the messages to send now.
+  /// Returns the messages to send now. Decides whether the claim is up.
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
 
   /// True if the claim is up: poll() has sent `asked` requests, and the time for answers is over.
-  /// Before this call, receive all messages that wait on the link.
+  /// Before each poll(now), receive all messages that arrived before `now`; otherwise unread
+  /// answers count as silence.
   [[nodiscard]] bool up() const { return up_; }
   /// The name that another executor owns; nullopt: none.
   [[nodiscard]] const std::optional<std::string>& lost() const { return lost_; }

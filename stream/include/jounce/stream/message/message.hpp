@@ -63,14 +63,14 @@ enum class Refusal : std::int8_t {
   /// The session was released, has timed out, or was ended by a stop of an operator.
   session_ended,
   bad_header,  ///< the header is inconsistent, or differs from an earlier one with the same index
-  too_large,   ///< the table has more knots than the executor permits
-  out_of_memory,  ///< the executor's memory for tables is full
+  too_large,   ///< the table has more knots, or the queue more rows, than the executor permits
+  out_of_memory,  ///< the executor's memory for tables is full, or too many queues are open
   bad_chunk,      ///< a chunk does not match the header of its table
   hash_mismatch,  ///< all chunks have arrived, but the table differs from the announced one
   bad_table,      ///< the table is invalid: see the reason
   table_missing,  ///< the table to be armed has not arrived completely
   wrong_axis,     ///< a table over time where one over a master is required, or the reverse
-  wrong_unit,     ///< a table over time that is not in s, or a master in another unit
+  wrong_unit,     ///< a table or queue over time that is not in s, or a master in another unit
   not_armed,      ///< a start, but nothing is armed
   axis,           ///< rejected by the axis: see the reason
   /// The message does not contain the newest challenge of the executor. The reply contains it.
@@ -78,7 +78,7 @@ enum class Refusal : std::int8_t {
   bad_queue,      ///< the queue is inconsistent, or differs from an earlier one with the same index
   bad_rows,       ///< rows do not match their queue, or earlier rows
   bad_row,        ///< a row breaks a limit, or is not continuous: see row and reason
-  queue_missing,  ///< the queue is not open
+  queue_missing,  ///< the queue is not open, or was rejected
   prefill_missing,  ///< the queue has fewer rows than it needs for a start
   bad_order,        ///< a value of a command is out of its range
 };
@@ -212,7 +212,7 @@ struct Reply {
 struct QueueAck {
   std::int64_t boot = 0;              ///< see Ack
   std::uint32_t queue = first_queue;  ///< index of the queue
-  /// All messages with rows below this number have been accepted.
+  /// All messages of rows with a number below this one have been accepted.
   std::array<std::uint32_t, 2> next{};
   std::array<std::uint64_t, 2> mask{};   ///< bit i: message next + 1 + i has arrived
   std::array<std::uint32_t, 2> space{};  ///< free rows after those of the messages below `next`

@@ -72,16 +72,18 @@ enum class QueueEvent : std::int8_t { start = 1, pass = 2 };
 
 /// Opens a queue. As the first message of a session, it also opens the session.
 struct Queue {
-  std::uint32_t queue = first_queue;     ///< index of the queue in the session, 64 to 127
-  Domain axis = Domain::time;            ///< variable of the queue
-  Units units{};                         ///< units of x and of the position
-  QueueMode mode = QueueMode::dynamic;   ///< use of the banks
-  std::uint32_t capacity = 1024;         ///< rows in each of the two banks, >= 2
-  std::int32_t loops = 1;                ///< passes of a static bank; below 1: endless
+  std::uint32_t queue = first_queue;    ///< index of the queue in the session, 64 to 127
+  Domain axis = Domain::time;           ///< variable of the queue
+  Units units{};                        ///< units of x and of the position
+  QueueMode mode = QueueMode::dynamic;  ///< use of the banks
+  std::uint32_t capacity = 1024;        ///< rows in each of the two banks, 2 to 2^30
+  std::int32_t loops = 1;  ///< passes of a static bank; below 1: endless; 1 in a dynamic queue
   QueueEvent event = QueueEvent::start;  ///< start condition, over a master
-  double event_position = 0;             ///< for pass: position of the master, m
-  std::int8_t event_direction = 0;       ///< for pass: direction of the master, 1 or -1
-  std::uint32_t prefill = 1;             ///< number of rows that a start requires
+  double event_position = 0;             ///< for pass: position of the master, m; otherwise 0
+  std::int8_t event_direction = 0;  ///< for pass: direction of the master, 1 or -1; otherwise 0
+  /// Number of rows that a start requires, from 1 to the capacity (of both banks in a dynamic
+  /// queue); fewer rows are enough if the stream ends with them.
+  std::uint32_t prefill = 1;
   /// False: the axis must stand at `origin`, the start of the first row. True: rows count from the
   /// position of the axis at the start.
   bool relative = false;

@@ -34,8 +34,8 @@ class Assembly {
   /// True if all chunks have arrived.
   [[nodiscard]] bool complete() const { return next_ == cut_.chunks; }
 
-  /// Returns the table if the hash of the received data is the announced one; otherwise a refusal.
-  /// Requires a complete assembly. Call once.
+  /// Returns the table if it is valid and the hash of the received data is the announced one;
+  /// otherwise a refusal. Requires a complete assembly. Call once.
   [[nodiscard]] std::variant<StoredTable, Refused> finish(const Sha256& announced);
 
  private:

@@ -33,9 +33,9 @@ class QueueIntake {
  public:
   explicit QueueIntake(const QueueLimits& limits) : limits_(limits) {}
 
-  /// Adds a queue. Returns a refusal if the queue contradicts itself or exceeds the limits, or if
-  /// its index belongs to another queue. Other refusals are part of the acknowledgment of the
-  /// queue.
+  /// Adds a queue. Returns a refusal if the queue is not valid or exceeds the limits, if it is over
+  /// time and not in s, or if its index belongs to another queue. Other refusals are part of the
+  /// acknowledgment of the queue.
   [[nodiscard]] Refused add(const wire::Queue& queue);
   /// Adds rows. Ignores rows that arrive before their queue.
   void add(const wire::Rows& rows);

@@ -27,9 +27,12 @@ struct ReceiverOptions {
   std::uint32_t most_knots = 1U << 24U;  ///< greatest number of knots of a table
   /// Greatest memory for all tables, complete or in transit, bytes.
   std::size_t memory = std::size_t{1} << 28U;
-  /// A session ends, and the axis is free, after this time without a message.
+  /// A session ends, and the axis is free, after this time without a sign of life of its owner: a
+  /// new command (a heartbeat is one), a repetition of a command that waits for its outcome, or new
+  /// rows. Before the first command, any message is a sign of life.
   Nanos session_timeout = std::chrono::seconds(1);
-  Nanos hold_timeout = std::chrono::milliseconds(200);  ///< like session_timeout, during a jog
+  /// Like session_timeout, from the first hold-to-run jog of a session to its end.
+  Nanos hold_timeout = std::chrono::milliseconds(200);
   /// Greatest number of messages of 12.8 KB in transit, 1 to 64. 8 messages fit into the default
   /// buffer of a socket.
   std::uint32_t credit = 8;
@@ -55,7 +58,7 @@ struct ArmRequested {
   CamEnd end = CamEnd::brake;                ///< for follow_input: behavior at the end of the cam
 };
 
-/// Event: an arm of a queue that is open. Requires an answer.
+/// Event: an arm of a queue that is open and was not rejected. Requires an answer.
 struct QueueArmRequested {
   std::int64_t session = 0;  ///< session of the sender
   std::int32_t command = 0;  ///< number of the command; answer with it
@@ -131,10 +134,13 @@ using StreamEvent =
 /// **Challenge.** A challenge is a number that every command must contain. The receiver draws a new
 /// one when the executor starts and when a session ends, so that older messages have no effect. The
 /// refusal `stale_challenge` contains the present challenge. Operators have no session; they have a
-/// separate challenge, which changes with each of their commands.
+/// separate challenge, which changes with each of their commands. Two stops need no newest
+/// challenge: while the axis is free, the last owner may stop it with the challenge of its session;
+/// and without a key, an operator may stop it with the challenge 0.
 class Receiver {
  public:
-  /// `boot` > 0: a random number, different at each start. Throws InputError for an invalid name.
+  /// `boot` > 0: a random number, different at each start. Throws InputError for an invalid name,
+  /// and for a credit outside 1 to 64.
   Receiver(ReceiverOptions options, std::int64_t boot);
 
   /// Processes a message that has arrived at the time `now`.
@@ -165,7 +171,8 @@ class Receiver {
   void refuse_row(std::uint32_t queue, std::uint64_t row, std::string reason);
 
   [[nodiscard]] std::int64_t session() const { return session_.id(); }  ///< 0: the axis is free
-  /// True if an arm was accepted. A start is then passed to the axis.
+  /// True if an arm was accepted, until the next arm, an accepted start, a stop, or the end of the
+  /// session. Only then is a start passed to the axis.
   [[nodiscard]] bool armed() const { return armed_; }
   /// The complete tables.
   [[nodiscard]] const TableStore& store() const { return tables_.store(); }

@@ -13,7 +13,7 @@ namespace jounce {
 /// Length of the silence that ends a session.
 struct SessionTimeouts {
   Nanos usual{};
-  Nanos hold{};  ///< after the beginning of a hold-to-run jog
+  Nanos hold{};  ///< from the first hold-to-run jog of the session on, to its end
 };
 
 /// True if this message can open a session.
@@ -44,7 +44,7 @@ class Session {
   void open(std::int64_t id, std::int64_t challenge);
   /// Records a message of the owner, at the time `now`.
   void receive(Nanos now) { received_ = now; }
-  /// Applies the shorter timeout from now on.
+  /// Applies the timeout `hold` from now to the end of the session.
   void hold() { holds_ = true; }
   [[nodiscard]] bool is_silent(Nanos now) const;
   void end();

@@ -34,7 +34,8 @@ class StaticQueue {
   /// Opens the queue.
   CallOutcome open();
   /// Appends rows to a bank. The outcome is `stalled` if the bank has no space for all rows, or if
-  /// the executor answers but accepts no row within ClientOptions::patience.
+  /// the executor answers but accepts no row within ClientOptions::patience; some of the rows may
+  /// then be in the bank.
   CallOutcome fill(std::uint8_t bank, const std::vector<wire::Row>& rows);
   /// Arms the queue. The motion will begin with `bank`.
   CallOutcome arm(std::uint8_t bank = 0);
@@ -45,8 +46,8 @@ class StaticQueue {
   /// Empties a bank that is not being played. In the next rows of the bank, x begins at 0 again.
   CallOutcome clear(std::uint8_t bank);
 
-  /// Returns the present progress; nullopt: no answer. Call at least once a second to keep the
-  /// session alive.
+  /// Returns the present progress; nullopt: no answer. Each call keeps the session alive; the next
+  /// one must follow within the executor's timeout, by default 1 s.
   [[nodiscard]] std::optional<wire::QueueAck> level();
 
  private:

@@ -35,7 +35,8 @@ class TableIntake {
   explicit TableIntake(const TableLimits& limits) : limits_(limits), store_(limits.memory) {}
 
   /// Adds a header or a chunk. Returns a refusal if the index belongs to another table, or if the
-  /// chunk does not match its header. Other refusals are part of the acknowledgment of the table.
+  /// chunk does not match its header. Other refusals are part of the acknowledgment of the table. A
+  /// chunk that arrives before its header has no effect.
   [[nodiscard]] Refused add(const wire::Header& header);
   [[nodiscard]] Refused add(const wire::Chunk& chunk);
 

@@ -38,6 +38,7 @@ class TableStore {
   void release(std::size_t bytes);
 
   /// Stores a table for which memory is reserved; the reservation then belongs to the table.
+  /// Requires that no table with this hash is stored.
   void put(StoredTable table);
 
   /// Number of tables.

@@ -33,8 +33,8 @@ struct ClientOptions {
 /// TransportError. Units are those of the axis and of its master.
 ///
 /// The first call opens a session: from then on, the client owns the axis. If another program owns
-/// the axis, the call is rejected with Refusal::busy. After a second without a call, the session
-/// ends; the next call opens a new session.
+/// the axis, the call is rejected with Refusal::busy. If no call is made for the session timeout of
+/// the axis (by default one second), the session ends; the next call opens a new session.
 class Client {
  public:
   /// Subscribes to the replies. `link` must outlive the client. Throws InputError for an invalid

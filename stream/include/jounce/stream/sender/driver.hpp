@@ -30,7 +30,8 @@ struct StreamOptions {
 };
 
 /// Runs a Sender to its goal, then releases the session; a motion continues. Returns within
-/// options.total, in any state of the link. Throws InputError like Sender, and TransportError.
+/// options.total, in any state of the link, plus the time of a few last messages that free the axis
+/// (farewell.hpp). Throws InputError like Sender, and TransportError.
 StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options = {},
                             const Clock& clock = steady_now, std::int64_t session = random_id());
 

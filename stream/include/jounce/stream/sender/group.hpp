@@ -40,8 +40,9 @@ struct GroupOptions {
 /// executor is too old for this, the group stops them.
 class Group {
  public:
-  /// `session` > 0: a random number. Throws InputError like Sender, and for fewer than 2 plans or a
-  /// duplicate name.
+  /// `session` > 0: a random number. Throws InputError like Sender, for fewer than 2 plans, a
+  /// duplicate name, or a plan with swaps. The goal and the start tick of each plan are replaced by
+  /// those of the group.
   Group(std::vector<StreamPlan> plans, std::int64_t session, GroupOptions options = {});
 
   /// Returns the messages to send now.

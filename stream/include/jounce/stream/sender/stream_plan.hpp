@@ -52,9 +52,10 @@ struct StreamPlan {
   std::vector<SwapPlan> swaps{};
 };
 
-/// Throws InputError for no tables, too many tables, or an invalid tick. Unless the goal is
-/// `download`, throws also for tables whose variables or units do not fit the mode, and for an
-/// invalid coupling.
+/// Throws InputError for no tables, more than 64 tables, or a start tick below -1. Unless the goal
+/// is `download`, throws also for a swap to a table that does not exist, tables whose variables or
+/// units do not fit the mode, the mode `queue`, a position that is not finite, and an invalid
+/// coupling.
 void require_valid(const StreamPlan& plan);
 
 /// Returns all starts of the plan in their order: the start of the first tables, then the swaps.
