@@ -21,7 +21,8 @@ struct GcodeMachine {
     std::string unit;  ///< unit of its positions in the resulting Program
     /// Position limits for the ends of lines and arcs; nullopt: none.
     std::optional<double> position_min = {}, position_max = {};
-    /// Length of a turn. > 0: a rotary axis, which takes the shorter way. 0: a linear axis.
+    /// Length of a turn. > 0: a rotary axis, which takes the shorter way to an absolute position.
+    /// 0: a linear axis.
     double modulo = 0;
   };
 
@@ -64,12 +65,15 @@ bool begins_as_gcode(std::string_view text);
 /// - G20: inch, G21: mm; before either, the unit of each axis. G90: absolute, G91: relative. G90.1:
 ///   absolute I, J and K, G91.1: relative ones; before either, I, J and K are relative.
 /// - G54 to G59: frames, which are offsets with or without a rotation.
-/// - G61: stop at each corner. G64 P: greatest deviation; 0: stop. P is the deviation of averaged
-///   lines if the settings of the machine have Corner::average; otherwise it is that of corners.
+/// - G61: stop at each corner. G61.1: stop at each joint, also at tangent ones. G64 P: greatest
+///   deviation; 0: stop; without P: the corner of the settings of the machine, which must not be a
+///   stop. P is the deviation of averaged lines if the settings of the machine have
+///   Corner::average; otherwise it is that of corners.
 /// - X Y Z A B C U V W: positions. F, E: feed and acceleration of G1 to G3. FF, EF: those of G0.
 /// - M, H, S, T: events. M0 and M1 come to rest; M2 and M30 end the program.
-/// - N: line number. G40, G49, G80, G94 switch off functions that are not supported, and are
-///   accepted. Comments are in ( ) or after a semicolon.
+/// - N: line number. G40, G49, G94 switch off functions that are not supported, and are accepted.
+///   G80 ends G0 to G3: the next motion must name one of them. Comments are in ( ) or after a
+///   semicolon.
 ///
 /// **Units**: F and FF are lengths per `feed_time`, E and EF lengths per s^2; A, B and C are in
 /// deg.

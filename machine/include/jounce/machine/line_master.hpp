@@ -17,10 +17,11 @@ namespace jounce {
 struct LineMaster {
   std::string name;    ///< name of the master
   TableFile motion;    ///< table over time, in s; see line_motion()
-  double rate = 1000;  ///< samples per second
+  double rate = 1000;  ///< samples per second, > 0
   double before = 1;   ///< time at rest at the first point before the motion, s
   double after = 1;    ///< time at rest at the last point after the motion, s
-  /// Duration, s; nullopt: until the end of the table, or without end if it repeats.
+  /// Duration of the transmission, s, with `before`; nullopt: `before`, the table and `after`, or
+  /// without end if the table repeats.
   std::optional<double> seconds = {};
   /// Number of the line's clock, MasterSample::clock; nullopt: seconds since 2020.
   std::optional<std::int32_t> epoch = {};
@@ -44,8 +45,8 @@ std::optional<TableFile> line_motion(const Input& input);
 /// is 0 if the transmission has no end. To end the transmission, return false.
 using LineProgress = std::function<bool(double time, double position, double share)>;
 
-/// Sends samples at equal intervals. A sample that is late is not sent. At the end, sends that the
-/// master is lost.
+/// Sends samples at equal intervals. A sample that is late is not sent. At the end, sends several
+/// times that the master is lost. Throws InputError like EncoderReading.
 LineMasterResult send_line_master(Transport& link, const LineMaster& line,
                                   const LineProgress& keep_going = {});
 
@@ -54,8 +55,9 @@ std::string line_master_text(const LineMaster& line, const LineMasterResult& res
 /// Returns the result as a JSON object.
 std::string line_master_json(const LineMaster& line, const LineMasterResult& result);
 
-/// True if another program sends a master of this name. The function receives for 0.3 s. (A second
-/// sender would take the place of the first one, even if the first one is the real line.)
+/// True if another program sends a master of this name. The function receives until the first valid
+/// sample, for at most 0.3 s. (A second sender would take the place of the first one, even if the
+/// first one is the real line.)
 bool has_sender(Transport& link, const std::string& master,
                 const std::optional<wire::Key>& key = {});
 

@@ -42,7 +42,7 @@ void take(std::vector<Watched>& axes, const std::string& name, const wire::Maste
 
 /// Options of Watch.
 struct WatchOptions {
-  /// Names of the axes, sorted; empty: all axes that send messages.
+  /// Names of the axes; empty: all axes that send messages.
   std::vector<std::string> names = {};
   /// Key with which the executors authenticate messages; nullopt: none.
   std::optional<wire::Key> key = {};
@@ -68,10 +68,11 @@ class Watch {
       const std::function<void(const std::string& axis, const wire::Status&)>& status = {},
       const std::function<void(const std::string& axis, const wire::MasterStatus&)>& master = {});
 
-  /// Returns the name of an axis in the options that has sent no message for `patience`; "every
-  /// executor" if no axis has; "" if all axes have sent messages.
+  /// Returns the name of an axis in the options that has sent no status for `patience`. Without
+  /// names in the options, returns "every executor" if no axis has sent a status for `patience`.
+  /// Otherwise returns "". The time counts from the constructor on.
   [[nodiscard]] std::string silent(Nanos patience) const;
-  /// True if a message has arrived.
+  /// True if a status of an axis has arrived.
   [[nodiscard]] bool has_received() const;
   /// The axes, sorted by name.
   [[nodiscard]] const std::vector<Watched>& axes() const { return axes_; }

@@ -45,8 +45,9 @@ class Jogs {
   Jogs(const Jogs&) = delete;
   Jogs& operator=(const Jogs&) = delete;
 
-  /// Begins the jog with this number, or continues it. `velocity`: signed, in the unit of the axis.
-  /// Returns the answer of the axis; a jog that has ended is rejected. Throws TransportError.
+  /// Begins the jog with this number, or continues it. A new number ends the previous jog of the
+  /// axis. `velocity`: signed, in the unit of the axis. Returns the answer of the axis; a jog that
+  /// has ended is rejected. Throws TransportError.
   CallOutcome jog(const std::string& axis, double velocity, std::int64_t number);
   /// Ends the jog with this number.
   void release(const std::string& axis, std::int64_t number);

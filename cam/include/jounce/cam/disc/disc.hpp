@@ -150,8 +150,8 @@ struct DiscLimits {
 /// `where` is a master position. If a larger base radius would suffice, the advice names the
 /// smallest one. Throws InputError for a limit out of range. Findings:
 /// - "disc/profile_radius": always;
-/// - "disc/pressure_angle", "disc/cutter_radius": if the limit is given; for the cutter, only if the
-///   profile has a hollow;
+/// - "disc/pressure_angle", "disc/cutter_radius": if the limit is given; for the cutter, only if
+///   the profile has a hollow;
 /// - "disc/corner": for each step of the velocity;
 /// - "disc/interference": for an overlap of the roller or of the cutter. It is searched only if no
 ///   other rule is broken.
