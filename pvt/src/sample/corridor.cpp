@@ -12,33 +12,33 @@
 namespace jounce::pvt_detail {
 namespace {
 
-struct Corner {
+struct PolygonCorner {
   double v0 = 0;
   double v1 = 0;
 };
 
 /// A cut by a half plane adds at most one corner.
 struct Polygon {
-  std::array<Corner, 4 + Demand::most + 1> corners;
+  std::array<PolygonCorner, 4 + Demand::most + 1> corners;
   std::size_t size = 0;
 
-  void add(Corner corner) { corners[size++] = corner; }
+  void add(PolygonCorner corner) { corners[size++] = corner; }
 };
 
-double excess(const HalfPlane& plane, const Corner& corner) {
+double excess(const HalfPlane& plane, const PolygonCorner& corner) {
   return plane.a * corner.v0 + plane.b * corner.v1 - plane.c;
 }
 
 bool keeps(const Polygon& polygon, const HalfPlane& plane) {
   return std::all_of(polygon.corners.begin(), polygon.corners.begin() + polygon.size,
-                     [&](const Corner& corner) { return excess(plane, corner) <= 0; });
+                     [&](const PolygonCorner& corner) { return excess(plane, corner) <= 0; });
 }
 
 Polygon cut(const Polygon& polygon, const HalfPlane& plane) {
   Polygon left;
   for (std::size_t i = 0; i < polygon.size; ++i) {
-    const Corner& from = polygon.corners[i];
-    const Corner& to = polygon.corners[i + 1 < polygon.size ? i + 1 : 0];
+    const PolygonCorner& from = polygon.corners[i];
+    const PolygonCorner& to = polygon.corners[i + 1 < polygon.size ? i + 1 : 0];
     const double before = excess(plane, from), after = excess(plane, to);
     if (before <= 0) left.add(from);
     if ((before < 0 && after > 0) || (before > 0 && after < 0)) {
@@ -51,7 +51,8 @@ Polygon cut(const Polygon& polygon, const HalfPlane& plane) {
 
 Polygon permitted(const Demand& demand, Gap v0, Gap v1) {
   Polygon polygon;
-  for (const Corner corner : {Corner{v0.lo, v1.lo}, {v0.hi, v1.lo}, {v0.hi, v1.hi}, {v0.lo, v1.hi}})
+  for (const PolygonCorner corner :
+       {PolygonCorner{v0.lo, v1.lo}, {v0.hi, v1.lo}, {v0.hi, v1.hi}, {v0.lo, v1.hi}})
     polygon.add(corner);
   for (const HalfPlane& plane : demand.planes())
     if (!keeps(polygon, plane)) polygon = cut(polygon, plane);
