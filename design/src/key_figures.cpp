@@ -48,7 +48,7 @@ bool has_current(const DriveSpec& spec) {
 
 /// The figures of a run of the drive for which the spec has the data. The unit "u" is that of the
 /// position.
-struct DriveFigure {
+struct DriveKeyFigure {
   const char* name;
   const char* unit;
   double (*of)(const DriveResult& run);
@@ -56,41 +56,45 @@ struct DriveFigure {
   bool (*has)(const DriveSpec& spec) = always;
 };
 constexpr std::array drive_figures{
-    DriveFigure{"peak torque", "N m", [](const auto& run) { return run.torque.value; },
-                &DriveLimits::torque},
-    DriveFigure{"rms torque", "N m", [](const auto& run) { return run.rms_torque; },
-                &DriveLimits::rms_torque},
-    DriveFigure{"peak current", "A", [](const auto& run) { return run.current.value; },
-                &DriveLimits::current, has_current},
-    DriveFigure{"rms current", "A", [](const auto& run) { return run.rms_current; }, nullptr,
-                has_current},
-    DriveFigure{"motor velocity", "rad/s", [](const auto& run) { return run.velocity.value; },
-                &DriveLimits::velocity},
-    DriveFigure{"following error", "u", [](const auto& run) { return run.following_error.value; },
-                &DriveLimits::following_error},
-    DriveFigure{
+    DriveKeyFigure{"peak torque", "N m", [](const auto& run) { return run.torque.value; },
+                   &DriveLimits::torque},
+    DriveKeyFigure{"rms torque", "N m", [](const auto& run) { return run.rms_torque; },
+                   &DriveLimits::rms_torque},
+    DriveKeyFigure{"peak current", "A", [](const auto& run) { return run.current.value; },
+                   &DriveLimits::current, has_current},
+    DriveKeyFigure{"rms current", "A", [](const auto& run) { return run.rms_current; }, nullptr,
+                   has_current},
+    DriveKeyFigure{"motor velocity", "rad/s", [](const auto& run) { return run.velocity.value; },
+                   &DriveLimits::velocity},
+    DriveKeyFigure{"following error", "u",
+                   [](const auto& run) { return run.following_error.value; },
+                   &DriveLimits::following_error},
+    DriveKeyFigure{
         "sync following error", "u", [](const auto& run) { return run.sync_following_error.value; },
         &DriveLimits::sync_following_error, [](const auto& spec) { return !spec.sync.empty(); }},
-    DriveFigure{"end following error", "u", [](const auto& run) { return run.end_following_error; },
-                &DriveLimits::end_following_error},
-    DriveFigure{"residual", "u", [](const auto& run) { return run.residual.value; },
-                &DriveLimits::residual},
-    DriveFigure{"residual frequency", "Hz", [](const auto& run) { return run.residual_frequency; }},
-    DriveFigure{"settling time", "s",
-                [](const auto& run) {
-                  return run.settling_time.value_or(std::numeric_limits<double>::infinity());
-                },
-                &DriveLimits::settling_time,
-                [](const auto& spec) { return spec.limits.settling_band.has_value(); }},
-    DriveFigure{"swing", "u", [](const auto& run) { return run.swing.value; }, nullptr,
-                [](const auto& spec) { return spec.drive.pendulum.has_value(); }},
-    DriveFigure{"i2t", "", [](const auto& run) { return run.i2t.value; }, nullptr,
-                [](const auto& spec) { return spec.drive.motor.thermal_time > 0; }},
-    DriveFigure{"saturation time", "s", saturation_time},
-    DriveFigure{"energy", "J", [](const auto& run) { return run.energy.driving; }},
-    DriveFigure{"regenerated energy", "J", [](const auto& run) { return run.energy.regenerated; }},
-    DriveFigure{"copper loss", "J", [](const auto& run) { return run.energy.copper; }, nullptr,
-                [](const auto& spec) { return spec.drive.motor.resistance > 0; }},
+    DriveKeyFigure{"end following error", "u",
+                   [](const auto& run) { return run.end_following_error; },
+                   &DriveLimits::end_following_error},
+    DriveKeyFigure{"residual", "u", [](const auto& run) { return run.residual.value; },
+                   &DriveLimits::residual},
+    DriveKeyFigure{"residual frequency", "Hz",
+                   [](const auto& run) { return run.residual_frequency; }},
+    DriveKeyFigure{"settling time", "s",
+                   [](const auto& run) {
+                     return run.settling_time.value_or(std::numeric_limits<double>::infinity());
+                   },
+                   &DriveLimits::settling_time,
+                   [](const auto& spec) { return spec.limits.settling_band.has_value(); }},
+    DriveKeyFigure{"swing", "u", [](const auto& run) { return run.swing.value; }, nullptr,
+                   [](const auto& spec) { return spec.drive.pendulum.has_value(); }},
+    DriveKeyFigure{"i2t", "", [](const auto& run) { return run.i2t.value; }, nullptr,
+                   [](const auto& spec) { return spec.drive.motor.thermal_time > 0; }},
+    DriveKeyFigure{"saturation time", "s", saturation_time},
+    DriveKeyFigure{"energy", "J", [](const auto& run) { return run.energy.driving; }},
+    DriveKeyFigure{"regenerated energy", "J",
+                   [](const auto& run) { return run.energy.regenerated; }},
+    DriveKeyFigure{"copper loss", "J", [](const auto& run) { return run.energy.copper; }, nullptr,
+                   [](const auto& spec) { return spec.drive.motor.resistance > 0; }},
 };
 
 /// A figure that is computed when it is requested.
@@ -201,7 +205,7 @@ class Offers {
   void add_drive() {
     Looked& looked = looked_;
     const std::string& u = input_.labels.units.position;
-    for (const DriveFigure& f : drive_figures) {
+    for (const DriveKeyFigure& f : drive_figures) {
       if (!f.has(*input_.drive)) continue;
       add(
           f.name, f.unit == std::string("u") ? u : f.unit,

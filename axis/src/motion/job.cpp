@@ -125,7 +125,7 @@ Extremum excess(const Table& cam, const Placement& placement, const Range& maste
   return worst.value > rounded_input * cam.length() ? worst : Extremum{};
 }
 
-Cause cause_of(CouplingStatus status) {
+Cause refusal_cause(CouplingStatus status) {
   switch (status) {
     case CouplingStatus::would_reverse:
       return Cause::would_reverse;
@@ -263,7 +263,8 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const Moti
     if (limit) within(cause, range.peak().value, *limit, range.peak().where);
   };
 
-  rule(job.coupled() == CouplingStatus::ok, cause_of(job.coupled()), position, p0, job.start());
+  rule(job.coupled() == CouplingStatus::ok, refusal_cause(job.coupled()), position, p0,
+       job.start());
   rule(job.gets_in_sync(), Cause::not_in_sync, p1, position, end);
   within(Cause::master_outside_cam, job.master_excess().value, 0, job.master_excess().where);
   rule(std::abs(p0 - position) <= near, Cause::start_position, p0, position, job.start());

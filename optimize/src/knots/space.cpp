@@ -60,7 +60,7 @@ std::vector<double> least_lengths(const Space& space, const std::vector<Freedom>
   return least;
 }
 
-double& quantity_of(CamKnot& knot, Quantity quantity) {
+double& member_of(CamKnot& knot, Quantity quantity) {
   switch (quantity) {
     case Quantity::master:
       return knot.master;
@@ -160,7 +160,7 @@ CamSpec spec_at(const Space& space, std::span<const double> z) {
   const auto knots = knots_at(space, z);
   const auto set = [&](std::size_t knot, Quantity quantity) {
     CamKnot& target = knot == 0 ? spec.start : spec.segments[knot - 1].end;
-    quantity_of(target, quantity) = knots[knot][index(quantity)];
+    member_of(target, quantity) = knots[knot][index(quantity)];
   };
   for (const Variable& v : space.variables) {
     set(v.knot, v.quantity);

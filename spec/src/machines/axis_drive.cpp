@@ -8,7 +8,7 @@
 namespace jounce::spec_detail {
 namespace {
 
-const std::array<std::string, 3> types{"null", "simulated", "shared_memory"};
+const std::array<std::string, 3> drive_types{"null", "simulated", "shared_memory"};
 
 /// Reads the model from another file, of kind "drive".
 Drive read_model_file(TomlReader& table, const Units& units) {
@@ -50,7 +50,7 @@ std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units
   auto table = top.optional_table("drive");
   if (!table) return std::nullopt;
   AxisDriveSpec drive;
-  drive.type = static_cast<AxisDriveSpec::Type>(table->optional_choice("type", types).value_or(1));
+  drive.type = static_cast<AxisDriveSpec::Type>(table->optional_choice("type", drive_types).value_or(1));
   if (drive.type != AxisDriveSpec::Type::shared_memory)
     drive.machine = read_machine_sensors(*table, units);
   if (drive.type == AxisDriveSpec::Type::simulated && !table->has("spec")) {

@@ -105,7 +105,7 @@ const std::string& unit_of(const std::string& axis, std::span<const AxisPart> pa
 }
 
 /// Throws InputError unless there is at least one point, and no more than a spec may have.
-std::size_t count_of(TomlReader& reference) {
+std::size_t reference_count(TomlReader& reference) {
   const std::size_t count = reference.optional_count("count").value_or(0);
   if (count < 2 || count > 1'000'000)
     reference.fail("count", std::to_string(count), "must be from 2 to 1e6");
@@ -129,8 +129,8 @@ Operator read_compensation(MotionFields& f, std::span<const AxisPart> parts) {
     s.references.push_back(reference.optional_text("axis").value_or(""));
     const std::string& own = s.references.back().empty() ? s.axis : s.references.back();
     const std::string& grid = unit_of(own, parts);
-    s.table.axes.push_back(
-        {reference.number("base", grid), reference.number("interval", grid), count_of(reference)});
+    s.table.axes.push_back({reference.number("base", grid), reference.number("interval", grid),
+                            reference_count(reference)});
     points *= s.table.axes.back().count;
     if (points > 1'000'000)
       then.fail("reference", "", "makes a grid of more than 1e6 points: lower the counts");

@@ -20,7 +20,7 @@ double stroke(const std::vector<DriveSample>& samples) {
   return greatest->reference - least->reference;
 }
 
-double share(double difference, double of) {
+double share_of(double difference, double of) {
   return difference == 0 ? 0
                          : std::abs(difference) / std::max(of, std::numeric_limits<double>::min());
 }
@@ -55,9 +55,9 @@ Peak worst(const DriveResult& run, const ExactRun& exact, const Trajectory& refe
     const DriveSample& a = run.samples[i];
     const DriveSample& b = exact.samples[i];
     const double torque =
-        steps(reference, drive.controller, a.time) ? 0 : share(a.torque - b.torque, most);
+        steps(reference, drive.controller, a.time) ? 0 : share_of(a.torque - b.torque, most);
     for (const double now :
-         {share(a.motor - b.motor, length), share(a.load - b.load, length), torque})
+         {share_of(a.motor - b.motor, length), share_of(a.load - b.load, length), torque})
       if (!(now <= peak.value)) peak = {now, a.time};
   }
   return peak;

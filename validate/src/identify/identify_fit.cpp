@@ -33,7 +33,7 @@ using Eigen::VectorXd;
 
 constexpr int weightings = 8;     // greatest number of repetitions of (2) and (3)
 constexpr double settled = 0.01;  // relative change of a sigma
-constexpr double flat =
+constexpr double flat_gain =
     1e-3;  // relative gain of |r|^2: a step of some hundredths of a standard deviation
 
 /// A sampled controller does not depend smoothly on its numbers: its counts step. The fit uses a continuous
@@ -176,7 +176,7 @@ class Fit {
                                   .damping = damping,
                                   .longest_step = 0.7,
                                   .advance = advanced,
-                                  .flat = flat});
+                                  .flat = flat_gain});
       fit_.iterations += fit_.found.iterations;
       damping = fit_.found.damping;
       x = fit_.found.x;

@@ -32,6 +32,7 @@
 
 #include "validate/src/drive/drive_system.hpp"
 #include "validate/src/linear/exponential.hpp"
+#include "validate/src/linear/small_product.hpp"
 
 namespace jounce::validate_detail {
 namespace {
@@ -71,10 +72,6 @@ std::vector<double> over(const MatrixXd& a, const MatrixXd& b, const Eigen::Vect
   for (Index k = 1; k + 1 < chain; ++k) m(n + k, n + k + 1) = 1;
   const MatrixXd e = exponential(h * m).topRows(n);
   return {e.data(), e.data() + e.size()};
-}
-
-std::vector<double> flat(const MatrixXd& m) {
-  return {m.data(), m.data() + m.size()};
 }
 
 }  // namespace

@@ -18,16 +18,13 @@
 
 #include "validate/src/drive/drive_system.hpp"
 #include "validate/src/linear/exponential.hpp"
+#include "validate/src/linear/small_product.hpp"
 
 namespace jounce::validate_detail {
 namespace {
 
 constexpr double same = 1e-9;        // share of a cycle
 constexpr double most_cycles = 1e3;  // greatest number in a delay and in a period
-
-std::vector<double> flat(const Eigen::MatrixXd& m) {
-  return {m.data(), m.data() + m.size()};
-}
 
 int cycles_of(const Drive& drive, double period) {
   const double cycle = drive.controller.cycle;

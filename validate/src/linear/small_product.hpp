@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -18,6 +19,11 @@ inline void multiply(const Eigen::MatrixXd& p, const double* z, Eigen::Index row
     const double factor = z[k];
     for (Eigen::Index i = 0; i < rows; ++i) y[i] += column[i] * factor;
   }
+}
+
+/// Returns the numbers of a matrix, column by column.
+inline std::vector<double> flat(const Eigen::MatrixXd& m) {
+  return {m.data(), m.data() + m.size()};
 }
 
 /// Returns a b.
