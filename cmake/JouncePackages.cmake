@@ -8,7 +8,7 @@
 #   python   python3-jounce  the Python module; only if the target _jounce exists
 #
 # cpack makes the packages from a build tree with the prefix /usr; scripts/package makes such a tree.
-set(JOUNCE_MAINTAINER "Jounce maintainers <maintainers@users.noreply.h-seed-59eaa41d.example>" CACHE STRING
+set(JOUNCE_MAINTAINER "Jounce maintainers <maintainers@jounce.example>" CACHE STRING
   "Maintainer of the Debian packages")
 set(JOUNCE_HOMEPAGE "" CACHE STRING "Homepage of the Debian packages")
 

@@ -30,6 +30,11 @@ lacks '\.(a|hpp|cmake|pc)$'
 contains libjounce-dev 'include/jounce/profiles/moves/move\.hpp' 'lib/.*libjounce_profiles\.a' 'lib/.*/jounceConfig\.cmake' \
   'lib/.*/jounce-profiles\.pc'
 lacks '/usr/bin|/detail/|/man/'
+if [ -d "$1/python/jounce" ]; then
+  contains python3-jounce 'lib/python3/dist-packages/jounce/(__init__\.py|_jounce\.pyi|py\.typed)' \
+    'lib/python3/dist-packages/jounce/_jounce\..*\.so'
+  field python3-jounce Depends | grep -q 'python3-numpy' || fail "dependencies of python3-jounce: $(field python3-jounce Depends)"
+fi
 field jounce-mpi Depends | grep -q 'jounce (= .*libopenmpi' || fail "dependencies of jounce-mpi: $(field jounce-mpi Depends)"
 field libjounce-dev Depends | grep -q 'libnlopt-cxx-dev' || fail "dependencies of libjounce-dev: $(field libjounce-dev Depends)"
 for package in "$scratch"/*.deb; do
