@@ -50,6 +50,8 @@ struct Check {
   template <class Rule>
   Check(Rule rule) : broken_rule(std::move(rule)) {}  // NOLINT(google-explicit-constructor)
 
+  std::string operator()(const std::string& text) const { return broken_rule(text); }
+
   std::function<std::string(const std::string& text)> broken_rule;
   std::vector<std::string> words;  ///< all permitted words, if they can be listed
 };
