@@ -144,4 +144,11 @@ std::string man_page(const ProgramInfo& program, const VerbInfo& verb, const Bui
          "(1)\n";
 }
 
+std::map<std::string, std::string> man_pages(const ProgramInfo& program, const BuildInfo& build) {
+  std::map<std::string, std::string> pages{{program.name + ".1", man_page(program, build)}};
+  for (const VerbInfo& verb : program.verbs)
+    pages[program.name + "-" + verb.name + ".1"] = man_page(program, verb, build);
+  return pages;
+}
+
 }  // namespace jounce

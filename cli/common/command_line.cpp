@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cctype>
 #include <span>
 #include <sstream>
 
@@ -8,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "jounce/about/build_info.hpp"
+#include "jounce/about/command_words.hpp"
 #include "jounce/about/completion.hpp"
-#include "jounce/base/nearest.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -18,18 +17,6 @@
 
 namespace jounce::cli {
 namespace {
-
-/// Breaks a text at its spaces into lines of at most `width` characters.
-std::string wrapped(std::string text, std::size_t width) {
-  for (std::size_t begin = 0; text.size() - begin > width;) {
-    std::size_t at = text.rfind(' ', begin + width);
-    if (at == std::string::npos || at <= begin) at = text.find(' ', begin);
-    if (at == std::string::npos) break;
-    text[at] = '\n';
-    begin = at + 1;
-  }
-  return text;
-}
 
 /// Help for people: a wide column, lines that fit, no type names in capitals. An option that takes a value shows its
 /// default, or three dots.
@@ -62,54 +49,6 @@ class Help : public CLI::Formatter {
   static constexpr std::size_t column = 34, line = 104;
 };
 
-/// True for "-x" and "--x"; false for "-" and for a negative number.
-bool looks_like_option(const std::string& word) {
-  return word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(word[1]) != 0);
-}
-
-InputError empty_argument(const std::vector<std::string>& words, std::size_t i) {
-  const bool named = i > 0 && looks_like_option(words[i - 1]);
-  return {named ? words[i - 1] : "argument " + std::to_string(i + 1), "",
-          "is empty: leave it out, or write a value"};
-}
-
-/// The words in the order of the parser, last first. Rejects "--log=", which has no value: the parser would take the
-/// next word. Turns -.5 into -0.5: the parser would take it for an option.
-std::vector<std::string> meant(std::span<char*> given) {
-  std::vector<std::string> words(given.begin(), given.end());
-  const auto end = std::find(words.begin(), words.end(), "--");
-  for (std::string& word : std::span(words.begin(), end)) {
-    if (word.empty()) throw empty_argument(words, static_cast<std::size_t>(&word - words.data()));
-    if (word.starts_with("--") && word.ends_with('='))
-      throw InputError(word.substr(0, word.size() - 1), "", "has no value after =");
-    if (word.size() > 2 && word.starts_with("-.") && std::isdigit(word[2]) != 0)
-      word.insert(1, "0");
-  }
-  std::reverse(words.begin(), words.end());
-  return words;
-}
-
-/// A sentence on the first word that looks like an option and is none; "" if there is none.
-std::string stranger(const CLI::App& app, std::span<char*> words) {
-  std::vector<std::string> options;
-  for (const auto* option : app.get_options()) {
-    for (const auto& name : option->get_lnames()) options.push_back("--" + name);
-    for (const auto& name : option->get_snames()) options.push_back("-" + name);
-  }
-  for (const std::string word : words) {
-    const std::string name = word.substr(0, word.find('='));
-    if (!looks_like_option(name) ||
-        std::find(options.begin(), options.end(), name) != options.end())
-      continue;
-    if ((name == "-o" || name == "--output") && app.get_option_no_throw("OUT") != nullptr)
-      return "`" + name + "` is not an option of this verb: name the output as the second argument";
-    const std::string near = name.size() > 2 ? nearest(name, options) : "";
-    return "`" + name + "` is not an option of this verb" +
-           (near.empty() ? "" : ": did you mean " + near + "?");
-  }
-  return "";
-}
-
 /// The parser's sentence, in the words of the other messages: what is missing, or one too many.
 std::string words_of(const CLI::ParseError& error) {
   std::string text = error.what();
@@ -124,22 +63,29 @@ std::string words_of(const CLI::ParseError& error) {
          "` is one argument too many";
 }
 
+/// The names of the options of a verb or of the program, also of the hidden ones.
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const auto* option : app.get_options()) {
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+    for (const auto& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
 /// The error of the command line, with the nearest verb or option if there is one, and the command that lists all.
-std::string complaint(const CLI::App& app, const CLI::ParseError& error, std::span<char*> words) {
+std::string complaint(const CLI::App& app, const CLI::ParseError& error,
+                      std::span<const char* const> words) {
   std::vector<std::string> verbs;
   for (const auto* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
-  const std::string given = words.size() > 1 ? words[1] : "";
   const std::string all = " (see jounce --help)";
-  if (given.empty()) return "the verb is missing" + all;
-  const bool is_verb = std::find(verbs.begin(), verbs.end(), given) != verbs.end();
-  if (!is_verb && given[0] != '-') {
-    const std::string near = nearest(given, verbs);
-    return "`" + given + "` is not a verb" + (near.empty() ? "" : ": did you mean " + near + "?") +
-           all;
-  }
+  if (const std::string wrong = wrong_verb(words, verbs); !wrong.empty()) return wrong + all;
+  const std::string given = words.front();
+  const bool is_verb = given[0] != '-';
   const CLI::App& asked = is_verb ? *app.get_subcommand(given) : app;
-  const std::string strange = stranger(asked, words.subspan(is_verb ? 2 : 1));
-  return (strange.empty() ? words_of(error) : strange) +
+  const std::string wrong = wrong_option(words.subspan(is_verb ? 1 : 0), option_names(asked),
+                                         asked.get_option_no_throw("OUT") != nullptr);
+  return (wrong.empty() ? words_of(error) : wrong) +
          (is_verb ? " (see jounce " + given + " --help)" : all);
 }
 
@@ -181,8 +127,11 @@ int CommandLine::run(int argc, char** argv) {
     fmt::print("{}", completion_lines(complete(info(), {argv + 2, argv + argc})));
     return fine;
   }
+  const std::span<const char* const> given(argv + 1, argv + argc);
   try {
-    app_->parse(meant(std::span(argv, static_cast<std::size_t>(argc)).subspan(1)));
+    std::vector<std::string> words = meant_words(given);
+    std::reverse(words.begin(), words.end());  // the order of the parser
+    app_->parse(std::move(words));
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", app_->help());
     return fine;
@@ -191,8 +140,7 @@ int CommandLine::run(int argc, char** argv) {
     fmt::print("{}", json ? build_json(build_info()) : build_text(build_info()));
     return fine;
   } catch (const CLI::ParseError& error) {
-    const std::span<char*> words(argv, static_cast<std::size_t>(argc));
-    fmt::print(stderr, "jounce: {}\n", printable_lines(complaint(*app_, error, words)));
+    fmt::print(stderr, "jounce: {}\n", printable_lines(complaint(*app_, error, given)));
     return bad_input;
   }
   return chosen_();

@@ -13,12 +13,6 @@
 /// Files that a verb writes. Check them before the long work whose result they will hold.
 namespace jounce::cli {
 
-/// A file to write: if its name has an extension, one of these; {}: any.
-Check ends_in(std::vector<std::string> endings);
-
-/// A file that a verb writes after long work: also not a folder, and in a folder that exists.
-Check output_file(std::vector<std::string> endings = {});
-
 /// Throws InputError if both are the same file: an output must not replace its input.
 void require_other_file(const std::string& input, const std::string& output,
                         const std::string& option = "--output");

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "cli/common/interrupt.hpp"
+#include "jounce/base/interrupt.hpp"
 
 namespace jounce::cli {
 

@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/common/verb.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <filesystem>
-#include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "jounce/base/nearest.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::cli {
 namespace {
-
-/// Reads a whole word as a number. Integers are decimal, also with leading zeros.
-template <class Number>
-bool read(const std::string& word, Number& number) {
-  if constexpr (std::is_integral_v<Number>) {
-    const char* const end = word.data() + word.size();
-    const auto [rest, error] = std::from_chars(word.data(), end, number);
-    return error == std::errc() && rest == end;
-  } else {
-    return CLI::detail::lexical_cast(word, number);
-  }
-}
 
 /// Puts a word into the target. Returns the rule that the word breaks, or "".
 template <class Target>
@@ -38,7 +23,9 @@ std::string put(const std::string& word, Target& target) {
   } else {
     if (std::is_unsigned_v<Target> && word.starts_with('-'))
       return "must be a number of at least 0";
-    return read(word, target) ? "" : "must be a number";
+    const auto number = number_in<Target>(word);
+    if (number) target = *number;
+    return number ? "" : "must be a number";
   }
 }
 
@@ -68,56 +55,12 @@ constexpr bool is_text = is_list<Target> || std::is_same_v<Target, std::string> 
 
 }  // namespace
 
-Check one_of(std::vector<std::string> words) {
-  Check check = [words](const std::string& text) -> std::string {
-    if (std::find(words.begin(), words.end(), text) != words.end()) return "";
-    const std::string near = nearest(text, words);
-    if (near.empty()) return fmt::format("must be one of {}", fmt::join(words, ", "));
-    return words.size() > 8
-               ? fmt::format("is unknown: did you mean {}?", near)
-               : fmt::format("must be one of {}: did you mean {}?", fmt::join(words, ", "), near);
-  };
-  check.words = std::move(words);
-  return check;
-}
-
-Check whole(std::int64_t low, std::int64_t high) {
-  return [=](const std::string& text) -> std::string {
-    std::int64_t value = 0;
-    if (put(text, value).empty() && value >= low && value <= high) return "";
-    if (high == std::numeric_limits<std::int64_t>::max())
-      return fmt::format("must be a whole number of at least {}", low);
-    return fmt::format("must be a whole number from {} to {}", low, high);
-  };
-}
-
-Check within(double low, double high) {
-  return [=](const std::string& text) {
-    const auto value = number_in(text);
-    const bool good = value && *value >= low && *value <= high;
-    return good ? std::string() : fmt::format("must be a number from {} to {}", low, high);
-  };
-}
-
-Check seconds() {
-  return [](const std::string& text) {
-    const auto value = number_in(text);
-    const bool good = value && *value >= 1e-3 && *value <= 1e12;
-    return good ? std::string() : "must be a number of seconds from 0.001 to 1e12";
-  };
-}
-
-std::optional<double> number_in(const std::string& text) {
-  double value = 0;
-  return put(text, value).empty() ? std::optional(value) : std::nullopt;
-}
-
 const Option& Option::required() const {
   option_->required();
   return *this;
 }
 
-const Option& Option::check(Check check) const {
+const Option& Option::check(ValueCheck check) const {
   if (!check.words.empty()) completed_by([words = check.words] { return words; });
   option_->check([option = option_, check = std::move(check)](const std::string& text) {
     const std::string rule = check.broken_rule(text);
@@ -190,6 +133,8 @@ template Option Verb::option(const std::string&, std::int64_t&, const std::strin
 template Option Verb::option(const std::string&, unsigned&, const std::string&) const;
 template Option Verb::option(const std::string&, std::uint64_t&, const std::string&) const;
 template Option Verb::option(const std::string&, std::optional<double>&, const std::string&) const;
+template Option Verb::option(const std::string&, std::optional<std::int32_t>&,
+                             const std::string&) const;
 template Option Verb::option(const std::string&, std::optional<std::uint16_t>&,
                              const std::string&) const;
 template Option Verb::option(const std::string&, std::optional<std::size_t>&,

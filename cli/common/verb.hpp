@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "jounce/about/value_check.hpp"
 
 namespace jounce {
 struct ProgramInfo;
@@ -41,31 +41,12 @@ enum Exit : int {
 /// Action of a verb after parsing the command line; returns the exit status.
 using Work = std::function<int()>;
 
+using checks::ends_in, checks::one_of, checks::output_file, checks::seconds,
+    checks::seconds_or_none, checks::whole, checks::within;
+
 /// Words that can be the value of an option, for the completion of the shell.
 using Words = std::function<std::vector<std::string>()>;
 using WordsOfOptions = std::map<const CLI::Option*, Words>;
-
-/// A rule for the value of an option: a function that returns the broken rule, or "".
-struct Check {
-  template <class Rule>
-  Check(Rule rule) : broken_rule(std::move(rule)) {}  // NOLINT(google-explicit-constructor)
-
-  std::string operator()(const std::string& text) const { return broken_rule(text); }
-
-  std::function<std::string(const std::string& text)> broken_rule;
-  std::vector<std::string> words;  ///< all permitted words, if they can be listed
-};
-
-Check one_of(std::vector<std::string> words);
-/// A whole number, both ends included.
-Check whole(std::int64_t low, std::int64_t high);
-/// A number, both ends included; nan is none.
-Check within(double low, double high);
-/// A number of seconds, 0.001 or more.
-Check seconds();
-
-/// The whole text as a number, by the rules of options; nullopt if it is none.
-std::optional<double> number_in(const std::string& text);
 
 /// An option of a verb, for further settings. Each call returns the same option.
 class Option {
@@ -73,7 +54,7 @@ class Option {
   Option(CLI::Option* option, WordsOfOptions& words) : option_(option), words_(&words) {}
 
   const Option& required() const;
-  const Option& check(Check check) const;
+  const Option& check(ValueCheck check) const;
   const Option& shown() const;      ///< --help names the value that it has where it is not given
   const Option& hidden() const;     ///< not in --help
   const Option& one_each() const;   ///< option of a list: one value each time it is given

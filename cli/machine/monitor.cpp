@@ -28,7 +28,6 @@ struct MonitorArguments {
   bool json = false;
 };
 
-using dashboard::Action;
 using dashboard::Watch;
 
 int give_up(const std::string& who, const MonitorArguments& options) {
@@ -50,34 +49,17 @@ int print_all(Watch& watch, const MonitorArguments& options) {
   return fine;
 }
 
-int show(Watch& watch, Link& link, const MonitorArguments& options) {
-  dashboard::Terminal terminal;
-  dashboard::View view{.ascii = options.ascii || !dashboard::is_utf8(),
-                       .silence = nanos(options.silence)};
-  for (const Duration duration(options.seconds); duration.goes_on();) {
-    view.now = steady_now();
-    terminal.measure(view);
-    terminal.show(rows_of(watch.axes(), view));
-    watch.run(turn);
-    while (const auto key = terminal.key()) {
-      const Action action = press(view, watch.axes(), *key);
-      if (action == Action::quit) return fine;
-      if (action != Action::nothing)
-        view.note = send(link.transport(), view.chosen, action, link.key());
-    }
-    // One that falls silent later is shown as such: it may come back.
-    if (!watch.has_received() && !watch.silent(view.silence).empty()) return fault;
-  }
-  return fine;
-}
-
 int run_monitor(const MonitorArguments& options) {
   for (const std::string& name : options.executors) require_name_on_bus("NAME", name);
   Link link(options.link);
   Watch watch(link.transport(), {.names = options.executors, .key = link.key()});
   if (options.json || !dashboard::is_screen()) return print_all(watch, options);
-  const int status = show(watch, link, options);
-  return status == fault ? give_up(watch.silent(nanos(options.silence)), options) : status;
+  const dashboard::View view{.ascii = options.ascii || !dashboard::is_utf8(),
+                             .silence = nanos(options.silence)};
+  const Duration duration(options.seconds);
+  const bool received =
+      show_axes(watch, link.transport(), view, link.key(), [&] { return duration.goes_on(); });
+  return received ? fine : give_up(watch.silent(view.silence), options);
 }
 
 }  // namespace

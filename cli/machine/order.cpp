@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "jounce/base/interrupt.hpp"
 #include "jounce/command/command_table.hpp"
 #include "jounce/machine/command_words.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/operate.hpp"
 
-#include "cli/common/interrupt.hpp"
 #include "cli/common/json.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/machine/link.hpp"
@@ -101,8 +101,8 @@ void add_options(const Verb& verb, CommandWords& words) {
 }
 
 /// Checks WHAT; a command in place of NAME is named.
-Check command_word(const OrderArguments& options) {
-  Check check = one_of(command_words());
+ValueCheck command_word(const OrderArguments& options) {
+  ValueCheck check = one_of(command_words());
   check.broken_rule = [&options, known = check.broken_rule](const std::string& what) {
     std::string rule = known(what);
     if (!rule.empty() && known(options.executor).empty())

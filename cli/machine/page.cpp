@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/interrupt.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
 #include "jounce/web/gate.hpp"
 #include "jounce/web/page_process.hpp"
 
-#include "cli/common/interrupt.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/machine/link.hpp"
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "jounce/base/file.hpp"
 #include "jounce/base/notice.hpp"
@@ -47,15 +46,6 @@ std::unique_ptr<web::PageProcess> page_of(const RunArguments& options,
   return page;
 }
 
-/// Prints the axes and their next event: a run without output looks like a program that hangs.
-void announce(const std::vector<ExecutorOptions>& axes, bool enabled) {
-  std::vector<std::string> names;
-  for (const auto& axis : axes) names.push_back(axis.receiver.executor);
-  fmt::print(
-      stderr, "jounce: {}: up, {}\n", fmt::join(names, ", "),
-      enabled ? "enabled" : "disabled; enable it with: jounce order " + names.front() + " enable");
-}
-
 /// A spec is not lost to a log of the same name.
 void require_other_files(const RunArguments& options) {
   const RecorderOptions& record = options.run.record;
@@ -85,7 +75,9 @@ int run_executor(const RunArguments& options) {
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
   const auto page = page_of(options, axes);
   RunOptions how = options.run;
-  how.up = [&axes = axes, &options] { announce(axes, options.machine.enable); };
+  how.up = [&axes = axes, &options] {  // a run without output looks like a program that hangs
+    fmt::print(stderr, "jounce: {}\n", up_text(axes, options.machine.enable));
+  };
   how.masters = std::move(masters);
   how.watchdog = options.watchdog.value_or(watchdog.value_or(how.watchdog));
   const ExecutorSummary summary = run_executor(link.transport(), axes, how);
@@ -137,12 +129,7 @@ void add_run(CommandLine& line) {
   verb.option("--watchdog", options->watchdog,
               "Stop all axes if the communication thread hangs for this number of seconds; 0: "
               "never; default: the value in the machine spec, or 0.5")
-      .check([](const std::string& text) -> std::string {
-        const double value = number_in(text).value_or(-1);
-        return value == 0 || (value >= 0.01 && value <= 3600)
-                   ? ""
-                   : "must be from 0.01 to 3600 seconds, or 0 for none";
-      });
+      .check(seconds_or_none(0.01, 3600));
   verb.option("--web", options->web,
               "Serve a live page on this port of 127.0.0.1 (0: any free port), like `jounce page`, "
               "in a separate process")

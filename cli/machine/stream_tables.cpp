@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 
 #include "jounce/base/csv.hpp"
+#include "jounce/base/interrupt.hpp"
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/group.hpp"
 #include "jounce/stream/sender/operate.hpp"
 
 #include "cli/common/input.hpp"
-#include "cli/common/interrupt.hpp"
 #include "cli/common/json.hpp"
 #include "cli/common/option_names.hpp"
 #include "cli/common/progress.hpp"
@@ -122,10 +122,7 @@ int report(const std::vector<std::string>& names, const std::vector<StreamOutcom
                                                   StreamError::stopped}));
     if (options.json) continue;
     if (outcome.ok())
-      fmt::print("{}: {}\n", names[i],
-                 outcome.stopped   ? "stopped"
-                 : options.no_wait ? "started"
-                                   : "finished");
+      fmt::print("{}: {}\n", names[i], group_text(outcome, !options.no_wait));
     else
       fmt::print(stderr, "jounce: {}: {}\n", names[i], error_text(outcome, names[i]));
   }

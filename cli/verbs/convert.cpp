@@ -34,21 +34,14 @@ struct ConvertArguments {
   bool json = false;
 };
 
-std::optional<Interpolation> wanted_rule(const ConvertArguments& options) {
-  for (const Interpolation rule :
-       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
-    if (options.rule == name(rule)) return rule;
-  return std::nullopt;
-}
-
 Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
                          const Input& input) {
-  Conversion wanted{
-      .rule = rule_for(form, wanted_rule(options), options.target.controller, input.table.table),
-      .intervals = options.intervals,
-      .units = {options.master_unit, options.position_unit},
-      .periodic = options.periodic,
-      .format = form.format};
+  Conversion wanted{.rule = rule_for(form, interpolation_named(options.rule),
+                                     options.target.controller, input.table.table),
+                    .intervals = options.intervals,
+                    .units = {options.master_unit, options.position_unit},
+                    .periodic = options.periodic,
+                    .format = form.format};
   if (options.target.any())
     wanted.target = target_of(options.target, input.table.table.axis(), wanted.rule,
                               input.labels.units, option_of);
@@ -56,21 +49,12 @@ Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
 }
 
 std::string text_of(const TableFile& file, const ConvertArguments& options, const TableForm& form) {
-  if (form.format != nullptr && options.every.empty()) return form_text(form, file);
-  for (const auto& [unit, option] :
-       {std::pair{&file.units.x, "--master-unit"}, {&file.units.position, "--position-unit"}})
-    if (unit->empty())
-      throw InputError(option, "",
-                       "is missing: the file names no unit. Give one, such as mm or deg");
+  if (form.format == nullptr || !options.every.empty()) require_units(file);
   if (options.every.empty()) return form_text(form, file);
   if (form.name != "csv" || options.output.ends_with(".json"))
-    throw InputError("--every", options.every,
+    throw InputError("every", options.every,
                      "writes samples, which are CSV: end OUT in .csv, and leave out --to");
-  try {
-    return samples_csv(file, quantity_of("--every", options.every, file.units.x));
-  } catch (const InputError& error) {
-    throw InputError("--every", options.every, error.rule());
-  }
+  return samples_csv(file, options.every);
 }
 
 /// The extension of the file or --to must determine the format.
@@ -90,7 +74,8 @@ int run_convert(const ConvertArguments& options) {
       with_option_names({"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step",
                          "v_step", "master_unit", "position_unit"},
                         [&] { return converted(input, conversion_of(options, form, input)); });
-  write_file(options.output, text_of(made.file, options, form));
+  write_file(options.output, with_option_names({"every", "master_unit", "position_unit"},
+                                               [&] { return text_of(made.file, options, form); }));
   std::FILE* out = text_stream({options.output});
   const auto lost = all_losses(input, form, made.file.table, !options.every.empty());
   if (options.json)

@@ -24,14 +24,6 @@ std::vector<Message> named(const std::vector<Message>& all, const std::string& c
   return under_option("CODE", [&] { return messages_named(all, code); });
 }
 
-/// The names of all messages, without their numbers.
-std::vector<std::string> message_names() {
-  std::vector<std::string> names;
-  for (const Message& message : all_messages())
-    if (!message.name.empty()) names.push_back(message.name);
-  return names;
-}
-
 int run_explain(const ExplainArguments& options) {
   const std::vector<Message> all = all_messages();
   if (options.code.empty() && !options.json) {
@@ -55,7 +47,7 @@ void add_explain(CommandLine& line) {
                 "jounce explain following_error");
   verb.option("CODE", options->code,
               "Number or name, as in a message, a log or a status; or the rule of a finding")
-      .completed_by(message_names);
+      .completed_by([] { return message_names(all_messages()); });
   verb.flag("--markdown", options->markdown, "Print all as a page (docs/reference/messages.md)");
   verb.flag("--json", options->json, "As JSON");
   verb.work([options] { return run_explain(*options); });

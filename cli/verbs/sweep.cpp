@@ -7,15 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/file.hpp"
 #include "jounce/base/hash.hpp"
+#include "jounce/base/interrupt.hpp"
 #include "jounce/plot/sweep_figure.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/study/mpi_world.hpp"
 #include "jounce/study/sweep_files.hpp"
 #include "jounce/study/sweep_summary.hpp"
 
-#include "cli/common/interrupt.hpp"
 #include "cli/common/outputs.hpp"
 #include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
@@ -25,26 +24,18 @@ namespace {
 
 struct SweepArguments {
   std::string file;
-  std::string output;
-  std::string npy;
+  SweepFiles files;
   std::string plot;
   unsigned jobs = 0;
   bool json = false;
 };
-
-/// The journal, beside the first file that is written; "" if none is.
-std::string journal_of(const SweepArguments& options) {
-  for (const std::string& path : {options.output, options.npy})
-    if (!path.empty() && path != "-") return path + ".journal";
-  return "";
-}
 
 SweepResult worked_through(const SweepSpec& spec, const SweepArguments& options, const Farm& farm) {
   const Interrupt interrupt;
   Progress progress("sweep");
   SweepClock clock;
   return run_sweep(spec, {.farm = farm,
-                          .journal = journal_of(options),
+                          .journal = options.files.journal(),
                           .keep_going = [&](std::size_t done, std::size_t cases) {
                             progress.show(static_cast<double>(done) / static_cast<double>(cases),
                                           clock.text(done, cases));
@@ -52,33 +43,18 @@ SweepResult worked_through(const SweepSpec& spec, const SweepArguments& options,
                           }});
 }
 
-int stopped(const SweepSpec& spec, const SweepResult& result, const SweepArguments& options) {
-  const std::string journal = journal_of(options);
-  fmt::print(stderr, "jounce: stopped after {} of {} cases; {}\n", result.rows.size(), spec.cases(),
-             journal.empty() ? "with -o, the same command would continue from there"
-                             : "continue with the same command (" + journal + ")");
-  return finding;
-}
-
-/// A Pareto front gets high panels, as its points are read one by one.
-SvgOptions look(const SweepSpec& spec) {
-  SvgOptions options;
-  if (spec.objectives.size() == 2) options.panel_height = 320;
-  return options;
-}
-
 int report(const SweepSpec& spec, const SweepResult& result, const SweepArguments& options) {
-  if (!result.complete) return stopped(spec, result, options);
+  if (!result.complete) {
+    fmt::print(stderr, "jounce: {}\n", stopped_text(options.files, spec, result));
+    return finding;
+  }
   const SweepSummary summary = summary_of(spec, result);
-  std::vector<Output> files;
-  if (!options.output.empty()) files.push_back({options.output, to_csv(spec, result)});
-  if (!options.npy.empty()) files.push_back({options.npy, to_npy(spec, result)});
-  write_files(files);
+  write_sweep(options.files, spec, result);
   if (!options.plot.empty())
-    write_picture(options.plot, sweep_figure(spec, result, summary), look(spec));
-  if (const std::string journal = journal_of(options); !journal.empty())
+    write_picture(options.plot, sweep_figure(spec, result, summary), sweep_look(spec));
+  if (const std::string journal = options.files.journal(); !journal.empty())
     std::remove(journal.c_str());
-  fmt::print(text_stream({options.output, options.npy, options.plot}), "{}",
+  fmt::print(text_stream({options.files.csv, options.files.npy, options.plot}), "{}",
              options.json ? summary_json(spec, result, summary) + "\n"
                           : summary_text(spec, result, summary));
   return summary.within > 0 ? fine : finding;
@@ -118,7 +94,7 @@ int run_under_mpi(const SweepArguments& options) {
 }
 
 int run_sweep(const SweepArguments& options) {
-  for (const std::string& output : {options.output, options.npy, options.plot})
+  for (const std::string& output : {options.files.csv, options.files.npy, options.plot})
     if (!output.empty()) require_other_file(options.file, output);
   return mpi_place().started ? run_under_mpi(options) : run_here(options);
 }
@@ -133,11 +109,11 @@ void add_sweep(CommandLine& line) {
       "sweep.toml -o results.csv");
   verb.option("SWEEP", options->file, "Sweep spec: the base spec, its parameters and their values")
       .required();
-  verb.option("-o,--output", options->output,
+  verb.option("-o,--output", options->files.csv,
               "Table of all cases to write, CSV. After an interruption, the same command "
               "continues, from a journal that is written beside the table")
       .check(output_file({".csv"}));
-  verb.option("--npy", options->npy, "The same table as a structured array for NumPy (.npy)")
+  verb.option("--npy", options->files.npy, "The same table as a structured array for NumPy (.npy)")
       .check(output_file({".npy"}));
   verb.option("--plot", options->plot,
               "Picture to write, .svg or .png: Pareto front, distributions, or figures over the "

@@ -49,4 +49,11 @@ Input only_axis(std::vector<Input> all, const std::string& path) {
   return std::move(all.front());
 }
 
+std::string file_of_axis(const std::string& path, const std::string& axis) {
+  const auto slash = path.find_last_of('/') + 1;  // npos + 1 is 0
+  const auto dot = path.find_last_of('.');
+  const auto end = dot == std::string::npos || dot <= slash ? path.size() : dot;
+  return path.substr(0, end) + "-" + axis + path.substr(end);
+}
+
 }  // namespace jounce

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -229,10 +230,24 @@ Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wante
   return target != nullptr ? target->rule : table.rule();
 }
 
+std::optional<Interpolation> interpolation_named(const std::string& word) {
+  for (const Interpolation rule :
+       {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite})
+    if (word == name(rule)) return rule;
+  return std::nullopt;
+}
+
 std::string form_text(const TableForm& form, const TableFile& file) {
   if (form.format != nullptr) return exchange_text(*form.format, file);
   if (form.name == "points") return points_text(file);
   return form.name == "json" ? to_json(file) : to_csv(file);
+}
+
+void require_units(const TableFile& file) {
+  for (const auto& [unit, key] :
+       {std::pair{&file.units.x, "master_unit"}, {&file.units.position, "position_unit"}})
+    if (unit->empty())
+      throw InputError(key, "", "is missing: the file names no unit. Give one, such as mm or deg");
 }
 
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,

@@ -68,4 +68,12 @@ std::string samples_csv(const TableFile& file, double step) {
   return text + "\n";
 }
 
+std::string samples_csv(const TableFile& file, const std::string& step) {
+  try {
+    return samples_csv(file, quantity(step, file.units.x));
+  } catch (const InputError& error) {
+    throw InputError("every", step, error.rule());
+  }
+}
+
 }  // namespace jounce

@@ -90,6 +90,13 @@ std::string messages_list(const std::vector<Message>& all) {
   return text;
 }
 
+std::vector<std::string> message_names(const std::vector<Message>& all) {
+  std::vector<std::string> names;
+  for (const Message& message : all)
+    if (!message.name.empty()) names.push_back(message.name);
+  return names;
+}
+
 std::vector<Message> messages_named(const std::vector<Message>& all, const std::string& code) {
   std::vector<Message> found;
   const RuleInfo* const rule = rule_info(code);

@@ -45,5 +45,11 @@ TEST(Axes, OfTwoFilesArePairedByName) {
             "is missing: a has no axis y. Name the axis to compare");
 }
 
+TEST(Axes, HaveAFileEach) {
+  EXPECT_EQ(file_of_axis("feeder.csv", "x"), "feeder-x.csv");
+  EXPECT_EQ(file_of_axis("v1.2/feeder", "x"), "v1.2/feeder-x") << "the dot of a folder";
+  EXPECT_EQ(file_of_axis("out/.hidden", "x"), "out/.hidden-x");
+}
+
 }  // namespace
 }  // namespace jounce::axes_test

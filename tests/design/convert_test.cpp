@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/io/samples_csv.hpp"
+
 #include "support/errors.hpp"
 
 namespace jounce::convert_test {
@@ -56,8 +58,7 @@ TEST(Convert, ATableOverTimeHasNoFormatOfAController) {
     const CamFormat* to = cam_format_named(word);
     const auto make = [&] { converted(input, {.rule = rule_of(*to), .format = to}); };
     EXPECT_EQ(test::key_of(make), "format");
-    EXPECT_EQ(test::rule_of(make),
-              "is for cams, over a master; this table is over time");
+    EXPECT_EQ(test::rule_of(make), "is for cams, over a master; this table is over time");
   }
 }
 
@@ -185,6 +186,20 @@ TEST(Convert, AToleranceHoldsForTheSpline) {
                           .format = to});
     EXPECT_LE(made.error->position, 0.01);
   }
+}
+
+TEST(Convert, NamesAMissingUnitAndAnInterpolation) {
+  TableFile table = cam_table().table;
+  EXPECT_EQ(test::key_of([&] { require_units(table); }), "");
+  EXPECT_EQ(samples_csv(table, "0.5 " + table.units.x), samples_csv(table, 0.5));
+  EXPECT_EQ(test::error_of([&] { samples_csv(table, "1 furlong"); }).substr(0, 5), "every");
+  EXPECT_EQ(test::key_of([&] { samples_csv(table, "-1"); }), "every");
+  table.units.position = "";
+  EXPECT_EQ(test::key_of([&] { require_units(table); }), "position_unit");
+  table.units.x = "";
+  EXPECT_EQ(test::key_of([&] { require_units(table); }), "master_unit");
+  EXPECT_EQ(interpolation_named("quintic_hermite"), Interpolation::quintic_hermite);
+  EXPECT_EQ(interpolation_named(""), std::nullopt);
 }
 
 }  // namespace

@@ -87,5 +87,13 @@ TEST(MessageCatalog, HasEachCauseOnceAndNoEmptyMeaning) {
   }
 }
 
+TEST(OutcomeText, NamesTheEndOfAnAxisOfAGroup) {
+  StreamOutcome x;
+  EXPECT_EQ(group_text(x, true), "finished");
+  EXPECT_EQ(group_text(x, false), "started");
+  x.stopped = true;
+  EXPECT_EQ(group_text(x, false), "stopped");
+}
+
 }  // namespace
 }  // namespace jounce::outcome_text_test

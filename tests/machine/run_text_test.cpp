@@ -56,5 +56,14 @@ TEST(MissingParts, AreSentences) {
   EXPECT_THAT(missing_parts(summary, ""), ElementsAre(HasSubstr("has the name feeder")));
 }
 
+TEST(UpText, NamesTheAxesAndTheNextCommand) {
+  std::vector<ExecutorOptions> axes(2);
+  axes[0].receiver.executor = "feeder";
+  axes[1].receiver.executor = "knife";
+  EXPECT_EQ(up_text(axes, true), "feeder, knife: up, enabled");
+  EXPECT_EQ(up_text(axes, false),
+            "feeder, knife: up, disabled; enable it with: jounce order feeder enable");
+}
+
 }  // namespace
 }  // namespace jounce::run_text_test

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/plot/sweep_figure.hpp"
+
 #include "plot/markup.hpp"
 #include "plot/samples.hpp"
 #include "plot/src/figure/panel.hpp"
@@ -274,6 +276,14 @@ TEST(Svg, LeavesRoomForNumbersAboveAndBelowTheData) {
 TEST(Svg, SurvivesAWidthTooSmall) {
   EXPECT_NO_THROW(
       Markup(svg(curve_figure(pmc600_cam(), pmc600_look()), {.width = 40, .panel_height = 10})));
+}
+
+TEST(SweepLook, HasHighPanelsForAParetoFront) {
+  SweepSpec spec = read_sweep(JOUNCE_SOURCE_DIR "/examples/cam-sweep/front.toml");
+  spec.objectives.clear();
+  EXPECT_EQ(sweep_look(spec).panel_height, SvgOptions{}.panel_height);
+  spec.objectives.resize(2);
+  EXPECT_GT(sweep_look(spec).panel_height, SvgOptions{}.panel_height);
 }
 
 }  // namespace

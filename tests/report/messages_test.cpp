@@ -26,6 +26,10 @@ TEST(Messages, AreFoundByNumberAndName) {
       testing::HasSubstr("did you mean limit/acceleration?"));
 }
 
+TEST(Messages, HaveNamesUnlessTheyAreNumbers) {
+  EXPECT_THAT(message_names(all), testing::ElementsAre("following_error", "busy"));
+}
+
 TEST(Messages, AreTextListAndMarkdown) {
   EXPECT_EQ(messages_text({all[0]}),
             "7 following_error (Faults)\n  The drive lags.\n  What to do: Check the load.\n");

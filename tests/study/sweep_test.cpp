@@ -452,5 +452,22 @@ TEST_F(Sweeps, RefuseWhatMakesNoSense) {
               HasSubstr("optima = true: needs a spec with [[optimize.parameter]]"));
 }
 
+TEST_F(Sweeps, WriteTheirFilesAndNameTheJournal) {
+  const SweepSpec spec = sweep(grid);
+  const SweepResult result = run_sweep(spec);
+  const SweepFiles files{.csv = path("all.csv"), .npy = path("all.npy")};
+  write_sweep(files, spec, result);
+  EXPECT_EQ(read_file(files.csv), to_csv(spec, result));
+  EXPECT_EQ(std::filesystem::file_size(files.npy), to_npy(spec, result).size());
+  EXPECT_EQ(files.journal(), path("all.csv.journal"));
+  EXPECT_EQ((SweepFiles{.csv = "-", .npy = "all.npy"}.journal()), "all.npy.journal");
+  EXPECT_EQ(SweepFiles{}.journal(), "");
+  const SweepResult part{.rows = {result.rows.front()}, .evaluated = 1};
+  EXPECT_EQ(stopped_text({.csv = "a.csv"}, spec, part),
+            "stopped after 1 of 12 cases; continue with the same command (a.csv.journal)");
+  EXPECT_EQ(stopped_text({}, spec, part),
+            "stopped after 1 of 12 cases; with -o, the same command would continue from there");
+}
+
 }  // namespace
 }  // namespace jounce::sweep_test

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <string_view>
@@ -135,6 +136,26 @@ std::optional<Key> Terminal::key() {
     typed_.assign(bytes.data(), static_cast<std::size_t>(n));
   }
   return taken(typed_);
+}
+
+bool show_axes(Watch& watch, Transport& link, View view, const std::optional<wire::Key>& key,
+               const std::function<bool()>& goes_on) {
+  constexpr Nanos turn = std::chrono::milliseconds(50);
+  Terminal terminal;
+  while (goes_on()) {
+    view.now = steady_now();
+    terminal.measure(view);
+    terminal.show(rows_of(watch.axes(), view));
+    watch.run(turn);
+    while (const auto pressed = terminal.key()) {
+      const Action action = press(view, watch.axes(), *pressed);
+      if (action == Action::quit) return true;
+      if (action != Action::nothing) view.note = send(link, view.chosen, action, key);
+    }
+    // One that falls silent later is shown as such: it may come back.
+    if (!watch.has_received() && !watch.silent(view.silence).empty()) return false;
+  }
+  return true;
 }
 
 }  // namespace jounce::dashboard

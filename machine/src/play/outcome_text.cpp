@@ -101,6 +101,11 @@ std::string rows_json(const RowOutcome& outcome) {
   return document.dump();
 }
 
+std::string group_text(const StreamOutcome& outcome, bool waited) {
+  if (outcome.stopped) return "stopped";
+  return waited ? "finished" : "started";
+}
+
 std::string group_json(const std::vector<std::string>& axes,
                        const std::vector<StreamOutcome>& outcomes) {
   OutcomeJson document = OutcomeJson::array();

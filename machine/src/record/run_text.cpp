@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/printable.hpp"
@@ -35,6 +36,14 @@ std::string timing(const ExecutorSummary& summary) {
 }
 
 }  // namespace
+
+std::string up_text(const std::vector<ExecutorOptions>& axes, bool enabled) {
+  std::vector<std::string> names;
+  for (const auto& axis : axes) names.push_back(axis.receiver.executor);
+  return fmt::format(
+      "{}: up, {}", fmt::join(names, ", "),
+      enabled ? "enabled" : "disabled; enable it with: jounce order " + names.front() + " enable");
+}
 
 std::string summary_text(const ExecutorSummary& summary) {
   std::string text;

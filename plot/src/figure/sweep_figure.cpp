@@ -195,4 +195,10 @@ Figure sweep_figure(const SweepSpec& spec, const SweepResult& result, const Swee
   return spec.random() ? drawing.shares() : drawing.over_parameter();
 }
 
+SvgOptions sweep_look(const SweepSpec& spec) {
+  SvgOptions options;
+  if (spec.objectives.size() == 2) options.panel_height = 320;
+  return options;
+}
+
 }  // namespace jounce

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "jounce/base/file.hpp"
 #include "jounce/base/hash.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/io/npy.hpp"
@@ -63,6 +64,28 @@ std::string to_npy(const SweepSpec& spec, const SweepResult& result) {
     file.add(static_cast<std::uint64_t>(row.verdict));
   }
   return file.bytes();
+}
+
+std::string SweepFiles::journal() const {
+  for (const std::string& path : {csv, npy})
+    if (!path.empty() && path != "-") return path + ".journal";
+  return "";
+}
+
+void write_sweep(const SweepFiles& files, const SweepSpec& spec, const SweepResult& result) {
+  std::vector<Output> all;
+  if (!files.csv.empty()) all.push_back({files.csv, to_csv(spec, result)});
+  if (!files.npy.empty()) all.push_back({files.npy, to_npy(spec, result)});
+  write_files(all);
+}
+
+std::string stopped_text(const SweepFiles& files, const SweepSpec& spec,
+                         const SweepResult& result) {
+  const std::string journal = files.journal();
+  return "stopped after " + std::to_string(result.rows.size()) + " of " +
+         std::to_string(spec.cases()) + " cases; " +
+         (journal.empty() ? "with -o, the same command would continue from there"
+                          : "continue with the same command (" + journal + ")");
 }
 
 }  // namespace jounce

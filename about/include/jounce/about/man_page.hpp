@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "jounce/about/build_info.hpp"
@@ -13,5 +14,8 @@ std::string man_page(const ProgramInfo& program, const BuildInfo& build);
 
 /// The manual page of one verb: jounce-check(1).
 std::string man_page(const ProgramInfo& program, const VerbInfo& verb, const BuildInfo& build);
+
+/// All pages by the names of their files: that of the program, jounce.1, and that of each verb, jounce-check.1.
+std::map<std::string, std::string> man_pages(const ProgramInfo& program, const BuildInfo& build);
 
 }  // namespace jounce

@@ -60,6 +60,9 @@ struct TableForm {
 /// default CSV.
 TableForm table_form(const std::string& name, const std::string& path);
 
+/// Returns the interpolation with this name; nullopt if none has it.
+std::optional<Interpolation> interpolation_named(const std::string& word);
+
 /// Returns the interpolation of a table in this form: that of the controller's format; otherwise the
 /// `wanted` one; otherwise that of the controller (controller_table()) with the name `controller`;
 /// otherwise that of `table`.
@@ -69,6 +72,9 @@ Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wante
 /// Returns the text of a file in this form. Throws InputError like exchange_text() and
 /// points_text().
 std::string form_text(const TableForm& form, const TableFile& file);
+
+/// Throws InputError ("master_unit", "position_unit") for a unit that a table does not have.
+void require_units(const TableFile& file);
 
 /// Returns everything of an input that a file in this form does not contain: the unread parts of
 /// the input file, and losses() of the format. `sampled` is true if the file has samples of the

@@ -15,5 +15,7 @@ namespace jounce {
 /// Numbers have the shortest form that reads back exactly. Throws InputError for a missing unit, a
 /// step that is not positive, or more than 1e8 rows.
 std::string samples_csv(const TableFile& file, double step);
+/// The same for a step as text, such as "1 ms", in a unit of the first column. Throws InputError (key "every").
+std::string samples_csv(const TableFile& file, const std::string& step);
 
 }  // namespace jounce

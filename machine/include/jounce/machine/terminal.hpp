@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,5 +50,11 @@ class Terminal {
   std::string typed_;
   std::string shown_;
 };
+
+/// Shows the axes of `watch` on the terminal and executes the keys, until the key q is pressed or `goes_on` returns
+/// false. Returns false if no axis sends a message within view.silence from the start. Of `view`, only
+/// `ascii` and `silence` are read. Throws TransportError.
+bool show_axes(Watch& watch, Transport& link, View view, const std::optional<wire::Key>& key,
+               const std::function<bool()>& goes_on);
 
 }  // namespace jounce::dashboard

@@ -22,6 +22,9 @@ struct Message {
 /// "code") with the nearest name.
 std::vector<Message> messages_named(const std::vector<Message>& all, const std::string& code);
 
+/// Returns the names of the messages, without their numbers.
+std::vector<std::string> message_names(const std::vector<Message>& all);
+
 /// Returns number, name, meaning and remedy of each message as text.
 std::string messages_text(const std::vector<Message>& messages);
 

@@ -19,4 +19,19 @@ std::string to_csv(const SweepSpec& spec, const SweepResult& result);
 /// impossible). All other fields are float64; they are NaN if the case is impossible.
 std::string to_npy(const SweepSpec& spec, const SweepResult& result);
 
+/// The files of a sweep.
+struct SweepFiles {
+  std::string csv = {};  ///< path for to_csv(); "-": standard output, "": none
+  std::string npy = {};  ///< the same for to_npy()
+
+  /// Returns the path of the journal: beside the first file that is written, "" if none is. See SweepOptions::journal.
+  [[nodiscard]] std::string journal() const;
+};
+
+/// Writes the files of a finished sweep, all or none. Throws like write_files().
+void write_sweep(const SweepFiles& files, const SweepSpec& spec, const SweepResult& result);
+
+/// Returns a sentence on a sweep that was stopped: the number of finished cases, and how to continue.
+std::string stopped_text(const SweepFiles& files, const SweepSpec& spec, const SweepResult& result);
+
 }  // namespace jounce

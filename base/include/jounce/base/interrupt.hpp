@@ -3,10 +3,13 @@
 
 #include <csignal>
 
-namespace jounce::cli {
+namespace jounce {
 
 /// While an object exists, the first Ctrl-C (SIGINT) or SIGTERM only sets asked(), so that the program can keep its
-/// best result. The second signal of the same kind ends the program as usual.
+/// best result. The second signal of the same kind ends the program as usual. At most one object exists at a time.
+///
+///     const Interrupt interrupt;
+///     run_sweep(spec, {.keep_going = [&](std::size_t, std::size_t) { return !interrupt.asked(); }});
 class Interrupt {
  public:
   Interrupt();
@@ -14,6 +17,7 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
+  /// True after the first signal.
   [[nodiscard]] bool asked() const;
 
  private:
@@ -21,4 +25,4 @@ class Interrupt {
   struct sigaction terminate_ {};
 };
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/common/interrupt.hpp"
+#include "jounce/base/interrupt.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -26,4 +26,4 @@ bool Interrupt::asked() const {
   return interrupted != 0;
 }
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Rules for the values of a command line:
+///
+///     const ValueCheck check = checks::whole(1, 4);
+///     if (const std::string rule = check("5"); !rule.empty()) ...   // "must be a whole number ..."
+namespace jounce {
+
+/// A rule for the value of an option: a function that returns the broken rule, such as "must be a whole number from 1
+/// to 4", or "".
+struct ValueCheck {
+  template <class Rule>
+  ValueCheck(Rule rule) : broken_rule(std::move(rule)) {}  // NOLINT(google-explicit-constructor)
+
+  std::string operator()(const std::string& text) const { return broken_rule(text); }
+
+  std::function<std::string(const std::string& text)> broken_rule;
+  std::vector<std::string> words;  ///< all permitted words, if they can be listed
+};
+
+namespace checks {
+
+/// One of these words. The rule names the nearest word.
+ValueCheck one_of(std::vector<std::string> words);
+/// A whole number, both ends included.
+ValueCheck whole(std::int64_t low, std::int64_t high);
+/// A number, both ends included; nan is none.
+ValueCheck within(double low, double high);
+/// A number of seconds, from 0.001 to 1e12.
+ValueCheck seconds();
+/// A number of seconds, both ends included, or 0, which means none.
+ValueCheck seconds_or_none(double low, double high);
+
+/// A file to write: if its name has an extension, one of these; {}: any.
+ValueCheck ends_in(std::vector<std::string> endings);
+/// A file that is written after long work: also not a folder, and in a folder that exists. "-" is standard output.
+ValueCheck output_file(std::vector<std::string> endings = {});
+
+}  // namespace checks
+
+/// The whole text as a number: double in the syntax of strtod; whole numbers are decimal, also with leading zeros.
+/// nullopt if it is none, or out of the range of a whole number. value_check.cpp lists the types.
+template <class Number = double>
+std::optional<Number> number_in(const std::string& text);
+
+}  // namespace jounce

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/about/command_words.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "jounce/base/nearest.hpp"
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+InputError empty_argument(const std::vector<std::string>& words, std::size_t i) {
+  const bool named = i > 0 && looks_like_option(words[i - 1]);
+  return {named ? words[i - 1] : "argument " + std::to_string(i + 1), "",
+          "is empty: leave it out, or write a value"};
+}
+
+std::string did_you_mean(const std::string& near) {
+  return near.empty() ? "" : ": did you mean " + near + "?";
+}
+
+}  // namespace
+
+bool looks_like_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(word[1]) != 0);
+}
+
+std::vector<std::string> meant_words(std::span<const char* const> given) {
+  std::vector<std::string> words(given.begin(), given.end());
+  const auto end = std::find(words.begin(), words.end(), "--");
+  for (std::string& word : std::span(words.begin(), end)) {
+    if (word.empty()) throw empty_argument(words, static_cast<std::size_t>(&word - words.data()));
+    if (word.starts_with("--") && word.ends_with('='))
+      throw InputError(word.substr(0, word.size() - 1), "", "has no value after =");
+    if (word.size() > 2 && word.starts_with("-.") && std::isdigit(word[2]) != 0)
+      word.insert(1, "0");
+  }
+  return words;
+}
+
+std::string wrong_verb(std::span<const char* const> given, const std::vector<std::string>& verbs) {
+  const std::string word = given.empty() ? "" : given.front();
+  if (word.empty()) return "the verb is missing";
+  if (word[0] == '-' || std::find(verbs.begin(), verbs.end(), word) != verbs.end()) return "";
+  return "`" + word + "` is not a verb" + did_you_mean(nearest(word, verbs));
+}
+
+std::string wrong_option(std::span<const char* const> given,
+                         const std::vector<std::string>& options, bool names_output) {
+  for (const std::string word : given) {
+    const std::string name = word.substr(0, word.find('='));
+    if (!looks_like_option(name) ||
+        std::find(options.begin(), options.end(), name) != options.end())
+      continue;
+    if (names_output && (name == "-o" || name == "--output"))
+      return "`" + name + "` is not an option of this verb: name the output as the second argument";
+    return "`" + name + "` is not an option of this verb" +
+           did_you_mean(name.size() > 2 ? nearest(name, options) : "");
+  }
+  return "";
+}
+
+std::string wrapped(std::string text, std::size_t width) {
+  for (std::size_t begin = 0; text.size() - begin > width;) {
+    std::size_t at = text.rfind(' ', begin + width);
+    if (at == std::string::npos || at <= begin) at = text.find(' ', begin);
+    if (at == std::string::npos) break;
+    text[at] = '\n';
+    begin = at + 1;
+  }
+  return text;
+}
+
+}  // namespace jounce

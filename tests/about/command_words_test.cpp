@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/about/command_words.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/errors.hpp"
+
+namespace jounce::command_words_test {
+namespace {
+
+using testing::ElementsAre;
+using Words = std::vector<const char*>;
+
+TEST(CommandWords, KnowAnOptionFromANumber) {
+  for (const char* const option : {"-o", "--json", "--"}) EXPECT_TRUE(looks_like_option(option));
+  for (const char* const other : {"-", "-5", "-.5", "o", ""})
+    EXPECT_FALSE(looks_like_option(other)) << other;
+}
+
+TEST(CommandWords, AreReadAsTheyAreMeant) {
+  EXPECT_THAT(meant_words(Words{"order", "-.5", "--to=-.5", "--", "-.5", ""}),
+              ElementsAre("order", "-0.5", "--to=-.5", "--", "-.5", ""));
+  EXPECT_EQ(test::error_of([] {
+              meant_words(Words{"run", "--log="});
+            }),
+            "--log: has no value after =");
+  EXPECT_EQ(test::error_of([] {
+              meant_words(Words{"run", "--log", ""});
+            }),
+            "--log: is empty: leave it out, or write a value");
+  EXPECT_EQ(test::error_of([] {
+              meant_words(Words{"run", ""});
+            }),
+            "argument 2: is empty: leave it out, or write a value");
+}
+
+TEST(CommandWords, NameTheNearestVerb) {
+  const std::vector<std::string> verbs{"check", "design"};
+  EXPECT_EQ(wrong_verb(Words{}, verbs), "the verb is missing");
+  EXPECT_EQ(wrong_verb(Words{"check", "x"}, verbs), "");
+  EXPECT_EQ(wrong_verb(Words{"--json"}, verbs), "");
+  EXPECT_EQ(wrong_verb(Words{"chek"}, verbs), "`chek` is not a verb: did you mean check?");
+  EXPECT_EQ(wrong_verb(Words{"plot"}, verbs), "`plot` is not a verb");
+}
+
+TEST(CommandWords, NameTheNearestOption) {
+  const std::vector<std::string> options{"--strict", "--json", "-n"};
+  EXPECT_EQ(wrong_option(Words{"a.toml", "-n", "-3", "--strict=1"}, options, false), "");
+  EXPECT_EQ(wrong_option(Words{"--stric=1"}, options, false),
+            "`--stric` is not an option of this verb: did you mean --strict?");
+  EXPECT_EQ(wrong_option(Words{"-o", "a.csv"}, options, false),
+            "`-o` is not an option of this verb");
+  EXPECT_EQ(wrong_option(Words{"-o", "a.csv"}, options, true),
+            "`-o` is not an option of this verb: name the output as the second argument");
+}
+
+TEST(CommandWords, BreakAtSpaces) {
+  EXPECT_EQ(wrapped("one two three", 7), "one two\nthree");
+  EXPECT_EQ(wrapped("one two", 7), "one two");
+  EXPECT_EQ(wrapped("a longerword b", 4), "a\nlongerword\nb");
+  EXPECT_EQ(wrapped("longerword", 4), "longerword");
+}
+
+}  // namespace
+}  // namespace jounce::command_words_test
