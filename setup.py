@@ -4,6 +4,7 @@ use instead of a new one."""
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -25,9 +26,8 @@ class CMakeBuild(build_ext):
         subprocess.run(["cmake", "--build", build, "--target", "_jounce"], check=True)
         subprocess.run(["cmake", "--install", build, "--component", "python", "--strip", "--prefix", target / "installed"],
                        check=True)
-        (target / "installed/lib/python3/dist-packages/jounce").replace(target / "jounce")
-        for folder in ("lib/python3/dist-packages", "lib/python3", "lib", ""):
-            (target / "installed" / folder).rmdir()
+        next((target / "installed").glob("lib/python3*/dist-packages/jounce")).replace(target / "jounce")
+        shutil.rmtree(target / "installed")
 
     def configure(self, build):
         subprocess.run(["cmake", "-S", root, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",

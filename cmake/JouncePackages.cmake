@@ -100,6 +100,8 @@ if(TARGET _jounce)
 "toolkit for motion tables and electronic cams - Python module
 With this package, a Python program reads and designs motions, evaluates
 them on NumPy arrays, checks their limits, and optimizes them.")
+  set(debian ${PROJECT_SOURCE_DIR}/cmake/debian/python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${debian}/postinst ${debian}/prerm)
 endif()
 
 set(CPACK_GENERATOR DEB)

@@ -24,7 +24,8 @@ class InputError(ValueError):
         """All errors of the document, in the order of reading; the first one is this error."""
 
     def __reduce__(self) -> tuple[object, ...]:
-        return type(self), (str(self), self.file, self.line, self.column, self.key, self.value, self.rule)
+        return (type(self), (str(self), self.file, self.line, self.column, self.key, self.value, self.rule),
+                {"errors": self.errors})
 
 
 class MoveError(ValueError):

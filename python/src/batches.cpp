@@ -95,6 +95,10 @@ py::object move(const StateColumns& start, const StateColumns& target, const Bou
   return py::cast(made.profile);
 }
 
+std::string shape_text(const Broadcast::Shape& shape) {
+  return py::cast<std::string>(py::repr(py::tuple(py::cast(shape))));
+}
+
 /// The index of an element in the order of memory. Throws IndexError like an array of NumPy.
 std::size_t flat_index(const Broadcast::Shape& shape, const py::object& index) {
   const py::tuple parts =
@@ -102,6 +106,10 @@ std::size_t flat_index(const Broadcast::Shape& shape, const py::object& index) {
   if (parts.size() != shape.size())
     throw py::index_error("the moves have " + std::to_string(shape.size()) +
                           " axes, and the index has " + std::to_string(parts.size()));
+  for (const py::handle& part : parts)
+    if (PyIndex_Check(part.ptr()) == 0)
+      throw py::type_error("the index of a move must be one integer for each axis of the shape " +
+                           shape_text(shape));
   py::ssize_t flat = 0;
   for (std::size_t k = 0; k < shape.size(); ++k) {
     py::ssize_t i = py::cast<py::ssize_t>(parts[k]);
@@ -121,6 +129,16 @@ Profile element(const Moves& moves, const py::object& index) {
   return moves.profile(i);
 }
 
+/// An iterator over moves with one axis. For several axes, moves[0] throws IndexError, so the iterator of Python would
+/// end at once.
+py::object each_move(const py::object& self) {
+  const Broadcast::Shape& shape = self.cast<const Moves&>().shape();
+  if (shape.size() != 1)
+    throw py::type_error("moves of the shape " + shape_text(shape) +
+                         " have no order: use an index with one integer for each axis");
+  return py::reinterpret_steal<py::object>(PySeqIter_New(self.ptr()));
+}
+
 py::object motions_at(const Moves& moves, const Column& t) {
   Column index;  // the moves as a column of their indices, so that NumPy's rules apply to the times
   std::vector<double> numbers(moves.size());
@@ -132,8 +150,7 @@ py::object motions_at(const Moves& moves, const Column& t) {
   return points_of<OverTime>(all.shape(), all.size(), [&](std::size_t i) {
     const auto k = static_cast<std::size_t>(which[i]);
     if (moves.status(k) != MoveStatus::ok) return Jet{nan, nan, nan, nan};
-    const Motion now = moves.profile(k).at(times[i]);
-    return Jet{now.position, now.velocity, now.acceleration, now.jerk};
+    return jet_at(moves.profile(k), times[i]);
   });
 }
 
@@ -187,6 +204,7 @@ profile is solved again when it is used, so that many moves need little memory.)
       .def("__len__", [](const Moves& moves) { return moves.shape().front(); })
       .def("__getitem__", element, "index"_a,
            "Returns one Move. Raises MoveError if it does not exist.")
+      .def("__iter__", each_move, "Iterates over moves with one axis.")
       .def("at", motions_at, "t"_a,
            R"(Returns the motion of each move at t (s), as a Motion of arrays.
 
@@ -195,10 +213,8 @@ t is one number, or an array that is broadcast with the shape of the moves. NaN 
         std::size_t ok = 0;
         for (std::size_t i = 0; i < moves.size(); ++i)
           ok += moves.status(i) == MoveStatus::ok ? 1 : 0;
-        return shown(
-            "Moves",
-            {{"shape", py::cast<std::string>(py::repr(py::tuple(py::cast(moves.shape()))))},
-             {"exist", std::to_string(ok)}});
+        return shown("Moves",
+                     {{"shape", shape_text(moves.shape())}, {"exist", std::to_string(ok)}});
       });
   m.def("move_to", move, "start"_a, "target"_a, "bounds"_a, py::kw_only(),
         "duration"_a = py::none(),

@@ -74,7 +74,11 @@ zero.)")
            "geo_acceleration"_a = py::none(), "geo_jerk"_a = py::none(), "tolerance"_a = 0.0,
            "m, u, u/m, u/m^2, u/m^3. tolerance (u): permitted deviation, for quintic_spline only.")
       .def_readonly("master", &CamPoint::master, "Master position, m.")
-      .def_readonly("slave", &CamPoint::slave, "Slave position, u, or None.");
+      .def_readonly("slave", &CamPoint::slave, "Slave position, u, or None.")
+      .def("__repr__", [](const CamPoint& p) {
+        return shown("CamPoint",
+                     {{"master", shown(p.master)}, {"slave", p.slave ? shown(*p.slave) : "None"}});
+      });
   py::class_<CamSegment>(m, "CamSegment",
                          R"(One segment of a cam: its motion law and the knot at its end.
 

@@ -170,15 +170,12 @@ steps; without an acceleration, the velocity steps. Positions are in u.)")
 
 py::object motion_at(const Profile& move, const Column& t) {
   if (!t.is_array()) {
-    const Motion now = move.at(t.value);
-    return point_of<OverTime>(Jet{now.position, now.velocity, now.acceleration, now.jerk});
+    return point_of<OverTime>(jet_at(move, t.value));
   }
   Broadcast all({&t});
   const Reader times = all.read(t);
-  return points_of<OverTime>(all.shape(), all.size(), [&](std::size_t i) {
-    const Motion now = move.at(times[i]);
-    return Jet{now.position, now.velocity, now.acceleration, now.jerk};
-  });
+  return points_of<OverTime>(all.shape(), all.size(),
+                             [&](std::size_t i) { return jet_at(move, times[i]); });
 }
 
 py::tuple sampled_move(const Profile& move, double step) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <span>
@@ -22,6 +23,13 @@ struct BoundsColumns {
 
 /// The state of one axis. Throws InputError (with this key) if a member is an array.
 MotionState one(const StateColumns& state, const char* key);
+
+/// The motion at t (s); NaN for a time NaN.
+inline Jet jet_at(const Profile& move, double t) {
+  if (std::isnan(t)) return {t, t, t, t};
+  const Motion now = move.at(t);
+  return {now.position, now.velocity, now.acceleration, now.jerk};
+}
 
 /// Many moves in one shape, with the status of each.
 class Moves {

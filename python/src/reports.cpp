@@ -184,6 +184,12 @@ A check raises no exception for a broken limit. A report is true if no finding i
           "Number of warnings.")
       .def("__len__", [](const NamedReport& r) { return r.report.findings.size(); })
       .def("__iter__", [](const NamedReport& r) { return py::iter(py::cast(r.findings())); })
+      .def(
+          "__getitem__",
+          [](const NamedReport& r, const py::object& index) -> py::object {
+            return py::cast(r.findings())[index];
+          },
+          "index"_a, "Returns one Finding, or a list for a slice.")
       .def("__bool__", [](const NamedReport& r) { return r.report.ok(); })
       .def("__str__", [](const NamedReport& r) { return full_text(r.report, r.labels); })
       .def("__repr__", [](const NamedReport& r) {

@@ -31,9 +31,11 @@ contains libjounce-dev 'include/jounce/profiles/moves/move\.hpp' 'lib/.*libjounc
   'lib/.*/jounce-profiles\.pc'
 lacks '/usr/bin|/detail/|/man/'
 if [ -d "$1/python/jounce" ]; then
-  contains python3-jounce 'lib/python3/dist-packages/jounce/(__init__\.py|_jounce\.pyi|py\.typed)' \
-    'lib/python3/dist-packages/jounce/_jounce\..*\.so'
+  contains python3-jounce 'lib/python3[.0-9]*/dist-packages/jounce/(__init__\.py|_jounce\.pyi|py\.typed)' \
+    'lib/python3[.0-9]*/dist-packages/jounce/_jounce\..*\.so'
   field python3-jounce Depends | grep -q 'python3-numpy' || fail "dependencies of python3-jounce: $(field python3-jounce Depends)"
+  dpkg-deb -e "$scratch"/python3-jounce_*.deb "$scratch/control"
+  [ -x "$scratch/control/postinst" ] && [ -x "$scratch/control/prerm" ] || fail "python3-jounce does not compile its Python files"
 fi
 field jounce-mpi Depends | grep -q 'jounce (= .*libopenmpi' || fail "dependencies of jounce-mpi: $(field jounce-mpi Depends)"
 field libjounce-dev Depends | grep -q 'libnlopt-cxx-dev' || fail "dependencies of libjounce-dev: $(field libjounce-dev Depends)"

@@ -15,7 +15,7 @@ printf '#!/bin/sh\nmkdir -p build/package/debs && echo deb > build/package/debs/
 printf '#!/bin/sh\ntest -f "$1/jounce_1.2.3_amd64.deb"\n' > scripts/package-test
 chmod +x scripts/*
 echo 'project(jounce VERSION 1.2.3 LANGUAGES CXX)' > CMakeLists.txt
-printf '# Changelog\n\n## Unreleased\n\n- new\n\n## 1.2.2 (2026-01-01)\n\n- old\n' > CHANGELOG.md
+printf '# Changelog\n\n## Unreleased\n\n### Added\n\n- new\n\n## 1.2.2 (2026-01-01)\n\n- old\n' > CHANGELOG.md
 echo /build/ > .gitignore
 git add -A
 git commit -qm first
@@ -40,6 +40,7 @@ git commit -qam changelog
 
 scripts/release 1.2.3 --dry-run > .git/out
 grep -q "release: git tag -a v1.2.3" .git/out
+! grep "the files are in" .git/out || { echo "the dry run reports files"; exit 1; }
 [ ! -e build ] && [ -z "$(git tag)" ] || { echo "the dry run does something"; exit 1; }
 
 printf '#!/bin/sh\nexit 1\n' > scripts/test && git commit -qam 'a test fails'
@@ -47,7 +48,7 @@ rejects 1 "release: scripts/test" 1.2.3
 printf '#!/bin/sh\n' > scripts/test && git commit -qam 'it succeeds'
 scripts/release 1.2.3 > /dev/null
 (cd build/release-1.2.3 && sha256sum -c SHA256SUMS > /dev/null && [ "$(wc -l < SHA256SUMS)" = 2 ])
-[ "$(git tag -l --format='%(contents)' | tr -d '\n')" = "Jounce 1.2.3- new" ] || { git tag -l --format='%(contents)'; exit 1; }
+[ "$(git tag -l --format='%(contents)' | tr -d '\n')" = "Jounce 1.2.3### Added- new" ] || { git tag -l --format='%(contents)'; exit 1; }
 git tag -d v1.2.3 > /dev/null
 git tag -a v1.2.3 -m x
 scripts/release 1.2.3 2>&1 | grep -q "the tag v1.2.3 exists already"

@@ -112,6 +112,10 @@ class Checks(unittest.TestCase):
 
     def test_findings(self) -> None:
         report = rise().check(jounce.Limits(velocity=8, acceleration=30))
+        self.assertEqual([str(report[0]), str(report[-1])], [str(report.findings[0]), str(report.findings[-1])])
+        self.assertEqual(len(report[:1]), 1)
+        with self.assertRaises(IndexError):
+            report[len(report)]
         self.assertFalse(report)
         self.assertFalse(report.ok)
         worst = report.broken[0]

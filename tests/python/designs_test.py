@@ -3,6 +3,7 @@
 import gc
 import math
 import pathlib
+import pickle
 import signal
 import tempfile
 import threading
@@ -41,6 +42,8 @@ class Cams(unittest.TestCase):
         cam = jounce.design_cam([jounce.CamSegment("cubic_spline", 10, 0, points=[jounce.CamPoint(5, 3)])],
                                 start=jounce.CamKnot(0, 0))
         self.assertAlmostEqual(cam(5), 3, delta=1e-12)
+        self.assertEqual(repr(jounce.CamPoint(5, 3)), "CamPoint(master=5, slave=3)")
+        self.assertEqual(repr(jounce.CamPoint(5)), "CamPoint(master=5, slave=None)")
 
     def test_errors(self) -> None:
         with self.assertRaises(jounce.InputError) as caught:
@@ -136,6 +139,9 @@ class Designs(unittest.TestCase):
             jounce.parse(CAM.read_text().replace("law = ", "lew = "), "many.toml")
         self.assertGreater(len(caught.exception.errors), 1)
         self.assertIs(caught.exception.errors[0], caught.exception)
+        pickled = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual([str(e) for e in pickled.errors], [str(e) for e in caught.exception.errors])
+        self.assertIs(pickled.errors[0], pickled)
         with self.assertRaises(jounce.InputError):
             jounce.load("no such file.toml")
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Moves and batches of moves, against closed forms."""
 import concurrent.futures
+import copy
 import gc
 import math
 import pickle
@@ -103,8 +104,8 @@ class OneMove(unittest.TestCase):
         self.assertEqual((error.key, error.value, error.rule), ("velocity", "-1", "must be greater than 0"))
         self.assertEqual((error.file, error.line, error.column, error.errors), ("", 0, 0, (error,)))
         self.assertIsInstance(error, ValueError)
-        copy = pickle.loads(pickle.dumps(error))
-        self.assertEqual((str(copy), copy.key, copy.rule), (str(error), error.key, error.rule))
+        pickled = pickle.loads(pickle.dumps(error))
+        self.assertEqual((str(pickled), pickled.key, pickled.rule), (str(error), error.key, error.rule))
         with self.assertRaises(TypeError):
             jounce.move_to(0, "far", AXIS)
         with self.assertRaises(TypeError):
@@ -181,6 +182,40 @@ class ManyMoves(unittest.TestCase):
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             parallel = list(pool.map(lambda row: jounce.move_to(0, row, AXIS).duration, targets))
         np.testing.assert_array_equal(parallel, jounce.move_to(0, targets, AXIS).duration)
+
+
+class ManyKindsOfArguments(unittest.TestCase):
+    def test_moves_of_several_axes_have_no_order(self) -> None:
+        moves = jounce.move_to(np.zeros((3, 1)), np.arange(1, 5), AXIS)
+        with self.assertRaises(TypeError):
+            list(moves)
+        with self.assertRaises(IndexError):
+            moves[3, 0]
+        self.assertEqual([m.end.position for m in jounce.move_to(0, [1, 2], AXIS)], [1, 2])
+        with self.assertRaises(TypeError):
+            jounce.move_to(0, [1, 2], AXIS)[0:1]
+
+    def test_a_time_that_is_not_a_number_has_no_position(self) -> None:
+        move = jounce.move_to(0, 1, AXIS)
+        self.assertTrue(math.isnan(move(math.nan)))
+        self.assertTrue(math.isnan(move.at(math.nan).velocity))
+        np.testing.assert_array_equal(np.isnan(move([0.1, math.nan])), [False, True])
+        np.testing.assert_array_equal(
+            np.isnan(jounce.move_to(0, [1, 2], AXIS).at(math.nan).position), [True, True])
+
+    def test_arrays_without_real_numbers_are_rejected(self) -> None:
+        for wrong in (np.array([1 + 1j]), np.array(["1"]), np.array(["2020-01-01"], dtype="datetime64[s]"), "1"):
+            with self.assertRaises(TypeError, msg=repr(wrong)):
+                jounce.move_to(0, wrong, AXIS)
+        for right in (np.array([1], dtype=np.int8), np.array([1], dtype=">f4"), np.array([True]), [1]):
+            self.assertEqual(jounce.move_to(0, right, AXIS)[0].end.position, 1)
+
+    def test_a_copy_is_the_same_object(self) -> None:
+        for value in (AXIS, AXIS.limits, jounce.move_to(0, 1, AXIS)):
+            self.assertIs(copy.copy(value), value)
+            self.assertIs(copy.deepcopy([value])[0], value)
+        with self.assertRaises(TypeError):
+            copy.deepcopy(jounce.OnlineGenerator(1))
 
 
 if __name__ == "__main__":

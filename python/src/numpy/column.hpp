@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -136,7 +137,10 @@ struct type_caster<jounce::python::Column> {
       return false;
     }
     if (source.is_none()) return false;
-    auto array = jounce::python::Doubles::ensure(source);
+    const auto given = pybind11::array::ensure(source);
+    if (!given || std::string_view("biufO").find(given.dtype().kind()) == std::string_view::npos)
+      return false;  // text, times and complex numbers
+    auto array = jounce::python::Doubles::ensure(given);
     if (!array) return false;
     if (array.ndim() == 0)
       value.value = *array.data();
