@@ -112,6 +112,7 @@ TEST_F(MachineGroups, AreVirtualAxesAfterTheOthers) {
   EXPECT_EQ(group.group->of.axes, (std::vector<std::size_t>{0, 1}));
   EXPECT_DOUBLE_EQ(group.group->of.tolerance, 0.002);
   EXPECT_FALSE(group.enable) << "its axes are enabled first";
+  EXPECT_EQ(group.build_apart, 0U) << "the thread that receives a stop never plans a path";
   EXPECT_EQ(group.group->program->plan->path().length(), 50);
 }
 

@@ -102,7 +102,7 @@ ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& optio
   made.receiver.session_timeout = first.receiver.session_timeout;
   made.enable = false;  // its axes are enabled first
   made.stop_when_silent = first.stop_when_silent;
-  made.build_apart = first.build_apart;
+  made.build_apart = 0;  // a path of a hundred arcs may take a second
   // Never alone: its axes are there besides.
   if (!options.log.empty()) made.log = log_of(options.log, spec.name, 2);
   return made;
