@@ -73,8 +73,8 @@ void require_smooth(const std::string& name, const Trajectory& motion, const Axi
                          number(most) + ": the acceleration limit times one cycle");
   if (!config.limits.jerk) return;
   const Jump acceleration = largest_step_of(motion, 2, tick);
-  const double most_acceleration = *config.limits.jerk * tick * (1 + admitted_excess);
-  if (std::abs(acceleration.step) > most_acceleration)
+  const double most_acceleration = *config.limits.jerk * tick;
+  if (std::abs(acceleration.step) > most_acceleration * (1 + admitted_excess))
     throw InputError(name + ".acceleration", acceleration.step,
                      "is a step at " + number(acceleration.where) + " s, and must be at most " +
                          number(most_acceleration) +
