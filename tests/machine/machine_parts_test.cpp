@@ -133,6 +133,10 @@ TEST_F(MachineGroups, RejectWhatTheyCannotPlayWithItsPlace) {
               AllOf(HasSubstr("machine.toml:9"), HasSubstr("use the same order")));
   EXPECT_THAT(error("axes = [\"x\"]\nprogram = \"part.toml\"\n"),
               HasSubstr("has 2 axes, but the group has 1"));
+  std::string turned = part();
+  turned.insert(turned.rfind("limits ="), "unit = \"deg\"\nfollower = true\n");
+  EXPECT_THAT(error(good, turned),
+              HasSubstr("has the unit deg, but the axes of the group have mm"));
   EXPECT_THAT(error(good + "tolerance = \"1 s\"\n"), HasSubstr("machine.toml:11"));
   EXPECT_THAT(error(good + "tolerance = 1\n"),
               AllOf(HasSubstr("machine.toml:11"), HasSubstr("must be at most 0.04")));

@@ -62,9 +62,11 @@ double tolerance_of(const std::string& text, const std::string& unit) {
 std::shared_ptr<const GroupProgram> program_of(const MachineSpec::Group& spec,
                                                const ExecutorGroup& group, const Units& units) {
   const std::vector<Input> path = path_of(spec.program, group.names.size());
-  require_units(path.front(), units, spec.program);
   std::vector<std::string> names;
-  for (const Input& axis : path) names.push_back(axis.axis);
+  for (const Input& axis : path) {
+    require_units(axis, units, spec.program);
+    names.push_back(axis.axis);
+  }
   require_order(names, group.names);
   try {
     return std::make_shared<const GroupProgram>(
