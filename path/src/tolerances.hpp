@@ -7,6 +7,8 @@ namespace jounce::path_detail {
 inline constexpr double same_direction = 1e-28;
 /// Share by which entry_velocity() is rounded down, so that the ramp fits: it is accurate to half of it.
 inline constexpr double entry_rounding = 2e-14;
+/// Least velocity, acceleration and jerk of a plan, u/s, u/s^2, u/s^3: its times stay finite.
+inline constexpr double least_rate = 1e-12;
 /// Share of the duration of a plan: the rest of a law that has no other stretch.
 inline constexpr double shortest_rest = 1e-9;
 

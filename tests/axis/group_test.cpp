@@ -254,12 +254,72 @@ TEST(Group, AProgramBeyondTheLimitsOfAnAxisIsRejected) {
               HasSubstr("exceeds position_max of the axis, 99"));
 }
 
+/// The acceleration of an axis steps by v^2 / r between a line and a tangent arc.
+TEST(Group, AStepOfTheAccelerationCountsAsAJerk) {
+  const Limits axis = limits(200, 2000, 5e4);
+  Program program(2);
+  program.set({.velocity = 150});
+  program.line({100, 0}, 1);
+  program.arc(arc_about(program.position(), {100, 50}, {100, 100}, Plane{0, 1},
+                        ArcRotation::counterclockwise),
+              2);
+  const auto sharp =
+      std::make_shared<const Plan>(jounce::plan(program, {.axes = std::vector<Limits>(2, axis)}));
+  std::vector<AxisConfig> configs(2, Plotter::config(axis));
+  const std::vector<std::string> names{"x", "y"};
+  const std::string error = error_of([&] { group_program(sharp, configs, names); });
+  EXPECT_THAT(error, HasSubstr("y.acceleration"));
+  EXPECT_THAT(error, HasSubstr("the jerk limit times one cycle"));
+  for (AxisConfig& config : configs) config.limits.jerk.reset();
+  EXPECT_NO_THROW(group_program(sharp, configs, names)) << "without a jerk limit, it may step";
+
+  const Limits no_jerk{.velocity = 200, .acceleration = 2000};
+  const auto trapezoids = std::make_shared<const Plan>(
+      jounce::plan(contour(150), {.axes = std::vector<Limits>(2, no_jerk)}));
+  configs.assign(2, Plotter::config(axis));
+  EXPECT_THAT(error_of([&] { group_program(trapezoids, configs, names); }),
+              HasSubstr("x.acceleration"));
+}
+
+TEST(Group, APathThatIsArmedDuringAHoldDoesNotMoveTheEndOfTheHeldOne) {
+  Plotter rig;
+  Program elsewhere(2, Point{50, 50});
+  elsewhere.set({.velocity = 150});
+  elsewhere.line({10, 10}, 1);
+  const Limits axis = limits(200, 2000, 1e5);
+  const auto plan =
+      std::make_shared<const Plan>(jounce::plan(elsewhere, {.axes = std::vector<Limits>(2, axis)}));
+  GroupPath next(8, group_program(plan, std::vector<AxisConfig>(2, Plotter::config(axis)),
+                                  std::vector<std::string>{"x", "y"}));
+  rig.start();
+  rig.steps(500);
+  EXPECT_EQ(rig.tell(group, command::Hold{}), Cause::none);
+  rig.steps(500);
+  ASSERT_EQ(rig.at(group).rate, 0);
+  EXPECT_EQ(rig.tell(group, command::Arm{&next}), Cause::none);
+  EXPECT_EQ(rig.tell(group, command::Resume{}), Cause::none);
+  while (rig.at(group).job != 0) {
+    rig.step();
+    expect_on_path(rig);
+  }
+  for (const std::size_t i : {x, y, group}) {
+    EXPECT_EQ(rig.at(i).fault, Cause::none);
+    EXPECT_EQ(rig.at(i).state, State::standstill);
+  }
+  EXPECT_EQ(rig.at(x).position, 0);
+  EXPECT_EQ(rig.at(y).position, 0);
+  rig.step();
+  EXPECT_EQ(rig.tell(group, command::Start{}), Cause::axis_away)
+      << "the armed path begins elsewhere";
+}
+
 TEST(Group, ImpossibleGroupsAreRejected) {
   auto axes = Plotter::axes_of(limits(200, 2000, 1e5));
   axes[2].group->axes = {0, 0};
   EXPECT_THAT(error_of([&] { Machine{axes}; }), HasSubstr("is already an axis of the group"));
   axes[2].group->axes = {0, 2};
-  EXPECT_THAT(error_of([&] { Machine{axes}; }), HasSubstr("and not a group"));
+  EXPECT_THAT(error_of([&] { Machine{axes}; }),
+              HasSubstr("plotter: must be an axis of the machine, and not a group"));
   axes[2].group->axes = {};
   EXPECT_THAT(error_of([&] { Machine{axes}; }), HasSubstr("1 to 9 axes"));
   axes[2].group->axes = {0, 1};
@@ -268,6 +328,8 @@ TEST(Group, ImpossibleGroupsAreRejected) {
   axes[0].follow = {};
   axes[2].group->tolerance = 1;
   EXPECT_THAT(error_of([&] { Machine{axes}; }), HasSubstr("must be at most 0.2"));
+  axes[2].group->tolerance = -1;
+  EXPECT_THAT(error_of([&] { Machine{axes}; }), HasSubstr("must not be negative"));
 }
 
 }  // namespace

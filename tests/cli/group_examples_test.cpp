@@ -171,6 +171,10 @@ TEST(GroupStream, PathsThatAGroupCannotPlayAreNotSent) {
               HasSubstr("override"));
   EXPECT_THAT(test::error_of([] { path_plan("group", read("path-square/overlap.toml")); }),
               HasSubstr("overlap"));
+  std::vector<Input> turned = read("plotter/square.toml");
+  turned[1].table.units.position = "deg";
+  EXPECT_THAT(test::error_of([&] { path_plan("group", turned); }),
+              HasSubstr("y.unit = deg: must be mm"));
 }
 
 }  // namespace

@@ -112,6 +112,7 @@ TEST_F(MachineGroups, AreVirtualAxesAfterTheOthers) {
   EXPECT_EQ(group.group->of.axes, (std::vector<std::size_t>{0, 1}));
   EXPECT_DOUBLE_EQ(group.group->of.tolerance, 0.002);
   EXPECT_FALSE(group.enable) << "its axes are enabled first";
+  EXPECT_EQ(group.build_apart, 0U) << "the thread that receives a stop never plans a path";
   EXPECT_EQ(group.group->program->plan->path().length(), 50);
 }
 
@@ -132,6 +133,10 @@ TEST_F(MachineGroups, RejectWhatTheyCannotPlayWithItsPlace) {
               AllOf(HasSubstr("machine.toml:9"), HasSubstr("use the same order")));
   EXPECT_THAT(error("axes = [\"x\"]\nprogram = \"part.toml\"\n"),
               HasSubstr("has 2 axes, but the group has 1"));
+  std::string turned = part();
+  turned.insert(turned.rfind("limits ="), "unit = \"deg\"\nfollower = true\n");
+  EXPECT_THAT(error(good, turned),
+              HasSubstr("has the unit deg, but the axes of the group have mm"));
   EXPECT_THAT(error(good + "tolerance = \"1 s\"\n"), HasSubstr("machine.toml:11"));
   EXPECT_THAT(error(good + "tolerance = 1\n"),
               AllOf(HasSubstr("machine.toml:11"), HasSubstr("must be at most 0.04")));

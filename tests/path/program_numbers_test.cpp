@@ -85,6 +85,20 @@ TEST(ProgramNumbers, ListsThatAreNoProgramAreRejected) {
   EXPECT_THAT(error([](auto& list) { list[3] = std::nan(""); }), HasSubstr("must be finite"));
 }
 
+TEST(ProgramNumbers, LimitsTooSmallForAPlanAreRejected) {
+  LimitedProgram slow = everything();
+  slow.limits.axes[1].velocity = 1e-300;
+  const LimitedProgram read = program_of(numbers_of(slow));
+  EXPECT_THAT(error_of([&] { static_cast<void>(plan(read.program, read.limits)); }),
+              HasSubstr("must be at least 1e-12"));
+  slow.limits.axes[1].velocity = 200;
+  slow.limits.path.jerk = 1e-300;
+  EXPECT_THAT(error_of([&] { static_cast<void>(plan(slow.program, slow.limits)); }),
+              HasSubstr("must be at least 1e-12"));
+  EXPECT_THAT(error_of([&] { slow.program.set({.velocity = 1e-300}); }),
+              HasSubstr("must be at least 1e-12"));
+}
+
 // A list with one spoiled number is rejected, or is a program again. It causes nothing else.
 TEST(ProgramNumbers, AnySpoiledNumberIsRejectedOrIsAProgram) {
   const std::vector<double> good = numbers_of(everything());

@@ -100,8 +100,11 @@ void MotionAxis::keep_parts() {
 }
 
 std::span<const Jet> MotionAxis::parts() const {
-  if (!on_path() && armed_) return armed_->parts();
   return std::span(parts_).first(part_count_);
+}
+
+std::span<const Jet> MotionAxis::places() const {
+  return !on_path() && armed_ ? armed_->parts() : parts();
 }
 
 }  // namespace jounce

@@ -9,8 +9,11 @@
 #include <utility>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+
+#include "axis/src/motion/largest_sum.hpp"
 
 namespace jounce {
 namespace {
@@ -40,19 +43,43 @@ void require_inside(const std::string& name, const Range& position, const Limits
                          ": shift the path");
 }
 
-/// A step of the velocity counts as the acceleration that makes it in one tick, as in a table.
+/// The largest sum of the steps of a derivative within one tick, from rest to rest.
+Jump largest_step_of(const Trajectory& motion, std::size_t order, double tick) {
+  const auto pieces = motion.segments();
+  std::vector<Jump> steps;
+  double before = 0;
+  for (std::size_t i = 0; i <= pieces.size(); ++i) {
+    const double after = i < pieces.size() ? evaluate(pieces[i], 0)[order] : 0;
+    if (after != before) steps.push_back({after - before, motion.breaks()[i]});
+    if (i < pieces.size()) before = evaluate(pieces[i], 1)[order];
+  }
+  return largest_sum(steps, tick);
+}
+
+/// A step of the velocity counts as the acceleration that makes it in one tick, and a step of the
+/// acceleration as such a jerk, as in a table.
 void require_smooth(const std::string& name, const Trajectory& motion, const AxisConfig& config) {
+  const double tick = seconds(config.period);
   const Jump position = largest_jump(motion, 0);
   const double rounding = profiles_detail::rounded_input * *config.limits.velocity;
-  if (std::abs(position.step) > rounding * seconds(config.period))
+  if (std::abs(position.step) > rounding * tick)
     throw InputError(name + ".position", position.step,
                      "is a step at " + number(position.where) + " s: the path must have none");
-  const Jump velocity = largest_jump(motion, 1);
-  const double most = *config.limits.acceleration * seconds(config.period) + rounding;
+  const Jump velocity = largest_step_of(motion, 1, tick);
+  const double most = *config.limits.acceleration * tick + rounding;
   if (std::abs(velocity.step) > most)
     throw InputError(name + ".velocity", velocity.step,
                      "is a step at " + number(velocity.where) + " s, and must be at most " +
                          number(most) + ": the acceleration limit times one cycle");
+  if (!config.limits.jerk) return;
+  const Jump acceleration = largest_step_of(motion, 2, tick);
+  const double most_acceleration = *config.limits.jerk * tick;
+  if (std::abs(acceleration.step) > most_acceleration * (1 + admitted_excess))
+    throw InputError(name + ".acceleration", acceleration.step,
+                     "is a step at " + number(acceleration.where) + " s, and must be at most " +
+                         number(most_acceleration) +
+                         ": the jerk limit times one cycle. Give the path a jerk limit, and round "
+                         "its corners: the curvature steps between a line and an arc");
 }
 
 std::optional<double> lower(const std::optional<double>& a, const std::optional<double>& b) {

@@ -14,6 +14,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/check.hpp"
 
+#include "axis/src/motion/largest_sum.hpp"
+
 namespace jounce {
 namespace {
 
@@ -88,19 +90,7 @@ std::vector<Jump> steps_of(const S& f, std::size_t order, bool repeats, double t
 /// The largest sum of jumps within one tick, and its start.
 template <Signal S>
 Jump largest_step(const S& f, std::size_t order, bool repeats, double tick) {
-  const std::vector<Jump> steps = steps_of(f, order, repeats, tick);
-  Jump largest;
-  double sum = 0;  // sum of the magnitudes of steps [first, next)
-  for (std::size_t first = 0, next = 0; first < steps.size(); ++first) {
-    while (next < steps.size() &&
-           steps[next].where < steps[first].where + tick * (1 - rounded_input))
-      sum += std::abs(steps[next++].step);
-    const bool alone = next == first + 1;
-    if (sum > std::abs(largest.step))
-      largest = {alone ? steps[first].step : sum, steps[first].where};
-    sum = alone ? 0 : sum - std::abs(steps[first].step);
-  }
-  return largest;
+  return largest_sum(steps_of(f, order, repeats, tick), tick);
 }
 
 /// The sign of the velocity half a tick into the first interval with motion; 0: none.

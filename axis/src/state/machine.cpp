@@ -67,7 +67,8 @@ Memberships groups_of(const std::vector<MachineAxis>& axes) {
       refuse(axes[g].name, "a group cannot follow a master");
     for (const std::size_t k : members) {
       if (k >= axes.size() || axes[k].group)
-        refuse(std::to_string(k), "must be an axis of the machine, and not a group");
+        refuse(k < axes.size() ? axes[k].name : std::to_string(k),
+               "must be an axis of the machine, and not a group");
       if (groups[k])
         refuse(axes[k].name, "is already an axis of the group " + axes[*groups[k]].name);
       if (axes[k].follow.what != Follow::What::nothing)
@@ -75,8 +76,8 @@ Memberships groups_of(const std::vector<MachineAxis>& axes) {
       const double most = *axes[k].config.limits.velocity * seconds(axes[k].config.period);
       if (!(axes[g].group->tolerance >= 0 && axes[g].group->tolerance <= most))
         throw InputError(axes[g].name + ".tolerance", axes[g].group->tolerance,
-                         "must be at most " + number(most) + ", the distance that " + axes[k].name +
-                             " covers in one cycle");
+                         "must not be negative, and must be at most " + number(most) +
+                             ", the distance that " + axes[k].name + " covers in one cycle");
       groups[k] = g;
     }
   }
@@ -180,16 +181,16 @@ void Machine::step(std::int64_t tick, std::span<AxisImage> images, std::span<con
 /// The inputs of a group before its step: can its axes follow? In motion, they follow since the
 /// previous tick. At rest, they stand still. The first axis that is not in its place is named.
 void Machine::gather(std::size_t group, std::span<AxisImage> images) const {
-  const std::span<const Jet> parts = motion_[group].parts();
+  const std::span<const Jet> places = motion_[group].places();
   const AxisGroup& of = *axes_[group].group;
   const State expected = moved_[group] ? State::synchronized_motion : State::standstill;
   Inputs& inputs = images[group].inputs;
-  inputs.peers = parts.size() == of.axes.size() ? Peers::together : Peers::away;
+  inputs.peers = places.size() == of.axes.size() ? Peers::together : Peers::away;
   inputs.master = lost;
   inputs.group_broken = false;
   for (std::size_t k = 0; k < of.axes.size(); ++k) {
     const AxisImage& axis = images[of.axes[k]];
-    const double place = parts.size() == of.axes.size() ? parts[k][0] : axis.tick.position;
+    const double place = places.size() == of.axes.size() ? places[k][0] : axis.tick.position;
     const bool lost_home = axes_[of.axes[k]].config.require_home && !axis.tick.homed;
     const bool fails = axis.tick.state != expected || axis.tick.waiting || lost_home;
     const bool away = !(std::abs(axis.tick.position - place) <= of.tolerance);

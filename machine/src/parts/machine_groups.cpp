@@ -62,9 +62,11 @@ double tolerance_of(const std::string& text, const std::string& unit) {
 std::shared_ptr<const GroupProgram> program_of(const MachineSpec::Group& spec,
                                                const ExecutorGroup& group, const Units& units) {
   const std::vector<Input> path = path_of(spec.program, group.names.size());
-  require_units(path.front(), units, spec.program);
   std::vector<std::string> names;
-  for (const Input& axis : path) names.push_back(axis.axis);
+  for (const Input& axis : path) {
+    require_units(axis, units, spec.program);
+    names.push_back(axis.axis);
+  }
   require_order(names, group.names);
   try {
     return std::make_shared<const GroupProgram>(
@@ -102,7 +104,7 @@ ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& optio
   made.receiver.session_timeout = first.receiver.session_timeout;
   made.enable = false;  // its axes are enabled first
   made.stop_when_silent = first.stop_when_silent;
-  made.build_apart = first.build_apart;
+  made.build_apart = 0;  // a path of a hundred arcs may take a second
   // Never alone: its axes are there besides.
   if (!options.log.empty()) made.log = log_of(options.log, spec.name, 2);
   return made;

@@ -25,7 +25,12 @@ StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes) {
   const Units& units = axes.front().table.units;
   if (units.x != "s") throw InputError("units.time", units.x, "must be s for a group");
   LimitedProgram sent{.program = path.program, .limits = path.limits, .names = {}};
-  for (const Input& axis : axes) sent.names.push_back(axis.axis);
+  for (const Input& axis : axes) {
+    if (axis.table.units.position != units.position)
+      throw InputError(axis.axis + ".unit", axis.table.units.position,
+                       "must be " + units.position + ": the axes of a group have the same unit");
+    sent.names.push_back(axis.axis);
+  }
   Columns columns;
   columns.p = numbers_of(sent);
   columns.x.resize(columns.p.size());

@@ -7,6 +7,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/geometry/vector.hpp"
+#include "path/src/rate.hpp"
 
 namespace jounce {
 namespace {
@@ -19,11 +20,6 @@ void require_axes(std::size_t axes, std::size_t path_axes) {
   if (path_axes > axes)
     throw InputError("path_axes", std::to_string(path_axes),
                      "must be at most the number of axes, " + std::to_string(axes));
-}
-
-/// Requires a rate to be positive; it may be infinite.
-void require_rate(const char* key, double value) {
-  if (!(value > 0)) throw InputError(key, value, "must be greater than 0");
 }
 
 void require_on_axes(const Point& p, std::size_t axes, int line) {

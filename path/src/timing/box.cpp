@@ -12,6 +12,7 @@
 #include "path/src/corners/blend.hpp"
 #include "path/src/geometry/hull.hpp"
 #include "path/src/geometry/pieces.hpp"
+#include "path/src/rate.hpp"
 
 namespace jounce {
 namespace {
@@ -36,6 +37,9 @@ Rates rates_of(const GroupLimits& limits, std::size_t axes, std::size_t path_axe
     rates.velocity[i] = or_none(limits.axes[i].velocity);
     rates.acceleration[i] = or_none(limits.axes[i].acceleration);
     rates.jerk[i] = or_none(limits.axes[i].jerk);
+    require_rate("velocity", rates.velocity[i]);
+    require_rate("acceleration", rates.acceleration[i]);
+    require_rate("jerk", rates.jerk[i]);
   }
   const PathLimits& p = limits.path;
   const std::pair<const char*, double> given[] = {{"velocity", p.velocity},
@@ -44,8 +48,7 @@ Rates rates_of(const GroupLimits& limits, std::size_t axes, std::size_t path_axe
                                                   {"jerk", p.jerk},
                                                   {"normal_acceleration", p.normal_acceleration},
                                                   {"total_acceleration", p.total_acceleration}};
-  for (const auto& [key, value] : given)
-    if (!(value > 0)) throw InputError(key, value, "must be greater than 0");
+  for (const auto& [key, value] : given) require_rate(key, value);
   return rates;
 }
 

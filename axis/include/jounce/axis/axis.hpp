@@ -154,8 +154,11 @@ class MotionAxis {
   /// State after the last step.
   [[nodiscard]] State state() const { return state_; }
   /// For a group (AxisGroup in machine.hpp): the setpoints of its axes after the last step: u, u/s,
-  /// u/s^2, u/s^3. At rest with an armed path: where this path begins. Empty if it had no path yet.
+  /// u/s^2, u/s^3. Empty if it had no path yet.
   [[nodiscard]] std::span<const Jet> parts() const;
+  /// For a group: where its axes must stand when it moves next. At rest with an armed path: where this
+  /// path begins; otherwise parts().
+  [[nodiscard]] std::span<const Jet> places() const;
 
  private:
   /// Reason to reject a command; nullopt: accepted.

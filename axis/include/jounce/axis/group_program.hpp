@@ -26,8 +26,9 @@ struct GroupProgram {
 };
 
 /// Checks a plan against the limits of the axes that will play it: position range, velocity,
-/// acceleration and jerk, by exact extrema, and steps of position and velocity. Time and memory are
-/// proportional to the number of pieces.
+/// acceleration and jerk, by exact extrema, and steps of position, velocity and acceleration (a step
+/// of the acceleration counts as a jerk in one cycle, as in a table). Time and memory are proportional
+/// to the number of pieces.
 ///
 ///     const GroupProgram program = group_program(plan, {x.config(), y.config()}, {{"x", "y"}});
 ///     GroupPath path(1, program);                               // group_path.hpp
