@@ -63,6 +63,11 @@ class Pieces {
   get count() { return this.breaks.length - 1; }
   contains(x) { return x >= this.start && x <= this.end; }
   jet(x) { return this.at(intervalAt(this.breaks, x), x); }
+  /// The values on the left and on the right of x; they differ only at a break with a jump.
+  sides(x) {
+    const i = intervalAt(this.breaks, x), right = this.at(i, x);
+    return [i > 0 && this.breaks[i] === x ? this.at(i - 1, x) : right, right];
+  }
   isLine() { return false; }
 }
 
@@ -143,15 +148,23 @@ function sampledOutline(curve, from, to) {
 
 const raised = (exponent) => [...String(exponent)].map((c) => c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c]).join('');
 
+/// The significant digits of a positive value, "1.95312", and its power of ten. A value halfway between two results
+/// gives the even one, as in the library; JavaScript gives the greater one.
+function rounded(value, digits) {
+  const [mantissa, exponent] = value.toExponential(digits - 1).split('e');
+  const more = value.toExponential(digits + 60).split('e')[0].replace('.', '');  // all digits of a halfway value
+  const down = /[13579]$/.test(mantissa) && /^50*$/.test(more.slice(digits)) && more[digits - 1] !== mantissa.at(-1);
+  return [down ? mantissa.slice(0, -1) + (mantissa.at(-1) - 1) : mantissa, Number(exponent)];
+}
+
 /// A number for people, as short_number() of the library writes it: "−3.39227", "1.5×10¹²".
 function number(value, digits = 6) {
   if (!Number.isFinite(value)) return Number.isNaN(value) ? 'not a number' : value > 0 ? '∞' : '−∞';
   if (value === 0) return '0';
   const sign = value < 0 ? '−' : '';
-  const [mantissa, exponent] = Math.abs(value).toExponential(digits - 1).split('e');
-  const power = Number(exponent);
+  const [mantissa, power] = rounded(Math.abs(value), digits);
   const trimmed = (text) => text.includes('.') ? text.replace(/\.?0+$/, '') : text;
-  if (power >= -4 && power < digits) return sign + trimmed(Math.abs(value).toFixed(digits - 1 - power));
+  if (power >= -4 && power < digits) return sign + trimmed(Number(`${mantissa}e${power}`).toFixed(digits - 1 - power));
   const factor = trimmed(mantissa);
   return `${sign}${factor === '1' ? '' : `${factor}×`}10${raised(power)}`;
 }

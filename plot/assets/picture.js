@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The drawing of a view: panels above one another, as an SVG with the style of the still figure.
 
-const look = {left: 62, right: 12, panel: 120, header: 24, row: 16, axis: 40, top: 6};
+const look = {left: 62, letter: 7, right: 12, panel: 120, header: 24, row: 16, axis: 40, top: 6};
 
 /// An SVG element with attributes; its children follow. A string becomes text.
 function svg(name, attributes = {}, ...children) {
@@ -82,19 +82,29 @@ function yRange(panel, values, withLimits) {
 /// `piece` is a range [from, to] to highlight, or null.
 function draw(root, view, {from, to, difference, piece}, width) {
   const right = width - look.right;
-  const toX = (x) => look.left + (x - from) / (to - from) * (right - look.left);
   const inside = (x) => x >= from && x <= to;
   const curves = difference ? [view.difference] : view.curves;
   const points = curves.map((curve) => curve instanceof Outline ? sampledOutline(curve, from, to)
     : sampled(curve, from, to, (to - from) / (right - look.left)));
+  const panels = view.panels.map((panel, k) => {
+    const inUnit = (list) => panel.size === 1 ? list : list.map((value) => value / panel.size);
+    const values = points.map(({y}) => inUnit(y[k]));
+    const least = points.map((one) => one.low ? inUnit(one.low[k]) : []);  // lower edges of bands
+    const [low, high] = yRange(panel, [...values, ...least], !difference);
+    return {panel, values, least, low, high, yTicks: ticks(low, high, 6)};
+  });
+  const left = Math.max(look.left, ...panels.flatMap(({yTicks}) => yTicks.map(([, words]) => widthOf(words) + 10)));
+  const toX = (x) => left + (x - from) / (to - from) * (right - left);
   const children = [];
   let top = look.top;
 
   if (view.curves.length > 1 && !difference) {  // the legend
-    let x = look.left;
+    let x = left;
+    const most = Math.floor(((right - left) / view.curves.length - 56) / look.letter);
     view.curves.forEach((curve, i) => {
-      children.push(path(i === 0 ? 'l l1' : 'under', `M${px(x)} ${top + 8}h24`), label('soft', x + 32, top + 12, curve.label));
-      x += 56 + 6.5 * curve.label.length;
+      const name = cut(curve.label, most);
+      children.push(path(i === 0 ? 'l l1' : 'under', `M${px(x)} ${top + 8}h24`), label('soft', x + 32, top + 12, name));
+      x += 56 + widthOf(name);
     });
     top += look.row + 4;
   }
@@ -108,17 +118,12 @@ function draw(root, view, {from, to, difference, piece}, width) {
     top += look.row;
     return row;
   });
-  const panels = view.panels.map((panel, k) => {
-    const inUnit = (list) => panel.size === 1 ? list : list.map((value) => value / panel.size);
-    const values = points.map(({y}) => inUnit(y[k]));
-    const least = points.map((one) => one.low ? inUnit(one.low[k]) : []);  // lower edges of bands
-    const [low, high] = yRange(panel, [...values, ...least], !difference);
-    const place = {panel, values, least, low, high, top: top + look.header, bottom: top + look.header + look.panel};
-    place.toY = (y) => place.bottom - (y - low) / (high - low) * look.panel;
+  for (const place of panels) {
+    Object.assign(place, {top: top + look.header, bottom: top + look.header + look.panel});
+    place.toY = (y) => place.bottom - (y - place.low) / (place.high - place.low) * look.panel;
     top = place.bottom;
-    return place;
-  });
-  const bottom = panels[panels.length - 1].bottom;
+  }
+  const bottom = top;
   const height = bottom + look.axis;
 
   for (const [y, names] of strips)
@@ -127,12 +132,11 @@ function draw(root, view, {from, to, difference, piece}, width) {
       const most = Math.floor((x1 - x0 - 6) / 6.2);
       if (x1 <= x0 || most < 2) continue;
       if (name.length > most && names !== view.segments) continue;  // only names of segments are cut
-      const shown = name.length > most ? `${name.slice(0, most - 1)}…` : name;
-      children.push(label(names === view.shades ? 'zonetext mid' : 'soft mid', (x0 + x1) / 2, y + 11, shown));
+      children.push(label(names === view.shades ? 'zonetext mid' : 'soft mid', (x0 + x1) / 2, y + 11, cut(name, most)));
     }
   for (const [y, name, on] of outputs) {
-    children.push(label('soft end', look.left - 8, y + 11, name));
-    children.push(path('grid', `M${look.left} ${y + 12.5}H${px(right)}`));
+    children.push(label('soft end', left - 8, y + 11, cut(name, Math.floor((left - 8) / look.letter))));
+    children.push(path('grid', `M${left} ${y + 12.5}H${px(right)}`));
     for (const [a, b] of on) {
       if (b < from || a > to) continue;
       const [x0, x1] = [toX(Math.max(a, from)), toX(Math.min(b, to))];
@@ -141,52 +145,73 @@ function draw(root, view, {from, to, difference, piece}, width) {
     }
   }
 
-  const xTicks = ticks(from, to, Math.max(2, Math.min(12, (right - look.left) / 64)), view.degrees);
+  const xTicks = ticksAcross(from, to, right - left, view.degrees);
   const clip = `clip-${root.id}`;
-  children.push(svg('clipPath', {id: clip}, svg('rect', {x: look.left, y: 0, width: px(right - look.left), height})));
+  children.push(svg('clipPath', {id: clip}, svg('rect', {x: left, y: 0, width: px(right - left), height})));
   const knots = view.segments.length > 0 ? [view.segments[0][0], ...view.segments.map(([, end]) => end)]
     : view.curves[0] instanceof Outline ? [] : view.curves[0].breaks;
   const shownKnots = knots.filter(inside);
-  for (const {panel, values, least, top: y0, bottom: y1, low, high, toY} of panels) {
+  for (const {panel, values, least, top: y0, bottom: y1, low, high, toY, yTicks} of panels) {
     const group = svg('g', {'clip-path': `url(#${clip})`});
     for (const [a, b] of view.shades)
       if (b > from && a < to) group.append(svg('rect', {class: 'zone', x: px(toX(a)), y: y0, width: px(toX(b) - toX(a)), height: look.panel}));
     if (piece) group.append(svg('rect', {class: 'piece', x: px(toX(piece[0])), y: y0, width: px(Math.max(toX(piece[1]) - toX(piece[0]), 2)), height: look.panel}));
-    const yTicks = ticks(low, high, 6);
-    children.push(path('grid', yTicks.map(([y]) => `M${look.left} ${px(toY(y))}H${px(right)}`).join('') +
+    children.push(path('grid', yTicks.map(([y]) => `M${left} ${px(toY(y))}H${px(right)}`).join('') +
       xTicks.map(([x]) => `M${px(toX(x))} ${y0}V${y1}`).join('')));
-    for (const [y, words] of yTicks) children.push(label('soft end', look.left - 8, toY(y) + 4, words));
-    if (shownKnots.length * 8 < right - look.left) group.append(path('knot', shownKnots.map((x) => `M${px(toX(x))} ${y0}V${y1}`).join('')));
-    const notes = [], taken = [];
+    for (const [y, words] of yTicks) children.push(label('soft end', left - 8, toY(y) + 4, words));
+    if (shownKnots.length * 8 < right - left) group.append(path('knot', shownKnots.map((x) => `M${px(toX(x))} ${y0}V${y1}`).join('')));
+    const texts = [], taken = [];  // of the limits, above the curve
     for (const [limit, sign] of difference ? [] : [[panel.lower, -1], [panel.upper, 1]]) {
-      if (limit === null) continue;
-      if (limit < low || limit > high) {
-        notes.push(`limit ${number(limit)}`);
-        continue;
-      }
+      if (limit === null || limit < low || limit > high) continue;
       const y = toY(limit), edge = sign > 0 ? y0 : y1;
       const above = sign > 0 ? y - y0 > 14 : y1 - y < 16;  // beyond the limit if there is space
-      group.append(path('over', `M${look.left} ${px(y)}H${px(right)}V${edge}H${look.left}z`), path('lim', `M${look.left} ${px(y)}H${px(right)}`));
+      group.append(path('over', `M${left} ${px(y)}H${px(right)}V${edge}H${left}z`), path('lim', `M${left} ${px(y)}H${px(right)}`));
       const words = `limit ${number(limit)}`, base = above ? y - 4 : y + 12;
       taken.push([right - 4 - 3.3 * words.length, base, 3.3 * words.length]);
-      children.push(label('halo limtext end', right - 4, base, words));
+      texts.push(label('halo limtext end', right - 4, base, words));
     }
     points.map((one, i) => i).reverse().forEach((i) => {
       const kind = i > 0 ? 'under' : 'l l1';
       group.append(curves[i] instanceof Outline ? path(`${kind} band`, bandData(points[i].x, values[i], least[i], toX, toY))
         : path(kind, pathData(points[i].x, values[i], toX, toY)));
     });
-    children.push(group, path('frame', `M${look.left} ${y0}H${px(right)}V${y1}H${look.left}z`));
-    children.push(label('label', look.left, y0 - 7, (difference ? 'difference of ' : '') + panel.name + (panel.unit ? ` [${panel.unit}]` : '')));
-    if (notes.length > 0) children.push(label('soft end', right, y0 - 7, notes.join(' · ')));
-    if (!difference) children.push(...marks(panel, inside, toX, toY, [look.left, right, y0, y1], taken));
+    children.push(group, ...texts, path('frame', `M${left} ${y0}H${px(right)}V${y1}H${left}z`));
+    const heading = (difference ? 'difference of ' : '') + panel.name + (panel.unit ? ` [${panel.unit}]` : '');
+    children.push(label('label', left, y0 - 7, heading));
+    const note = difference ? '' : limitsOffScale(panel, low, high, right - left - widthOf(heading) - 12);
+    if (note) children.push(label('soft end', right, y0 - 7, note));
+    if (!difference) children.push(...marks(panel, inside, toX, toY, [left, right, y0, y1], taken));
   }
-  for (const [x, words] of xTicks) children.push(label('soft mid', toX(x), bottom + 16, words));
-  children.push(label('label mid', (look.left + right) / 2, bottom + 34, view.axis));
+  for (const [x, words] of xTicks) children.push(label('soft mid', Math.min(toX(x), width - widthOf(words) / 2), bottom + 16, words));
+  children.push(label('label mid', (left + right) / 2, bottom + 34, view.axis));
   const cursor = svg('g', {class: 'cursor'});
   root.setAttribute('viewBox', `0 0 ${width} ${height}`);
   root.replaceChildren(...children, cursor);
-  return {toX, toValue: (x) => from + (x - look.left) / (right - look.left) * (to - from), panels, cursor, left: look.left, right};
+  return {toX, toValue: (x) => from + (x - left) / (right - left) * (to - from), panels, cursor, left, right};
+}
+
+const widthOf = (words) => look.letter * [...words].length;  // px, an estimate for digits and letters
+
+/// Words with at most this many letters; the end of longer ones is cut.
+function cut(words, most) {
+  const letters = [...words];
+  return letters.length > most ? `${letters.slice(0, Math.max(most - 1, 1)).join('')}…` : words;
+}
+
+/// The ticks of the x axis: as many as their texts have space for.
+function ticksAcross(from, to, width, degrees) {
+  for (let most = Math.floor(clamped(width / 64, 2, 12));; --most) {
+    const at = ticks(from, to, most, degrees);
+    const longest = Math.max(...at.map(([, words]) => widthOf(words)));
+    if (most <= 2 || at.length < 2 || (at[1][0] - at[0][0]) / (to - from) * width >= longest + 8) return at;
+  }
+}
+
+/// What a panel says of limits outside its range, as the still figure does, in the longest form for which there is space.
+function limitsOffScale({lower, upper}, low, high, space) {
+  const off = [upper, lower].filter((limit) => limit !== null && (limit < low || limit > high));
+  const words = off.length === 2 && lower === -upper ? `limits ±${number(upper)}` : off.map((limit) => `limit ${number(limit)}`).join(' · ');
+  return off.length === 0 ? '' : [`${words} off scale`, words].find((text) => widthOf(text) <= space) ?? '';
 }
 
 /// The exact extrema: a circle; beyond a limit, a full diamond. A text that would cover another is left out;
@@ -213,10 +238,10 @@ function drawCursor({toX, panels, cursor, left, right}, curves, x) {
   const children = panels.map(({top, bottom}) => path('hair', `M${px(at)} ${top}V${bottom}`));
   curves.forEach((curve, i) => {
     if (curve instanceof Outline || !curve.contains(x)) return;
-    const jet = curve.jet(x);
+    const sides = curve.sides(x);
     panels.forEach(({panel, toY, top, bottom}, k) => {
-      const y = toY(jet[k] / panel.size);
-      if (y >= top - 1 && y <= bottom + 1) children.push(svg('circle', {class: `dot d${i + 1}`, cx: px(at), cy: px(y), r: 3.5}));
+      for (const y of new Set(sides.map((jet) => px(toY(jet[k] / panel.size)))))
+        if (y >= top - 1 && y <= bottom + 1) children.push(svg('circle', {class: `dot d${i + 1}`, cx: px(at), cy: y, r: 3.5}));
     });
   });
   cursor.replaceChildren(...children);

@@ -22,26 +22,31 @@ function prepared(view) {
 }
 
 /// The rows of the table at the cursor: for each panel, its quantity and the texts of value, before, difference, limit
-/// and use of the limit.
+/// and use of the limit. Where a value jumps, the texts show both sides: "0.05 → 0".
 function valuesAt(view, x) {
   const before = view.curves[1];
   return view.panels.map((panel, k) => {
-    const read = (curve) => {
-      if (!curve || !curve.contains(x)) return null;
-      if (curve instanceof Outline) return null;
-      return curve.jet(x)[k];
+    const read = (curve) => !curve || curve instanceof Outline || !curve.contains(x) ? null : curve.sides(x).map((jet) => jet[k]);
+    const text = (sides) => {
+      if (sides === null) return '–';
+      const [left, right] = sides.map((value) => number(shownValue(panel, value), cursor_digits));
+      const jumps = Math.abs(sides[0] - sides[1]) / panel.size > panel.noise && left !== right;
+      return jumps ? `${left} → ${right}` : right;
     };
-    const text = (value) => value === null ? '–' : number(shownValue(panel, value), cursor_digits);
-    const value = read(view.curves[0]), other = read(before);
+    const sides = read(view.curves[0]), other = read(before);
     const shown = view.curves[0] instanceof Outline && view.curves[0].contains(x)
-      ? view.curves[0].range(x, k).map((y) => number(shownValue(panel, y), cursor_digits)).join(' … ') : text(value);
-    const limit = value === null ? null : value < 0 ? panel.lower : panel.upper;
-    const use = limit === null || limit === 0 || k === 0 ? '' : `${number(100 * shownValue(panel, value) / limit, 4)} %`;
+      ? view.curves[0].range(x, k).map((y) => number(shownValue(panel, y), cursor_digits)).join(' … ') : text(sides);
+    const uses = (sides ?? []).map((value) => {
+      const limit = value < 0 ? panel.lower : panel.upper;
+      return {limit, share: limit === null || limit === 0 ? -1 : shownValue(panel, value) / limit};
+    });
+    const {limit, share} = uses.reduce((most, use) => use.share >= most.share ? use : most, {limit: null, share: -1});
     return {
       quantity: panel.name, unit: panel.unit, value: shown,
       before: before ? text(other) : '',
-      difference: before ? text(value === null || other === null ? null : value - other) : '',
-      limit: limit === null ? '' : number(limit), use,
+      difference: before ? text(sides === null || other === null ? null : sides.map((value, i) => value - other[i])) : '',
+      limit: limit === null ? '' : number(limit),
+      use: share < 0 || k === 0 ? '' : `${number(100 * share, 4)} %`,
     };
   });
 }
@@ -208,10 +213,11 @@ class Report {
     this.plot.addEventListener('dblclick', () => this.whole());
     this.pointers = new Map();
     this.plot.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0) return;  // the menu of the right button may take its release
       this.pointers.set(event.pointerId, event.clientX);
       this.plot.setPointerCapture(event.pointerId);
     });
-    for (const end of ['pointerup', 'pointercancel']) this.plot.addEventListener(end, (event) => this.pointers.delete(event.pointerId));
+    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture']) this.plot.addEventListener(end, (event) => this.pointers.delete(event.pointerId));
     this.plot.addEventListener('pointermove', (event) => this.pointed(event));
   }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // chart_values SPEC: prints the chart_data() of the first axis of a spec.
 // chart_values SPEC VIEW: reads places of the x axis, one a line, and prints for each the value and three derivatives,
-// and the texts that a report shows for them, as JSON. VIEW: 0 is the figure, 1 is the slave over time.
+// and the texts that a report shows for them, as JSON. Where a value jumps, the text has both sides. VIEW: 0 is the
+// figure, 1 is the slave over time.
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +21,10 @@ namespace {
 
 constexpr int cursor_digits = 9;
 
+std::string text(double value, double noise) {
+  return jounce::short_number(std::abs(value) <= noise ? 0 : value, cursor_digits);
+}
+
 nlohmann::json values(const jounce::Input& input) {
   const jounce::Figure figure = jounce::figure_of(input);
   const jounce::CurveLook look = jounce::look_of(input);
@@ -27,15 +33,20 @@ nlohmann::json values(const jounce::Input& input) {
       [&](const auto& curve) {
         for (std::string line; std::getline(std::cin, line);) {
           const double x = std::strtod(line.c_str(), nullptr);
-          const auto side = x == curve.end() ? jounce::Side::left : jounce::Side::right;
-          const jounce::Jet jet = curve.jet(x, side);
+          const jounce::Jet left =
+              curve.jet(x, x > curve.start() ? jounce::Side::left : jounce::Side::right);
+          const jounce::Jet right =
+              curve.jet(x, x < curve.end() ? jounce::Side::right : jounce::Side::left);
           nlohmann::json texts = nlohmann::json::array();
-          for (std::size_t k = 0; k < jet.size(); ++k) {
-            const double value = jet[k] / jounce::panel_unit(look, static_cast<int>(k)).size;
-            const bool rounding = std::abs(value) <= figure.panels[k].noise;
-            texts.push_back(jounce::short_number(rounding ? 0 : value, cursor_digits));
+          for (std::size_t k = 0; k < right.size(); ++k) {
+            const double size = jounce::panel_unit(look, static_cast<int>(k)).size;
+            const double noise = figure.panels[k].noise;
+            const std::string before = text(left[k] / size, noise);
+            const std::string after = text(right[k] / size, noise);
+            const bool jumps = std::abs(left[k] - right[k]) / size > noise && before != after;
+            texts.push_back(jumps ? before + " → " + after : after);
           }
-          all.push_back({{"jet", jet}, {"texts", texts}});
+          all.push_back({{"jet", right}, {"texts", texts}});
         }
       },
       *input.curve);

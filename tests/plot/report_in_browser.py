@@ -141,6 +141,8 @@ def zoom_and_pan():
 
 def rows_and_findings():
     report(EXAMPLES / "pmc600-cam" / "cam.toml")
+    name = "[...document.querySelectorAll('th')].find((head) => head.textContent === 'segment')"
+    assert browser.run(f"getComputedStyle({name}).textAlign") == "left", "names are text, although they begin with a number"
     browser.run("document.querySelectorAll('tr[data-from]')[1].dispatchEvent(new PointerEvent('pointerenter'))")
     settle()
     assert browser.run("document.querySelectorAll('.plot .piece').length") == 4, "one in each panel"
@@ -190,6 +192,73 @@ def large_table():
     assert low - 1e-9 <= math.sin(20 * float(place)) <= high + 1e-9 and high - low < 0.5, (place, texts)
 
 
+TEXTS_THAT_COLLIDE = """(() => {
+  const out = [], frame = document.querySelector('.plot svg').getBoundingClientRect();
+  const texts = [...document.querySelectorAll('.plot svg text')].map((t) => [t.textContent, t.getBoundingClientRect()]);
+  texts.forEach(([words, a], i) => {
+    if (a.left < frame.left - 1 || a.right > frame.right + 1 || a.bottom > frame.bottom + 1) out.push('outside: ' + words);
+    for (const [other, b] of texts.slice(i + 1))
+      if (Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 4)
+        out.push(words + ' covers ' + other);
+  });
+  if (document.documentElement.scrollWidth > innerWidth) out.push('the page scrolls sideways');
+  return out; })()"""
+HOSTILE = "</script><img src=x onerror=alert(1)> \"quoted\" & others, a name that is longer than any picture is wide"
+
+
+def screen(width):
+    browser.call("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=width < 600)
+    settle()
+
+
+def layout():
+    """No text is outside the picture or covers another, for long numbers and names, wide and narrow, at each zoom."""
+    hostile = pathlib.Path(folder) / "hostile.toml"
+    hostile.write_text(PUSHER.read_text().replace('"packaging pusher"', f"'{HOSTILE}'").replace('"push"', f"'{HOSTILE}'"))
+    gear = EXAMPLES / "pmc600-gear-in-pos" / "gear.toml"
+    for spec, *options in (PUSHER,), (gear,), (hostile, "--before", PUSHER):
+        for width in 1120, 390:
+            screen(width)
+            report(spec, *options)
+            for view in "over master", "over time":
+                if browser.run(f"[...document.querySelectorAll('.tools button')].some((b) => b.textContent === '{view}')"):
+                    click(view)
+                press("ArrowUp", 13)
+                for zoom in range(0, 30, 2):
+                    found = browser.run(TEXTS_THAT_COLLIDE)
+                    assert not found, (spec, width, view, zoom, found)
+                    press("+", 2)
+    screen(1120)
+
+
+def print_on_paper():
+    """All columns are on the page; the colors are those of paper, also for a reader with a dark screen."""
+    width_of_a4 = 688  # px, without the margins
+    screen(width_of_a4)
+    report(EXAMPLES / "pmc600-cam" / "cam.toml")
+    dark = [{"name": "prefers-color-scheme", "value": "dark"}]
+    browser.call("Emulation.setEmulatedMedia", media="print", features=dark)
+    wide = browser.run("[...document.querySelectorAll('.scroll')].filter((s) => s.scrollWidth > s.clientWidth + 1).map((s) => s.innerText)")
+    assert not wide, wide
+    assert browser.run("getComputedStyle(document.querySelector('.tools')).display") == "none"
+    assert browser.run("getComputedStyle(document.documentElement).getPropertyValue('--paper')").strip() in ("#fff", "#ffffff")
+    browser.call("Emulation.setEmulatedMedia", media="", features=[])
+    screen(1120)
+
+
+def right_button():
+    """The menu of the right button may take its release: the picture does not pan afterwards."""
+    report(PUSHER)
+    press("+", 3)
+    near = ticks()
+    at = box()
+    mouse("mousePressed", at["x"] + 400, at["y"] + 100, button="right", buttons=2, clickCount=1)
+    for step in range(1, 5):
+        mouse("mouseMoved", at["x"] + 400 - 30 * step, at["y"] + 100)
+    assert ticks() == near
+    mouse("mouseReleased", at["x"] + 280, at["y"] + 100, button="right", clickCount=1)
+
+
 def errors():
     """The console stays empty; the policy blocks a script that is not the page's own, and every request."""
     browser.call("Page.addScriptToEvaluateOnNewDocument", source="window.errors = [];"
@@ -222,5 +291,8 @@ try:
     rows_and_findings()
     before_and_difference()
     large_table()
+    layout()
+    print_on_paper()
+    right_button()
 finally:
     browser.end()

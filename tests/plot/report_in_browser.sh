@@ -7,4 +7,4 @@ browser=$(command -v chromium || command -v chromium-browser || command -v googl
 [ -n "$browser" ] || { echo "skipped: no Chromium is installed"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-PYTHONPATH="$here/../web" timeout 100 python3 "$here/report_in_browser.py" "$browser" "$scratch" "$1" "$2"
+PYTHONPATH="$here/../web" timeout 280 python3 "$here/report_in_browser.py" "$browser" "$scratch" "$1" "$2"

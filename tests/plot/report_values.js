@@ -11,7 +11,7 @@ for (const name of ['curve', 'picture', 'report'])
   vm.runInThisContext(fs.readFileSync(`${root}/plot/assets/${name}.js`, 'utf8'));
 const page = vm.runInThisContext('({prepared, valuesAt, number, pathData})');
 
-let failures = 0, places = 0, exact = 0;
+let failures = 0, places = 0, exact = 0, jumps = 0;
 function expect(ok, message) {
   if (!ok && ++failures <= 20) console.error(message);
 }
@@ -35,6 +35,7 @@ function compare(spec) {
       const jet = curve.jet(x), shown = page.valuesAt(view, x).map(({value}) => value);
       const sines = curve.pieces.some((piece) => piece.length > 2);
       ++places;
+      jumps += shown.some((text) => text.includes('→'));
       jet.forEach((value, k) => {
         const want = expected[i].jet[k];
         exact += value === want;
@@ -52,7 +53,8 @@ const specs = ['pmc600-cam', 'packaging-pusher', 'valve-train', 'residual-17hz',
 specs.forEach(compare);
 
 for (const [value, digits, text] of [[0, 6, '0'], [-0, 6, '0'], [-3.392271, 6, '−3.39227'], [1.5e12, 6, '1.5×10¹²'], [1e-5, 6, '10⁻⁵'], [1e-4, 6, '0.0001'],
-  [999999.5, 6, '10⁶'], [999999, 6, '999999'], [123456789, 9, '123456789'], [Infinity, 6, '∞'], [-1e300, 3, '−10³⁰⁰'], [100, 6, '100']])
+  [999999.5, 6, '10⁶'], [999999, 6, '999999'], [123456789, 9, '123456789'],
+  [1.953125, 6, '1.95312'], [9.765625, 6, '9.76562'], [5.859375, 6, '5.85938'], [2 ** -13, 9, '0.000122070312'], [1.9531250000000002, 6, '1.95313'], [Infinity, 6, '∞'], [-1e300, 3, '−10³⁰⁰'], [100, 6, '100']])
   expect(page.number(value, digits) === text, `number(${value}, ${digits}) is ${page.number(value, digits)}, not ${text}`);
 
 // The difference of two versions, whose joints are at different places.
@@ -68,6 +70,14 @@ for (let i = 0; i < 200; ++i) {
 }
 expect(page.valuesAt(both, 0.25)[0].difference === '–', 'there is no difference where one version is not defined');
 
+// At a jump, both sides are shown; "used" is that of the greater one.
+const limited = page.prepared({panels: panels.map((panel) => ({...panel, lower: -4, upper: 8})), segments: [], curves: versions.slice(0, 1)});
+const [, jump] = page.valuesAt(limited, 1);
+const sides = [limited.curves[0].at(0, 1)[1], limited.curves[0].at(1, 1)[1]];
+expect(sides[0] === 14 && sides[1] !== 14, `the velocity at the joint is ${sides}`);
+expect(jump.value === `14 → ${page.number(sides[1], 9)}` && jump.limit === '8' && jump.use === '175 %', `the jump is ${JSON.stringify(jump)}`);
+expect(!page.valuesAt(limited, 0.999)[1].value.includes('→'), 'only a joint has two sides');
+
 // The range of a block of a large curve.
 const block = {label: 'large', edges: [0, 1, 3], low: [[-1, 2], [0, 0], [0, 0], [0, 0]], high: [[4, 5], [1, 1], [1, 1], [1, 1]], count: 9};
 const large = page.prepared({panels, segments: [], curves: [block]});
@@ -77,6 +87,7 @@ expect(page.valuesAt(large, 0.5)[0].value === '−1 … 4' && page.valuesAt(larg
 const line = page.pathData([0, 0.1, 0.2, 0.3, 0.35, 0.4, 1], [5, 6, 1, 9, 7, 4, 3], (x) => x, (y) => y);
 expect(line === 'M0 5L0.2 1L0.3 9L0.4 4L1 3', `the line is ${line}`);
 
+expect(jumps >= 50, `only ${jumps} places have a jump`);
 expect(places >= 1000, `only ${places} places were compared`);
 console.log(`${places} places of ${specs.length} specs: ${exact} of ${4 * places} values are equal to the last bit; ${failures} failures`);
 process.exit(failures > 0 ? 1 : 0);

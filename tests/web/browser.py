@@ -71,5 +71,11 @@ class Browser:
             out.write(base64.b64decode(data))
 
     def end(self):
-        self.process.kill()
-        self.process.wait()
+        """Ends the browser and its processes, so that they write into its folder no longer."""
+        self.session = None
+        try:
+            self.call("Browser.close")
+            self.process.wait(10)
+        except (AssertionError, OSError, subprocess.TimeoutExpired):
+            self.process.kill()
+            self.process.wait()

@@ -54,7 +54,8 @@ dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.5em}
 .jf.wide{display:none}.jf.narrow{display:block}}
 @media print{@page{margin:14mm}body{font-size:10pt;line-height:1.4}main{max-width:none;padding:0}
 h2{margin:1.3em 0 .5em;break-after:avoid}figure{margin:.6em 0 1em}.verdict{margin-top:.8em}
-figure,tr,.verdict{break-inside:avoid}.scroll{overflow:visible}}
+figure,tr,.verdict{break-inside:avoid}.scroll{overflow:visible}
+table{font-size:7pt}th,td{padding:.3em .4em}td.w{min-width:10em}}
 )";
 
 std::string prose(const std::string& text) {
@@ -80,8 +81,9 @@ bool is_number(std::string_view cell) {
   return !cell.empty() && cell[0] >= '0' && cell[0] <= '9';
 }
 
-/// True if the column holds only numbers and gaps.
+/// True if the column holds only numbers and gaps. Names of segments may begin with their number.
 bool is_numeric(const DataTable& table, std::size_t column) {
+  if (table.columns[column] == "segment") return false;
   bool any = false;
   for (const DataTable::Row& row : table.rows) {
     if (column >= row.cells.size() || row.cells[column].empty()) continue;
