@@ -79,6 +79,10 @@ Result convert(const py::object& source, const std::filesystem::path& output, co
                std::size_t intervals, const std::string& x_unit, const std::string& position_unit,
                bool periodic) {
   const Input input = input_of_argument(source);
+  std::error_code missing;  // a missing file is a different file
+  if (py::isinstance<py::str>(source) &&
+      std::filesystem::equivalent(py::cast<std::string>(source), output, missing))
+    throw InputError("output", output.string(), "is also the input: choose another name");
   Wanted wanted{output.string(), to, rule, {}, intervals, {x_unit, position_unit}, periodic};
   wanted.target.controller = controller;
   wanted.target.tolerance = quantity_text(tolerance);

@@ -97,9 +97,15 @@ void bind_optimum(py::module_& m) {
       .def(
           "write",
           [](const Improvement& o, const std::filesystem::path& path) {
+            std::error_code missing;  // a missing file is a different file
+            if (std::filesystem::equivalent(path, o.name, missing))
+              throw InputError("path", path.string(), "is also the input: choose another name");
             write_file(path.string(), usable_spec(o));
           },
-          "path"_a, "Writes the optimized spec. Raises InputError if the result is not usable.")
+          "path"_a,
+          "Writes the optimized spec. Raises InputError if the result is not usable, or if the "
+          "path is "
+          "that of the input.")
       .def("__str__", [](const Improvement& o) { return o.text; })
       .def("__repr__", [](const Improvement& o) {
         return shown("Optimum",

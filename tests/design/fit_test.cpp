@@ -145,6 +145,17 @@ TEST_F(FitFile, APeriodMayCloseTheFile) {
   EXPECT_THAT(laws_of(made.fit.spec), ::testing::ElementsAre("simple_sine", "simple_sine"));
 }
 
+TEST_F(FitFile, APeriodWithUnequalEndsBreaksTheTolerance) {
+  std::string content = "master [deg],slave [mm]\n";
+  for (int i = 0; i <= 36; ++i)
+    content += std::to_string(10 * i) + "," + (i == 36 ? "0.1" : "0") + "\n";
+  const FittedCam open = fit(content, {.tolerance = "0.02", .period = "360"});
+  EXPECT_FALSE(open.ok());
+  EXPECT_GE(open.fit.excess, 0.03 - 1e-12);  // half of the difference, without the tolerance
+  EXPECT_THAT(fit_text(open), HasSubstr("BROKEN"));
+  EXPECT_TRUE(fit(content, {.tolerance = "0.06", .period = "360"}).ok());
+}
+
 TEST_F(FitFile, RejectsWithTheLineOfTheFile) {
   EXPECT_THAT(complaint("master,slave\n0,0\n1,1\n1,2\n2,2\n3,3\n", {.tolerance = "1"}),
               HasSubstr("master_unit: is missing: the file names no unit"));

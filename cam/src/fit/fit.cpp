@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cam/src/design/table.hpp"
@@ -520,7 +521,7 @@ void Fitter::align_lines() {
 }
 
 CamFit Fitter::result() {
-  CamFit fit{spec_, {}, 0, 0};
+  CamFit fit{.spec = spec_};
   if (advance_ != 0)
     fit.spec.slave_period = std::abs(knot(spec_.segments.size()).slave - spec_.start.slave);
   const Cam cam = design(fit.spec).cam;
@@ -532,6 +533,8 @@ CamFit Fitter::result() {
     const double gap = std::abs(cam.jet(p.master, side)[0] - p.slave);
     fit.segments[i].gap = std::max(fit.segments[i].gap, gap);
     if (gap > fit.gap) fit.gap = gap, fit.where = p.master;
+    if (gap > p.tolerance * (1 + profiles_detail::rounded_input))
+      fit.excess = std::max(fit.excess, gap - p.tolerance);
   }
   for (std::size_t k = 0; k < found_.size(); ++k) {
     fit.segments[k].next = found_[k].next;

@@ -36,6 +36,11 @@ std::string fit_text(const FittedCam& fitted) {
   text += fmt::format("distance from the points: at most {} {}, at {} {} (tolerance {})\n",
                       rounded(fit.gap), u, rounded(fit.where), fitted.units.x,
                       rounded(fitted.tolerance));
+  if (fit.excess > 0)
+    text += fmt::format(
+        "BROKEN: the cam is beyond the tolerance of a point by {} {} -> give a greater tolerance; "
+        "with --period, the first and the last point must be equal within their tolerances\n",
+        rounded(fit.excess), u);
   return text + fmt::format("distance from the {}: at most {} {} (certified), at {} {}\n",
                             fitted.curved ? "curve of the table" : "lines between the points",
                             rounded(fitted.between.position), u, rounded(fitted.between.where),

@@ -31,8 +31,11 @@ struct FittedCam {
   SampleError between;
   bool curved = false;  ///< true: `between` is the distance from a table with velocities
 
-  /// False if the cam leaves the tolerance between the points of a table with velocities.
-  [[nodiscard]] bool ok() const { return !curved || between.position <= tolerance; }
+  /// False if the cam leaves the tolerance of a point, or the tolerance between the points of a
+  /// table with velocities.
+  [[nodiscard]] bool ok() const {
+    return fit.excess <= 0 && (!curved || between.position <= tolerance);
+  }
 };
 
 /// Fits a cam to the points of a file: CSV with the columns `master`, `slave` and perhaps

@@ -32,6 +32,10 @@ struct CamFit {
   std::vector<SegmentFit> segments;  ///< one for each segment of the spec
   double gap = 0;                    ///< u, greatest distance from a point
   double where = 0;                  ///< m, master position of this point
+  /// u, greatest distance of the cam beyond the tolerance of a point; 0: every point is within its
+  /// tolerance. Positive if the first and the last point of a period differ by more than their
+  /// tolerances, or if two points of the same dwell do.
+  double excess = 0;
 };
 
 /// Returns a cam with few segments that passes every point within its tolerance.
