@@ -521,7 +521,8 @@ void Fitter::align_lines() {
 }
 
 CamFit Fitter::result() {
-  CamFit fit{.spec = spec_};
+  CamFit fit;
+  fit.spec = spec_;
   if (advance_ != 0)
     fit.spec.slave_period = std::abs(knot(spec_.segments.size()).slave - spec_.start.slave);
   const Cam cam = design(fit.spec).cam;
