@@ -7,18 +7,18 @@ import re
 import sys
 
 page, root = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-rooms = {"plays": "cli"}  # a test program in another module's folder
+folders = {"plays": "cli"}  # a test program in another module's folder
 scripts = "\n".join(file.read_text() for file in root.glob("tests/**/CMakeLists.txt"))
 
 
 def is_there(name):
-    room, _, test = name.partition(": ")
+    module, _, test = name.partition(": ")
     gtest = re.fullmatch(r"(\w+)\.(\w+)", test)
     if not gtest:
         first, _, last = name.rpartition(", ")  # test of a foreach: "cli: survives, ${what}"
         looped = f"{first}, ${{what}}" in scripts and re.search(rf"foreach\(what [^)]*\b{last}\b", scripts)
         return f'NAME "{name}"' in scripts or bool(looped)
-    folder = root / "tests" / rooms.get(room, room)
+    folder = root / "tests" / folders.get(module, module)
     macro = re.compile(rf"TEST(_F|_P)?\({gtest[1]}, {gtest[2]}\)")
     return any(macro.search(file.read_text()) for file in folder.glob("*.cpp"))
 
