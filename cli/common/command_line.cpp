@@ -70,7 +70,7 @@ bool looks_like_option(const std::string& word) {
 InputError empty_argument(const std::vector<std::string>& words, std::size_t i) {
   const bool named = i > 0 && looks_like_option(words[i - 1]);
   return {named ? words[i - 1] : "argument " + std::to_string(i + 1), "",
-          "is empty: leave it out, or write a value"};
+          "is empty: write a value, or leave it out if it is optional"};
 }
 
 /// The words in the order of the parser, last first. Rejects "--log=", which has no value: the parser would take the
@@ -90,7 +90,7 @@ std::vector<std::string> meant(std::span<char*> given) {
 }
 
 /// A sentence on the first word that looks like an option and is none; "" if there is none.
-std::string stranger(const CLI::App& app, std::span<char*> words) {
+std::string stranger(const CLI::App& app, const std::string& owner, std::span<char*> words) {
   std::vector<std::string> options;
   for (const auto* option : app.get_options()) {
     for (const auto& name : option->get_lnames()) options.push_back("--" + name);
@@ -104,7 +104,7 @@ std::string stranger(const CLI::App& app, std::span<char*> words) {
     if ((name == "-o" || name == "--output") && app.get_option_no_throw("OUT") != nullptr)
       return "`" + name + "` is not an option of this verb: name the output as the second argument";
     const std::string near = name.size() > 2 ? nearest(name, options) : "";
-    return "`" + name + "` is not an option of this verb" +
+    return "`" + name + "` is not an option of " + owner +
            (near.empty() ? "" : ": did you mean " + near + "?");
   }
   return "";
@@ -115,6 +115,11 @@ std::string words_of(const CLI::ParseError& error) {
   std::string text = error.what();
   if (const std::string excludes = " excludes "; text.find(excludes) != std::string::npos)
     return text.replace(text.find(excludes), excludes.size(), " cannot be combined with ");
+  if (const auto most = text.find(": At Most 1 required"); most != std::string::npos)
+    return text.substr(0, most) + " is given twice";
+  const std::string valueless = ": 1 required value missing";
+  if (text.ends_with(valueless))
+    return text.substr(0, text.size() - valueless.size()) + " has no value after it";
   const std::string required = " is required";
   if (text.ends_with(required))
     return text.substr(0, text.size() - required.size()) + " is missing";
@@ -138,7 +143,8 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, std::sp
            all;
   }
   const CLI::App& asked = is_verb ? *app.get_subcommand(given) : app;
-  const std::string strange = stranger(asked, words.subspan(is_verb ? 2 : 1));
+  const std::string strange =
+      stranger(asked, is_verb ? "this verb" : "jounce", words.subspan(is_verb ? 2 : 1));
   return (strange.empty() ? words_of(error) : strange) +
          (is_verb ? " (see jounce " + given + " --help)" : all);
 }
