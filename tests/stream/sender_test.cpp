@@ -299,7 +299,7 @@ TEST_F(SenderTest, RefusesAPlanThatCannotBeSentOrArmed) {
       refuses([](StreamPlan& p) { p.mode = wire::ArmMode::follow_table; }),
       "table: the table of the axis is over time, but it must be over the position of a master");
   EXPECT_EQ(refuses([](StreamPlan& p) { p.tables[0].units.x = "ms"; }),
-            "mode = play: the slave table is over ms, must be over s");
+            "table: the slave table is over ms, must be over s");
   EXPECT_EQ(refuses([](StreamPlan& p) { p.start_tick = -2; }),
             "start_tick = -2: must be -1 or more");
   EXPECT_EQ(refuses([](StreamPlan& /*as it is*/) {}, {.pace = {.window = 65}}),
