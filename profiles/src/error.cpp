@@ -42,7 +42,7 @@ std::string rounded(double value, int digits) {
   return all;
 }
 
-/// The text without a possible secret: a run of as many hexadecimal digits as a key has, or more.
+/// The text without a possible secret: a run of as many hexadecimal digits as a key has.
 std::string without_keys(const std::string& text) {
   constexpr std::size_t digits = 64;  // a key from `jounce new key`
   std::string shown;
@@ -50,7 +50,7 @@ std::string without_keys(const std::string& text) {
     const std::size_t end =
         std::min(text.find_first_not_of("0123456789abcdefABCDEF", at), text.size());
     const std::size_t run = end - at;
-    if (run >= digits)
+    if (run == digits)
       shown += "(" + std::to_string(run) + " hexadecimal digits, not shown)";
     else
       shown += text.substr(at, run);
