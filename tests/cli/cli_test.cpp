@@ -525,7 +525,7 @@ TEST_F(Cli, EventsSayWhenOutputsSwitch) {
   EXPECT_THAT(run("events " + scan + " --json").out, HasSubstr("\"output\": \"compare\""));
   EXPECT_EQ(run("check " + scan).status, 0);
   EXPECT_THAT(run("events " + examples + "spring-coiler/cam.toml").err,
-              HasSubstr("compare: is missing"));
+              HasSubstr("switch: is missing"));
 }
 
 TEST_F(Cli, EventsNamePointsThatDoNotFire) {
