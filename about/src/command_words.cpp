@@ -13,7 +13,7 @@ namespace {
 InputError empty_argument(const std::vector<std::string>& words, std::size_t i) {
   const bool named = i > 0 && looks_like_option(words[i - 1]);
   return {named ? words[i - 1] : "argument " + std::to_string(i + 1), "",
-          "is empty: leave it out, or write a value"};
+          "is empty: write a value, or leave it out if it is optional"};
 }
 
 std::string did_you_mean(const std::string& near) {
@@ -47,15 +47,17 @@ std::string wrong_verb(std::span<const char* const> given, const std::vector<std
 }
 
 std::string wrong_option(std::span<const char* const> given,
-                         const std::vector<std::string>& options, bool names_output) {
+                         const std::vector<std::string>& options, bool names_output,
+                         const std::string& owner) {
   for (const std::string word : given) {
     const std::string name = word.substr(0, word.find('='));
     if (!looks_like_option(name) ||
         std::find(options.begin(), options.end(), name) != options.end())
       continue;
     if (names_output && (name == "-o" || name == "--output"))
-      return "`" + name + "` is not an option of this verb: name the output as the second argument";
-    return "`" + name + "` is not an option of this verb" +
+      return "`" + name + "` is not an option of " + owner +
+             ": name the output as the second argument";
+    return "`" + name + "` is not an option of " + owner +
            did_you_mean(name.size() > 2 ? nearest(name, options) : "");
   }
   return "";

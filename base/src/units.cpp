@@ -172,14 +172,14 @@ double quantity(std::string_view text, std::string_view unit) {
   if (given.empty()) return *value;
   if (!is_unit(given) || has_second_number(given))
     throw InputError("", shown,
-                     '"' + std::string(given) + "\" is not a known unit; give the value in " +
-                         std::string(unit));
+                     '"' + std::string(given) + "\" is not a known unit; give the value " +
+                         (unit == "1" ? "without a unit" : "in " + std::string(unit)));
   try {
     return *value * conversion(given, unit);
   } catch (const InputError&) {
     throw InputError("", shown,
-                     std::string(given) + " is not a unit of this quantity: give the value in " +
-                         std::string(unit));
+                     std::string(given) + " is not a unit of this quantity: give the value " +
+                         (unit == "1" ? "without a unit" : "in " + std::string(unit)));
   }
 }
 

@@ -54,6 +54,11 @@ std::string words_of(const CLI::ParseError& error) {
   std::string text = error.what();
   if (const std::string excludes = " excludes "; text.find(excludes) != std::string::npos)
     return text.replace(text.find(excludes), excludes.size(), " cannot be combined with ");
+  if (const auto most = text.find(": At Most 1 required"); most != std::string::npos)
+    return text.substr(0, most) + " is given twice";
+  const std::string valueless = ": 1 required value missing";
+  if (text.ends_with(valueless))
+    return text.substr(0, text.size() - valueless.size()) + " has no value after it";
   const std::string required = " is required";
   if (text.ends_with(required))
     return text.substr(0, text.size() - required.size()) + " is missing";
@@ -83,8 +88,9 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error,
   const std::string given = words.front();
   const bool is_verb = given[0] != '-';
   const CLI::App& asked = is_verb ? *app.get_subcommand(given) : app;
-  const std::string wrong = wrong_option(words.subspan(is_verb ? 1 : 0), option_names(asked),
-                                         asked.get_option_no_throw("OUT") != nullptr);
+  const std::string wrong =
+      wrong_option(words.subspan(is_verb ? 1 : 0), option_names(asked),
+                   asked.get_option_no_throw("OUT") != nullptr, is_verb ? "this verb" : "jounce");
   return (wrong.empty() ? words_of(error) : wrong) +
          (is_verb ? " (see jounce " + given + " --help)" : all);
 }

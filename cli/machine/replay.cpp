@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cerrno>
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -40,7 +42,12 @@ int run_replay(const ReplayArguments& options) {
   for (const auto& [option, path] : {std::pair{"--plot", options.plot}, {"--csv", options.csv}})
     if (!path.empty()) require_other_file(options.file, path);
   if (!std::ifstream(options.file, std::ios::binary))
-    throw InputError("FILE", options.file, "cannot be read: does the file exist?");
+    throw InputError("FILE", options.file,
+                     "cannot be read: " + std::generic_category().message(errno));
+  if (const bool writes = !options.plot.empty() || !options.csv.empty();
+      !writes && (!options.axis.empty() || options.last))
+    throw InputError(options.last ? "--last" : "--axis", "",
+                     "applies to --plot and --csv: add one of them");
   const ReplayedFile file = replayed(options);
   if (!options.plot.empty()) write_picture(options.plot, tick_figure(file.ticks, file.axis));
   if (options.json)

@@ -53,6 +53,10 @@ int print_answer(const CheckArguments& options) {
 
 int run_check(const CheckArguments& options) {
   require_one_file(options.run, "--axis", options.axis);
+  if (options.run.files.size() == 1 && !options.limits.empty() &&
+      is_without_motion(options.run.file()))
+    throw InputError("--limit", options.limits.front(),
+                     "applies to a motion, but this file has none: leave out --limit");
   if (options.run.is_one_answer())
     return answer(options.run, [&] { return print_answer(options); });
   const auto examine = [&](std::vector<Input>& axes) { return reports_of(axes, options); };

@@ -68,6 +68,9 @@ void require_known_ending(const ConvertArguments& options) {
 int run_convert(const ConvertArguments& options) {
   const TableForm form = table_form(options.to, options.output);
   require_known_ending(options);
+  if (form.format != nullptr && !options.rule.empty())
+    throw InputError("--rule", options.rule,
+                     "applies to csv and json only: this format has its own rule");
   require_other_file(options.input, options.output, "OUT");
   const Input input = load(options.input, options.axis, options.decimal_comma);
   const Converted made =

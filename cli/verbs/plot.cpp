@@ -19,7 +19,7 @@ namespace {
 struct PlotArguments {
   std::string file;
   std::string axis, machine, plane;
-  std::string over = "master";
+  std::string over;
   std::string before;
   std::string drive;
   bool follower = false;
@@ -61,6 +61,9 @@ Figure figure(const PlotArguments& options) {
   if (options.follower)
     return follower_figure(inputs.front());  // a spec with [follower] has one axis
   const bool over = options.over == "time";
+  if (options.over == "master" && !inputs.front().labels.over_master)
+    throw InputError("--over", "master",
+                     inputs.front().name + " is over time, without a master: leave out --over");
   if (over)
     for (Input& input : inputs) input = slave_of(input);
   if (options.before.empty()) return with_option_names({"axis"}, [&] { return figure_of(inputs); });

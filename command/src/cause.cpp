@@ -94,7 +94,8 @@ constexpr std::array entries{
           "The axis was moved, or its position was set, after the table was armed: move the axis "
           "to the start of the table, or arm the table again."},
     Entry{Cause::too_late, "too_late", "The requested start tick has passed.",
-          "Give a later tick: `jounce monitor NAME --json` shows the present one."},
+          "Give a later start: the table must arrive before it. `jounce monitor NAME --json` shows "
+          "the present tick."},
     Entry{Cause::no_value, "no_value",
           "The table or the number of the command is missing or not finite.",
           "Send the command with its table, or with a finite number."},
@@ -176,8 +177,10 @@ constexpr std::array entries{
           "Write the table in the unit of the axis: change units in its spec, or use `jounce "
           "convert --position-unit`."},
     Entry{Cause::no_master_input, "no_master_input",
-          "The axis has no live master: its spec has no [follow], or the master sends no position.",
-          "Add [follow] to the spec of the axis, or start the program of the master. Without a "
+          "The axis has no live master: its spec has no [follow], or the master sends no "
+          "position in the unit that [follow] expects.",
+          "Add [follow] to the spec of the axis, start the program of the master, or correct the "
+          "unit of the master. Without a "
           "live master, send the motion of the master as a table over time."},
     Entry{Cause::would_reverse, "would_reverse",
           "The axis can reach its cam only against the direction of its start mode.",

@@ -150,7 +150,8 @@ OutputEvents output_events(const std::vector<Input>& axes) {
             {},
             {}};
   throw spec.document.located(
-      InputError("compare", "", "is missing: add [compare] or [[switch]] to the spec"));
+      spec.over_master() ? InputError("switch", "", "is missing: add [[switch]] to the spec")
+                         : InputError("compare", "", "is missing: add [compare] to the spec"));
 }
 
 std::string to_json(const OutputEvents& events) {

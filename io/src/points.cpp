@@ -151,7 +151,7 @@ class Reader {
       if (!is_unit(column.unit)) fail(column.name, column.unit, "is not a unit");
     }
     if (points_.find(column.name) != nullptr)
-      fail(column.name, cell, "is the name of two columns: rename one");
+      fail(column.name, "", "is the name of two columns: remove one");
     is_words_.push_back(column.name == "type");
     points_.columns.push_back(std::move(column));
   }

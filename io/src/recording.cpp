@@ -50,8 +50,9 @@ Recording read_recording(const std::string& path, const Drive& drive, const std:
   Recording recording;
   recording.time = column(points, "time", "s");
   if (recording.time.size() < 4)
-    throw InputError("time", std::to_string(recording.time.size()) + " rows",
-                     "are too few: a recording needs at least four")
+    throw InputError(
+        "time", "",
+        "needs at least four rows; the number of rows is " + std::to_string(recording.time.size()))
         .at(points.document);
   require_ascending(points, recording.time);
   recording.command = column(points, "command", position);

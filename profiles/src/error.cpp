@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/profiles/error.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -41,6 +42,24 @@ std::string rounded(double value, int digits) {
   return all;
 }
 
+/// The text without a possible secret: a run of as many hexadecimal digits as a key has.
+std::string without_keys(const std::string& text) {
+  constexpr std::size_t digits = 64;  // a key from `jounce new key`
+  std::string shown;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end =
+        std::min(text.find_first_not_of("0123456789abcdefABCDEF", at), text.size());
+    const std::size_t run = end - at;
+    if (run == digits)
+      shown += "(" + std::to_string(run) + " hexadecimal digits, not shown)";
+    else
+      shown += text.substr(at, run);
+    if (end < text.size()) shown += text[end];
+    at = end + 1;
+  }
+  return shown;
+}
+
 /// The text; only its beginning if it is too long to read.
 std::string shortened(const std::string& text) {
   constexpr std::size_t most = 200;
@@ -74,6 +93,8 @@ std::string six_digits_down(double value) {
 
 InputError::InputError(std::string key, std::string value, std::string rule)
     : key_(std::move(key)), value_(std::move(value)), rule_(std::move(rule)) {
+  if (key_ != "sha256")  // a hash is no secret
+    for (std::string* part : {&key_, &value_, &rule_}) *part = without_keys(*part);
   compose();
 }
 

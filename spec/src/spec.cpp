@@ -211,8 +211,9 @@ constexpr std::array kinds{
 void refuse_other_kinds(TomlReader& top) {
   const auto kind = top.optional_text("kind");
   if (kind == "machine")
-    top.fail("kind", "\"machine\"",
-             "is a machine: run it with `jounce run`, or give the spec of one of its axes here");
+    top.fail(
+        "kind", "\"machine\"",
+        "is a machine: run it alone, with `jounce run`, or give the spec of one of its axes here");
   if (kind == "sweep")
     top.fail("kind", "\"sweep\"",
              "is a sweep: start it with `jounce sweep`, or give the spec that it varies here");
@@ -249,7 +250,7 @@ void spec_detail::require_version(TomlReader& top) {
   if (!top.has("jounce"))
     top.fail("jounce", "",
              "is missing: a spec begins with `jounce = 1`, the version of its format");
-  const auto version = top.optional_count("jounce");
+  const auto version = top.optional_whole("jounce");
   if (*version != Spec::version)
     top.fail("jounce", std::to_string(*version),
              "must be " + std::to_string(Spec::version) +

@@ -28,11 +28,11 @@ TEST(CommandWords, AreReadAsTheyAreMeant) {
   EXPECT_EQ(test::error_of([] {
               meant_words(Words{"run", "--log", ""});
             }),
-            "--log: is empty: leave it out, or write a value");
+            "--log: is empty: write a value, or leave it out if it is optional");
   EXPECT_EQ(test::error_of([] {
               meant_words(Words{"run", ""});
             }),
-            "argument 2: is empty: leave it out, or write a value");
+            "argument 2: is empty: write a value, or leave it out if it is optional");
 }
 
 TEST(CommandWords, NameTheNearestVerb) {

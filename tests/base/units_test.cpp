@@ -49,6 +49,8 @@ std::string complaint(const char* text, const char* unit) {
 
 TEST(Quantity, SaysWhatIsWrongAndWhatFits) {
   EXPECT_EQ(complaint("3 deg", "mm"), "deg is not a unit of this quantity: give the value in mm");
+  EXPECT_EQ(complaint("2 mm", "1"),
+            "mm is not a unit of this quantity: give the value without a unit");
   EXPECT_EQ(complaint("50 mm 3", "mm"), "\"mm 3\" is not a known unit; give the value in mm");
   EXPECT_EQ(complaint("3 furlong", "mm"), "\"furlong\" is not a known unit; give the value in mm");
   for (const char* text : {"", "mm", "nan", "inf", "-inf mm", "1e400"})

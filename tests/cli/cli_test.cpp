@@ -153,9 +153,9 @@ TEST_F(Cli, AValueThatDoesNotFitItsOptionIsToldWithItsRule) {
             "jounce: --over = tiem: must be one of master, time: did you mean time?\n");
   EXPECT_EQ(told("stop a --patience nan"),
             "jounce: --patience = nan: must be a number of seconds from 0.001 to 1e12\n");
-  EXPECT_EQ(told("-x"), "jounce: `-x` is not an option of this verb (see jounce --help)\n");
+  EXPECT_EQ(told("-x"), "jounce: `-x` is not an option of jounce (see jounce --help)\n");
   EXPECT_EQ(told("design " + cam + " -o"),
-            "jounce: --output: 1 required value missing (see jounce design --help)\n");
+            "jounce: --output has no value after it (see jounce design --help)\n");
 }
 
 // The parser would take the next word for the value, and the spec would be lost to the log.
@@ -525,7 +525,7 @@ TEST_F(Cli, EventsSayWhenOutputsSwitch) {
   EXPECT_THAT(run("events " + scan + " --json").out, HasSubstr("\"output\": \"compare\""));
   EXPECT_EQ(run("check " + scan).status, 0);
   EXPECT_THAT(run("events " + examples + "spring-coiler/cam.toml").err,
-              HasSubstr("compare: is missing"));
+              HasSubstr("switch: is missing"));
 }
 
 TEST_F(Cli, EventsNamePointsThatDoNotFire) {
@@ -1035,7 +1035,8 @@ TEST_F(Cli, PlotAndReportMakeWhatTheyName) {
   EXPECT_THAT(slurp(folder / "cam.png"), StartsWith("\x89PNG"));
   const std::string page = slurp(folder / "cam.html");
   EXPECT_THAT(page, HasSubstr("Content-Security-Policy"));
-  EXPECT_THAT(page, HasSubstr("<script type=\"application/json\">"));  // its own: report_security.py
+  EXPECT_THAT(page,
+              HasSubstr("<script type=\"application/json\">"));  // its own: report_security.py
 }
 
 // A full disk behind `> file` was exit status 0, with half of the text or none.
@@ -1101,7 +1102,8 @@ TEST_F(Cli, AReportSaysWhatItFoundAndIsAPageOfHtml) {
 TEST_F(Cli, AnEmptyArgumentIsNoMissingOne) {
   const Result result = run("convert " + cam + " out.csv --tolerance \"\"");
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.err, "jounce: --tolerance: is empty: leave it out, or write a value\n");
+  EXPECT_EQ(result.err,
+            "jounce: --tolerance: is empty: write a value, or leave it out if it is optional\n");
   EXPECT_TRUE(files().empty());
 }
 
@@ -1130,8 +1132,9 @@ TEST_F(Cli, AUnitOfConvertIsRefusedByTheNameOfItsOption) {
 
 TEST_F(Cli, AFileOfAnotherVerbIsSentThere) {
   write("a.toml", "jounce = 1\nkind = \"machine\"\n");
-  EXPECT_THAT(run("plot a.toml -o a.svg").err,
-              HasSubstr("a.toml:2:8: kind = \"machine\": is a machine: run it with `jounce run`"));
+  EXPECT_THAT(
+      run("plot a.toml -o a.svg").err,
+      HasSubstr("a.toml:2:8: kind = \"machine\": is a machine: run it alone, with `jounce run`"));
   write("a.toml", "jounce = 1\nkind = \"sweep\"\n");
   EXPECT_THAT(run("plot a.toml -o a.svg").err,
               HasSubstr("a.toml:2:8: kind = \"sweep\": is a sweep: start it with `jounce sweep`"));
@@ -1168,6 +1171,38 @@ TEST_F(Cli, DesignWritesATableForEachAxis) {
   const Result one = run("design " + via + " --axis y");
   EXPECT_EQ(one.status, 0);
   EXPECT_EQ(one.out, slurp(folder / "via-y.csv"));
+}
+
+TEST_F(Cli, NeverShowsTheKeyOfAFileWithAWrongName) {
+  std::string digits;
+  for (int i = 0; i < 8; ++i) digits += "5ff94de8";
+  for (const std::string name : {"key.toml", "key.csv", "key.ngc", "key.txt", "key.json", "key"}) {
+    write(name, digits + "\n");
+    for (const std::string verb :
+         {"check ", "design ", "report ", "stream --to feeder --url memq:// ", "explain ",
+          "convert --to csv x.csv "}) {
+      const Result result = run(verb + name);
+      EXPECT_EQ(result.status, 2) << verb << name;
+      EXPECT_THAT(result.out + result.err, Not(HasSubstr("5ff94de8"))) << verb << name;
+    }
+  }
+}
+
+TEST_F(Cli, AnOptionThatHasNoEffectIsRejected) {
+  ASSERT_EQ(run("new move -o move.toml").status, 0);
+  ASSERT_EQ(run("new drive -o drive.toml").status, 0);
+  EXPECT_THAT(run("plot move.toml --over master -o x.svg").err,
+              HasSubstr("is over time, without a master: leave out --over"));
+  EXPECT_THAT(run("convert " + cam + " y.scl --rule linear").err,
+              HasSubstr("--rule = linear: applies to csv and json only"));
+  EXPECT_THAT(run("check drive.toml --limit foo=3").err,
+              HasSubstr("--limit = foo=3: applies to a motion, but this file has none"));
+  EXPECT_THAT(run("events " + cam).err, HasSubstr("switch: is missing: add [[switch]]"));
+  EXPECT_THAT(run("events move.toml").err, HasSubstr("compare: is missing: add [compare]"));
+  EXPECT_THAT(run("check " + cam + " --limit geo_acceleration=-1").err,
+              HasSubstr("--limit geo_acceleration = -1"));
+  EXPECT_THAT(run("design " + cam + " -o a.csv -o b.csv").err,
+              HasSubstr("--output is given twice"));
 }
 
 TEST_F(Cli, SeveralAxesWithOneFileAreRefusedWithAWayOut) {

@@ -169,7 +169,8 @@ TEST(Exchange, ReadsColumnsHoweverTheyAreSeparated) {
 
 TEST(Exchange, ReadsDecimalCommasOnlyWhereTheyAreMeant) {
   EXPECT_EQ(complaint("0 0\n1 0,5\n"),
-            "t:2: Y = \"0,5\": has a decimal comma: write 0.5, or use --decimal-comma");
+            "t:2: Y = \"0,5\": has a decimal comma: write 0.5, or convert the file with "
+            "`jounce convert --decimal-comma`");
   EXPECT_EQ(parse_exchange("2\n0;0\n1,5;0,5\n", "t", true).table.columns().x[1], 1.5);
   EXPECT_EQ(complaint("0,0 0,0 0,0 0,0\n", false).substr(0, 11), "t:1: X = \"0");
   EXPECT_EQ(complaint("x,y,v,a\n0,0,0,0\n1,0,2,5,0,0,0,0\n"),

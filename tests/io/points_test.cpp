@@ -56,8 +56,7 @@ TEST(Points, NameWhatIsWrongAndWhere) {
             "file with "
             "line ends LF or CRLF");
   EXPECT_EQ(complaint("time [furlong]\n0\n"), "p.csv:1: time = furlong: is not a unit");
-  EXPECT_EQ(complaint("time,time\n0,1\n"),
-            "p.csv:1: time = time: is the name of two columns: rename one");
+  EXPECT_EQ(complaint("time,time\n0,1\n"), "p.csv:1: time: is the name of two columns: remove one");
   EXPECT_EQ(complaint("time,position\n0,1\n1\n"),
             "p.csv:3: row = 1 value: must have 2, one for each column of the header");
   EXPECT_EQ(complaint("time,position\n0,1\n1,2,3\n"),

@@ -66,7 +66,8 @@ TEST(Recording, RefusesWhatIsNone) {
   const std::string head = "time,command,feedback\n";
   EXPECT_THAT(refused(""), HasSubstr("is empty"));
   EXPECT_THAT(refused(head), HasSubstr("has a header but no points: add at least one row"));
-  EXPECT_THAT(refused(head + "0,0,0\n1,1,1\n2,2,2\n"), HasSubstr("3 rows: are too few"));
+  EXPECT_THAT(refused(head + "0,0,0\n1,1,1\n2,2,2\n"),
+              HasSubstr("time: needs at least four rows; the number of rows is 3"));
   EXPECT_THAT(refused("time,feedback,load\n" + rows), HasSubstr("column \"command\": is missing"));
   EXPECT_THAT(refused("time,command,other\n" + rows), HasSubstr("feedback: is missing"));
   EXPECT_THAT(refused("time,command [mm],feedback\n" + rows), HasSubstr("command = mm"));

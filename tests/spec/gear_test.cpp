@@ -117,14 +117,22 @@ std::string refusal(const std::string& text) {
   return test::error_of([&] { (void)make(parse_spec(spec(text), "g.toml")); });
 }
 
+TEST(GearSpec, NamesTheEngagementThatAKeyNeeds) {
+  const std::string at_once = "[gear]\nnumerator = 1\n";
+  EXPECT_THAT(refusal(at_once + "engage_at = 45\n"),
+              testing::HasSubstr("gear.engage_at = 45: needs engage = \"distance\""));
+  EXPECT_THAT(refusal(at_once + "change = [{ at = 1, numerator = 2, distance = 1 }]\n"),
+              testing::HasSubstr("needs engage = \"distance\""));
+}
+
 TEST(GearSpec, RefusesInTheWordsOfTheDocument) {
   const std::string position =
       "[gear]\nengage = \"position\"\nnumerator = 1\nmaster_sync_position = 500\n"
       "slave_sync_position = 100\nmaster_start_distance = 400\navoid_reversal = true\n";
-  EXPECT_THAT(
-      refusal(position + "master_end = 900\n"),
-      testing::StrEq("g.toml:9:25: gear.master_start_distance = 400 deg: makes the slave reverse: use "
-                     "166.667 to 250, or avoid_reversal = false (error 777 of the PMC600)"));
+  EXPECT_THAT(refusal(position + "master_end = 900\n"),
+              testing::StrEq(
+                  "g.toml:9:25: gear.master_start_distance = 400 deg: makes the slave reverse: use "
+                  "166.667 to 250, or set avoid_reversal = false (error 777 of the PMC600)"));
   EXPECT_THAT(refusal(position + "master_end = 900\nslave_period = 30\n"), testing::StrEq(""));
   EXPECT_THAT(refusal(position + "master_end = 900\nslave_period = 1\n"),
               testing::HasSubstr("776"));

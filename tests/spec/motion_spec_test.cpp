@@ -606,7 +606,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n[limits]\n"
                   "velocity = 1\n[[axis]]\nname = \"x\"\nto = 1\nvelocity = 1\nacceleration = 1\n",
                   "a.toml:4:2: [limits]: is not a section of kind = \"axes\"; possible keys: axis, "
-                  "compare, duration, jounce, kind, name, point, sync, then, units"},
+                  "compare, duration, jounce, kind, name, optimize, point, sync, then, units"},
+        BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"
+                  "axis = [{ name = \"x\", to = 1, velocity = 1, acceleration = 1 }]\n"
+                  "[norm]\nvelocity = 1\n",
+                  "a.toml:5:1: norm = { ... }: applies to a motion through [[point]] only"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"
                   "axis = [{ name = \"x\", velocity = 1, acceleration = 1 }]\n"
                   "point = [{ position = [1] }, { position = [1, 2] }]\n",

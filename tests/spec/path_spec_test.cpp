@@ -162,7 +162,7 @@ TEST(PathSpecFile, RefusesKeysThatItsCommandDoesNotUse) {
               HasSubstr("path.toml:21:1: command[1].radius = 3: is not a key of an arc with via;"));
   EXPECT_THAT(
       complaint(command("type = \"arc\"\ncenter = [1, 1, 0]\nangle = 90\nto = [2, 0, 0]")),
-      HasSubstr("path.toml:21:1: command[1].to = [2, 0, 0]: is not a key of an arc with center;"));
+      HasSubstr("path.toml:21:6: command[1].to = [2, 0, 0]: cannot be combined with angle:"));
   EXPECT_THAT(complaint(command("type = \"dwell\"\ntime = 1\nvelocity = 3")),
               HasSubstr("command[1].velocity"));
   EXPECT_THAT(complaint(command("type = \"line\"\nto = [1, 2, 0]\nturns = 1")),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "jounce/spec/spec.hpp"
@@ -38,6 +39,42 @@ TEST(TomlSyntax, AQuantityNeedsQuotesAndADecimalPoint) {
             "a.toml:3:15: velocity = 400,5: a number has a decimal point: velocity = 400.5");
   EXPECT_EQ(error_of("periodic = True"),
             "a.toml:3:12: periodic = True: must be true or false, in lower case");
+}
+
+TEST(TomlSyntax, ACommaInANumberCanMeanThousands) {
+  EXPECT_EQ(unplaced("velocity = 1,000"),
+            "velocity = 1,000: a number has no comma: write velocity = 1000, or velocity = 1.000");
+  EXPECT_EQ(unplaced("velocity = 0,125"),
+            "velocity = 0,125: a number has a decimal point: velocity = 0.125");
+  EXPECT_EQ(unplaced("velocity = 50,"), "velocity = 50,: remove the comma after the number");
+  EXPECT_EQ(unplaced("velocity = 5O"),
+            "velocity = 5O: is a letter here a digit? The letters O and l look like 0 and 1");
+}
+
+TEST(TomlSyntax, AKeyFileIsNamedAndNotShown) {
+  const std::string key(64, 'a');
+  const auto error = [](const std::string& text, const std::string& name) {
+    return test::error_of([&] { (void)parse_spec(text, name); });
+  };
+  EXPECT_EQ(error(key + "\n", "key.toml"),
+            "key.toml:1:65: looks like a key file (`jounce new key`), not a spec");
+  for (const std::string& line : {"key = " + key, "key = \"" + key + "\"", "kind = \"" + key + '"',
+                                  key + " = 1", "[" + key, key + " " + key, "\"" + key}) {
+    const std::string text = error("jounce = 1\n" + line + "\n", "a.toml");
+    EXPECT_THAT(text, testing::Not(testing::HasSubstr(key.substr(0, 16)))) << line;
+    EXPECT_THAT(text, testing::StartsWith("a.toml")) << line;
+  }
+}
+
+TEST(TomlSyntax, NamesTheMistakesOfTheParserInPlainWords) {
+  EXPECT_EQ(error_of("[ ]"), "a.toml:3:3: the name of the section is missing between its brackets");
+  EXPECT_EQ(error_of("= 50"), "a.toml:3:1: the name of the key is missing before the =");
+  EXPECT_EQ(unplaced("velocity = .5"),
+            "velocity = .5: needs a digit before its decimal point: 0.5");
+  EXPECT_EQ(unplaced("end = ( 1 )"),
+            "end = : needs braces or brackets, not parentheses: { ... } or [ ... ]");
+  EXPECT_EQ(error_of("[move   # a comment"),
+            "a.toml:3:9: [move: needs a closing ] at the end of the section header");
 }
 
 TEST(TomlSyntax, NamesWhatIsMissing) {

@@ -295,10 +295,11 @@ TEST_F(SenderTest, RefusesAPlanThatCannotBeSentOrArmed) {
   EXPECT_EQ(refuses([](StreamPlan& p) { p.tables.clear(); }), "tables = 0: must be 1 to 64");
   EXPECT_EQ(refuses([](StreamPlan& p) { p.tables[0].units.position = "millimillimetres"; }),
             "unit of position = millimillimetres: must be shorter than 16 bytes");
-  EXPECT_EQ(refuses([](StreamPlan& p) { p.mode = wire::ArmMode::follow_table; }),
-            "mode = follow_table: the slave table must be over master position");
+  EXPECT_EQ(
+      refuses([](StreamPlan& p) { p.mode = wire::ArmMode::follow_table; }),
+      "table: the table of the axis is over time, but it must be over the position of a master");
   EXPECT_EQ(refuses([](StreamPlan& p) { p.tables[0].units.x = "ms"; }),
-            "mode = play: the slave table is over ms, must be over s");
+            "table: the slave table is over ms, must be over s");
   EXPECT_EQ(refuses([](StreamPlan& p) { p.start_tick = -2; }),
             "start_tick = -2: must be -1 or more");
   EXPECT_EQ(refuses([](StreamPlan& /*as it is*/) {}, {.pace = {.window = 65}}),

@@ -392,6 +392,8 @@ void expect_refused(const Recording& run, const IdentifySpec& spec, const std::s
     ADD_FAILURE() << "not refused: " << says;
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr(says));
+    EXPECT_THAT(error.what(), ::testing::Not(HasSubstr(", controller.")))
+        << "a setting is not offered";
   }
 }
 
@@ -400,6 +402,7 @@ TEST(Identify, RefusesBadInput) {
   const Recording run = recorded(test::law_345(360, 0.3), drive, 51, {}, 1);
   expect_refused(run, {drive, {}}, "fit");
   expect_refused(run, {drive, {"mass[2].inertia"}}, "names no number of this drive");
+  expect_refused(run, {drive, {"motor.inerta"}}, "motor.inertia");
   expect_refused(run, {drive, {"controller.position_gain"}}, "is a setting");
   expect_refused(run, {drive, {"motor.friction.coulomb"}}, "cannot be fitted from 0");
   expect_refused(run, {drive, {"motor.inertia", "motor.inertia"}}, "twice");

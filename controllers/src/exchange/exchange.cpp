@@ -174,7 +174,8 @@ double Place::number(int line, const std::string& key, std::string_view text) co
   const auto value = csv_number(point);
   if (value && decimal_comma_) return *value;
   fail(line, key, '"' + std::string(text) + '"',
-       value ? "has a decimal comma: write " + point + ", or use --decimal-comma"
+       value ? "has a decimal comma: write " + point +
+                   ", or convert the file with `jounce convert --decimal-comma`"
              : "must be a finite number");
 }
 

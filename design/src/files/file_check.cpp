@@ -53,7 +53,9 @@ void set_limits(Limits& limits, const std::vector<std::string>& texts, const Lab
   try {
     require_valid(limits);
   } catch (const InputError& error) {
-    throw InputError("limit " + error.key(), error.value(), error.rule());
+    const std::string prefix = labels.over_master ? "limit geo_" : "limit ";
+    const bool position = error.key().starts_with("position");
+    throw InputError((position ? "limit " : prefix) + error.key(), error.value(), error.rule());
   }
 }
 

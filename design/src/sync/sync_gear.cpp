@@ -32,13 +32,14 @@ InputError in_document(const InputError& error) {
 /// The error of an engagement in which the slave must reverse, with the change that avoids it.
 InputError must_reverse(const GearInPosSpec& spec, GearInPosStatus status) {
   const EngageWindow window = engage_window(spec);
-  const std::string remedy = window.exists
-                                 ? "use " + six_digits_up(window.least) + " to " + six_digits_down(window.greatest)
-                                 : "move slave_start behind slave_sync_position";
+  const std::string remedy = window.exists ? "use " + six_digits_up(window.least) + " to " +
+                                                 six_digits_down(window.greatest)
+                                           : "move slave_start behind slave_sync_position";
   return {"master_start_distance", spec.master_start_distance,
           std::string("makes the slave reverse") +
               (spec.slave_period ? ", even with five more turns" : "") + ": " + remedy +
-              ", or avoid_reversal = false (error " + std::to_string(static_cast<int>(status)) + " of the PMC600)"};
+              ", or set avoid_reversal = false (error " + std::to_string(static_cast<int>(status)) +
+              " of the PMC600)"};
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ void require_valid(const Indexer& spec) {
   if (spec.before + spec.motion > room * (1 + rounded_sum))
     throw InputError("motion", spec.motion,
                      "must be at most " + six_digits_down(room - spec.before) +
-                         ", the time for one index: cycle / count = " + six_digits(room) +
-                         " less before = " + number(spec.before));
+                         ", the time for one index: cycle / count - before = " + six_digits(room) +
+                         " - " + number(spec.before));
   gearing::require_rest_to_rest("law", spec.law, spec.form);
 }
 

@@ -206,9 +206,9 @@ void require_unbuffered(const CommandWords& words, const Form& form) {
       form.command->fields.begin(), form.command->fields.end(),
       [&](const Field& f) { return f.range == FieldRange::buffer_mode && form.takes(f); });
   if (buffer_mode_of(words) == 0 || takes_it) return;
-  throw InputError(flag_of(words, "buffered") ? "--buffered" : "--blend",
-                   form.word == move_word ? dashed(form.selector()) : form.word,
-                   "applies to move --to, move --by and jog only");
+  throw InputError(flag_of(words, "buffered") ? "--buffered" : "--blend", "",
+                   "applies to move --to, move --by and jog only, not to " +
+                       (form.word == move_word ? dashed(form.selector()) : form.word));
 }
 
 /// Rejects an option of the word that the form does not take: --direction of move --by.

@@ -43,7 +43,8 @@ AxisConfig config_of(const Spec& spec) {
   const auto* axis = std::get_if<AxisSpec>(&spec.subject);
   if (axis == nullptr)
     throw spec.document.located(InputError(
-        "kind", "", "must be \"axis\" for `jounce run`: `jounce new axis` writes an example"));
+        "kind", "",
+        "must be \"axis\" or \"machine\" for `jounce run`: `jounce new axis` writes an example"));
   const double unit = seconds_per_unit(spec);
   AxisConfig config;
   config.period = static_cast<std::int64_t>(std::llround(axis->cycle * 1e9));

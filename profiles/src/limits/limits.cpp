@@ -81,7 +81,7 @@ const char* advice_at(const profiles_detail::Ends& extent, double where, std::si
   if (where == extent.end && extent.repeats)
     return k == 0
                ? "the motion repeats: let it end at its first position, or, if it gains a distance "
-                 "in each period, use outside = \"advance\""
+                 "in each period, set slave_period in a cam, or outside = \"advance\" otherwise"
                : "the motion repeats: let it end as it begins";
   if (where == extent.end) return "the motion stops here: let it end at rest";
   if (where == extent.start) return "the motion starts here: let it begin at rest";

@@ -166,7 +166,9 @@ const char* explain(MoveStatus status) noexcept {
       return "a state or the duration is not finite, or greater than 1e50";
     case MoveStatus::invalid_bounds:
       return "every max must be between 1e-50 and 1e50 (or infinite), every min between -1e50 and "
-             "-1e-50, and the highest derivative that is limited limited in both directions";
+             "-1e-50, and the highest limited derivative must have a min and a max: give at least "
+             "one of velocity, "
+             "acceleration and jerk";
     case MoveStatus::target_outside:
       return "the target's velocity or acceleration lies outside the bounds";
     case MoveStatus::target_unreachable:

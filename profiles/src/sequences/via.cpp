@@ -100,7 +100,7 @@ void require_valid(const ViaSpec& spec) {
   if (spec.axes.empty()) throw InputError("axes", "none", "a motion needs an axis");
   for (std::size_t i = 0; i < spec.axes.size(); ++i)
     require_magnitudes(spec.axes[i], "axes[" + std::to_string(i + 1) + "]");
-  if (spec.points.size() < 2) throw InputError("points", "", "must be at least two");
+  if (spec.points.size() < 2) throw InputError("points", "", "a motion needs at least two points");
   for (std::size_t k = 0; k < spec.points.size(); ++k) require_valid_point(spec, k);
   for (const auto& [rates, name] : {std::pair{&spec.start, "start."}, {&spec.end, "end."}}) {
     require_one_each(spec, rates->velocity, std::string(name) + "velocity");

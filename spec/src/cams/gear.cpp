@@ -95,8 +95,11 @@ GearInPosPart read_in_pos(TomlReader& gear, const Units& units) {
 SyncSpec read_gear(TomlReader gear, const Units& units) {
   const std::vector<std::string> words{"at_once", "distance", "position"};
   SyncSpec spec;
+  gear.may_have("engage");
   switch (gear.has("engage") ? gear.variant("engage", words) : 0) {
     case 0:
+      gear.refuse_here("engage_at", "needs engage = \"distance\"");
+      gear.refuse_here("change", "needs engage = \"distance\"");
       spec = read_for_ever(gear, units);
       break;
     case 1:

@@ -169,6 +169,7 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
   } else {
     read_points(top, spec.axes, axes);
     axes.via.norm = through_points ? read_norm(top, spec.axes) : Limits{};
+    if (!through_points) top.refuse_here("norm", "applies to a motion through [[point]] only");
   }
   return axes;
 }

@@ -86,6 +86,7 @@ void read_options(TomlReader& table, OptimizeOptions& options) {
 }  // namespace
 
 std::optional<ParametersSpec> read_parameters(TomlReader& top, const Spec& whole) {
+  top.may_have("optimize");
   if (!top.has("optimize")) return std::nullopt;
   TomlReader table = top.table("optimize");
   if (std::holds_alternative<CamSpec>(whole.subject) && !table.has("parameter"))

@@ -61,8 +61,10 @@ Arc read_arc_about(TomlReader& command, const PathAxes& axes, const Point& from,
   command.describe("an arc with center");
   const Plane plane = read_plane(command, axes);
   const Point center = read_position(command, "center", axes, base(origin));
-  if (const auto angle = command.optional_number("angle", "deg"))
+  if (const auto angle = command.optional_number("angle", "deg")) {
+    command.refuse_here("to", "cannot be combined with angle: leave one of the two out");
     return arc_by_angle(from, center, *angle, from, plane);
+  }
   const Point to = read_end(command, axes, from, origin);
   const ArcRotation rotation = read_rotation(command);
   const int turns = read_turns(command);

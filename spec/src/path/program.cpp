@@ -102,6 +102,7 @@ std::string read_gcode_table(TomlReader& top, const PathAxes& axes, GcodeMachine
     machine.feed_time = *time == 0 ? 60 : 1;
   std::size_t k = 0;
   for (const char* key : {"G54", "G55", "G56", "G57", "G58", "G59"}) {
+    gcode->may_have(key);
     if (gcode->has(key)) machine.frames[k] = read_frame_of(*gcode, key, axes);
     ++k;
   }

@@ -31,6 +31,12 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+/// True for the text of a key file: hexadecimal digits only.
+bool is_key_file(std::string_view text) {
+  const std::string_view all = trimmed(text.substr(0, text.find('\n')));
+  return all.size() == 64 && all.find_first_not_of("0123456789abcdefABCDEF") == all.npos;
+}
+
 std::string_view line_of(std::string_view text, int line) {
   for (; line > 1 && !text.empty(); --line) {
     const auto end = text.find('\n');
@@ -65,6 +71,26 @@ bool is_decimal_comma(const std::string& value) {
                      [](char c) { return is_digit(c) || c == ',' || c == '-'; });
 }
 
+/// The rule for a number with a comma. Three digits after the comma can be thousands.
+std::string rule_of_comma(const Pair& pair) {
+  const auto comma = pair.value.find(',');
+  const std::string before = pair.value.substr(0, comma);
+  const std::string after = pair.value.substr(comma + 1);
+  if (after.empty()) return "remove the comma after the number";
+  const std::string point = pair.key + " = " + before + '.' + after;
+  if (after.size() != 3 || before.empty() || before.find_first_not_of("-0") == before.npos)
+    return "a number has a decimal point: " + point;
+  return "a number has no comma: write " + pair.key + " = " + before + after + ", or " + point;
+}
+
+/// True for a number with the letter O or l in place of a digit: 5O, 1l, 1O.5.
+bool has_letter_for_digit(const std::string& value) {
+  const auto like_digit = [](char c) { return c == 'O' || c == 'o' || c == 'l' || c == 'I'; };
+  return is_digit(value[0]) && std::any_of(value.begin(), value.end(), like_digit) &&
+         std::all_of(value.begin(), value.end(),
+                     [&](char c) { return is_digit(c) || c == '.' || like_digit(c); });
+}
+
 /// The rule for a value that is neither a number nor a text in quotes.
 std::string rule_of_value(const Pair& pair) {
   const std::string& value = pair.value;
@@ -73,11 +99,9 @@ std::string rule_of_value(const Pair& pair) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const char* word : {"true", "false", "yes", "no", "on", "off"})
     if (lower == word) return "must be true or false, in lower case";
-  if (is_decimal_comma(value)) {
-    std::string point = value;
-    point[point.find(',')] = '.';
-    return "a number has a decimal point: " + pair.key + " = " + point;
-  }
+  if (is_decimal_comma(value)) return rule_of_comma(pair);
+  if (has_letter_for_digit(value))
+    return "is a letter here a digit? The letters O and l look like 0 and 1";
   if (std::isinf(std::strtod(value.c_str(), nullptr)))
     return "must be less than 1.8e308 in magnitude";
   if (value.find_first_not_of("0123456789+-.eE_") == std::string::npos)
@@ -199,11 +223,13 @@ InputError syntax_error(const Document& document, int line, int column,
     return error(pair.key, pair.value, "is given twice: remove one of the two");
   if (has("expected value") && pair.value.empty() && !pair.key.empty())
     return error(pair.key, "", "has no value: write " + pair.key + " = VALUE");
+  if (is_key_file(document.text))
+    return error("", "", "looks like a key file (`jounce new key`), not a spec");
   if (has("expected '='") || (has("key-value pair") && has("end-of-file")))
     return error(printable(std::string(trimmed(text.substr(0, at)))), "",
                  "needs a = between the key and its value");
   if (has("table header") && has("expected ']'"))
-    return error(printable(std::string(trimmed(text))), "",
+    return error(printable(std::string(trimmed(text.substr(0, text.find('#'))))), "",
                  "needs a closing ] at the end of the section header");
   if (has("closing '}'") && (at_end || text[at] == '#'))
     return error(pair_at(text, text.substr(0, at).rfind('{')).key, "",
@@ -216,6 +242,13 @@ InputError syntax_error(const Document& document, int line, int column,
   if (has("end-of-file"))
     return error(pair.key, "",
                  "is not complete: the file ends before the closing quote or bracket");
+  if (has("blank bare keys"))
+    return error("", "", "the name of the section is missing between its brackets");
+  if (has("saw '='")) return error("", "", "the name of the key is missing before the =");
+  if (pair.value.size() > 1 && pair.value[0] == '.' && is_digit(pair.value[1]))
+    return error(pair.key, pair.value, "needs a digit before its decimal point: 0" + pair.value);
+  if (pair.value.starts_with('('))
+    return error(pair.key, "", "needs braces or brackets, not parentheses: { ... } or [ ... ]");
   const std::string prefix = "Error while parsing ";
   return error(
       "", "",

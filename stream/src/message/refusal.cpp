@@ -54,9 +54,11 @@ Refused misfit(wire::ArmMode mode, TableInUnits slave, const TableInUnits* maste
     return {wire::Refusal::wrong_axis,
             "the program of a path must be a linear table over 0, 1, 2, ..."};
   if (slave.table.axis() != Domain::master)
-    return {wire::Refusal::wrong_axis, "the slave table must be over master position"};
+    return {wire::Refusal::wrong_axis,
+            "the table of the axis is over time, but it must be over the position of a master"};
   if (mode == wire::ArmMode::follow_input || mode == wire::ArmMode::path) return {};
-  if (master == nullptr) return {wire::Refusal::table_missing, "follow_table needs a master table"};
+  if (master == nullptr)
+    return {wire::Refusal::table_missing, "the table of the master is missing"};
   if (Refused refused = not_over_time("the master", *master)) return refused;
   if (master->units.position != slave.units.x) {
     return {wire::Refusal::wrong_unit, "the master moves in " + master->units.position +

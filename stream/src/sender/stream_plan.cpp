@@ -25,7 +25,7 @@ void require_fit(const StreamPlan& plan, const SwapPlan& leg) {
   if (leg.master < plan.tables.size()) master.emplace(in_units(plan.tables[leg.master]));
   const Refused refused =
       misfit(leg.mode, in_units(plan.tables[leg.slave]), master ? &*master : nullptr);
-  if (refused) throw InputError("mode", name(leg.mode), refused.reason);
+  if (refused) throw InputError("table", "", refused.reason);
 }
 
 void require_armable(const StreamPlan& plan) {

@@ -25,8 +25,13 @@ bool of_friction(const std::string& key) {
   return key.find("friction.") != key.npos;
 }
 
+/// True for a number that is chosen, not measured: no recording shows its true value.
+bool is_setting(const std::string& key) {
+  return key.starts_with("controller.") || key == "position_per_rev";
+}
+
 void require_can_fit(const Drive& drive, const DriveNumber& number) {
-  if (number.key.starts_with("controller.") || number.key == "position_per_rev")
+  if (is_setting(number.key))
     throw InputError("fit", number.key, "is a setting: fit numbers of the machine");
   if (*number.value == 0)
     throw InputError(number.key, 0,
@@ -73,7 +78,7 @@ DriveNumber numbered(Drive& drive, const std::string& key) {
   std::string all;
   for (const DriveNumber& number : numbers(drive)) {
     if (number.key == key) return number;
-    all += (all.empty() ? "" : ", ") + number.key;
+    if (!is_setting(number.key)) all += (all.empty() ? "" : ", ") + number.key;
   }
   throw InputError("fit", key, "names no number of this drive; possible numbers: " + all);
 }

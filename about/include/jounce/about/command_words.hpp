@@ -20,9 +20,11 @@ std::vector<std::string> meant_words(std::span<const char* const> given);
 std::string wrong_verb(std::span<const char* const> given, const std::vector<std::string>& verbs);
 
 /// Returns a sentence on the first word that looks like an option and is none of `options`, with the nearest option; ""
-/// if there is none. `names_output`: the verb takes its output as its second argument, not as an option.
+/// if there is none. `names_output`: the verb takes its output as its second argument, not as an option. `owner`: whose
+/// options they are, such as "this verb".
 std::string wrong_option(std::span<const char* const> given,
-                         const std::vector<std::string>& options, bool names_output);
+                         const std::vector<std::string>& options, bool names_output = false,
+                         const std::string& owner = "this verb");
 
 /// Breaks a text at its spaces into lines of at most `width` characters. A longer word gets a line of its own.
 std::string wrapped(std::string text, std::size_t width);

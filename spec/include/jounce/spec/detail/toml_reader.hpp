@@ -128,6 +128,8 @@ class TomlReader {
   /// Line of the table in the document.
   [[nodiscard]] int line() const { return static_cast<int>(table_->source().begin.line); }
   [[nodiscard]] bool has(const char* key) const { return table_->contains(key); }
+  /// Names a key that is possible here, whether or not it is read: finish() lists it.
+  void may_have(const char* key) { known_.insert(key); }
   [[nodiscard]] bool is_text(const char* key) const;
   [[nodiscard]] bool is_table(const char* key) const;
   [[nodiscard]] std::vector<std::string> keys() const;
