@@ -63,6 +63,23 @@ std::string wrong_option(std::span<const char* const> given,
   return "";
 }
 
+std::string parser_sentence(std::string text, bool extra) {
+  if (const std::string excludes = " excludes "; text.find(excludes) != std::string::npos)
+    return text.replace(text.find(excludes), excludes.size(), " cannot be combined with ");
+  if (const auto most = text.find(": At Most 1 required"); most != std::string::npos)
+    return text.substr(0, most) + " is given twice";
+  const std::string valueless = ": 1 required value missing";
+  if (text.ends_with(valueless))
+    return text.substr(0, text.size() - valueless.size()) + " has no value after it";
+  const std::string required = " is required";
+  if (text.ends_with(required))
+    return text.substr(0, text.size() - required.size()) + " is missing";
+  if (!extra) return text;
+  const std::size_t colon = text.find(": ");
+  return "`" + text.substr(colon == std::string::npos ? 0 : colon + 2) +
+         "` is one argument too many";
+}
+
 std::string wrapped(std::string text, std::size_t width) {
   for (std::size_t begin = 0; text.size() - begin > width;) {
     std::size_t at = text.rfind(' ', begin + width);

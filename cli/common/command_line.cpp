@@ -49,25 +49,6 @@ class Help : public CLI::Formatter {
   static constexpr std::size_t column = 34, line = 104;
 };
 
-/// The parser's sentence, in the words of the other messages: what is missing, or one too many.
-std::string words_of(const CLI::ParseError& error) {
-  std::string text = error.what();
-  if (const std::string excludes = " excludes "; text.find(excludes) != std::string::npos)
-    return text.replace(text.find(excludes), excludes.size(), " cannot be combined with ");
-  if (const auto most = text.find(": At Most 1 required"); most != std::string::npos)
-    return text.substr(0, most) + " is given twice";
-  const std::string valueless = ": 1 required value missing";
-  if (text.ends_with(valueless))
-    return text.substr(0, text.size() - valueless.size()) + " has no value after it";
-  const std::string required = " is required";
-  if (text.ends_with(required))
-    return text.substr(0, text.size() - required.size()) + " is missing";
-  if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError)) return text;
-  const std::size_t colon = text.find(": ");
-  return "`" + text.substr(colon == std::string::npos ? 0 : colon + 2) +
-         "` is one argument too many";
-}
-
 /// The names of the options of a verb or of the program, also of the hidden ones.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -88,10 +69,11 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error,
   const std::string given = words.front();
   const bool is_verb = given[0] != '-';
   const CLI::App& asked = is_verb ? *app.get_subcommand(given) : app;
+  constexpr auto extra = static_cast<int>(CLI::ExitCodes::ExtrasError);
   const std::string wrong =
       wrong_option(words.subspan(is_verb ? 1 : 0), option_names(asked),
                    asked.get_option_no_throw("OUT") != nullptr, is_verb ? "this verb" : "jounce");
-  return (wrong.empty() ? words_of(error) : wrong) +
+  return (wrong.empty() ? parser_sentence(error.what(), error.get_exit_code() == extra) : wrong) +
          (is_verb ? " (see jounce " + given + " --help)" : all);
 }
 

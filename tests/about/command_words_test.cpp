@@ -55,6 +55,16 @@ TEST(CommandWords, NameTheNearestOption) {
             "`-o` is not an option of this verb: name the output as the second argument");
 }
 
+TEST(CommandWords, TranslateTheSentencesOfTheParser) {
+  EXPECT_EQ(parser_sentence("--a excludes --b", false), "--a cannot be combined with --b");
+  EXPECT_EQ(parser_sentence("--a: At Most 1 required but received 2", false), "--a is given twice");
+  EXPECT_EQ(parser_sentence("--a: 1 required value missing", false), "--a has no value after it");
+  EXPECT_EQ(parser_sentence("FILE is required", false), "FILE is missing");
+  EXPECT_EQ(parser_sentence("other", false), "other");
+  EXPECT_EQ(parser_sentence("The following argument was not expected: x", true),
+            "`x` is one argument too many");
+}
+
 TEST(CommandWords, BreakAtSpaces) {
   EXPECT_EQ(wrapped("one two three", 7), "one two\nthree");
   EXPECT_EQ(wrapped("one two", 7), "one two");

@@ -26,6 +26,10 @@ std::string wrong_option(std::span<const char* const> given,
                          const std::vector<std::string>& options, bool names_output = false,
                          const std::string& owner = "this verb");
 
+/// Returns the sentence of a parser (CLI11) in the words of the other messages: what is missing, or given twice.
+/// `extra`: the parser reports an argument that it does not expect.
+std::string parser_sentence(std::string text, bool extra);
+
 /// Breaks a text at its spaces into lines of at most `width` characters. A longer word gets a line of its own.
 std::string wrapped(std::string text, std::size_t width);
 
