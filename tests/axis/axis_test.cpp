@@ -517,7 +517,8 @@ TEST(MotionAxis, ALinearAxisRefusesATargetOnTheOtherSideOfItsDirection) {
   Bench bench(wide);
   bench.tell(Kind::enable);
   const auto asked = [&](double position, Direction direction) {
-    return refusal(bench.step({command::MoveAbsolute{.position = position, .direction = direction}}));
+    return refusal(
+        bench.step({command::MoveAbsolute{.position = position, .direction = direction}}));
   };
   EXPECT_EQ(asked(-5, Direction::positive), Cause::no_such_move);
   EXPECT_EQ(asked(5, Direction::negative), Cause::no_such_move);

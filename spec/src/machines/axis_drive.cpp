@@ -50,7 +50,8 @@ std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units
   auto table = top.optional_table("drive");
   if (!table) return std::nullopt;
   AxisDriveSpec drive;
-  drive.type = static_cast<AxisDriveSpec::Type>(table->optional_choice("type", drive_types).value_or(1));
+  drive.type =
+      static_cast<AxisDriveSpec::Type>(table->optional_choice("type", drive_types).value_or(1));
   if (drive.type != AxisDriveSpec::Type::shared_memory)
     drive.machine = read_machine_sensors(*table, units);
   if (drive.type == AxisDriveSpec::Type::simulated && !table->has("spec")) {
