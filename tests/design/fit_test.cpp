@@ -145,15 +145,15 @@ TEST_F(FitFile, APeriodMayCloseTheFile) {
   EXPECT_THAT(laws_of(made.fit.spec), ::testing::ElementsAre("simple_sine", "simple_sine"));
 }
 
-TEST_F(FitFile, APeriodWithUnequalEndsBreaksTheTolerance) {
-  std::string content = "master [deg],slave [mm]\n";
-  for (int i = 0; i <= 36; ++i)
-    content += std::to_string(10 * i) + "," + (i == 36 ? "0.1" : "0") + "\n";
-  const FittedCam open = fit(content, {.tolerance = "0.02", .period = "360"});
-  EXPECT_FALSE(open.ok());
-  EXPECT_GE(open.fit.excess, 0.03 - 1e-12);  // half of the difference, without the tolerance
-  EXPECT_THAT(fit_text(open), HasSubstr("BROKEN"));
-  EXPECT_TRUE(fit(content, {.tolerance = "0.06", .period = "360"}).ok());
+TEST_F(FitFile, ACamBeyondTheToleranceOfAPointIsBroken) {
+  const std::string zigzag =
+      "master [deg],slave [mm]\n0,0\n60,0.1\n120,0\n180,0.1\n240,0\n300,0.1\n360,0.01\n";
+  const FittedCam broken = fit(zigzag, {.tolerance = "0.02", .period = "360"});
+  EXPECT_FALSE(broken.ok());
+  EXPECT_GT(broken.fit.gap, 0.02);
+  EXPECT_NEAR(broken.fit.excess, broken.fit.gap - 0.02, 1e-15);
+  EXPECT_THAT(fit_text(broken), HasSubstr("BROKEN"));
+  EXPECT_TRUE(fit(zigzag, {.tolerance = "0.06", .period = "360"}).ok());
 }
 
 TEST_F(FitFile, RejectsWithTheLineOfTheFile) {

@@ -8,7 +8,7 @@
 namespace jounce::spec_detail {
 namespace {
 
-const std::vector<std::string> command_types{"absolute", "relative", "velocity", "halt", "dwell"};
+const std::vector<std::string> queue_types{"absolute", "relative", "velocity", "halt", "dwell"};
 const std::vector<std::string> modes{"aborting",          "buffered",      "blending_low",
                                      "blending_previous", "blending_next", "blending_high"};
 
@@ -24,7 +24,7 @@ void read_over(MotionFields& f, Dynamics& d) {
 MotionCommand read_what(MotionFields& f) {
   TomlReader& command = f.reader();
   double value = 0;
-  switch (command.variant("type", command_types)) {
+  switch (command.variant("type", queue_types)) {
     case 0:
       f.need("position", 0, value);
       return MoveAbsolute{value};
