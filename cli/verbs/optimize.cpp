@@ -75,8 +75,9 @@ int report(const OptimizeArguments& options, const Spec& given, const SpecOptimu
 }
 
 int run_optimize(const OptimizeArguments& options) {
-  for (const std::string& output : {options.table, options.plot})
-    require_other_file(options.spec, output);
+  require_other_file(options.spec, options.output);
+  require_other_file(options.spec, options.table, "--table");
+  require_other_file(options.spec, options.plot, "--plot");
   Spec spec = read_spec(options.spec);
   with_option_names({"seconds"}, [&] { prepare_optimum(spec, options.seconds); });
   if (!options.plot.empty() && spec.parts().size() > 1)

@@ -108,6 +108,15 @@ TEST(Group, StartsOnlyWhereItsAxesStand) {
   EXPECT_EQ(rig.tell(group, command::Start{}), Cause::no_movement) << "it is played once";
 }
 
+TEST(Group, NamesTheGroupAsTheReasonWhileItMoves) {
+  Plotter rig;
+  rig.start();
+  rig.steps(20);
+  EXPECT_EQ(rig.tell(x, command::SetPosition{4}), Cause::in_group);
+  EXPECT_EQ(rig.tell(x, command::GearOut{}), Cause::in_group);
+  EXPECT_EQ(rig.tell(group, command::SetPosition{5}), Cause::single_axis);
+}
+
 TEST(Group, HoldsAtAnyInstantOnItsPathAndContinues) {
   for (int hold = 1; hold < 5000; hold += 37) {
     Plotter rig;

@@ -829,6 +829,18 @@ TEST_F(Cli, OptimizeWritesTheSameTextWithOtherNumbers) {
   EXPECT_THAT(better, HasSubstr("# pulse/s"));
 }
 
+TEST_F(Cli, OptimizeRejectsItsInputAsAnOutputBeforeTheSearch) {
+  write("own.toml", slurp(cam));
+  for (const char* option : {"-o", "--table", "--plot"}) {
+    const Result result = run(std::string("optimize own.toml ") + option + " own.toml");
+    EXPECT_EQ(result.status, 2) << option;
+    EXPECT_EQ(result.out, "") << option;
+  }
+  EXPECT_THAT(run("optimize own.toml -o own.toml").err,
+              HasSubstr("--output = own.toml: is also the input"));
+  EXPECT_EQ(slurp(folder / "own.toml"), slurp(cam));
+}
+
 TEST_F(Cli, WhatIsNotLimitedIsNamedBesideTheLimitsThatHold) {
   const Result better = run("optimize " + cam + " -o better.toml");
   ASSERT_EQ(better.status, 0) << better.err;

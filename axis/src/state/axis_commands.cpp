@@ -23,8 +23,8 @@ MotionAxis::Rejection MotionAxis::take_up(const Command& command) {
   // A new motion may interrupt the stop of a released jog.
   const bool released = ending_ == Ending::release && !homing_;
   const State state = released ? State::discrete_motion : state_;
-  Cause no = permitted(state, command.kind());
-  if (no == Cause::none) no = against_group(command.kind());
+  Cause no = against_group(command.kind());
+  if (no == Cause::none) no = permitted(state, command.kind());
   if (no == Cause::none && needs_home(command)) no = Cause::not_homed;
   if (no != Cause::none) {
     if (const Movement* const movement = movement_of(command.what)) hand_back(movement);
