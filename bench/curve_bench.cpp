@@ -47,7 +47,7 @@ void sample_a_block(benchmark::State& state) {
 BENCHMARK(sample_a_block);
 
 void extrema_of_a_modified_sine(benchmark::State& state) {
-  const Cam cam(normalised(Law::modified_sine));
+  const Cam cam(normalized(Law::modified_sine));
   for (auto _ : state) benchmark::DoNotOptimize(extrema(cam));
 }
 BENCHMARK(extrema_of_a_modified_sine)->Unit(benchmark::kMicrosecond);
@@ -71,7 +71,7 @@ void solve_trapezoid(benchmark::State& state) {
 BENCHMARK(solve_trapezoid);
 
 void table_within_a_millionth(benchmark::State& state) {
-  const Cam cycloid(normalised(Law::inclined_sine));
+  const Cam cycloid(normalized(Law::inclined_sine));
   for (auto _ : state)
     benchmark::DoNotOptimize(sample_within(cycloid, Interpolation::cubic_hermite, 1e-6));
 }

@@ -17,7 +17,7 @@
 #include "jounce/profiles/moves/batch.hpp"
 #include "jounce/profiles/moves/fourth_order.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 #ifdef JOUNCE_BENCH_KDL
 #include <kdl/velocityprofile_trap.hpp>
@@ -188,10 +188,10 @@ void resting_7_ruckig(benchmark::State& s) {
 void each_3_ruckig(benchmark::State& s) {
   ruckig_solves<3>(s, make<3>(&Source::general), true, ruckig::Synchronization::None);
 }
-void synchronised_3_ruckig(benchmark::State& s) {
+void synchronized_3_ruckig(benchmark::State& s) {
   ruckig_solves<3>(s, make<3>(&Source::general));
 }
-void synchronised_7_ruckig(benchmark::State& s) {
+void synchronized_7_ruckig(benchmark::State& s) {
   ruckig_solves<7>(s, make<7>(&Source::general));
 }
 BENCHMARK(general_ruckig);
@@ -202,8 +202,8 @@ BENCHMARK(second_order_ruckig);
 BENCHMARK(resting_3_ruckig);
 BENCHMARK(resting_7_ruckig);
 BENCHMARK(each_3_ruckig);
-BENCHMARK(synchronised_3_ruckig);
-BENCHMARK(synchronised_7_ruckig);
+BENCHMARK(synchronized_3_ruckig);
+BENCHMARK(synchronized_7_ruckig);
 #endif
 
 Bounds bounds(const Axis& x) {
@@ -232,35 +232,35 @@ BENCHMARK(moving_jounce);
 BENCHMARK(resting_jounce);
 
 template <std::size_t Axes>
-void synchronised(benchmark::State& state, Axis (Source::*kind)(), Sync sync = Sync::time) {
+void synchronized(benchmark::State& state, Axis (Source::*kind)(), Sync sync = Sync::time) {
   std::vector<std::array<AxisMove, Axes>> all;
   for (const auto& one : make<Axes>(kind)) {
     auto& axes = all.emplace_back();
     for (std::size_t k = 0; k < Axes; ++k) axes[k] = {one[k].from, one[k].to, bounds(one[k])};
   }
   std::array<Profile, Axes> out;
-  measure(state, all, [&](const auto& axes) { return synchronise(axes, sync, out); });
+  measure(state, all, [&](const auto& axes) { return synchronize(axes, sync, out); });
 }
-void synchronised_3_jounce(benchmark::State& s) {
-  synchronised<3>(s, &Source::general);
+void synchronized_3_jounce(benchmark::State& s) {
+  synchronized<3>(s, &Source::general);
 }
-void synchronised_7_jounce(benchmark::State& s) {
-  synchronised<7>(s, &Source::general);
+void synchronized_7_jounce(benchmark::State& s) {
+  synchronized<7>(s, &Source::general);
 }
 void resting_3_jounce(benchmark::State& s) {
-  synchronised<3>(s, &Source::resting);
+  synchronized<3>(s, &Source::resting);
 }
 void resting_7_jounce(benchmark::State& s) {
-  synchronised<7>(s, &Source::resting);
+  synchronized<7>(s, &Source::resting);
 }
 void each_3_jounce(benchmark::State& s) {
-  synchronised<3>(s, &Source::general, Sync::none);
+  synchronized<3>(s, &Source::general, Sync::none);
 }
 BENCHMARK(resting_3_jounce);
 BENCHMARK(resting_7_jounce);
 BENCHMARK(each_3_jounce);
-BENCHMARK(synchronised_3_jounce);
-BENCHMARK(synchronised_7_jounce);
+BENCHMARK(synchronized_3_jounce);
+BENCHMARK(synchronized_7_jounce);
 
 /// The time of one move out of many at once.
 void batch(benchmark::State& state, const Cases<1>& all, bool moving) {

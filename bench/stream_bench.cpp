@@ -85,11 +85,11 @@ class Child {
   int from_ = 0, to_ = 0;
 };
 
-void tell(int to, double value) {
+void put(int to, double value) {
   if (write(to, &value, sizeof value) != sizeof value) std::abort();
 }
 
-bool told(int from) {
+bool got(int from) {
   pollfd descriptor{from, POLLIN, 0};
   return poll(&descriptor, 1, 0) == 1;
 }
@@ -111,17 +111,17 @@ Blind blind(const Table& table) {
     const auto bus = open_transport(url);
     Transport& link = *bus;
     link.subscribe(channel, 1'000'000);
-    tell(out, 0);
+    put(out, 0);
     double count = 0;
     Nanos last{};
-    while (!told(in)) {
+    while (!got(in)) {
       while (link.receive(1ms)) {
         last = steady_now();
         ++count;
       }
     }
-    tell(out, count);
-    tell(out, seconds(last));
+    put(out, count);
+    put(out, seconds(last));
   });
   const auto bus = open_transport(url);
   Transport& link = *bus;
@@ -158,14 +158,14 @@ Transfer transfer(const Table& table, bool hashed) {
     const auto bus = open_transport(url);
     Transport& link = *bus;
     ReceiverPump pump(link, {.executor = "bench"}, random_id());
-    tell(out, 0);
+    put(out, 0);
     const double before = computed();
-    while (!told(in)) {
+    while (!got(in)) {
       pump.run(2ms);
       while (pump.receiver().take_event()) {
       }
     }
-    tell(out, computed() - before);
+    put(out, computed() - before);
   });
   const auto bus = open_transport(url);
   Transport& link = *bus;

@@ -44,13 +44,13 @@ def panel(left, v1, v2):
     for v in (0, 50, 100):
         print(f'<text x="{left - 6}" y="{at(0, v)[1] + 4:.1f}" text-anchor="end">{v}</text>')
     drawn = {}
-    for name, colour, through in MODES:
-        drawn.setdefault(through(v1, v2), []).append((name, colour))
+    for name, color, through in MODES:
+        drawn.setdefault(through(v1, v2), []).append((name, color))
     for k, (through, names) in enumerate(sorted(drawn.items())):
-        colour = names[0][1]
+        color = names[0][1]
         points = " ".join("{:.1f},{:.1f}".format(*at(s, v)) for s, v in curve(v1, v2, through))
-        print(f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1.6"/>'
-              f'<text x="{left}" y="{TOP + HIGH + 36 + 16 * k}" fill="{colour}">'
+        print(f'<polyline points="{points}" fill="none" stroke="{color}" stroke-width="1.6"/>'
+              f'<text x="{left}" y="{TOP + HIGH + 36 + 16 * k}" fill="{color}">'
               f'{", ".join(n for n, _ in names)}: through at {through:g} u/s</text>')
 
 

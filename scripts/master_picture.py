@@ -83,11 +83,11 @@ def picture():
         print(f'<text x="{at(i, 0)[0]:.1f}" y="{height - bottom + 18}" text-anchor="middle">{i}</text>')
     print(f'<text x="{width - right}" y="{height - 10}" text-anchor="end">ms</text>'
           f'<text x="{left}" y="16">m/s: 50 um a count, 5 um of noise, read at 1 kHz</text>')
-    for k, (name, colour, stroke, values) in enumerate(curves):
+    for k, (name, color, stroke, values) in enumerate(curves):
         points = " ".join("{:.1f},{:.1f}".format(*at(i, v)) for i, v in enumerate(values[199:]))
-        print(f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="{stroke}"/>'
+        print(f'<polyline points="{points}" fill="none" stroke="{color}" stroke-width="{stroke}"/>'
               f'<text x="{width - right - 4}" y="{height - bottom - 12 - 16 * k}" text-anchor="end" '
-              f'fill="{"#777" if k == 0 else colour}">{name}</text>')
+              f'fill="{"#777" if k == 0 else color}">{name}</text>')
     print("</svg>")
 
 

@@ -17,7 +17,7 @@ namespace {
 
 struct Layer {
   const char* name;
-  int colour;  ///< AutoCAD colour index
+  int color;  ///< AutoCAD color index
 };
 constexpr std::array layers{Layer{"CAM", 7},  Layer{"PITCH", 3},  Layer{"CUTTER", 6},
                             Layer{"BASE", 5}, Layer{"ROLLER", 2}, Layer{"HUB", 1}};
@@ -71,7 +71,7 @@ void tables(std::string& out) {
   pair(out, 0, "TABLE"), pair(out, 2, "LAYER"), pair(out, 70, layers.size());
   for (const Layer& layer : layers) {
     pair(out, 0, "LAYER"), pair(out, 2, layer.name), pair(out, 70, 0);
-    pair(out, 62, layer.colour), pair(out, 6, "CONTINUOUS");
+    pair(out, 62, layer.color), pair(out, 6, "CONTINUOUS");
   }
   pair(out, 0, "ENDTAB"), pair(out, 0, "ENDSEC");
 }
@@ -89,10 +89,10 @@ void polyline(std::string& out, const char* layer, const Contour& contour) {
   pair(out, 0, "SEQEND"), pair(out, 8, layer);
 }
 
-void circle(std::string& out, const char* layer, Place centre, double radius) {
+void circle(std::string& out, const char* layer, Place center, double radius) {
   if (!(radius > 0)) return;
   pair(out, 0, "CIRCLE"), pair(out, 8, layer);
-  point(out, centre.x, centre.y);
+  point(out, center.x, center.y);
   real(out, 40, radius);
 }
 

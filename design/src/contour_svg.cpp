@@ -65,9 +65,9 @@ std::string path(const char* style, const Contour& contour) {
   return fmt::format("<path class=\"{}\" d=\"{}Z\"/>\n", style, d);
 }
 
-std::string circle(const char* style, Place centre, double radius) {
-  return fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", style, mm(centre.x),
-                     mm(centre.y), mm(radius));
+std::string circle(const char* style, Place center, double radius) {
+  return fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", style, mm(center.x),
+                     mm(center.y), mm(radius));
 }
 
 std::string line(const char* style, Place from, Place to) {
@@ -107,7 +107,7 @@ std::string contour_svg(const DiscDrawing& d) {
   out += path("cam", d.profile) + path("pitch", d.pitch) + path("cutter", d.cutter);
   out += circle("base", {}, d.base_radius);
   if (d.hub_radius) out += circle("hub", {}, *d.hub_radius);
-  out += line("centre", {-3, 0}, {3, 0}) + line("centre", {0, -3}, {0, 3});
+  out += line("center", {-3, 0}, {3, 0}) + line("center", {0, -3}, {0, 3});
   if (d.roller_radius > 0) out += circle("roller", d.roller, d.roller_radius);
   if (d.pivot) out += circle("arm", *d.pivot, 1.5) + line("arm", *d.pivot, d.roller);
   return out + "</g>\n</svg>\n";

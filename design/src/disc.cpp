@@ -68,13 +68,13 @@ DiscDrawing drawing_of(const Spec& spec, const Disc& disc) {
   d.base_radius = g.base_radius * mm;
   if (part.hub_radius) d.hub_radius = *part.hub_radius * mm;
   d.roller_radius = g.roller_radius * mm;
-  const Place roller = disc.at(disc.lift().start()).centre;
+  const Place roller = disc.at(disc.lift().start()).center;
   d.roller = {roller.x * mm, roller.y * mm};
   if (g.follower == Follower::oscillating) {
     const double turned =
         (g.rotation == Rotation::clockwise ? 1 : -1) * g.angle * disc.lift().start();
     d.pivot =
-        Place{g.centre_distance * mm * std::cos(turned), g.centre_distance * mm * std::sin(turned)};
+        Place{g.center_distance * mm * std::cos(turned), g.center_distance * mm * std::sin(turned)};
   }
   return d;
 }

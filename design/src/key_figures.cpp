@@ -248,17 +248,17 @@ Report report_of(std::vector<Looked>& axes, bool with_drive) {
   return all;
 }
 
-std::vector<LimitMargin> rooms_of(const Input& input) {
-  std::vector<LimitMargin> rooms = std::visit(
+std::vector<LimitMargin> margins_of(const Input& input) {
+  std::vector<LimitMargin> margins = std::visit(
       [&](const auto& curve) { return limit_margins(curve, input.limits); }, *input.curve);
-  for (LimitMargin& room : rooms)
-    if (!input.axis.empty()) room.rule += " " + input.axis;
+  for (LimitMargin& margin : margins)
+    if (!input.axis.empty()) margin.rule += " " + input.axis;
   const auto* cam = std::get_if<Cam>(&*input.curve);
-  if (cam == nullptr || !input.spec->master || !has_slave_limits(*input.spec)) return rooms;
-  if (master_rates(*input.spec).acceleration > 0) return rooms;
-  for (LimitMargin& room : limit_margins(*cam, slave_limits_by_master(*input.spec)))
-    rooms.push_back({"limit/master_velocity", std::move(room.segments)});
-  return rooms;
+  if (cam == nullptr || !input.spec->master || !has_slave_limits(*input.spec)) return margins;
+  if (master_rates(*input.spec).acceleration > 0) return margins;
+  for (LimitMargin& margin : limit_margins(*cam, slave_limits_by_master(*input.spec)))
+    margins.push_back({"limit/master_velocity", std::move(margin.segments)});
+  return margins;
 }
 
 [[noreturn]] void refuse(const std::string& name, const std::vector<Offer>& offers) {
@@ -325,7 +325,8 @@ Assessment assessed(const Spec& spec, const std::vector<std::string>& names, boo
     Assessment all = assessed(axes, names);
     for (const Looked& axis : axes)
       if (by_segment)
-        for (LimitMargin& room : rooms_of(axis.input())) all.rooms.push_back(std::move(room));
+        for (LimitMargin& margin : margins_of(axis.input()))
+          all.margins.push_back(std::move(margin));
     return all;
   } catch (const InputError& error) {
     throw spec.document.located(error);

@@ -158,7 +158,7 @@ Characteristics characteristics(Law law) {
   // The values next to a dwell, the usual case. A law whose acceleration steps there has an
   // infinite jerk.
   const bool reverses = info(law).ends == Ends::rest_to_reversal;
-  return characteristics(Cam(normalised(law, shown_form(law)), 0,
+  return characteristics(Cam(normalized(law, shown_form(law)), 0,
                              reverses ? Extrapolation::refuse : Extrapolation::hold));
 }
 

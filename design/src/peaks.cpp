@@ -152,7 +152,7 @@ std::string peaks_json(const std::vector<PeakChange>& peaks) {
     all.push_back({{"quantity", peak.name},
                    {"unit", peak.unit},
                    {"given", or_null(peak.given)},
-                   {"optimised", peak.optimized},
+                   {"optimized", peak.optimized},
                    {"limit", or_null(peak.limit)}});
   return all.dump();
 }

@@ -28,13 +28,13 @@ double EncoderReading::uniform() noexcept {
   return (static_cast<double>(profiles_detail::splitmix64(state_) >> 11U) + 0.5) * 0x1p-53;
 }
 
-double told_position(const Feedback& feedback) {
+double reported_position(const Feedback& feedback) {
   return feedback.fault ? std::numeric_limits<double>::quiet_NaN() : feedback.position;
 }
 
 Feedback ObservedDrive::feedback() noexcept {
   const Feedback said = drive_->feedback();
-  position_ = told_position(said);
+  position_ = reported_position(said);
   return said;
 }
 

@@ -78,7 +78,8 @@ int play(const std::string& name, Clock::time_point end) {
   for (auto next = Clock::now(); next < end && shared.magic == SharedProcessData::magic_number;
        next += cycle) {
     std::this_thread::sleep_until(next);
-    if (const auto told = shared.outputs.read(); told && told->cycle > 0) drive.follow(told->data);
+    if (const auto setpoint = shared.outputs.read(); setpoint && setpoint->cycle > 0)
+      drive.follow(setpoint->data);
     shared.inputs.write({++cycles, drive.inputs()});
   }
   std::printf("%llu cycles, %s at %d increments\n", static_cast<unsigned long long>(cycles),

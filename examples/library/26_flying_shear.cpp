@@ -10,7 +10,7 @@
 using namespace jounce;
 
 int main() {
-  // Metres and seconds: 1 m pieces at 1 m/s, 0.15 s in step.
+  // Meters and seconds: 1 m pieces at 1 m/s, 0.15 s in step.
   FlyingShear shear{.cut_length = 1, .line_speed = 1, .sync_time = 0.15};
   shear.limits = {.velocity = 2, .acceleration = 10};
 

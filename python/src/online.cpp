@@ -160,7 +160,7 @@ Targets and bounds may change at any time. Every axis begins at rest at position
 Arguments are numbers for all axes, or arrays with one value for each axis. One thread uses an object at a time.)")
       .def(
           py::init<std::size_t, Sync>(), "axes"_a, py::kw_only(), "sync"_a = Sync::none,
-          R"(`sync`: "none", "time", "phase", "time_if_moving" or "phase_or_time", see synchronise().)")
+          R"(`sync`: "none", "time", "phase", "time_if_moving" or "phase_or_time", see synchronize().)")
       .def("__len__", &Online::size)
       .def("set_bounds", &Online::set_bounds, "bounds"_a,
            "Sets the bounds. Raises MoveError for invalid ones.")

@@ -8,7 +8,7 @@
 
 #include "jounce/profiles/moves/explain.hpp"
 #include "jounce/profiles/sequences/queue.hpp"
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 #include "jounce/profiles/sequences/via.hpp"
 
 #include "python/src/bind.hpp"
@@ -25,7 +25,7 @@ namespace {
 
 /// Plans the groups: the last axis of the shape is that of the machine's axes.
 Moves planned_groups(const Broadcast& all, const MoveReaders& readers, Sync sync,
-                     double minimum_duration, std::vector<Synchronised>& results) {
+                     double minimum_duration, std::vector<Synchronized>& results) {
   const py::gil_scoped_release release;
   const auto axes = static_cast<std::size_t>(all.shape().back());
   const auto profiles = std::make_shared<std::vector<Profile>>(all.size());
@@ -43,7 +43,7 @@ Moves planned_groups(const Broadcast& all, const MoveReaders& readers, Sync sync
                     .enabled = true,
                     .under_way = nullptr};
       results[g] =
-          synchronise(group, sync, std::span(*profiles).subspan(g * axes, axes), minimum_duration);
+          synchronize(group, sync, std::span(*profiles).subspan(g * axes, axes), minimum_duration);
       for (std::size_t k = g * axes; k < (g + 1) * axes; ++k)
         moves.set(k, results[g].status, (*profiles)[k].duration());
     }
@@ -58,11 +58,11 @@ Moves groups(const StateColumns& start, const StateColumns& target, const Bounds
     throw InputError("start", "", "must be an array with one value for each axis");
   if (!(minimum_duration >= 0 && std::isfinite(minimum_duration)))
     throw InputError("minimum_duration", minimum_duration, "must be >= 0");
-  std::vector<Synchronised> results;
+  std::vector<Synchronized> results;
   const MoveReaders readers(all, start, target, bounds);
   Moves moves = planned_groups(all, readers, sync, minimum_duration, results);
   if (moves.shape().size() == 1 && !results.empty() && results.front().status != MoveStatus::ok) {
-    const Synchronised& result = results.front();
+    const Synchronized& result = results.front();
     raise_move_error(result.status,
                      "axis " + std::to_string(result.axis) + ": " +
                          explain(result.status, readers.from(result.axis), readers.to(result.axis),
@@ -264,7 +264,7 @@ Raises InputError for a command that is out of range; its key counts commands fr
 
 void bind_sequences(py::module_& m) {
   m.def(
-      "synchronise", groups, "start"_a, "target"_a, "bounds"_a, py::kw_only(),
+      "synchronize", groups, "start"_a, "target"_a, "bounds"_a, py::kw_only(),
       "sync"_a = Sync::time, "minimum_duration"_a = 0.0,
       R"(Plans moves of several axes that belong together. The last axis of the arrays is that of the machine's axes.
 

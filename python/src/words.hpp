@@ -11,7 +11,7 @@
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/sequences/queue.hpp"
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 #include "jounce/profiles/vibration/shaper.hpp"
 #include "jounce/pvt/table.hpp"
 

@@ -25,7 +25,7 @@ AnyCommand to(double position, double velocity, BufferMode buffer = BufferMode::
 constexpr double a = 1000;  // u/s^2, of every move here
 
 struct Two : Bench {
-  Two() : Bench({.limits = limits(200, a)}) { tell(Kind::enable); }
+  Two() : Bench({.limits = limits(200, a)}) { send(Kind::enable); }
   /// Runs until the axis rests; returns the ticks since the first move was commanded.
   std::int64_t finish() {
     const std::int64_t from = tick;
@@ -50,7 +50,7 @@ TEST(AxisBuffer, AMoveBehindOneThatCannotBePlannedAgainDoesNotWait) {
   AxisConfig config{.limits = limits(100, 1000, 1e6)};
   config.limits.position_max = 14;
   Bench axis(config);
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   Tick tick = axis.step({command::MoveVelocity{.velocity = 100}});
   for (; tick.velocity < 95; tick = axis.step()) ASSERT_LT(tick.tick, 200);
   const Command first{command::MoveAbsolute{.position = 14, .dynamics = {.jerk = 5e3}}};
@@ -204,7 +204,7 @@ TEST(AxisBuffer, AfterATableAndAfterAHaltTheyBeginAtItsEnd) {
   Job job(1, trapezoid_table(50, 100, 900, 900));
   Two axis;
   axis.arm(job);
-  axis.tell(Kind::start);
+  axis.send(Kind::start);
   axis.run(50);
   axis.step(to(80, 100, BufferMode::blending_high));
   axis.finish();
@@ -214,7 +214,7 @@ TEST(AxisBuffer, AfterATableAndAfterAHaltTheyBeginAtItsEnd) {
   Two halted;
   halted.step(to(100, 100));
   halted.run(300);
-  halted.tell(Kind::halt);
+  halted.send(Kind::halt);
   EXPECT_EQ(refusal(halted.step(to(90, 100, BufferMode::buffered))), Cause::none);
   halted.finish();
   EXPECT_EQ(halted.last.position, 90);
@@ -267,9 +267,9 @@ TEST(AxisBuffer, AnOverrideAndAHoldKeepBothTargets) {
       axis.run(when);
       axis.step({command::Override{.factor = 0.5}});
       axis.run(90);
-      axis.tell(Kind::hold);
+      axis.send(Kind::hold);
       axis.run(400);
-      axis.tell(Kind::resume);
+      axis.send(Kind::resume);
       axis.run(120);
       axis.step({command::Override{.factor = 1.5}});
       axis.finish();
@@ -286,7 +286,7 @@ TEST(AxisBuffer, WhateverTheMovesBothTargetsAreMetWithinTheLimits) {
     AxisConfig config{.limits = limits(200, 1000)};
     if (run % 2 == 0) config.limits.jerk = 2e4;
     Bench axis(config);
-    axis.tell(Kind::enable);
+    axis.send(Kind::enable);
     const double p1 = random.log_uniform(0.5, 100);
     const double p2 = p1 + random.log_uniform(0.01, 100);
     const double v1 = random.log_uniform(5, 200), v2 = random.log_uniform(5, 200);

@@ -30,7 +30,7 @@ TEST(AxisCoincidence, AMoveAtATickIsChangedInThatVeryTick) {
        {Command{command::Override{.factor = 0.5}}, any(to(20, 100)),
         any(to(40, 50, BufferMode::buffered)), Command{command::MoveAdditive{.distance = 5}}}) {
     Bench axis(wide);
-    axis.tell(Kind::enable);
+    axis.send(Kind::enable);
     AnyCommand later = to(30, 100);
     later.at = 500;
     ASSERT_EQ(refusal(axis.step(later)), Cause::none);
@@ -55,9 +55,9 @@ TEST(AxisCoincidence, ACommandIsAnsweredInTheTickInWhichItsGroupBreaks) {
   const Command good{command::Override{.factor = 0.5}};
   for (const Command& command : {bad, good}) {
     Bench axis(wide);
-    axis.tell(Kind::enable);
+    axis.send(Kind::enable);
     axis.step({command::Arm{.movement = &job, .group = 42}});
-    axis.tell(Kind::start);
+    axis.send(Kind::start);
     axis.run(200);
     Inputs inputs;
     inputs.group_broken = true;
@@ -71,7 +71,7 @@ TEST(AxisCoincidence, ACommandIsAnsweredInTheTickInWhichItsGroupBreaks) {
 // A target is a position of the axis, also after a superimposed move.
 TEST(AxisCoincidence, ABlendedMoveAfterASuperimposedOneEndsAtItsTarget) {
   Bench axis({.limits = limits(200, 1000)});
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   AnyCommand first = to(100, 50);
   first.dynamics.acceleration = first.dynamics.deceleration = 500;
   axis.step(first);
@@ -94,7 +94,7 @@ TEST(AxisCoincidence, ABlendedMoveIsTakenBackWithoutALeap) {
   config.limits.position_max = 52;
   config.limits.position_min = -10;
   Bench axis(config);
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   AnyCommand first = to(50, 100);
   first.dynamics.acceleration = first.dynamics.deceleration = 200;  // 25 u from 100 u/s
   axis.step(first);
@@ -102,7 +102,7 @@ TEST(AxisCoincidence, ABlendedMoveIsTakenBackWithoutALeap) {
   Tick last = axis.step();
   while (last.position < 48) last = axis.step();
   ASSERT_GT(last.velocity, 90);
-  Tick tick = axis.tell(Kind::disarm);
+  Tick tick = axis.send(Kind::disarm);
   for (int i = 0; i < 3000; ++i) {
     ASSERT_LE(std::abs(tick.velocity - last.velocity), 10000 * 1e-3 * (1 + 1e-8)) << tick.position;
     last = tick;
@@ -137,7 +137,7 @@ TEST(AxisCoincidence, OntoALimitSwitchAtThePassedTarget) {
 // The tick reports the waiting command.
 TEST(AxisCoincidence, WhatWaitsForItsTickIsSaidToWait) {
   Bench axis(wide);
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 50});
   EXPECT_TRUE(in_motion(axis.step()));
   Inputs silent;
@@ -154,7 +154,7 @@ TEST(AxisCoincidence, ACompareMissesNoPointOfALateStart) {
   Job job(1, table);
   Bench axis({.limits = limits(1e3, 1e5)});
   axis.axis = MotionAxis({.limits = limits(1e3, 1e5)}, {}, {SwitchesOf::position, points});
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   axis.arm(job);
   axis.step({command::Start{.tick = 40}});
   axis.run(36);

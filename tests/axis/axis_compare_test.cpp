@@ -16,13 +16,13 @@ using namespace test;
 
 const AxisConfig wide{.limits = limits(1e3, 1e5)};
 
-PositionCompare every_millimetre() {
+PositionCompare every_millimeter() {
   return {.mode = CompareMode::linear, .points = evenly(1, 1, 20), .pulse = 2e-4};
 }
 
 struct Comparing : Bench {
   explicit Comparing(SwitchesOf of = SwitchesOf::position) : Bench(wide), drive(0) {
-    axis = MotionAxis(wide, {}, {of, every_millimetre()});
+    axis = MotionAxis(wide, {}, {of, every_millimeter()});
   }
   Tick step_with(const Command& command = {}) {
     Inputs inputs;
@@ -49,7 +49,7 @@ TEST(AxisCompare, FiresAtTheInstantsOfTheTableItPlays) {
   axis.step_with({command::Arm{.movement = &job}});
   axis.step_with({command::Start{.tick = 40}});
   while (axis.tick < 500) axis.step_with();
-  const auto exact = compared(every_millimetre(), table->curve<OverTime>()).edges;
+  const auto exact = compared(every_millimeter(), table->curve<OverTime>()).edges;
   ASSERT_EQ(axis.edges.size(), exact.size());
   ASSERT_EQ(exact.size(), 40U);
   for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -95,7 +95,7 @@ TEST(AxisCompare, ANewCountPassesNothing) {
 }
 
 TEST(AxisCompare, IsNotOfAMaster) {
-  EXPECT_THROW(MotionAxis(wide, {}, {SwitchesOf::master, every_millimetre()}), InputError);
+  EXPECT_THROW(MotionAxis(wide, {}, {SwitchesOf::master, every_millimeter()}), InputError);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ Inputs drive_at(double position) {
 
 /// In velocity, 100 u/s, after that many ticks.
 Tick cruise(Bench& bench, std::int64_t ticks = 200, double direction = 1) {
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.step({command::MoveVelocity{.velocity = direction * 100}});
   return bench.run(ticks);
 }
@@ -46,13 +46,13 @@ TEST(AxisFaults, AVelocityMoveStopsBeforeTheSoftLimit) {
     EXPECT_EQ(tick.fault, direction > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit);
     EXPECT_EQ(tick.state, State::error_stop);
     EXPECT_NE(tick.velocity, 0);
-    EXPECT_EQ(refusal(bench.tell(Kind::reset)), Cause::in_motion);
+    EXPECT_EQ(refusal(bench.send(Kind::reset)), Cause::in_motion);
     tick = bench.run(100);
     EXPECT_EQ(tick.velocity, 0);
     EXPECT_LE(std::abs(tick.position), 50 + 1e-9);
     EXPECT_GT(std::abs(tick.position), 50 - 0.1 - 1e-9);  // a tick's way at most
     EXPECT_EQ(tick.reason, tick.fault);
-    EXPECT_EQ(bench.tell(Kind::reset).state, State::standstill);
+    EXPECT_EQ(bench.send(Kind::reset).state, State::standstill);
     EXPECT_EQ(bench.step({command::MoveAbsolute{.position = 0}}).state, State::discrete_motion);
   }
 }
@@ -96,7 +96,7 @@ TEST(AxisFaults, NoPathStartsOntoAnActiveLimitSwitch) {
         SCOPED_TRACE(testing::Message() << way << (outwards ? " outwards" : " inwards")
                                         << (pushed ? ", rows" : ", a table"));
         Bench bench(ranged(-500, 500));
-        bench.tell(Kind::enable);
+        bench.send(Kind::enable);
         Inputs on;
         (way > 0 ? on.positive_switch : on.negative_switch) = true;
         const double distance = outwards ? 10 * way : -10 * way;
@@ -165,10 +165,10 @@ TEST(AxisFaults, TheWatchdogStopsOnThePathAndIsNoFaultAtRest) {
   Bench bench({.limits = limits(10, 20)});
   Inputs silent;
   silent.watchdog = true;
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   EXPECT_EQ(bench.step({}, silent).fault, Cause::none);
   bench.arm(job);
-  bench.tell(Kind::start);
+  bench.send(Kind::start);
   const double from = bench.run(1000).position;
   Tick tick = bench.step({}, silent);
   EXPECT_EQ(tick.fault, Cause::watchdog);
@@ -185,7 +185,7 @@ TEST(AxisFaults, AnAbortMayHaveADeceleration) {
   config.abort_acceleration = 10'000;
   Bench bench(config);
   const Tick before = cruise(bench);
-  Tick tick = bench.tell(Kind::abort);
+  Tick tick = bench.send(Kind::abort);
   EXPECT_EQ(tick.fault, Cause::aborted);
   EXPECT_NEAR(tick.velocity, 90, 1e-9);
   tick = bench.run(9);
@@ -199,9 +199,9 @@ TEST(AxisFaults, AnUnderrunStopsOnThePathAndResumes) {
   Feed feed(1, 0, 5, 10);  // 50 u/s, 500 u/s^2
   feed.prefill(1);
   Bench bench({.limits = limits(100, 1000)});
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.step({command::Arm{.movement = &feed}});
-  Tick tick = bench.tell(Kind::start);
+  Tick tick = bench.send(Kind::start);
   const auto on_path = [&](double p) { return p >= 0 && p <= 10; };
   while (tick.fault == Cause::none) tick = bench.step();
   EXPECT_EQ(tick.fault, Cause::underrun);
@@ -220,11 +220,11 @@ TEST(AxisFaults, AnUnderrunStopsOnThePathAndResumes) {
 
   feed.supply = 2e-3;
   bench.run(100);
-  tick = bench.tell(Kind::reset);
+  tick = bench.send(Kind::reset);
   EXPECT_EQ(tick.fault, Cause::none);
   EXPECT_EQ(tick.state, State::discrete_motion);
   EXPECT_EQ(bench.run(10).position, rest) << "held until resume";
-  bench.tell(Kind::resume);
+  bench.send(Kind::resume);
   tick = bench.run(300);
   EXPECT_EQ(tick.rate, 1);
   EXPECT_EQ(tick.fault, Cause::none);
@@ -239,9 +239,9 @@ TEST(AxisFaults, AnUnderrunOnTheWayToAHigherRateStopsOnThePathToo) {
     AxisConfig config{.limits = limits(500, 2e4)};
     config.stop_acceleration = 2.2e4;
     Bench bench(config);
-    bench.tell(Kind::enable);
+    bench.send(Kind::enable);
     bench.step({command::Arm{.movement = &feed}});
-    bench.tell(Kind::start);
+    bench.send(Kind::start);
     bench.run(50);
     const double granted = bench.step({command::Override{.factor = 2}}).override_;
     EXPECT_TRUE(granted >= 1 && granted <= 2) << "what is known allows: " << granted;
@@ -258,7 +258,7 @@ TEST(AxisFaults, AMasterThatIsLostOrLeapsIsBrakedFrom) {
   for (const bool lost : {true, false}) {
     Gear gear(1, 1);
     Bench bench({.limits = limits(100, 1000)});
-    bench.tell(Kind::enable);
+    bench.send(Kind::enable);
     Inputs inputs;
     inputs.master = {0, 0, 0, 0};
     bench.step({command::Couple{.movement = &gear}}, inputs);

@@ -16,7 +16,7 @@ const AxisConfig wide{.limits = limits(1e3, 1e4)};
 /// An axis geared to a master of 10 m/s: it runs with 10 u/s.
 struct Geared : Bench {
   Geared() : Bench(wide) {
-    tell(Kind::enable);
+    send(Kind::enable);
     step({command::Couple{.movement = &gear}}, at_master(0, 10));
     for (int i = 1; i < 50; ++i) step({}, at_master(i * 1e-2, 10));
   }
@@ -30,7 +30,7 @@ TEST(AxisHalt, OutOfACouplingGoesByDiscreteMotionToStandstill) {
   Tick tick = axis.step({command::Halt{.dynamics = {.deceleration = 1000}}});
   EXPECT_EQ(tick.state, State::discrete_motion);
   EXPECT_EQ(tick.job, 0U);
-  EXPECT_EQ(refusal(axis.tell(Kind::gear_out)), Cause::not_synchronized);
+  EXPECT_EQ(refusal(axis.send(Kind::gear_out)), Cause::not_synchronized);
   tick = axis.run(20);
   EXPECT_EQ(tick.state, State::standstill);
   EXPECT_EQ(tick.reason, Cause::halted);
@@ -38,16 +38,16 @@ TEST(AxisHalt, OutOfACouplingGoesByDiscreteMotionToStandstill) {
 
 TEST(AxisHalt, OfAVelocityAndOfACamOverAVirtualMasterIsDiscreteMotionToo) {
   Bench jog(wide);
-  jog.tell(Kind::enable);
+  jog.send(Kind::enable);
   jog.step({command::MoveVelocity{.velocity = 100}});
   EXPECT_EQ(jog.run(50).state, State::continuous_motion);
-  EXPECT_EQ(jog.tell(Kind::halt).state, State::discrete_motion);
+  EXPECT_EQ(jog.send(Kind::halt).state, State::discrete_motion);
 
   Job job(1, constant_master(360, 100), pmc600_cam());
   Bench cam({.limits = limits(1e3, 1e5)});
   cam.play(job);
   EXPECT_EQ(cam.run(500).state, State::synchronized_motion);
-  EXPECT_EQ(cam.tell(Kind::halt).state, State::discrete_motion);
+  EXPECT_EQ(cam.send(Kind::halt).state, State::discrete_motion);
   EXPECT_EQ(cam.run(500).state, State::standstill);
 }
 
@@ -58,8 +58,8 @@ TEST(AxisHalt, HoldResumeAndFinishAreRefusedInWords) {
     Job job(1, there_and_back(0, 10, 1, Extrapolation::wrap));
     Bench axis({.limits = limits(40, 300)});
     axis.play(job, 250);
-    axis.tell(Kind::halt);
-    const Tick tick = axis.tell(kind);
+    axis.send(Kind::halt);
+    const Tick tick = axis.send(kind);
     ASSERT_EQ(refusal(tick), Cause::halting) << name(kind);
     EXPECT_EQ(axis.run(3000).state, State::standstill) << "the halt goes on";
   }
@@ -68,7 +68,7 @@ TEST(AxisHalt, HoldResumeAndFinishAreRefusedInWords) {
 TEST(AxisHalt, IsEndedByAnyOtherMotion) {
   Geared axis;
   axis.step({command::Halt{.dynamics = {.deceleration = 100}}});
-  EXPECT_EQ(refusal(axis.tell(Kind::hold)), Cause::halting);
+  EXPECT_EQ(refusal(axis.send(Kind::hold)), Cause::halting);
   const Tick tick = axis.step({command::MoveVelocity{.velocity = 1}});
   EXPECT_FALSE(tick.refused);
   EXPECT_EQ(tick.state, State::continuous_motion);

@@ -18,7 +18,7 @@ using namespace test;
 const AxisConfig wide{.limits = limits(1000, 1e4)};
 
 struct Held : Bench {
-  explicit Held(const AxisConfig& config = wide) : Bench(config) { tell(Kind::enable); }
+  explicit Held(const AxisConfig& config = wide) : Bench(config) { send(Kind::enable); }
 
   /// Ticks until it rests, at most 5000.
   int rest() {
@@ -38,10 +38,10 @@ TEST(AxisHold, BrakesWithTheLimitsOfTheAxisWhateverItsMoveAskedFor) {
   Held axis;
   axis.step({command::MoveVelocity{.velocity = 100, .dynamics = {.deceleration = 1e-9}}});
   axis.run(50);
-  axis.tell(Kind::hold);
+  axis.send(Kind::hold);
   EXPECT_LE(axis.rest(), 10);  // 100 u/s by 1e4 u/s^2
   EXPECT_LE(axis.most, 1e4 * (1 + 1e-9));
-  axis.tell(Kind::resume);
+  axis.send(Kind::resume);
   EXPECT_EQ(axis.run(50).velocity, 100);
   axis.step({command::Override{.factor = 0}});
   EXPECT_LE(axis.rest(), 10) << "an override of 0 is the same";
@@ -55,12 +55,12 @@ TEST(AxisHold, OfAMoveTakesWhatIsSuperimposedWithItAndResumesToTheTargetOfBoth) 
   axis.step({command::MoveSuperimposed{.distance = 50,
                                        .dynamics = {.velocity = 20, .deceleration = 10}}});
   EXPECT_GT(axis.run(50).velocity, 110);
-  axis.tell(Kind::hold);
+  axis.send(Kind::hold);
   EXPECT_LE(axis.rest(), 15);
   EXPECT_LE(axis.most, 1e4 * (1 + 1e-9));
   const double stands = axis.last.position;
   EXPECT_EQ(axis.run(1000).position, stands);
-  axis.tell(Kind::resume);
+  axis.send(Kind::resume);
   EXPECT_EQ(axis.run(3000).position, 150);
 }
 
@@ -68,18 +68,18 @@ TEST(AxisHold, OfAPathTakesWhatIsSuperimposedWithItAndGoesOnWithIt) {
   Held axis;
   Job job(1, trapezoid_table(200, 100, 1000, 1000));
   axis.arm(job);
-  axis.tell(Kind::start);
+  axis.send(Kind::start);
   axis.run(500);
   axis.step({command::MoveSuperimposed{.distance = 50,
                                        .dynamics = {.velocity = 20, .deceleration = 10}}});
   EXPECT_GT(axis.run(100).velocity, 110);
-  axis.tell(Kind::hold);
+  axis.send(Kind::hold);
   EXPECT_LE(axis.rest(), 30);
   EXPECT_LE(axis.most, 2e4 * (1 + 1e-9)) << "within the stop limits";
   const double stands = axis.last.position;
   EXPECT_EQ(axis.run(1000).position, stands);
   EXPECT_EQ(axis.last.job, 1U);
-  EXPECT_FALSE(axis.tell(Kind::resume).refused);
+  EXPECT_FALSE(axis.send(Kind::resume).refused);
   EXPECT_NEAR(axis.run(30'000).position, 250, 1e-9);
   EXPECT_EQ(axis.axis.state(), State::standstill);
 }
@@ -89,7 +89,7 @@ TEST(AxisHold, InTheTickOfAnotherOrderTakesNoStep) {
   Held axis;
   Job job(1, trapezoid_table(200, 100, 1000, 1000));
   axis.arm(job);
-  axis.tell(Kind::start);
+  axis.send(Kind::start);
   axis.run(500);
   const Command up{command::MoveSuperimposed{.distance = 50, .dynamics = {.velocity = 100}}};
   axis.step(up);
@@ -98,7 +98,7 @@ TEST(AxisHold, InTheTickOfAnotherOrderTakesNoStep) {
   again.at = axis.tick + 10;
   axis.step(again);
   const Tick before = axis.run(8);
-  const Tick now = axis.tell(Kind::hold);
+  const Tick now = axis.send(Kind::hold);
   EXPECT_NEAR(now.position - before.position, 5e-4 * (now.velocity + before.velocity), 5.1e-3);
 }
 
@@ -106,17 +106,17 @@ TEST(AxisHold, WhatIsSuperimposedStaysHeldWhereThePathEndsMeanwhile) {
   Held axis;
   Job job(1, trapezoid_table(10, 100, 5000, 5000));
   axis.arm(job);
-  axis.tell(Kind::start);
+  axis.send(Kind::start);
   axis.run(105);
   axis.step({command::MoveSuperimposed{.distance = 50,
                                        .dynamics = {.velocity = 20, .deceleration = 10}}});
   axis.run(12);
-  axis.tell(Kind::hold);
+  axis.send(Kind::hold);
   axis.rest();
   const double stands = axis.last.position;
   EXPECT_LT(stands, 30);
   EXPECT_EQ(axis.run(1000).position, stands);
-  axis.tell(Kind::resume);
+  axis.send(Kind::resume);
   EXPECT_NEAR(axis.run(30'000).position, 60, 1e-9);
 }
 
@@ -146,9 +146,9 @@ TEST(AxisHold, AfterAReleaseTheNextMotionBeginsAtOnceAndAfterAStopNone) {
     Held axis;
     axis.step({command::MoveVelocity{.velocity = 500}});
     axis.run(100);
-    axis.tell(Kind::release);
+    axis.send(Kind::release);
     EXPECT_EQ(axis.run(3).state, State::stopping);
-    if (stops) axis.tell(Kind::stop);
+    if (stops) axis.send(Kind::stop);
     const Tick now = axis.step(back);
     EXPECT_EQ(refusal(now), stops ? Cause::stopping : Cause::none);
     axis.run(200);

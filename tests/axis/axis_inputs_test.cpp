@@ -95,7 +95,7 @@ TEST(AxisInputs, NoNumberOfAMasterBreaksACoupling) {
       for (std::size_t k = 0; k < 4; ++k)
         for (const int at : {0, 3}) {
           Bench bench({.limits = limits(1e3, 1e5)});
-          bench.tell(Kind::enable);
+          bench.send(Kind::enable);
           const auto movement = make();
           Tick tick;
           Tick before;
@@ -143,7 +143,7 @@ TEST(AxisInputs, ADriveThatSaysNonsenseHasFailed) {
     for (double Feedback::*field : {&Feedback::position, &Feedback::velocity, &Feedback::torque}) {
       Bench bench({.limits = limits(1e3, 1e5)});
       Inputs inputs;
-      bench.tell(Kind::enable);
+      bench.send(Kind::enable);
       bench.step({command::MoveVelocity{.velocity = 1e3}});
       bench.run(5);
       inputs.feedback.*field = value;

@@ -22,7 +22,7 @@ Cause dropped(const Tick& tick) {
 
 TEST(AxisLater, ACommandWaitsForItsTick) {
   Bench axis(wide);
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   EXPECT_EQ(refusal(axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 50})),
             Cause::none);
   EXPECT_EQ(axis.run(48).state, State::standstill);
@@ -37,8 +37,8 @@ TEST(AxisLater, AsIfItHadComeInThatTick) {
   Bench now(wide), later(wide);
   Command command = move;
   command.at = 20;
-  now.tell(Kind::enable);
-  later.tell(Kind::enable);
+  now.send(Kind::enable);
+  later.send(Kind::enable);
   later.step(command);
   now.run(1);
   for (int i = 2; i < 400; ++i) {
@@ -51,7 +51,7 @@ TEST(AxisLater, AsIfItHadComeInThatTick) {
 
 TEST(AxisLater, ATickThatIsLeftOutIsObeyedInTheNextOne) {
   Bench axis(wide);
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 10});
   axis.tick = 14;
   EXPECT_EQ(axis.step().state, State::discrete_motion);
@@ -59,7 +59,7 @@ TEST(AxisLater, ATickThatIsLeftOutIsObeyedInTheNextOne) {
 
 TEST(AxisLater, OneWaitsAndWhatIsOverIsTooLate) {
   Bench axis(wide);
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   axis.run(10);
   EXPECT_EQ(refusal(axis.step({.what = command::Hold{}, .at = 3})), Cause::no_movement);
   EXPECT_EQ(refusal(axis.step({.what = command::Halt{}, .at = 3})), Cause::too_late);
@@ -70,11 +70,11 @@ TEST(AxisLater, OneWaitsAndWhatIsOverIsTooLate) {
 // No caller waits for the answer any more: it is in Tick::dropped.
 TEST(AxisLater, WhatIsRefusedThenIsSaidToBeDropped) {
   Bench axis(wide);
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 20});
   axis.step({command::Disable{}});
   Bench other(wide);
-  other.tell(Kind::enable);
+  other.send(Kind::enable);
   other.step({command::CamOut{}});
   other.step({.what = command::MoveRelative{.distance = 1}, .at = 5});
   other.step({command::SetPosition{.position = 7}});
@@ -82,7 +82,7 @@ TEST(AxisLater, WhatIsRefusedThenIsSaidToBeDropped) {
   EXPECT_EQ(tick.tick, 5);
   EXPECT_EQ(dropped(tick), Cause::none);
   Bench third({.limits = limits(1e3, 1e5)});
-  third.tell(Kind::enable);
+  third.send(Kind::enable);
   third.step({.what = command::Hold{}, .at = 9});
   third.step({.what = command::Override{.factor = 7}, .at = 9});
   EXPECT_EQ(dropped(third.run(7)), Cause::no_value);
@@ -91,9 +91,9 @@ TEST(AxisLater, WhatIsRefusedThenIsSaidToBeDropped) {
 TEST(AxisLater, AStopAFaultAndADisableMakeItVoid) {
   for (const Kind kind : {Kind::stop, Kind::abort, Kind::disable, Kind::disarm}) {
     Bench axis(wide);
-    axis.tell(Kind::enable);
+    axis.send(Kind::enable);
     axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 50});
-    EXPECT_EQ(dropped(axis.tell(kind)), Cause::replaced) << name(kind);
+    EXPECT_EQ(dropped(axis.send(kind)), Cause::replaced) << name(kind);
     EXPECT_EQ(axis.run(100).position, 0) << name(kind);
   }
 }
@@ -103,7 +103,7 @@ TEST(AxisLater, AGearGoesInAtItsTick) {
   Bench axis(wide);
   Inputs inputs;
   inputs.master = {0, 0, 0, 0};
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   axis.step({command::Couple{.movement = &gear, .tick = 5}}, inputs);
   for (int i = 2; i < 5; ++i) EXPECT_EQ(axis.step({}, inputs).state, State::standstill);
   EXPECT_EQ(axis.step({}, inputs).state, State::synchronized_motion);
@@ -135,9 +135,9 @@ TEST(AxisSwap, FromRowsOntoATableWhereTheyEnd) {
   rows.add(0.2, 0);
   Job job(2, there_and_back(3, 10, 0.5, Extrapolation::hold));
   Bench axis(wide);
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   ASSERT_EQ(refusal(axis.step({command::Arm{.movement = &rows.path}})), Cause::none);
-  ASSERT_EQ(refusal(axis.tell(Kind::start)), Cause::none);
+  ASSERT_EQ(refusal(axis.send(Kind::start)), Cause::none);
   axis.run(20);
   ASSERT_EQ(refusal(axis.arm(job)), Cause::none) << "the end of the rows is not known yet";
   ASSERT_EQ(refusal(axis.step({command::Start{.when = end}})), Cause::none);
@@ -160,9 +160,9 @@ TEST(AxisSwap, RowsThatEndElsewhereAreTheEnd) {
   rows.add(0.1, 5, true);
   Job job(2, there_and_back(3, 10, 0.5, Extrapolation::hold));
   Bench axis(wide);
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   axis.step({command::Arm{.movement = &rows.path}});
-  axis.tell(Kind::start);
+  axis.send(Kind::start);
   axis.arm(job);
   axis.step({command::Start{.when = end}});
   Cause why = Cause::none;
@@ -204,10 +204,10 @@ TEST(AxisSwap, OntoRowsComesDownToFullSpeedOrDoesNotTakePlace) {
     rows.add(0.02, 1e-3);
     rows.add(0.4, 5);
     Bench axis({.limits = limits(1e3, 5000)});
-    axis.tell(Kind::enable);
+    axis.send(Kind::enable);
     axis.step({command::Override{.factor = 2}});
     axis.arm(job);
-    axis.tell(Kind::start);
+    axis.send(Kind::start);
     ASSERT_EQ(axis.run(247 - left).rate, 2);
     ASSERT_EQ(refusal(axis.step({command::Arm{.movement = &rows.path}})), Cause::none);
     Tick tick = axis.step({command::Start{.when = end}});
@@ -229,12 +229,12 @@ TEST(AxisSwap, OfAPathThatIsHeldAtOnce) {
   Job job(1, there_and_back(0, 10, 0.5, Extrapolation::wrap));
   Bench axis(wide);
   axis.play(job, 100);
-  axis.tell(Kind::hold);
+  axis.send(Kind::hold);
   const Tick held = axis.run(300);
   ASSERT_EQ(held.velocity, 0);
   Job next(2, there_and_back(held.position, 4, 0.5, Extrapolation::hold));
   ASSERT_EQ(refusal(axis.arm(next)), Cause::none);
-  Tick tick = axis.tell(Kind::start);
+  Tick tick = axis.send(Kind::start);
   EXPECT_EQ(refusal(tick), Cause::none);
   EXPECT_EQ(tick.job, 2U);
   EXPECT_EQ(tick.handed_back[0], &job);
@@ -251,9 +251,9 @@ TEST(AxisLater, AStreamThatIsDeclaredCompleteEndsWithoutAnUnderrun) {
     rows.add(0.1, 5);
     rows.add(0.2, 8);
     Bench axis(wide);
-    axis.tell(Kind::enable);
+    axis.send(Kind::enable);
     axis.step({command::Arm{.movement = &rows.path}});
-    axis.tell(Kind::start);
+    axis.send(Kind::start);
     axis.run(50);
     if (declared) {
       EXPECT_TRUE(rows.path.fifos().complete());
@@ -273,13 +273,13 @@ TEST(AxisLater, AfterAnUnderrunItMayBeDeclaredCompleteAndResumed) {
   Rows rows(1);
   rows.add(0.1, 5);
   Bench axis(wide);
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   axis.step({command::Arm{.movement = &rows.path}});
-  axis.tell(Kind::start);
+  axis.send(Kind::start);
   ASSERT_EQ(axis.run(300).fault, Cause::underrun);
   EXPECT_TRUE(rows.path.fifos().complete());
-  axis.tell(Kind::reset);
-  axis.tell(Kind::resume);
+  axis.send(Kind::reset);
+  axis.send(Kind::resume);
   const Tick tick = axis.run(300);
   EXPECT_EQ(tick.position, 5);
   EXPECT_EQ(tick.state, State::standstill);

@@ -40,7 +40,7 @@ Seen watched(Bench& bench, double target, int ticks) {
 
 TEST(AxisLowered, AnOverrideInFrontOfTheTargetDoesNotPassIt) {
   Bench bench({.limits = limits(926, 6000, 12000)});
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.step({command::MoveAbsolute{.position = 2000}});
   while (bench.step().position < 2000 - 265.4) continue;
   bench.step({command::Override{.factor = 385.0 / 926}});
@@ -66,7 +66,7 @@ void lowered(Random& random, const Kinds& kinds, bool by_command) {
   if (kinds.deceleration && random.uniform(0, 1) < 0.5) std::swap(d.acceleration, d.deceleration);
   const double target = random.uniform(1, 100);
   Bench bench(config);
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.step({command::MoveAbsolute{.position = target, .dynamics = d}});
   const double way = target * random.uniform(0.02, 0.999);
   while (bench.step().position < way) continue;

@@ -19,7 +19,7 @@ const AxisConfig pulses{.limits = limits(1e5, 1e6)};
 const MoveDynamics brisk{.velocity = 3000, .acceleration = 10'000, .deceleration = 10'000};
 
 struct Moves : Bench {
-  explicit Moves(const AxisConfig& config = pulses) : Bench(config) { tell(Kind::enable); }
+  explicit Moves(const AxisConfig& config = pulses) : Bench(config) { send(Kind::enable); }
 
   Tick move(Kind kind, double position, const MoveDynamics& dynamics = brisk) {
     const Tick now = step(any({.kind = kind, .position = position, .dynamics = dynamics}));
@@ -114,7 +114,7 @@ TEST(AxisMoves, Figure59StopLocks) {
   Tick tick = moves.step({command::Stop{.dynamics = {.deceleration = 10'000}}});
   EXPECT_EQ(tick.state, State::stopping);
   for (const Kind kind : {Kind::move_absolute, Kind::move_velocity, Kind::halt, Kind::hold})
-    EXPECT_EQ(refusal(moves.tell(kind)), Cause::stopping);
+    EXPECT_EQ(refusal(moves.send(kind)), Cause::stopping);
   EXPECT_NEAR(moves.until([](const Tick& t) { return t.velocity == 0; }).velocity, 0, 1e-12);
   tick = moves.step();
   EXPECT_EQ(tick.state, State::standstill);
@@ -132,7 +132,7 @@ TEST(AxisMoves, Figure510HaltMayBeInterrupted) {
   EXPECT_GT(slow.velocity, 0);
   EXPECT_GT(moves.move(Kind::move_velocity, 3000).velocity, slow.velocity);
   EXPECT_EQ(moves.run(1000).velocity, 3000);
-  moves.tell(Kind::halt);
+  moves.send(Kind::halt);
   moves.run(1000);
   const Tick rest = moves.step();
   EXPECT_EQ(rest.state, State::standstill);
@@ -222,7 +222,7 @@ TEST(AxisMoves, WhatIsNotGivenIsTheLimitAndBeyondItIsRefused) {
   EXPECT_EQ(moves.step().velocity, -1e5) << "refused commands change nothing";
 }
 
-// A joystick at its centre: -0 is 0, and neither is a direction or a limit.
+// A joystick at its center: -0 is 0, and neither is a direction or a limit.
 TEST(AxisMoves, AJogAtZeroIsRest) {
   for (const double zero : {0.0, -0.0}) {
     Moves standing;
@@ -238,7 +238,7 @@ TEST(AxisMoves, AJogAtZeroIsRest) {
       EXPECT_EQ(rest.velocity, 0);
       EXPECT_EQ(rest.reason, Cause::none);
       EXPECT_EQ(rest.finished, 1U);
-      EXPECT_EQ(moves.tell(Kind::set_position).state, State::standstill);
+      EXPECT_EQ(moves.send(Kind::set_position).state, State::standstill);
     }
   }
 }
@@ -283,12 +283,12 @@ TEST(AxisMoves, OverrideScalesTheVelocityAndHoldIsNone) {
   moves.run(1000);
   moves.step({command::Override{.factor = 0.5}});
   EXPECT_EQ(moves.run(500).velocity, 1500);
-  moves.tell(Kind::hold);
+  moves.send(Kind::hold);
   Tick held = moves.run(500);
   EXPECT_EQ(held.velocity, 0);
   EXPECT_EQ(held.state, State::discrete_motion);
   EXPECT_EQ(moves.run(500).position, held.position);
-  moves.tell(Kind::resume);
+  moves.send(Kind::resume);
   EXPECT_EQ(moves.run(500).velocity, 1500);
   moves.step({command::Override{.factor = 1}});
   EXPECT_EQ(moves.finish().position, 10'000);

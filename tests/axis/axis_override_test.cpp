@@ -23,9 +23,9 @@ struct Rolling : Bench {
   Rolling(double known, double supply) : Bench(tight) {
     feed.prefill(known);
     feed.supply = supply;
-    tell(Kind::enable);
+    send(Kind::enable);
     step({command::Arm{.movement = &feed}});
-    tell(Kind::start);
+    send(Kind::start);
   }
   Tick override_by(double factor) { return step({command::Override{.factor = factor}}); }
 
@@ -62,8 +62,8 @@ TEST(AxisOverride, WhateverIsAskedAndSuppliedTheSetpointIsOnThePath) {
       if (now.fault == Cause::underrun && now.velocity == 0) {
         EXPECT_EQ(now.job, 1U) << "run " << run << ", tick " << i;
         rolling.feed.prefill(rolling.feed.known() + 0.4);
-        rolling.tell(Kind::reset);
-        before = rolling.tell(Kind::resume);
+        rolling.send(Kind::reset);
+        before = rolling.send(Kind::resume);
         continue;
       }
       ASSERT_TRUE(now.fault == Cause::none || now.fault == Cause::underrun) << name(now.fault);

@@ -20,10 +20,10 @@ const AxisConfig wide{.limits = limits(1e3, 1e5)};
 struct InState : Bench {
   explicit InState(State wanted) : Bench(wide) {
     if (wanted == State::disabled) return;
-    tell(Kind::enable);
+    send(Kind::enable);
     if (wanted == State::standstill) return;
     if (wanted == State::error_stop) {
-      tell(Kind::abort);
+      send(Kind::abort);
     } else if (wanted == State::synchronized_motion) {
       step({command::Couple{.movement = &gear}}, at_master(0));
     } else if (wanted == State::homing) {
@@ -36,7 +36,7 @@ struct InState : Bench {
       if (wanted == State::discrete_motion)
         step({command::MoveRelative{.distance = 500}});
       else if (wanted == State::stopping)
-        tell(Kind::stop);
+        send(Kind::stop);
     }
   }
   static Inputs at_master(double m) {
@@ -114,7 +114,7 @@ TEST(AxisStates, TheTableInTheDocumentationIsThatOfTheAxis) {
 
 TEST(AxisStates, HomingIsOneStepThatSetsThePosition) {
   Bench bench(wide);
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   const Tick homing = bench.step({command::Home{.offset = 12}});
   EXPECT_EQ(homing.state, State::homing);
   EXPECT_EQ(homing.position, 12);
@@ -124,7 +124,7 @@ TEST(AxisStates, HomingIsOneStepThatSetsThePosition) {
 
 TEST(AxisStates, SetPositionMovesTheCountNotTheDrive) {
   Bench bench(wide);
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   Inputs drive;
   drive.feedback.position = 0;
   Tick tick = bench.step({command::SetPosition{.position = 40}}, drive);
@@ -139,7 +139,7 @@ TEST(AxisStates, SetPositionMovesTheCountNotTheDrive) {
 TEST(AxisStates, CamOutAndGearOutKeepTheVelocity) {
   for (const Kind out : {Kind::gear_out, Kind::cam_out}) {
     Bench bench(wide);
-    bench.tell(Kind::enable);
+    bench.send(Kind::enable);
     Gear gear(1, 2);
     const auto master = [](double v, double m) {
       Inputs inputs;
@@ -158,7 +158,7 @@ TEST(AxisStates, CamOutAndGearOutKeepTheVelocity) {
     const double from = tick.position;
     EXPECT_EQ(bench.run(1000).velocity, 200);
     EXPECT_NEAR(bench.step().position - from, 200.2, 1e-9);
-    bench.tell(Kind::stop);
+    bench.send(Kind::stop);
     bench.run(10);
     EXPECT_EQ(bench.axis.state(), State::standstill);
   }

@@ -68,12 +68,12 @@ TEST(AxisSwap, TheRequestedEndOfAPassEndsWithItsTable) {
   Job wraps(1, there_and_back(0, 10, 0.5, Extrapolation::wrap));
   Bench bench(wide);
   bench.play(wraps, 100);
-  ASSERT_EQ(refusal(bench.tell(Kind::finish)), Cause::none);
-  bench.tell(Kind::hold);
+  ASSERT_EQ(refusal(bench.send(Kind::finish)), Cause::none);
+  bench.send(Kind::hold);
   const double stands = bench.run(100).position;
   Job next(2, there_and_back(stands, 5, 2, Extrapolation::hold));
   ASSERT_EQ(refusal(bench.arm(next)), Cause::none);
-  ASSERT_EQ(refusal(bench.tell(Kind::start)), Cause::none);
+  ASSERT_EQ(refusal(bench.send(Kind::start)), Cause::none);
   const Tick last = bench.run(1999);
   EXPECT_EQ(last.job, 2U);
   EXPECT_EQ(bench.run(2).reason, Cause::none) << "its end is not the end of a pass";
@@ -96,15 +96,15 @@ TEST(AxisSwap, IsHeldUpByAHoldAndUndoneByAStop) {
   Bench bench(wide);
   bench.play(a, 100);
   start_at_end(bench, b);
-  bench.tell(Kind::hold);
+  bench.send(Kind::hold);
   EXPECT_EQ(bench.run(2000).job, 1U);
-  bench.tell(Kind::resume);
+  bench.send(Kind::resume);
   EXPECT_EQ(bench.run(600).job, 2U);
 
   Bench other(wide);
   other.play(a, 100);
   start_at_end(other, b);
-  EXPECT_EQ(other.tell(Kind::stop).handed_back[0], &b);
+  EXPECT_EQ(other.send(Kind::stop).handed_back[0], &b);
   EXPECT_EQ(other.run(1000).state, State::standstill);
   EXPECT_EQ(other.step().finished, 0U);
 }
@@ -243,7 +243,7 @@ TEST(AxisSwap, APassMayBeTheLastOne) {
   Job a(1, there_and_back(0, 10, 0.5, Extrapolation::wrap));
   Bench bench(wide);
   bench.play(a, 700);
-  EXPECT_EQ(refusal(bench.tell(Kind::finish)), Cause::none);
+  EXPECT_EQ(refusal(bench.send(Kind::finish)), Cause::none);
   Tick tick = bench.run(298);
   EXPECT_EQ(tick.state, State::discrete_motion);
   tick = bench.step();
@@ -256,7 +256,7 @@ TEST(AxisSwap, APassMayBeTheLastOne) {
 TEST(AxisSwap, AStartWaitsForALiveMaster) {
   Job a(1, trapezoid_table(50, 10, 20, 20));
   Bench bench({.limits = limits(10, 20)});
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.arm(a);
   const auto master = [](double m) {
     Inputs inputs;

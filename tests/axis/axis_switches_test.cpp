@@ -28,11 +28,11 @@ CamSwitchSpec range(double first, double last, std::optional<double> period = {}
 
 /// Plays the job and gives all edges, with times since its start.
 std::vector<SwitchEdge> played(Bench& bench, Job& job) {
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.arm(job);
   std::vector<SwitchEdge> edges;
   const std::int64_t start = bench.tick + 1;
-  for (Tick tick = bench.tell(Kind::start); tick.job != 0; tick = bench.step())
+  for (Tick tick = bench.send(Kind::start); tick.job != 0; tick = bench.step())
     for (SwitchEdge edge : tick.switches.edges()) {
       edge.time += static_cast<double>(tick.tick - 1 - start) * 1e-3;
       edges.push_back(edge);
@@ -79,9 +79,9 @@ TEST(AxisSwitches, StandThroughAFaultAndMoveWithANewPosition) {
   Bench bench({.limits = limits(600, 11000), .position = 50},
               {.table = {.switches = {{.first_on_position = 40, .last_on_position = 60}}}});
   EXPECT_EQ(bench.step().switches.outputs, 1U);
-  bench.tell(Kind::enable);
-  EXPECT_EQ(bench.tell(Kind::abort).switches.outputs, 1U);
-  bench.tell(Kind::reset);
+  bench.send(Kind::enable);
+  EXPECT_EQ(bench.send(Kind::abort).switches.outputs, 1U);
+  bench.send(Kind::reset);
   const Tick moved = bench.step({command::SetPosition{.position = 0}});
   EXPECT_EQ(moved.switches.outputs, 0U);
   ASSERT_EQ(moved.switches.count, 1U);

@@ -26,14 +26,14 @@ TEST(MotionAxis, NothingMovesBeforeEnableArmAndStart) {
   Bench bench(wide);
   EXPECT_EQ(bench.step().state, State::disabled);
   EXPECT_EQ(refusal(bench.arm(job)), Cause::not_enabled);
-  EXPECT_EQ(refusal(bench.tell(Kind::start)), Cause::not_enabled);
-  EXPECT_EQ(bench.tell(Kind::enable).state, State::standstill);
-  EXPECT_EQ(refusal(bench.tell(Kind::start)), Cause::not_armed);
+  EXPECT_EQ(refusal(bench.send(Kind::start)), Cause::not_enabled);
+  EXPECT_EQ(bench.send(Kind::enable).state, State::standstill);
+  EXPECT_EQ(refusal(bench.send(Kind::start)), Cause::not_armed);
   const Tick armed = bench.arm(job);
   EXPECT_EQ(armed.armed, 7U);
   EXPECT_EQ(armed.job, 0U);
   EXPECT_EQ(bench.run(50).position, 0);
-  const Tick first = bench.tell(Kind::start);
+  const Tick first = bench.send(Kind::start);
   EXPECT_EQ(first.state, State::discrete_motion);
   EXPECT_EQ(first.job, 7U);
   EXPECT_EQ(first.armed, 0U);
@@ -163,7 +163,7 @@ TEST(MotionAxis, StopFollowsTheClosedFormOfItsRamp) {
   Bench bench({.limits = limits(10, 20)});
   bench.play(job);
   const double from = bench.run(1000).position;
-  const Tick stop = bench.tell(Kind::stop);
+  const Tick stop = bench.send(Kind::stop);
   EXPECT_EQ(stop.state, State::stopping);
   EXPECT_NEAR(stop.position, from + 0.01, 1e-12);
   EXPECT_NEAR(stop.velocity, 10, 1e-12);
@@ -193,7 +193,7 @@ TEST(MotionAxis, StopStaysOnTheCamAndWithinTheStopLimits) {
     Bench bench(config);
     std::vector<Tick> ticks{bench.play(job)};
     for (std::int64_t k = 1; k < when; ++k) ticks.push_back(bench.step());
-    ticks.push_back(bench.tell(Kind::stop));
+    ticks.push_back(bench.send(Kind::stop));
     while (ticks.back().state == State::stopping) ticks.push_back(bench.step());
     ticks.push_back(bench.step());
     ASSERT_EQ(ticks.back().state, State::standstill);
@@ -216,7 +216,7 @@ TEST(MotionAxis, StopWithAJerkLimitKeepsTheStopJerk) {
     Bench bench(config);
     bench.play(job);
     std::vector<Tick> ticks{bench.run(when)};
-    ticks.push_back(bench.tell(Kind::stop));
+    ticks.push_back(bench.send(Kind::stop));
     while (ticks.back().state == State::stopping) ticks.push_back(bench.step());
     for (std::size_t i = 1; i < ticks.size(); ++i) {
       const double seen = (ticks[i].acceleration - ticks[i - 1].acceleration) * 1000;
@@ -230,7 +230,7 @@ TEST(MotionAxis, StopNearTheEndLetsTheTableEnd) {
   Bench bench({.limits = limits(10, 20)});
   bench.play(job);
   bench.run(5490);  // 10 of the 5500 ticks are left
-  bench.tell(Kind::stop);
+  bench.send(Kind::stop);
   const Tick end = bench.run(750);
   EXPECT_EQ(end.state, State::standstill);
   EXPECT_EQ(end.position, 50);
@@ -244,11 +244,11 @@ TEST(MotionAxis, ASecondStopChangesNothing) {
   for (Bench* bench : {&once, &twice}) {
     bench->play(job);
     bench->run(1000);
-    bench->tell(Kind::stop);
+    bench->send(Kind::stop);
     bench->run(100);
   }
   once.step();
-  twice.tell(Kind::stop);
+  twice.send(Kind::stop);
   EXPECT_EQ(once.run(900).position, twice.run(900).position);
 }
 
@@ -262,8 +262,8 @@ TEST(MotionAxis, ARepeatingTableRunsUntilItIsStopped) {
   EXPECT_EQ(bench.axis.state(), State::discrete_motion);
   Job next(2, cycle);
   EXPECT_EQ(refusal(bench.arm(next)), Cause::none);  // for a swap: it begins where this one closes
-  EXPECT_EQ(refusal(bench.tell(Kind::start)), Cause::in_motion);
-  bench.tell(Kind::stop);
+  EXPECT_EQ(refusal(bench.send(Kind::start)), Cause::in_motion);
+  bench.send(Kind::stop);
   bench.run(1000);
   EXPECT_EQ(bench.axis.state(), State::standstill);
 }
@@ -276,20 +276,20 @@ TEST(MotionAxis, AbortFreezesAndLatchesUntilReset) {
   Bench bench({.limits = limits(10, 20)});
   bench.play(job);
   const double before = bench.run(1000).position;
-  const Tick aborted = bench.tell(Kind::abort);
+  const Tick aborted = bench.send(Kind::abort);
   EXPECT_EQ(aborted.state, State::error_stop);
   EXPECT_EQ(aborted.fault, Cause::aborted);
   EXPECT_EQ(aborted.position, before);
   EXPECT_EQ(aborted.velocity, 0);
   EXPECT_TRUE(handed_back(aborted, job));
   for (const Kind kind : {Kind::start, Kind::stop}) {
-    EXPECT_EQ(refusal(bench.tell(kind)), Cause::in_error);
+    EXPECT_EQ(refusal(bench.send(kind)), Cause::in_error);
   }
   const Tick refused = bench.arm(next);
   EXPECT_EQ(refusal(refused), Cause::in_error);
   EXPECT_TRUE(handed_back(refused, next));
   EXPECT_EQ(bench.run(100).fault, Cause::aborted);
-  EXPECT_EQ(bench.tell(Kind::reset).state, State::standstill);
+  EXPECT_EQ(bench.send(Kind::reset).state, State::standstill);
   EXPECT_EQ(bench.step().fault, Cause::none);
   EXPECT_EQ(bench.step().position, before);
   EXPECT_EQ(refusal(bench.arm(next)), Cause::start_position);  // it stands in mid-path
@@ -302,13 +302,13 @@ TEST(MotionAxis, DisablingInMotionIsAFaultThatEnableComesBackTo) {
   Bench bench({.limits = limits(10, 20)});
   bench.play(job);
   bench.run(1000);
-  Tick tick = bench.tell(Kind::disable);
+  Tick tick = bench.send(Kind::disable);
   EXPECT_EQ(tick.state, State::disabled);
   EXPECT_EQ(tick.fault, Cause::disabled_in_motion);
   EXPECT_EQ(tick.velocity, 0);
-  tick = bench.tell(Kind::enable);
+  tick = bench.send(Kind::enable);
   EXPECT_EQ(tick.state, State::error_stop);
-  tick = bench.tell(Kind::reset);
+  tick = bench.send(Kind::reset);
   EXPECT_EQ(tick.state, State::standstill);
   EXPECT_EQ(tick.fault, Cause::none);
 }
@@ -351,8 +351,8 @@ TEST(MotionAxis, TheFirstFaultStays) {
   Bench bench({.limits = limits(10, 20)});
   bench.play(job);
   bench.run(100);
-  bench.tell(Kind::disable);
-  EXPECT_EQ(bench.tell(Kind::abort).fault, Cause::disabled_in_motion);
+  bench.send(Kind::disable);
+  EXPECT_EQ(bench.send(Kind::abort).fault, Cause::disabled_in_motion);
 }
 
 // ---- late cycles -------------------------------------------------------------------------------
@@ -383,7 +383,7 @@ TEST(MotionAxis, AStartAtALaterTickBeginsExactlyThere) {
   const TablePtr move = trapezoid_table(50, 10, 20, 20);
   Job job(9, move);
   Bench bench(wide);
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.arm(job);
   Tick tick = bench.step({command::Start{.tick = 10}});
   EXPECT_EQ(tick.state, State::standstill);
@@ -396,7 +396,7 @@ TEST(MotionAxis, AStartAtALaterTickBeginsExactlyThere) {
   EXPECT_EQ(tick.position, move->jet(0.003)[0]);
 
   Bench other(wide);
-  other.tell(Kind::enable);
+  other.send(Kind::enable);
   other.run(5);
   other.arm(job);
   tick = other.step({command::Start{.tick = 3}});
@@ -408,10 +408,10 @@ TEST(MotionAxis, StopOrDisableTakesBackAWaitingStart) {
   Job job(9, trapezoid_table(50, 10, 20, 20));
   for (const Kind kind : {Kind::stop, Kind::disable}) {
     Bench bench(wide);
-    bench.tell(Kind::enable);
+    bench.send(Kind::enable);
     bench.arm(job);
     bench.step({command::Start{.tick = 10}});
-    const Tick tick = bench.tell(kind);
+    const Tick tick = bench.send(kind);
     EXPECT_FALSE(tick.waiting);
     EXPECT_TRUE(handed_back(tick, job));
     EXPECT_EQ(bench.run(50).position, 0);
@@ -422,13 +422,13 @@ TEST(MotionAxis, StopOrDisableTakesBackAWaitingStart) {
 TEST(MotionAxis, DisarmTakesBackWhatWasNotToldToStart) {
   Job job(9, trapezoid_table(50, 10, 20, 20));
   Bench bench(wide);
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.arm(job);
-  EXPECT_TRUE(handed_back(bench.tell(Kind::disarm), job));
-  EXPECT_EQ(refusal(bench.tell(Kind::start)), Cause::not_armed);
+  EXPECT_TRUE(handed_back(bench.send(Kind::disarm), job));
+  EXPECT_EQ(refusal(bench.send(Kind::start)), Cause::not_armed);
   bench.arm(job);
   bench.step({command::Start{.tick = 10}});
-  EXPECT_TRUE(bench.tell(Kind::disarm).waiting);
+  EXPECT_TRUE(bench.send(Kind::disarm).waiting);
   EXPECT_EQ(bench.run(10).state, State::discrete_motion);
 }
 
@@ -447,11 +447,11 @@ TEST(MotionAxis, TablesAreSwappedAtStandstill) {
   EXPECT_EQ(refusal(tick), Cause::start_position);
   EXPECT_EQ(tick.refused->limit, 50);
   EXPECT_EQ(refusal(bench.arm(back)), Cause::none);
-  EXPECT_EQ(refusal(bench.tell(Kind::start)), Cause::in_motion);
+  EXPECT_EQ(refusal(bench.send(Kind::start)), Cause::in_motion);
   tick = bench.run(5500);
   EXPECT_EQ(tick.state, State::standstill);
   EXPECT_EQ(tick.armed, 2U);
-  bench.tell(Kind::start);
+  bench.send(Kind::start);
   tick = bench.run(10000);
   EXPECT_EQ(tick.state, State::standstill);
   EXPECT_EQ(tick.position, 0);
@@ -462,7 +462,7 @@ TEST(MotionAxis, ArmingAgainHandsTheFirstJobBack) {
   Job first(1, trapezoid_table(50, 10, 20, 20));
   Job second(2, trapezoid_table(40, 10, 20, 20));
   Bench bench(wide);
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.arm(first);
   const Tick tick = bench.arm(second);
   EXPECT_TRUE(handed_back(tick, first));
@@ -474,24 +474,24 @@ TEST(MotionAxis, OneArmIsOneStart) {
   Bench bench(wide);
   bench.play(job);
   bench.run(200);
-  EXPECT_EQ(refusal(bench.tell(Kind::start)), Cause::not_armed);
+  EXPECT_EQ(refusal(bench.send(Kind::start)), Cause::not_armed);
   bench.arm(job);
-  EXPECT_EQ(refusal(bench.tell(Kind::start)), Cause::none);
+  EXPECT_EQ(refusal(bench.send(Kind::start)), Cause::none);
 }
 
 TEST(MotionAxis, SetPositionNeedsAStandstillAndANumber) {
   Job job(1, trapezoid_table(50, 10, 20, 20));
   Bench bench(wide);
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.arm(job);
   EXPECT_EQ(bench.step({command::SetPosition{.position = 3}}).position, 3);
-  const Tick tick = bench.tell(Kind::start);
+  const Tick tick = bench.send(Kind::start);
   EXPECT_EQ(refusal(tick), Cause::not_at_start);
   EXPECT_EQ(tick.refused->value, 0);
   EXPECT_EQ(tick.refused->limit, 3);
   EXPECT_EQ(refusal(bench.step({command::SetPosition{.position = NAN}})), Cause::no_value);
   bench.step({command::SetPosition{.position = 0}});
-  bench.tell(Kind::start);
+  bench.send(Kind::start);
   EXPECT_EQ(refusal(bench.step({command::SetPosition{.position = 0}})), Cause::in_motion);
 }
 
@@ -500,7 +500,7 @@ TEST(MotionAxis, SetPositionStaysInsideThePositionRange) {
   config.limits.position_min = -10;
   config.limits.position_max = 300;
   Bench bench(config);
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   const Tick above = bench.step({command::SetPosition{.position = 9999}});
   ASSERT_EQ(refusal(above), Cause::position_limit);
   EXPECT_EQ(above.refused->value, 9999);
@@ -515,7 +515,7 @@ TEST(MotionAxis, SetPositionStaysInsideThePositionRange) {
 
 TEST(MotionAxis, ALinearAxisRefusesATargetOnTheOtherSideOfItsDirection) {
   Bench bench(wide);
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   const auto asked = [&](double position, Direction direction) {
     return refusal(
         bench.step({command::MoveAbsolute{.position = position, .direction = direction}}));

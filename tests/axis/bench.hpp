@@ -47,7 +47,7 @@ struct Bench {
   Tick step(const Command& command = {}, const Inputs& inputs = {}) {
     return axis.step(++tick, command, inputs);
   }
-  Tick tell(Kind kind) { return step(any({.kind = kind})); }
+  Tick send(Kind kind) { return step(any({.kind = kind})); }
   Tick arm(Movement& movement) { return step({command::Arm{.movement = &movement}}); }
   Tick run(std::int64_t ticks) {
     Tick last;
@@ -56,9 +56,9 @@ struct Bench {
   }
   /// Enabled, armed with this, and started: the tick of local time 0, or so many later.
   Tick play(Movement& movement, std::int64_t ticks = 0) {
-    tell(Kind::enable);
+    send(Kind::enable);
     EXPECT_EQ(refusal(arm(movement)), Cause::none);
-    const Tick first = tell(Kind::start);
+    const Tick first = send(Kind::start);
     return ticks > 0 ? run(ticks) : first;
   }
 

@@ -32,9 +32,9 @@ Job example_43(const CouplingSpec& coupling, double position) {
 /// Runs the job to its end and compares every step with the axis's limits.
 Tick run(Job& job, double position, double& largest_step) {
   Bench bench(axis_at(position));
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   EXPECT_FALSE(bench.arm(job).refused);
-  Tick last = bench.tell(Kind::start);
+  Tick last = bench.send(Kind::start);
   EXPECT_DOUBLE_EQ(last.position, position) << "local time 0: it is where it stood";
   largest_step = 0;
   while (last.job != 0) {
@@ -113,7 +113,7 @@ TEST(CoupledJob, AStopInTheRampStaysOnItsPath) {
   Job job(1, trapezoid_table(1080, 200, 1000, 1000), pmc600_cam(), 1e-3, ramp(), -30);
   Bench bench(axis_at(-30));
   bench.play(job, 150);
-  Tick last = bench.tell(Kind::stop);
+  Tick last = bench.send(Kind::stop);
   while (last.job != 0) {
     const Tick now = bench.step();
     EXPECT_LE(std::abs(now.velocity - last.velocity), 20000 * 1e-3 + 1e-9);

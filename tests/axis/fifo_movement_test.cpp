@@ -24,9 +24,9 @@ using googol::push;
 
 Bench moving(FifoPath& path, const AxisConfig& config) {
   Bench bench(config);
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   EXPECT_FALSE(bench.step({command::Arm{.movement = &path}}).refused);
-  EXPECT_FALSE(bench.tell(Kind::start).refused);
+  EXPECT_FALSE(bench.send(Kind::start).refused);
   return bench;
 }
 
@@ -71,7 +71,7 @@ TEST(FifoPath, TablesAreKeptAndPlayedAgainInLoops) {
   EXPECT_EQ(now.position, 0);
   path.fifos().set_loops(0);
   bench.step({command::Arm{.movement = &path}});
-  bench.tell(Kind::start);
+  bench.send(Kind::start);
   now = bench.run(100 * 256 + 64);
   EXPECT_NEAR(now.position, 16, 1e-9);
   EXPECT_EQ(now.state, State::discrete_motion);
@@ -184,8 +184,8 @@ TEST(FifoPath, ThatStarvesIsStoppedOnItsPathAndResumes) {
     ASSERT_EQ(path.fifos().push(0, rows[i]), RowRule::none);
   ASSERT_EQ(path.fifos().push(0, {.x_end = 4, .p_end = 30, .v_end = 0, .last = true}),
             RowRule::none);
-  EXPECT_FALSE(bench.tell(Kind::reset).refused);
-  EXPECT_FALSE(bench.tell(Kind::resume).refused);
+  EXPECT_FALSE(bench.send(Kind::reset).refused);
+  EXPECT_FALSE(bench.send(Kind::resume).refused);
   run(5000);
   EXPECT_EQ(now.state, State::standstill);
   EXPECT_NEAR(now.position, 30, 1e-12);
@@ -222,8 +222,8 @@ TEST(FifoPath, ThatStarvesInALateCycleStopsOnItsPathAsWell) {
       EXPECT_EQ(now.fault, Cause::underrun);
       for (std::size_t i = 11; i < rows.size(); ++i)
         ASSERT_EQ(path.fifos().push(0, rows[i]), RowRule::none);
-      EXPECT_FALSE(bench.tell(Kind::reset).refused);
-      ASSERT_FALSE(bench.tell(Kind::resume).refused) << "it has left its path";
+      EXPECT_FALSE(bench.send(Kind::reset).refused);
+      ASSERT_FALSE(bench.send(Kind::resume).refused) << "it has left its path";
     }
 }
 
@@ -302,9 +302,9 @@ TEST(FifoPath, APassThatLeavesTheAnnouncedRangeDoesNotBegin) {
                   0, {.x_end = t, .p_end = 60, .v_start = rate, .v_end = rate, .degree = 3}),
               RowRule::none);
     Bench bench(in_300());
-    bench.tell(Kind::enable);
+    bench.send(Kind::enable);
     ASSERT_EQ(refusal(bench.arm(path)), Cause::none);
-    bench.tell(Kind::start);
+    bench.send(Kind::start);
     double most = 0;
     for (int k = 0; k < 6000; ++k) most = std::max(most, bench.step().position);
     EXPECT_LE(most, 300 + 1e-9) << rate;
@@ -351,7 +351,7 @@ TEST(FifoFollow, ThatEndsAtARatioBrakesWithinTheLimits) {
     push(follow.fifos(), 0, {500, 250});
     push(follow.fifos(), 0, {1250.3, 1000.3});
     Bench bench({.limits = limits(1000, 2000)});
-    bench.tell(Kind::enable);
+    bench.send(Kind::enable);
     const auto step = [&](const Command& command = {}) {
       Inputs inputs;
       const double speed = dir < 0 ? -500 : 500;

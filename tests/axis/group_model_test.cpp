@@ -94,35 +94,35 @@ class Judge {
 /// One random command or event for the machine.
 void stir(Plotter& rig, Random& random, GroupPath& path) {
   const auto axis = random.below(std::size_t{2});
-  const auto tell = [&](std::size_t i, const AxisCommand& command) {
+  const auto send = [&](std::size_t i, const AxisCommand& command) {
     rig.images[i].command = {command};
   };
   switch (random.below(18)) {
     case 0:
-      return tell(group, command::Hold{});
+      return send(group, command::Hold{});
     case 1:
     case 2:
-      return tell(group, command::Resume{});
+      return send(group, command::Resume{});
     case 3:
-      return tell(group, command::Override{random.uniform(0, 2)});
+      return send(group, command::Override{random.uniform(0, 2)});
     case 4:
-      return tell(group, command::Override{random.below(2) == 0 ? 0.0 : 1.0});
+      return send(group, command::Override{random.below(2) == 0 ? 0.0 : 1.0});
     case 5:
-      return tell(group, command::Halt{});
+      return send(group, command::Halt{});
     case 6:
-      return tell(group, command::Stop{});
+      return send(group, command::Stop{});
     case 7:
-      return random.below(4) == 0 ? tell(group, command::Disable{}) : tell(group, command::Reset{});
+      return random.below(4) == 0 ? send(group, command::Disable{}) : send(group, command::Reset{});
     case 8:
-      return random.below(10) == 0 ? tell(group, command::Abort{}) : tell(group, command::Reset{});
+      return random.below(10) == 0 ? send(group, command::Abort{}) : send(group, command::Reset{});
     case 9:
-      return tell(axis, command::MoveAbsolute{.position = random.uniform(-50, 100)});
+      return send(axis, command::MoveAbsolute{.position = random.uniform(-50, 100)});
     case 10:
-      return random.below(4) == 0 ? tell(axis, command::Stop{}) : tell(axis, command::Halt{});
+      return random.below(4) == 0 ? send(axis, command::Stop{}) : send(axis, command::Halt{});
     case 11:
-      return random.below(10) == 0 ? tell(axis, command::Abort{}) : tell(axis, command::Reset{});
+      return random.below(10) == 0 ? send(axis, command::Abort{}) : send(axis, command::Reset{});
     case 12:
-      return random.below(10) == 0 ? tell(axis, command::Disable{}) : tell(axis, command::Enable{});
+      return random.below(10) == 0 ? send(axis, command::Disable{}) : send(axis, command::Enable{});
     case 13:
       rig.images[axis].inputs.feedback.fault = random.below(10) == 0;
       return;
@@ -130,9 +130,9 @@ void stir(Plotter& rig, Random& random, GroupPath& path) {
       for (AxisImage& image : rig.images) image.inputs.watchdog = random.below(10) == 0;
       return;
     case 15:
-      return tell(group, command::Arm{&path});
+      return send(group, command::Arm{&path});
     default:
-      return tell(group, command::Start{});
+      return send(group, command::Start{});
   }
 }
 
@@ -143,20 +143,20 @@ void tidy(Plotter& rig, std::vector<std::unique_ptr<GroupPath>>& paths) {
     image.inputs.feedback.fault = false;
     image.inputs.watchdog = false;
   }
-  for (const std::size_t i : {group, x, y}) rig.tell(i, command::Stop{});
+  for (const std::size_t i : {group, x, y}) rig.send(i, command::Stop{});
   for (int i = 0; i < 2000; ++i) rig.step();
-  for (const std::size_t i : {group, x, y}) rig.tell(i, command::Disable{});
+  for (const std::size_t i : {group, x, y}) rig.send(i, command::Disable{});
   for (const std::size_t i : {x, y}) {
-    rig.tell(i, command::Reset{});
-    rig.tell(i, command::Enable{});
-    rig.tell(i, command::MoveAbsolute{.position = 0});
+    rig.send(i, command::Reset{});
+    rig.send(i, command::Enable{});
+    rig.send(i, command::MoveAbsolute{.position = 0});
   }
   for (int i = 0; i < 3000; ++i) rig.step();
   for (const AxisCommand& command :
        {AxisCommand{command::Reset{}}, AxisCommand{command::Enable{}},
         AxisCommand{command::Override{1}}, AxisCommand{command::Arm{paths.back().get()}},
         AxisCommand{command::Start{}}}) {
-    const Cause refused = rig.tell(group, command);
+    const Cause refused = rig.send(group, command);
     ASSERT_EQ(refused, Cause::none) << name(refused) << " in tick " << rig.tick;
   }
 }

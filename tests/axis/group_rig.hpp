@@ -82,7 +82,7 @@ struct Plotter {
     for (AxisImage& image : images) image.command = {};
   }
   /// Steps with this command; returns the cause of its refusal.
-  Cause tell(std::size_t axis, const AxisCommand& command) {
+  Cause send(std::size_t axis, const AxisCommand& command) {
     images[axis].command = {command};
     step();
     const auto& refused = images[axis].tick.refused;
@@ -92,13 +92,13 @@ struct Plotter {
     for (int i = 0; i < count; ++i) step();
   }
   void enable() {
-    for (const std::size_t i : {x, y}) tell(i, command::Enable{});
-    tell(group, command::Enable{});
+    for (const std::size_t i : {x, y}) send(i, command::Enable{});
+    send(group, command::Enable{});
   }
   void start() {
     enable();
-    tell(group, command::Arm{&path});
-    tell(group, command::Start{});
+    send(group, command::Arm{&path});
+    send(group, command::Start{});
   }
   [[nodiscard]] const Tick& at(std::size_t axis) const { return images[axis].tick; }
   [[nodiscard]] bool moves() const { return at(group).job != 0 && at(group).rate != 0; }

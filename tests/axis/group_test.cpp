@@ -58,14 +58,14 @@ TEST(Group, PlaysItsPlanToTheLastBit) {
 
 TEST(Group, IsEnabledOnlyWithItsAxes) {
   Plotter rig;
-  rig.tell(x, command::Enable{});
-  EXPECT_EQ(rig.tell(group, command::Enable{}), Cause::axis_not_ready);
+  rig.send(x, command::Enable{});
+  EXPECT_EQ(rig.send(group, command::Enable{}), Cause::axis_not_ready);
   EXPECT_EQ(rig.at(group).state, State::disabled);
   rig.images[group].command = {command::Enable{}};
   rig.step();
   EXPECT_THAT(rig.at(group).refused->text(), HasSubstr("It is axis 2 of the group."));
-  rig.tell(y, command::Enable{});
-  EXPECT_EQ(rig.tell(group, command::Enable{}), Cause::none);
+  rig.send(y, command::Enable{});
+  EXPECT_EQ(rig.send(group, command::Enable{}), Cause::none);
   EXPECT_EQ(rig.at(group).state, State::standstill);
 }
 
@@ -76,45 +76,45 @@ TEST(Group, AnAxisOfItMovesAloneOnlyWhileItIsDisabled) {
        {AxisCommand{command::MoveAbsolute{.position = 5}}, AxisCommand{command::MoveVelocity{3}},
         AxisCommand{command::Home{}}, AxisCommand{command::SetPosition{4}},
         AxisCommand{command::Halt{}}})
-    EXPECT_EQ(rig.tell(x, move), Cause::in_group);
-  EXPECT_EQ(rig.tell(group, command::MoveAbsolute{.position = 5}), Cause::single_axis);
-  EXPECT_EQ(rig.tell(group, command::SetPosition{5}), Cause::single_axis);
-  EXPECT_EQ(rig.tell(group, command::Disable{}), Cause::none);
-  EXPECT_EQ(rig.tell(x, command::MoveAbsolute{.position = 5}), Cause::none);
-  EXPECT_EQ(rig.tell(group, command::Enable{}), Cause::axis_not_ready) << "x moves";
+    EXPECT_EQ(rig.send(x, move), Cause::in_group);
+  EXPECT_EQ(rig.send(group, command::MoveAbsolute{.position = 5}), Cause::single_axis);
+  EXPECT_EQ(rig.send(group, command::SetPosition{5}), Cause::single_axis);
+  EXPECT_EQ(rig.send(group, command::Disable{}), Cause::none);
+  EXPECT_EQ(rig.send(x, command::MoveAbsolute{.position = 5}), Cause::none);
+  EXPECT_EQ(rig.send(group, command::Enable{}), Cause::axis_not_ready) << "x moves";
 }
 
 TEST(Group, StartsOnlyWhereItsAxesStand) {
   Plotter rig;
-  for (const std::size_t i : {x, y}) rig.tell(i, command::Enable{});
-  rig.tell(y, command::SetPosition{0.5});
-  rig.tell(group, command::Enable{});
-  rig.tell(group, command::Arm{&rig.path});
+  for (const std::size_t i : {x, y}) rig.send(i, command::Enable{});
+  rig.send(y, command::SetPosition{0.5});
+  rig.send(group, command::Enable{});
+  rig.send(group, command::Arm{&rig.path});
   rig.images[group].command = {command::Start{}};
   rig.step();
   EXPECT_THAT(rig.at(group).refused->text(),
               HasSubstr("axis 2 of the group: it stands at 0.5, and its place is 0."));
   rig.steps(10);
   EXPECT_EQ(rig.at(group).state, State::standstill);
-  rig.tell(group, command::Disable{});
-  rig.tell(y, command::SetPosition{0});
-  rig.tell(group, command::Enable{});
-  rig.tell(group, command::Arm{&rig.path});
-  EXPECT_EQ(rig.tell(group, command::Start{}), Cause::none);
+  rig.send(group, command::Disable{});
+  rig.send(y, command::SetPosition{0});
+  rig.send(group, command::Enable{});
+  rig.send(group, command::Arm{&rig.path});
+  EXPECT_EQ(rig.send(group, command::Start{}), Cause::none);
   EXPECT_TRUE(rig.moves());
-  rig.tell(group, command::Stop{});
+  rig.send(group, command::Stop{});
   rig.steps(1000);
-  rig.tell(group, command::Arm{&rig.path});
-  EXPECT_EQ(rig.tell(group, command::Start{}), Cause::no_movement) << "it is played once";
+  rig.send(group, command::Arm{&rig.path});
+  EXPECT_EQ(rig.send(group, command::Start{}), Cause::no_movement) << "it is played once";
 }
 
 TEST(Group, NamesTheGroupAsTheReasonWhileItMoves) {
   Plotter rig;
   rig.start();
   rig.steps(20);
-  EXPECT_EQ(rig.tell(x, command::SetPosition{4}), Cause::in_group);
-  EXPECT_EQ(rig.tell(x, command::GearOut{}), Cause::in_group);
-  EXPECT_EQ(rig.tell(group, command::SetPosition{5}), Cause::single_axis);
+  EXPECT_EQ(rig.send(x, command::SetPosition{4}), Cause::in_group);
+  EXPECT_EQ(rig.send(x, command::GearOut{}), Cause::in_group);
+  EXPECT_EQ(rig.send(group, command::SetPosition{5}), Cause::single_axis);
 }
 
 TEST(Group, HoldsAtAnyInstantOnItsPathAndContinues) {
@@ -123,7 +123,7 @@ TEST(Group, HoldsAtAnyInstantOnItsPathAndContinues) {
     rig.start();
     rig.steps(hold);
     if (rig.at(group).job == 0) break;
-    ASSERT_EQ(rig.tell(group, command::Hold{}), Cause::none);
+    ASSERT_EQ(rig.send(group, command::Hold{}), Cause::none);
     for (int i = 0; rig.moves(); ++i, rig.step()) {
       ASSERT_LT(i, 2000);
       expect_on_path(rig);
@@ -133,10 +133,10 @@ TEST(Group, HoldsAtAnyInstantOnItsPathAndContinues) {
     if (rig.at(group).job == 0) continue;  // it reached the end before it came to rest
     const double there = rig.at(group).position;
     EXPECT_EQ(rig.at(group).state, State::discrete_motion);
-    EXPECT_EQ(rig.tell(x, command::MoveAbsolute{.position = 5}), Cause::in_group);
+    EXPECT_EQ(rig.send(x, command::MoveAbsolute{.position = 5}), Cause::in_group);
     rig.steps(20);
     ASSERT_EQ(rig.at(group).position, there);
-    ASSERT_EQ(rig.tell(group, command::Resume{}), Cause::none);
+    ASSERT_EQ(rig.send(group, command::Resume{}), Cause::none);
     for (int i = 0; rig.at(group).job != 0; ++i, rig.step()) {
       ASSERT_LT(i, 6000);
       expect_on_path(rig);
@@ -149,15 +149,15 @@ TEST(Group, HoldsAtAnyInstantOnItsPathAndContinues) {
 TEST(Group, AnOverrideDoesNotChangeItsPath) {
   Plotter rig;
   rig.start();
-  rig.tell(group, command::Override{0.3});
+  rig.send(group, command::Override{0.3});
   rig.steps(1000);
   EXPECT_EQ(rig.at(group).rate, 0.3);
   expect_on_path(rig);
-  rig.tell(group, command::Override{0});
+  rig.send(group, command::Override{0});
   rig.steps(500);
   EXPECT_FALSE(rig.moves());
   EXPECT_EQ(rig.at(x).state, State::standstill);
-  rig.tell(group, command::Override{2});
+  rig.send(group, command::Override{2});
   EXPECT_EQ(rig.at(group).override_, 1) << "the plan uses the full acceleration of its axes";
   for (; rig.at(group).job != 0; rig.step()) expect_on_path(rig);
   EXPECT_EQ(rig.at(group).finished, 1U);
@@ -171,7 +171,7 @@ TEST(Group, AnOverrideAboveOneUsesTheReserveOfItsAxes) {
   program.line({100, 60});
   Plotter rig(axis, program);
   rig.start();
-  rig.tell(group, command::Override{1.8});
+  rig.send(group, command::Override{1.8});
   rig.steps(900);
   EXPECT_EQ(rig.at(group).rate, 1.8);
   EXPECT_NEAR(std::hypot(rig.at(x).velocity, rig.at(y).velocity), 90, 1e-9);
@@ -183,14 +183,14 @@ TEST(Group, HaltsAndStopsOnItsPath) {
     rig.start();
     rig.steps(700);
     const AxisCommand ending = stop ? AxisCommand{command::Stop{}} : AxisCommand{command::Halt{}};
-    ASSERT_EQ(rig.tell(group, ending), Cause::none);
+    ASSERT_EQ(rig.send(group, ending), Cause::none);
     EXPECT_EQ(rig.at(group).state, stop ? State::stopping : State::discrete_motion);
-    EXPECT_EQ(rig.tell(group, command::Disable{}), Cause::in_motion);
+    EXPECT_EQ(rig.send(group, command::Disable{}), Cause::in_motion);
     for (; rig.moves(); rig.step()) expect_on_path(rig);
     EXPECT_EQ(rig.at(group).state, State::standstill);
     EXPECT_EQ(rig.at(group).reason, stop ? Cause::stopped : Cause::halted);
     EXPECT_EQ(rig.at(y).state, State::standstill);
-    EXPECT_EQ(rig.tell(group, command::Resume{}), Cause::no_movement);
+    EXPECT_EQ(rig.send(group, command::Resume{}), Cause::no_movement);
   }
 }
 
@@ -198,7 +198,7 @@ TEST(Group, AStopOfAnAxisStopsTheGroupOnItsPath) {
   Plotter rig;
   rig.start();
   rig.steps(700);
-  EXPECT_EQ(rig.tell(y, command::Stop{}), Cause::none);
+  EXPECT_EQ(rig.send(y, command::Stop{}), Cause::none);
   EXPECT_EQ(rig.at(group).state, State::stopping);
   for (; rig.moves(); rig.step()) expect_on_path(rig);
   EXPECT_EQ(rig.at(group).reason, Cause::group_stopped);
@@ -221,15 +221,15 @@ TEST(Group, TheFaultOfAnAxisStopsTheGroupAndItContinuesFromThere) {
   EXPECT_EQ(rig.at(x).state, State::standstill);
   EXPECT_FALSE(in_motion(rig.at(group)));
   rig.images[y].inputs.feedback.fault = false;
-  EXPECT_EQ(rig.tell(group, command::Reset{}), Cause::axis_not_ready);
-  rig.tell(y, command::Reset{});
-  rig.tell(y, command::Enable{});
-  EXPECT_EQ(rig.tell(group, command::Reset{}), Cause::axis_away);
+  EXPECT_EQ(rig.send(group, command::Reset{}), Cause::axis_not_ready);
+  rig.send(y, command::Reset{});
+  rig.send(y, command::Enable{});
+  EXPECT_EQ(rig.send(group, command::Reset{}), Cause::axis_away);
   const double place = contour_at(rig.at(group).position).second;
-  EXPECT_EQ(rig.tell(y, command::MoveAbsolute{.position = place}), Cause::none);
+  EXPECT_EQ(rig.send(y, command::MoveAbsolute{.position = place}), Cause::none);
   rig.steps(1000);
-  EXPECT_EQ(rig.tell(group, command::Reset{}), Cause::none);
-  EXPECT_EQ(rig.tell(group, command::Resume{}), Cause::none);
+  EXPECT_EQ(rig.send(group, command::Reset{}), Cause::none);
+  EXPECT_EQ(rig.send(group, command::Resume{}), Cause::none);
   rig.steps(2);
   for (; rig.at(group).job != 0; rig.step()) expect_on_path(rig);
   EXPECT_EQ(rig.at(group).finished, 1U);
@@ -302,11 +302,11 @@ TEST(Group, APathThatIsArmedDuringAHoldDoesNotMoveTheEndOfTheHeldOne) {
                                   std::vector<std::string>{"x", "y"}));
   rig.start();
   rig.steps(500);
-  EXPECT_EQ(rig.tell(group, command::Hold{}), Cause::none);
+  EXPECT_EQ(rig.send(group, command::Hold{}), Cause::none);
   rig.steps(500);
   ASSERT_EQ(rig.at(group).rate, 0);
-  EXPECT_EQ(rig.tell(group, command::Arm{&next}), Cause::none);
-  EXPECT_EQ(rig.tell(group, command::Resume{}), Cause::none);
+  EXPECT_EQ(rig.send(group, command::Arm{&next}), Cause::none);
+  EXPECT_EQ(rig.send(group, command::Resume{}), Cause::none);
   while (rig.at(group).job != 0) {
     rig.step();
     expect_on_path(rig);
@@ -318,7 +318,7 @@ TEST(Group, APathThatIsArmedDuringAHoldDoesNotMoveTheEndOfTheHeldOne) {
   EXPECT_EQ(rig.at(x).position, 0);
   EXPECT_EQ(rig.at(y).position, 0);
   rig.step();
-  EXPECT_EQ(rig.tell(group, command::Start{}), Cause::axis_away)
+  EXPECT_EQ(rig.send(group, command::Start{}), Cause::axis_away)
       << "the armed path begins elsewhere";
 }
 

@@ -86,7 +86,7 @@ TEST(LiveGear, IsEngagedAndLeftByAnAxis) {
 TEST(LiveGear, LeavesASuperimposedMoveWhatItsRampDoesNotUse) {
   for (const double share : {1.0, 0.5}) {
     Bench axis({.limits = limits(1000, 1e4, 1e5)});
-    axis.tell(Kind::enable);
+    axis.send(Kind::enable);
     LiveGear gear(1, {.numerator = 1,
                       .denominator = 1,
                       .acceleration = 5000,

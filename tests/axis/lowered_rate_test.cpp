@@ -39,7 +39,7 @@ struct Lowering {
 TEST(LoweredRate, AStopStaysOnThePath) {
   for (const Kind kind : {Kind::stop, Kind::halt}) {
     Lowering at;
-    EXPECT_EQ(refusal(at.bench.tell(kind)), Cause::none);
+    EXPECT_EQ(refusal(at.bench.send(kind)), Cause::none);
     Tick tick;
     for (int i = 0; i < 2000; ++i) {
       tick = at.bench.step();
@@ -52,7 +52,7 @@ TEST(LoweredRate, AStopStaysOnThePath) {
 
 TEST(LoweredRate, AHoldAndAnOverrideAreTaken) {
   Lowering held;
-  EXPECT_EQ(refusal(held.bench.tell(Kind::hold)), Cause::none);
+  EXPECT_EQ(refusal(held.bench.send(Kind::hold)), Cause::none);
   Tick tick = held.bench.run(200);
   EXPECT_EQ(tick.job, 1U);
   EXPECT_EQ(tick.rate, 0);
@@ -76,7 +76,7 @@ TEST(LoweredRate, GoesUpAgainWhereAnotherIsArmedInstead) {
 // A superimposed move was given what the factor left of the velocity.
 TEST(LoweredRate, AnOverrideDoesNotRiseWhileAMoveIsSuperimposed) {
   Bench bench{{.limits = limits(1, 10)}};
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.step({command::MoveAbsolute{
       .position = 2, .dynamics = {.velocity = 0.5, .acceleration = 5, .deceleration = 5}}});
   bench.run(200);

@@ -39,7 +39,7 @@ struct Rig {
     machine.step(++tick, images, masters);
     for (AxisImage& image : images) image.command = {};
   }
-  void tell(std::size_t i, const Command& command) {
+  void send(std::size_t i, const Command& command) {
     images[i].command = command;
     step();
   }
@@ -81,9 +81,9 @@ TEST(Machine, AFollowerSeesItsLeadersSetpointOfTheSameTick) {
   Job job(1, there_and_back(0, 1, 2, Extrapolation::hold));
   // Declared after those that follow it, through another one.
   Rig rig({axis("last", setpoint_of(1)), axis("middle", setpoint_of(2)), axis("leader")});
-  for (const std::size_t i : {0U, 1U, 2U}) rig.tell(i, {command::Enable{}});
-  rig.tell(2, {command::Arm{.movement = &job}});
-  rig.tell(2, {command::Start{}});
+  for (const std::size_t i : {0U, 1U, 2U}) rig.send(i, {command::Enable{}});
+  rig.send(2, {command::Arm{.movement = &job}});
+  rig.send(2, {command::Start{}});
   for (int i = 0; i < 300; ++i) {
     rig.step();
     for (const std::size_t k : {1U, 2U}) {
@@ -121,14 +121,14 @@ TEST(Machine, WhatBeganTogetherStopsTogether) {
       Rig rig({axis("a"), axis("b"), axis("c")});
       for (const std::size_t i : {0U, 1U, 2U}) {
         jobs.push_back(std::make_unique<Job>(i + 1, trapezoid_table(50, 4, 10, 10)));
-        rig.tell(i, {command::Enable{}});
+        rig.send(i, {command::Enable{}});
         const std::int64_t group = i < 2 ? 7 : 8;
-        rig.tell(i, {command::Arm{.movement = jobs.back().get(), .group = group}});
-        rig.tell(i, {command::Start{.tick = 300, .group = group}});
+        rig.send(i, {command::Arm{.movement = jobs.back().get(), .group = group}});
+        rig.send(i, {command::Start{.tick = 300, .group = group}});
       }
       for (int k = 0; k < 500; ++k) rig.step();
       EXPECT_EQ(rig.images[first].tick.group, 7);
-      rig.tell(first, any({.kind = how}));
+      rig.send(first, any({.kind = how}));
       rig.step();
       EXPECT_EQ(rig.images[1 - first].tick.state, State::stopping);
       EXPECT_EQ(rig.images[2].tick.state, State::discrete_motion) << "of another group";
@@ -142,12 +142,12 @@ TEST(Machine, WhatBeganTogetherStopsTogether) {
 struct Together : Rig {
   Together() : Rig({axis("a"), axis("b")}) {
     for (const std::size_t i : {0U, 1U}) {
-      tell(i, {command::Enable{}});
-      tell(i, {command::Arm{.movement = &jobs[i], .group = 7}});
+      send(i, {command::Enable{}});
+      send(i, {command::Arm{.movement = &jobs[i], .group = 7}});
     }
   }
   void start(std::size_t i, std::int64_t at = 300) {
-    tell(i, {command::Start{.tick = at, .group = 7}});
+    send(i, {command::Start{.tick = at, .group = 7}});
   }
   /// Neither has left its place in the next half second.
   void none_moves() {
@@ -163,7 +163,7 @@ struct Together : Rig {
 TEST(Machine, WhatShouldBeginTogetherDoesNotBeginAlone) {
   Together rig;
   for (const std::size_t i : {0U, 1U}) rig.start(i);
-  rig.tell(1, {command::Stop{}});
+  rig.send(1, {command::Stop{}});
   rig.step();
   ASSERT_TRUE(rig.images[0].tick.dropped);
   EXPECT_EQ(rig.images[0].tick.dropped->cause, Cause::group_stopped);
@@ -186,7 +186,7 @@ TEST(Machine, AStartAfterTheGroupWasBrokenIsRefused) {
   for (const std::size_t first : {0U, 1U})
     for (const Kind how : {Kind::stop, Kind::abort, Kind::disable, Kind::disarm}) {
       Together rig;
-      rig.tell(first, any({.kind = how}));
+      rig.send(first, any({.kind = how}));
       for (int k = 0; k < 10; ++k) rig.step();
       rig.start(1 - first, rig.tick + 50);
       ASSERT_TRUE(rig.images[1 - first].tick.refused);
@@ -216,16 +216,16 @@ TEST(Machine, AnArmInTheTickOfTheStartMovesNoAxis) {
     for (const std::size_t i : {0U, 1U}) rig.start(i);
     while (rig.tick < 299) rig.step();
     Job again(3, trapezoid_table(50, 4, 10, 10));
-    rig.tell(armed, {command::Arm{.movement = &again, .group = 7}});
+    rig.send(armed, {command::Arm{.movement = &again, .group = 7}});
     rig.none_moves();
   }
 }
 
 TEST(Machine, ABrokenGroupBeginsWhenItIsArmedAnew) {
   Together rig;
-  rig.tell(0, {command::Stop{}});
+  rig.send(0, {command::Stop{}});
   Job again(3, trapezoid_table(50, 4, 10, 10));
-  rig.tell(0, {command::Arm{.movement = &again, .group = 7}});
+  rig.send(0, {command::Arm{.movement = &again, .group = 7}});
   for (const std::size_t i : {0U, 1U}) rig.start(i);
   while (rig.tick < 400) rig.step();
   for (const AxisImage& image : rig.images) EXPECT_GT(image.tick.position, 0);
@@ -237,13 +237,13 @@ TEST(Machine, AFollowerOfADisabledLeaderTakesNoStep) {
   Job job(1, there_and_back(0, 1, 1, Extrapolation::hold));
   LiveGear gear{2, {.numerator = 2, .denominator = 1, .acceleration = 20, .deceleration = 20}};
   Rig rig({axis("leader"), axis("slave", setpoint_of(0))});
-  for (const std::size_t i : {0U, 1U}) rig.tell(i, {command::Enable{}});
-  rig.tell(1, {command::Couple{.movement = &gear}});
+  for (const std::size_t i : {0U, 1U}) rig.send(i, {command::Enable{}});
+  rig.send(1, {command::Couple{.movement = &gear}});
   rig.images[0].inputs.feedback.position = -0.5;
   for (int k = 0; k < 10; ++k) rig.step();
   ASSERT_EQ(rig.images[1].tick.state, State::synchronized_motion);
   const double stood = rig.images[1].tick.position;
-  rig.tell(0, {command::Disable{}});
+  rig.send(0, {command::Disable{}});
   for (int k = 0; k < 100; ++k) {
     EXPECT_EQ(rig.images[1].tick.position, stood);
     rig.images[0].inputs.feedback.position -= 1e-3;
@@ -256,8 +256,8 @@ TEST(Machine, AFollowerOfADisabledLeaderTakesNoStep) {
 /// A leader and a slave that runs with twice its velocity.
 struct InGear : Rig {
   InGear() : Rig({wide("leader"), wide("slave", setpoint_of(0))}) {
-    for (const std::size_t i : {0U, 1U}) tell(i, {command::Enable{}});
-    tell(1, {command::Couple{.movement = &gear}});
+    for (const std::size_t i : {0U, 1U}) send(i, {command::Enable{}});
+    send(1, {command::Couple{.movement = &gear}});
   }
   static MachineAxis wide(std::string name, Follow follow = {}) {
     return {.name = std::move(name), .config = {.limits = limits(1000, 1e4)}, .follow = follow};
@@ -274,11 +274,11 @@ TEST(Machine, ALeaderWithAnotherNameForItsPositionTakesNoFollowerWithIt) {
   InGear machine;
   machine.run(10);
   const double before = machine.slave().position;
-  machine.tell(0, {command::SetPosition{.position = 250}});
+  machine.send(0, {command::SetPosition{.position = 250}});
   ASSERT_FALSE(machine.leader().refused);
   EXPECT_EQ(machine.slave().position, before);
   EXPECT_EQ(machine.slave().master, 250) << "it sees the name";
-  machine.tell(0, {command::MoveRelative{.distance = 10}});
+  machine.send(0, {command::MoveRelative{.distance = 10}});
   machine.run(500);
   EXPECT_EQ(machine.leader().position, 260);
   EXPECT_NEAR(machine.slave().position, before + 20, 1e-9);
@@ -289,22 +289,22 @@ TEST(Machine, ALeaderWithAnotherNameForItsPositionTakesNoFollowerWithIt) {
 TEST(Machine, ALeaderWithAnotherNameForItsPositionPassesNoStart) {
   InGear machine;
   LiveGear next{2, {.numerator = 1, .denominator = 1, .acceleration = 1e4, .deceleration = 1e4}};
-  machine.tell(1, {command::Arm{.movement = &next}});
-  machine.tell(1, {command::Start{.when = StartAt::master_position, .position = 100}});
-  machine.tell(0, {command::SetPosition{.position = 250}});
+  machine.send(1, {command::Arm{.movement = &next}});
+  machine.send(1, {command::Start{.when = StartAt::master_position, .position = 100}});
+  machine.send(0, {command::SetPosition{.position = 250}});
   machine.run(5);
   EXPECT_EQ(machine.slave().job, 1U);
-  machine.tell(0, {command::MoveRelative{.distance = -200, .dynamics = {.velocity = 100}}});
+  machine.send(0, {command::MoveRelative{.distance = -200, .dynamics = {.velocity = 100}}});
   machine.run(2500);
   EXPECT_EQ(machine.slave().job, 2U) << "that passes it";
 }
 
 TEST(Machine, AFollowerOfAFrozenLeaderBrakesWithinItsOwnLimits) {
   InGear machine;
-  machine.tell(0, {command::MoveVelocity{.velocity = 100}});
+  machine.send(0, {command::MoveVelocity{.velocity = 100}});
   machine.run(200);
   EXPECT_EQ(machine.slave().velocity, 200);
-  machine.tell(0, {command::Abort{}});
+  machine.send(0, {command::Abort{}});
   EXPECT_EQ(machine.leader().velocity, 0);
   EXPECT_TRUE(machine.leader().frozen);
   EXPECT_EQ(machine.slave().fault, Cause::master_lost);

@@ -52,7 +52,7 @@ TEST(Blending, ALateCycleMayPassSeveralTargets) {
   for (const std::int64_t late : {5, 20, 40, 90}) {
     Bench in_time(config_with(0)), too_late(config_with(0));
     for (Bench* each : {&in_time, &too_late}) {
-      each->tell(Kind::enable);
+      each->send(Kind::enable);
       each->step(to(100, 50, BufferMode::aborting));
       for (int i = 1; i <= 6; ++i) each->step(to(100 + 0.5 * i, 50, BufferMode::blending_previous));
       each->step(to(150, 50, BufferMode::blending_previous));
@@ -127,7 +127,7 @@ TEST(MoveQueue, EveryTargetIsMetInOrder) {
   for (int run = 0; run < 120; ++run) {
     const double jerk = run % 2 == 0 ? 2e4 : 0;
     Bench axis(config_with(jerk));
-    axis.tell(Kind::enable);
+    axis.send(Kind::enable);
     std::vector<double> targets;
     std::string told = "run " + std::to_string(run) + ":";
     Tick before;
@@ -169,7 +169,7 @@ TEST(MoveQueue, WhatCannotBeginEndsWhatComesAfterIt) {
   std::int64_t there = -1;  // the tick in which the first move ends, of a run without the switch
   for (const bool blocked : {false, true}) {
     Bench axis(config_with(0));
-    axis.tell(Kind::enable);
+    axis.send(Kind::enable);
     axis.step(to(10, 100, BufferMode::aborting));
     axis.step(to(20, 100, BufferMode::buffered));
     axis.step(to(5, 100, BufferMode::buffered));
@@ -197,7 +197,7 @@ TEST(MoveQueue, WhatCannotBeginEndsWhatComesAfterIt) {
 TEST(MoveQueue, DisarmTakesAllBackAndAMoveReplacesThem) {
   for (const Kind kind : {Kind::disarm, Kind::move_absolute, Kind::halt}) {
     Bench axis(config_with(0));
-    axis.tell(Kind::enable);
+    axis.send(Kind::enable);
     axis.step(to(50, 100, BufferMode::aborting));
     for (int i = 1; i <= 4; ++i) axis.step(to(50 + 10 * i, 100, BufferMode::blending_high));
     axis.run(100);
@@ -215,7 +215,7 @@ TEST(MoveQueue, DisarmTakesAllBackAndAMoveReplacesThem) {
 // A place is free as soon as a move begins.
 TEST(MoveQueue, TakesMoreAsItIsWorkedOff) {
   Bench axis(config_with(0));
-  axis.tell(Kind::enable);
+  axis.send(Kind::enable);
   axis.step(to(1, 100, BufferMode::aborting));
   int given = 1;
   Tick tick;

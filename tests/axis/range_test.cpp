@@ -32,7 +32,7 @@ const Limits curves = limits(500, 5000, 1e5);
 
 /// Steps until the axis rests, at most so many ticks; the furthest it went to either side.
 struct Watched : Bench {
-  explicit Watched(const AxisConfig& config) : Bench(config) { tell(Kind::enable); }
+  explicit Watched(const AxisConfig& config) : Bench(config) { send(Kind::enable); }
   const Tick& rest(const Inputs& inputs = {}) {
     for (int i = 0; i < 20'000; ++i) {
       last = step({}, inputs);
@@ -125,7 +125,7 @@ TEST(Range, AJogStopsAtTheLimitAndSaysWhy) {
       EXPECT_NEAR(tick.position, velocity > 0 ? 30 : -1, 1e-9);
       EXPECT_LE(axis.high, 30 + 1e-9);
       EXPECT_GE(axis.low, -1 - 1e-9);
-      axis.tell(Kind::reset);
+      axis.send(Kind::reset);
       EXPECT_EQ(refusal(axis.step({command::MoveVelocity{.velocity = velocity}})),
                 Cause::position_limit)
           << "it stands there";
@@ -143,7 +143,7 @@ TEST(Range, AStopBesideTheLimitStaysInside) {
     axis.step({command::MoveAbsolute{.position = 0}});
     for (int i = 0; i < when; ++i) axis.last = axis.step();
     axis.high = axis.last.position;
-    axis.tell(Kind::stop);
+    axis.send(Kind::stop);
     const Tick& tick = axis.rest();
     ASSERT_EQ(tick.state, State::standstill);
     ASSERT_LE(axis.high, 300 + 1e-9) << when;
@@ -242,7 +242,7 @@ TEST(Range, ASuperimposedMoveTakesWhatTheLimitsLeave) {
   for (int when = 0; when < 300; when += 7)
     for (const double distance : {20.0, -20.0}) {
       Bench axis(config);
-      axis.tell(Kind::enable);
+      axis.send(Kind::enable);
       axis.step({command::MoveAbsolute{.position = 100, .dynamics = below}});
       Tick last = axis.run(when);
       if (last.state == State::standstill) break;
@@ -258,7 +258,7 @@ TEST(Range, ASuperimposedMoveTakesWhatTheLimitsLeave) {
       EXPECT_NEAR(last.position, 100 + distance, 1e-6);
     }
   Bench full(config);
-  full.tell(Kind::enable);
+  full.send(Kind::enable);
   full.step({command::MoveAbsolute{.position = 100, .dynamics = {.velocity = 500}}});
   full.run(20);
   EXPECT_EQ(refusal(full.step({command::MoveSuperimposed{.distance = 1}})),

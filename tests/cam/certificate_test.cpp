@@ -73,7 +73,7 @@ TEST(Certificates, NeedTheEndsThatTheirProofNeeds) {
 
 TEST(Certificates, FindPiecesThatDoNotJoin) {
   // Two rises of 3, the second 0.5 too high: the position steps, no derivative does.
-  const Cam law(normalised(Law::modified_sine));
+  const Cam law(normalized(Law::modified_sine));
   const Cam torn = concatenated(scaled(law, 3), shifted(scaled(law, 3), 1, 3.5));
   const Report whole = certificates(as_rise(torn));
   EXPECT_FALSE(whole.ok());

@@ -41,7 +41,7 @@ TEST(Characteristics, MeetTheOracleOfEveryLaw) {
 
 TEST(Characteristics, HaveTheClosedFormsOfTheAsymmetricLaws) {
   constexpr double pi = std::numbers::pi;
-  const Characteristics c = characteristics(Cam(normalised(Law::double_harmonic)));
+  const Characteristics c = characteristics(Cam(normalized(Law::double_harmonic)));
   EXPECT_NEAR(c.cv.value, 3 * std::sqrt(3) * pi / 8, 1e-12);
   EXPECT_NEAR(c.cv.where, 2.0 / 3, 1e-9);
   EXPECT_NEAR(c.ca.value, 9 * pi * pi / 16, 1e-12);
@@ -120,7 +120,7 @@ TEST(Characteristics, RefuseALawWithoutStroke) {
 
 TEST(Rises, AreTheStretchesBetweenRestsAlsoThroughTheWrap) {
   // Rise 10..60, dwell, fall through the wrap at 100 to 110 = 10.
-  const auto law = normalised(Law::modified_sine);
+  const auto law = normalized(Law::modified_sine);
   Cam rise = shifted(scaled(Cam(law), 5, 50), 10);
   const Cam fall = shifted(scaled(Cam(law), -5, 40), 70, 5);
   const Cam whole = concatenated(concatenated(rise, Cam({line(10, 5, 5)}, 60)), fall);

@@ -66,14 +66,14 @@ inline RandomDisc random_disc(Random& random) {
     } else {
       spec.follower = Follower::oscillating;
       spec.arm_length = random.log_uniform(20, 200);
-      spec.centre_distance = random.log_uniform(20, 200);
+      spec.center_distance = random.log_uniform(20, 200);
     }
     if (random.below(2) == 0) spec.rotation = Rotation::clockwise;
     const Cam cam = random_cam(random);
     std::ostringstream text;
     text.precision(17);
     text << "base " << spec.base_radius << " roller " << spec.roller_radius << " offset "
-         << spec.offset << " arm " << spec.arm_length << " distance " << spec.centre_distance
+         << spec.offset << " arm " << spec.arm_length << " distance " << spec.center_distance
          << (spec.rotation == Rotation::clockwise ? " clockwise" : "") << " knots";
     for (std::size_t i = 0; i < cam.breaks().size(); ++i) {
       const Transfer p = cam.at(cam.breaks()[i]);

@@ -128,8 +128,8 @@ double least_gap(const Disc& disc, double radius, int n) {
   const double out = radius - disc.spec().roller_radius;
   for (const DiscPoint& a : points)
     for (const DiscPoint& b : points)
-      least = std::min(least, std::hypot(a.centre.x + out * a.normal.x - b.contact.x,
-                                         a.centre.y + out * a.normal.y - b.contact.y));
+      least = std::min(least, std::hypot(a.center.x + out * a.normal.x - b.contact.x,
+                                         a.center.y + out * a.normal.y - b.contact.y));
   return least;
 }
 
@@ -149,7 +149,7 @@ TEST(DiscCheck, RollerThatCutsThroughANeckIsFound) {
   ASSERT_TRUE(found);
   const DiscPoint circle = disc.at(found->circle);
   const DiscPoint covered = disc.at(found->covered);
-  EXPECT_NEAR(std::hypot(circle.centre.x - covered.contact.x, circle.centre.y - covered.contact.y),
+  EXPECT_NEAR(std::hypot(circle.center.x - covered.contact.x, circle.center.y - covered.contact.y),
               8 - found->depth, 1e-9);
   EXPECT_NEAR(8 - found->depth, least_gap(disc, 8, 1440), 0.01);
   const Report report = check(disc, {});

@@ -19,7 +19,7 @@ using test::rise_dwell_return;
 
 Place parallel(const Disc& disc, double master, double distance) {
   const DiscPoint p = disc.at(master);
-  return {p.centre.x + distance * p.normal.x, p.centre.y + distance * p.normal.y};
+  return {p.center.x + distance * p.normal.x, p.center.y + distance * p.normal.y};
 }
 
 /// Distance of a place from the path a -> b, which is a line or an arc: to the line, or to the
@@ -32,7 +32,7 @@ double distance_to(const Vertex& a, const Vertex& b, Place p) {
   if (a.bulge == 0) return std::abs(side);
   const double radius = chord * (1 + a.bulge * a.bulge) / (4 * std::abs(a.bulge));
   const double sagitta = std::abs(a.bulge) * chord / 2;
-  const double left = std::copysign(radius - sagitta, a.bulge);  // ccw: the centre is on the left
+  const double left = std::copysign(radius - sagitta, a.bulge);  // ccw: the center is on the left
   const double x = along.x * from.x + along.y * from.y - chord / 2;
   return std::abs(std::hypot(x, side - left) - radius);
 }

@@ -35,7 +35,7 @@ Disc disc_of(const nlohmann::json& c) {
   if (c["follower"] == "oscillating") {
     spec.follower = Follower::oscillating;
     spec.arm_length = c["arm_length"];
-    spec.centre_distance = c["centre_distance"];
+    spec.center_distance = c["center_distance"];
   } else {
     spec.offset = c["offset"];
   }
@@ -50,8 +50,8 @@ TEST(Disc, PointsAgreeWithNumericalDifferentiation) {
     for (const auto& wanted : c["points"]) {
       SCOPED_TRACE(c["follower"].dump() + c["rotation"].dump() + wanted.dump());
       const DiscPoint p = disc.at(wanted["master"]);
-      EXPECT_NEAR(p.centre.x, wanted["centre"][0].get<double>(), 4e-14 * 40);
-      EXPECT_NEAR(p.centre.y, wanted["centre"][1].get<double>(), 4e-14 * 40);
+      EXPECT_NEAR(p.center.x, wanted["center"][0].get<double>(), 4e-14 * 40);
+      EXPECT_NEAR(p.center.y, wanted["center"][1].get<double>(), 4e-14 * 40);
       EXPECT_NEAR(p.contact.x, wanted["contact"][0].get<double>(), 4e-14 * 40);
       EXPECT_NEAR(p.contact.y, wanted["contact"][1].get<double>(), 4e-14 * 40);
       EXPECT_NEAR(p.pressure_angle, wanted["pressure_angle"].get<double>(), 1e-14);
@@ -149,7 +149,7 @@ TEST(Disc, LongArmTendsToTheTranslatingFollower) {
                          .base_radius = 20,
                          .roller_radius = 8,
                          .arm_length = arm,
-                         .centre_distance = std::hypot(arm, 28)});
+                         .center_distance = std::hypot(arm, 28)});
   for (double x = 0; x < 360; x += 17) {
     EXPECT_NEAR(swing.at(x).pressure_angle, slide.at(x).pressure_angle, 3e-5);
     EXPECT_NEAR(swing.at(x).pitch_curvature, slide.at(x).pitch_curvature, 1e-6);
@@ -161,7 +161,7 @@ TEST(Disc, SlaveMayBeTheAngleOfTheArm) {
                 .base_radius = 20,
                 .roller_radius = 8,
                 .arm_length = 40,
-                .centre_distance = 50};
+                .center_distance = 50};
   const Cam way = rise_dwell_return(Law::poly345, 10);
   const Disc by_way(way, spec);
   spec.arm_angle = deg;
@@ -174,8 +174,8 @@ TEST(Disc, PartOfATurnMakesLobes) {
   const Cam third = scaled(rise_dwell_return(Law::poly345, 4), 1.0, 1.0 / 3);
   const Disc disc(third, {.base_radius = 40, .roller_radius = 8});
   EXPECT_NEAR(disc.lift().length(), 360, 1e-12);
-  EXPECT_NEAR(std::hypot(disc.at(140).centre.x, disc.at(140).centre.y),
-              disc.at(20).centre.y / std::cos(20 * deg), 1e-12);
+  EXPECT_NEAR(std::hypot(disc.at(140).center.x, disc.at(140).center.y),
+              disc.at(20).center.y / std::cos(20 * deg), 1e-12);
 }
 
 TEST(Disc, BaseCircleBelongsToTheLeastSlavePosition) {
@@ -246,11 +246,11 @@ TEST(Disc, RefusesWhatIsNoDisc) {
                        .base_radius = 20,
                        .roller_radius = 8,
                        .arm_length = 40,
-                       .centre_distance = 50};
+                       .center_distance = 50};
   auto arm = [&](double length, double distance) {
     DiscSpec spec = swing;
     spec.arm_length = length;
-    spec.centre_distance = distance;
+    spec.center_distance = distance;
     return spec;
   };
   const Cam open({quintic(360, 0, 0, 0, 5, 0, 0)}, 0, Extrapolation::wrap);
@@ -265,7 +265,7 @@ TEST(Disc, RefusesWhatIsNoDisc) {
                            {"cam", part, {.base_radius = 20}},
                            {"cam", step, {.base_radius = 20}},
                            {"arm_length", good, arm(0, 50)},
-                           {"centre_distance", good, arm(40, 0)},
+                           {"center_distance", good, arm(40, 0)},
                            {"arm_length", good, arm(10, 50)},
                            {"arm_length", good, arm(14.5, 14.5)}}) {
     try {

@@ -33,7 +33,7 @@ class Laws : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Laws, MeetTheOracleInCoefficientsAndPoints) {
   const auto& expected = oracle("laws")["laws"][GetParam().oracle];
-  const Cam f(normalised(GetParam().law, GetParam().form));
+  const Cam f(normalized(GetParam().law, GetParam().form));
   const Ranges r = extrema(f);
   EXPECT_NEAR(r[1].max.value, expected["cv"].get<double>(), 1e-12);
   EXPECT_NEAR(r[2].max.value, expected["ca_inside"].get<double>(), 1e-12);
@@ -61,12 +61,12 @@ TEST_P(Laws, MeetTheOracleInCoefficientsAndPoints) {
 }
 
 TEST_P(Laws, KeepTheInvariants) {
-  test::expect_invariants(Cam(normalised(GetParam().law, GetParam().form)), GetParam().order);
+  test::expect_invariants(Cam(normalized(GetParam().law, GetParam().form)), GetParam().order);
 }
 
 TEST_P(Laws, ReachTheBoundOfSevenSegmentsAndNoMore) {
   // 1/Cv + Cv/Ca + Ca/Cj <= 1 for every rest-to-rest law; Cj is infinite where Ca jumps.
-  const Ranges r = extrema(Cam(normalised(GetParam().law, GetParam().form)));
+  const Ranges r = extrema(Cam(normalized(GetParam().law, GetParam().form)));
   const double cv = r[1].max.value;
   const double ca = r[2].max.value;
   const double jerk_term = GetParam().order < 2 ? 0 : ca / std::abs(r[3].peak().value);
@@ -113,22 +113,22 @@ constexpr double pi = std::numbers::pi;
 TEST(RestToReversal, HarmonicCombinationHasItsClosedFormForEveryInflection) {
   for (const double lambda : {0.1, 0.3, 0.5, 0.8}) {
     SCOPED_TRACE(lambda);
-    const Cam f(normalised(Law::harmonic_combination, {.inflection = lambda}));
+    const Cam f(normalized(Law::harmonic_combination, {.inflection = lambda}));
     const double cv = 1 / (lambda * (4 + pi) / (4 * pi) + 2 * (1 - lambda) / pi);
     expect_peaks(f, cv, pi * cv / (2 * lambda), pi * cv / (2 * (1 - lambda)), 2e-13);
     EXPECT_NEAR(extrema(f, 1).max.where, lambda, 1e-7);
     test::expect_invariants(f, 2);
   }
-  expect_peaks(Cam(normalised(Law::harmonic_combination)), 1.659848, 5.214566, 5.214566, 6e-7);
+  expect_peaks(Cam(normalized(Law::harmonic_combination)), 1.659848, 5.214566, 5.214566, 6e-7);
 }
 
 TEST(RestToReversal, OtherLawsHaveTheirPrintedPeaks) {
-  expect_peaks(Cam(normalised(Law::modified_trapezoid_ru)), 1.916718, 4.684578, 4.216484, 7e-7);
-  const Cam harmonic(normalised(Law::double_harmonic));
+  expect_peaks(Cam(normalized(Law::modified_trapezoid_ru)), 1.916718, 4.684578, 4.216484, 7e-7);
+  const Cam harmonic(normalized(Law::double_harmonic));
   expect_peaks(harmonic, 3 * std::sqrt(3) * pi / 8, 9 * pi * pi / 16, pi * pi, 1e-13);
   EXPECT_NEAR(extrema(harmonic, 1).max.where, 2. / 3, 1e-8);
   EXPECT_NEAR(std::abs(extrema(harmonic, 3).peak().value), 42.4137, 5e-5);
-  const Cam eighth(normalised(Law::eighth_degree));
+  const Cam eighth(normalized(Law::eighth_degree));
   expect_peaks(eighth, 1.776661, 5.26830, 5.26830, 3e-6);
   EXPECT_NEAR(eighth.at(0).geo_jerk, 36.5853, 1e-12);
   EXPECT_NEAR(eighth.at(1).geo_jerk, 0, 1e-3) << "of the five published decimals";
@@ -137,7 +137,7 @@ TEST(RestToReversal, OtherLawsHaveTheirPrintedPeaks) {
 TEST(RestToReversal, TheInflectionFollowsFromTheDeceleration) {
   for (const Law law : {Law::harmonic_combination, Law::modified_trapezoid_ru})
     for (const double lambda : {0.01, 0.2, 0.5, 0.77, 0.99}) {
-      const Cam f(normalised(law, {.inflection = lambda}));
+      const Cam f(normalized(law, {.inflection = lambda}));
       const double end = f.jet(f.end(), Side::left)[2];
       EXPECT_NEAR(inflection_for(law, -end), lambda, 1e-13) << name(law);
       EXPECT_LT(least_deceleration(law), -end);
@@ -148,10 +148,10 @@ TEST(SineStraight, HasTheClosedFormOfEveryShare) {
   for (const double straight : {0.0, 0.2, 0.5, 0.9}) {
     const double c = 1 - straight;
     const double cv = 1 / (1 - c + 2 * c / pi);
-    expect_peaks(Cam(normalised(Law::sine_straight, {.straight = straight})), cv, pi * cv / c,
+    expect_peaks(Cam(normalized(Law::sine_straight, {.straight = straight})), cv, pi * cv / c,
                  pi * cv / c, 1e-12);
   }
-  expect_peaks(Cam(normalised(Law::sine_straight)), 1.222031, 7.678247, 7.678247, 6e-7);
+  expect_peaks(Cam(normalized(Law::sine_straight)), 1.222031, 7.678247, 7.678247, 6e-7);
 }
 
 TEST(Inflection, KeepsTheVelocityAndScalesTheRest) {
@@ -160,10 +160,10 @@ TEST(Inflection, KeepsTheVelocityAndScalesTheRest) {
     SCOPED_TRACE(law.name);
     LawForm form;
     if (law.law == Law::scca) form.shares = std::array{0.2, 0.3, 0.5};
-    const Ranges own = extrema(Cam(normalised(law.law, form)));
+    const Ranges own = extrema(Cam(normalized(law.law, form)));
     for (const double lambda : {0.2, 0.35, 0.9}) {
       form.inflection = lambda;
-      const Cam f(normalised(law.law, form));
+      const Cam f(normalized(law.law, form));
       const double after = 1 - lambda;
       expect_peaks(f, own[1].max.value, own[2].max.value / (2 * lambda),
                    own[2].max.value / (2 * after), 1e-11);
@@ -198,7 +198,7 @@ TEST(EndVelocities, EqualOnesArePutUnderTheLaw) {
   // The recovery of a rotary knife: rho z + (1 - rho) f(z).
   constexpr double rho = 0.485454;
   for (const Law law : {Law::modified_sine, Law::gutman13, Law::modified_trapezoid}) {
-    const Cam f(normalised(law));
+    const Cam f(normalized(law));
     double z0 = 0;
     for (const LawPiece& piece : pieces(law)) {
       const Segment g = *sum(piece.rise, *sum(scaled(piece.enter, rho), scaled(piece.leave, rho)));
@@ -213,7 +213,7 @@ TEST(EndVelocities, EqualOnesArePutUnderTheLaw) {
 
 TEST(LawForms, NameWhatALawDoesNotTake) {
   const auto complaint = [](Law law, const LawForm& form) {
-    return test::error_of([&] { (void)normalised(law, form); }, "no error");
+    return test::error_of([&] { (void)normalized(law, form); }, "no error");
   };
   EXPECT_EQ(complaint(Law::double_harmonic, {.inflection = 0.4}),
             "inflection = 0.4: the law `double_harmonic` has no parameter of this name");

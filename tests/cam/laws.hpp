@@ -22,7 +22,7 @@ inline Segment polynomial(std::vector<double> coefficients) {
 inline std::map<std::string, Cam> laws() {
   std::map<std::string, Cam> all;
   const auto add = [&](const char* name, Law law) {
-    all.emplace(name, Cam(normalised(law), 0, Extrapolation::hold));
+    all.emplace(name, Cam(normalized(law), 0, Extrapolation::hold));
   };
   add("quadratic_parabola", Law::parabola);
   add("simple_sine", Law::simple_sine);

@@ -22,7 +22,7 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 
 Cam rise(Law law) {
-  return Cam(normalised(law), 0, Extrapolation::hold);
+  return Cam(normalized(law), 0, Extrapolation::hold);
 }
 
 /// The same segments over time.

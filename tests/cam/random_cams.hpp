@@ -27,7 +27,7 @@ inline std::vector<Segment> random_rise(Random& random, bool quintics, double le
   std::vector<Segment> pieces;
   LawForm form;
   if (laws[choice] == Law::scca) form.shares = {0.2, 0.3, 0.5};
-  for (const Segment& piece : normalised(laws[choice], form)) {
+  for (const Segment& piece : normalized(laws[choice], form)) {
     pieces.push_back(scaled(piece, to - from, from));
     pieces.back().length *= length;
   }

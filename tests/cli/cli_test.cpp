@@ -444,7 +444,7 @@ TEST_F(Cli, OptimizeRefusesBeforeItSearches) {
 TEST_F(Cli, OptimizeDrawsParametersBeforeAndAfter) {
   const Result done = run("optimize " + examples + "shear-line-speed/shear.toml --plot both.svg");
   EXPECT_EQ(done.status, 0) << done.err;
-  EXPECT_THAT(slurp(folder / "both.svg"), HasSubstr("optimised"));
+  EXPECT_THAT(slurp(folder / "both.svg"), HasSubstr("optimized"));
 }
 
 TEST_F(Cli, OptimizeAgainstADriveIsToldByIntegration) {
@@ -869,7 +869,7 @@ TEST_F(Cli, OptimizeSaysWhatTheOptimumCosts) {
   const json& jerk = outcome["peaks"][2];
   EXPECT_EQ(jerk["quantity"], "geo_jerk");
   EXPECT_TRUE(jerk["limit"].is_null());
-  // The same numbers as `check` has of the given and of the optimised cam.
+  // The same numbers as `check` has of the given and of the optimized cam.
   const auto peak = [&](const std::string& file) {
     const json report = json::parse(run("check --json " + file).out);
     for (const json& f : report["findings"])
@@ -877,7 +877,7 @@ TEST_F(Cli, OptimizeSaysWhatTheOptimumCosts) {
     return 0.0;
   };
   EXPECT_EQ(jerk["given"].get<double>(), peak(cam));
-  EXPECT_EQ(jerk["optimised"].get<double>(), peak("better.toml"));
+  EXPECT_EQ(jerk["optimized"].get<double>(), peak("better.toml"));
 }
 
 TEST_F(Cli, CheckJudgesTheTorqueOfALoad) {

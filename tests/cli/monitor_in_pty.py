@@ -47,7 +47,7 @@ class Monitor:
         return True
 
     def screen(self):
-        """The last whole picture, without colours."""
+        """The last whole picture, without colors."""
         pictures = self.out.split(b"\x1b[H")
         whole = [p for p in pictures[1:] if b"\x1b[J" in p]
         return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", whole[-1].decode()) if whole else ""

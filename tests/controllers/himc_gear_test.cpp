@@ -48,7 +48,7 @@ TEST(HimcGear, KeepsTheOrderOfItsCalls) {
   EXPECT_EQ(gear_in(gears, 2, 1, 1, 0, 0).error, GearError::bad_link) << "another's slave";
   gears = gear_in(gears, 0, 1, 3, 10, 5).gears;
   EXPECT_EQ(gear_position(gears, 1, 12), 11);
-  EXPECT_EQ(disable_gear(gears, 1).error, GearError::synchronised);
+  EXPECT_EQ(disable_gear(gears, 1).error, GearError::synchronized);
   gears = gear_out(gears, 1).gears;
   EXPECT_FALSE(is_in_gear(gears, 1));
   EXPECT_TRUE(is_gear_slave(gears, 1));

@@ -54,14 +54,14 @@ Disc disc_of(const Spec& spec) {
 TEST(DiscSpec, ReadsEveryKey) {
   const Spec spec = spec_of(spec_text(
       "follower = \"oscillating\"\nbase_radius = \"2 cm\"\nroller_radius = 8\narm_length = 40\n"
-      "centre_distance = 50\nrotation = \"clockwise\"\ncutter_radius = 10\nhub_radius = 7\n"
+      "center_distance = 50\nrotation = \"clockwise\"\ncutter_radius = 10\nhub_radius = 7\n"
       "tolerance = \"1 um\"\n[disc.limits]\npressure_angle = 30\nprofile_radius = 5\n"));
   ASSERT_TRUE(spec.disc);
   const DiscSpec& g = spec.disc->geometry;
   EXPECT_EQ(g.follower, Follower::oscillating);
   EXPECT_DOUBLE_EQ(g.base_radius, 20);
   EXPECT_EQ(g.arm_length, 40);
-  EXPECT_EQ(g.centre_distance, 50);
+  EXPECT_EQ(g.center_distance, 50);
   EXPECT_EQ(g.rotation, Rotation::clockwise);
   EXPECT_FALSE(g.arm_angle);
   EXPECT_DOUBLE_EQ(spec.disc->tolerance, 1e-3);
@@ -70,14 +70,14 @@ TEST(DiscSpec, ReadsEveryKey) {
   EXPECT_EQ(spec.disc->limits.cutter_radius, 10);
 }
 
-TEST(DiscSpec, AnAngularSlaveIsTheArmsAngleAndLengthsAreMillimetres) {
+TEST(DiscSpec, AnAngularSlaveIsTheArmsAngleAndLengthsAreMillimeters) {
   const Spec spec =
       spec_of(spec_text("follower = \"oscillating\"\nbase_radius = 20\narm_length = 40\n"
-                        "centre_distance = \"5 cm\"\n",
+                        "center_distance = \"5 cm\"\n",
                         "rad", "deg"));
   EXPECT_DOUBLE_EQ(*spec.disc->geometry.arm_angle, std::numbers::pi / 180);
   EXPECT_EQ(spec.disc->geometry.angle, 1);
-  EXPECT_EQ(spec.disc->geometry.centre_distance, 50);
+  EXPECT_EQ(spec.disc->geometry.center_distance, 50);
 }
 
 TEST(DiscSpec, ErrorsNameFileLineAndKey) {
@@ -181,7 +181,7 @@ TEST(Dxf, HoldsTheContourOnItsLayers) {
   }
 }
 
-TEST(Dxf, IsInMillimetresWhateverTheSpecsUnit) {
+TEST(Dxf, IsInMillimetersWhateverTheSpecsUnit) {
   const Spec spec = spec_of(spec_text(usual, "deg", "in"));
   const DiscDrawing d = drawing_of(spec, disc_of(spec));
   EXPECT_DOUBLE_EQ(d.base_radius, 18 * 25.4);

@@ -39,14 +39,14 @@ TEST(SimulatedDrive, FollowsAPlayedCamAsTheIntegrationSays) {
       drive_through(reference, model, {.settle = 0.1, .samples = 601, .tolerance = 1e-10});
   ASSERT_EQ(whole.samples.size(), 601U);
 
-  bench.tell(Kind::enable);
+  bench.send(Kind::enable);
   bench.arm(job);
   double error = 0;
   double torque = 0;
   double most_torque = 0;
   double behind = 0;
   for (std::size_t k = 0; k <= 600; ++k) {
-    const Tick tick = k == 0 ? bench.tell(Kind::start) : bench.step();
+    const Tick tick = k == 0 ? bench.send(Kind::start) : bench.step();
     DriveSetpoint asked = drive_setpoint(tick, {});
     asked.enable = true;
     drive.command(asked);

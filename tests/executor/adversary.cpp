@@ -461,7 +461,7 @@ class Episode {
 
   void give(std::size_t axis, Client& client, const wire::Command& order) {
     const std::int64_t sent = tick(axis);
-    const CallOutcome outcome = client.tell(order);
+    const CallOutcome outcome = client.request(order);
     if (outcome.error == StreamError::refused) return;
     Accepted done = accepted(order, drawn_.axes[axis].axis.homing);
     using What = Accepted::What;

@@ -49,10 +49,10 @@ TEST(Cycle, LateCyclesGoOnWithTheTickTheTimeHasComeFor) {
   const TablePtr move = trapezoid_table(50, 10, 20, 20);
   Job job(1, move);
   Rig rig(config);
-  rig.tell({command::Enable{}});
-  rig.tell({command::Arm{.movement = &job}});
-  rig.tell({command::Start{}});  // tick 2
-  rig.pacer.delay = 999'999;     // a little less than a period: late for nothing
+  rig.order({command::Enable{}});
+  rig.order({command::Arm{.movement = &job}});
+  rig.order({command::Start{}});  // tick 2
+  rig.pacer.delay = 999'999;      // a little less than a period: late for nothing
   EXPECT_EQ(rig.next().tick, 3);
   rig.pacer.delay = 4'200'000;
   const Tick late = rig.next();  // due at 4, woken at 8.2

@@ -158,24 +158,24 @@ class Hand {
   }
 
   void arm_and_start() {
-    tell(wire::Arm{.mode = wire::ArmMode::queue, .queue = queue_.queue});
-    tell(wire::Start{});
+    order(wire::Arm{.mode = wire::ArmMode::queue, .queue = queue_.queue});
+    order(wire::Start{});
   }
   void queue_switch() {
-    tell(wire::Command{.kind = CommandKind::queue_switch,
-                       .value = {static_cast<double>(queue_.queue)}});
+    order(wire::Command{.kind = CommandKind::queue_switch,
+                        .value = {static_cast<double>(queue_.queue)}});
   }
 
   /// Clears a bank. After a switch has taken rows from it, messages count again from the next one
   /// on.
   void clear(int bank) {
-    tell(wire::Command{.kind = CommandKind::queue_clear,
-                       .value = {static_cast<double>(queue_.queue), static_cast<double>(bank),
-                                 static_cast<double>(seq_[static_cast<std::size_t>(bank)])}});
+    order(wire::Command{.kind = CommandKind::queue_clear,
+                        .value = {static_cast<double>(queue_.queue), static_cast<double>(bank),
+                                  static_cast<double>(seq_[static_cast<std::size_t>(bank)])}});
   }
 
   template <class Body>
-  wire::Reply tell(Body command) {
+  wire::Reply order(Body command) {
     command.command = ++number_;
     reply_ = {};
     for (int i = 0; i < 100 && reply_.outcome == wire::Outcome::pending; ++i) say(command);
@@ -187,7 +187,7 @@ class Hand {
   void wait(Nanos time) {
     for (const Nanos end = site_.clock() + time; site_.clock() < end;) {
       site_.advance(std::min<Nanos>(end - site_.clock(), 200ms));
-      tell(wire::Heartbeat{});
+      order(wire::Heartbeat{});
     }
   }
   const wire::QueueAck& ack() {
@@ -387,7 +387,7 @@ TEST(ExamplePlay, Pmc600Example61) {
   }
 }
 
-// PMC600 manual 6.1, example 6.2: synchronised at (5000, 2000) from 4000 before, through reversals.
+// PMC600 manual 6.1, example 6.2: synchronized at (5000, 2000) from 4000 before, through reversals.
 TEST(ExamplePlay, Pmc600Example62Looped) {
   Follower site;
   Client knife(site.link, "knife", {}, site.clock);
@@ -533,11 +533,11 @@ TEST(Queue, StoppedInMidPlayIsClearedAndFilledAgain) {
   hand.fill(0, test::shear_cycle().segments);
   hand.arm_and_start();
   hand.wait(50ms);
-  hand.tell(wire::Stop{});
+  hand.order(wire::Stop{});
   hand.wait(50ms);
   EXPECT_EQ(hand.ack().progress, wire::Progress::broken);
-  hand.tell(wire::Arm{.mode = wire::ArmMode::queue, .queue = wire::first_queue});
-  hand.tell(wire::Start{});
+  hand.order(wire::Arm{.mode = wire::ArmMode::queue, .queue = wire::first_queue});
+  hand.order(wire::Start{});
   EXPECT_EQ(site.knife().state, State::synchronized_motion);
 }
 
@@ -550,8 +550,8 @@ TEST(Queue, DeclaredCompleteItEndsWithoutAnUnderrun) {
     hand.fill(0, {{0.5, 100}, {1.0, 0, PtType::stop}});
     hand.arm_and_start();
     if (declared)
-      hand.tell(wire::Command{.kind = CommandKind::queue_end,
-                              .value = {static_cast<double>(wire::first_queue)}});
+      hand.order(wire::Command{.kind = CommandKind::queue_end,
+                               .value = {static_cast<double>(wire::first_queue)}});
     hand.wait(1500ms);
     EXPECT_EQ(site.knife().fault, declared ? Cause::none : Cause::underrun);
     EXPECT_EQ(site.knife().finished, declared ? 1U : 0U);

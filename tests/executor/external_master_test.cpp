@@ -113,7 +113,7 @@ struct Line : Notices, Site {
 
   const Tick& knife() const { return last(0); }
   const Tick& label() const { return last(1); }
-  const MasterSight& seen(std::size_t master) const { return dispatcher.masters().last(master); }
+  const MasterReading& seen(std::size_t master) const { return dispatcher.masters().last(master); }
 
   StreamOutcome couple(const TablePtr& cam, StreamPlan plan = {}) {
     plan.executor = "knife";
@@ -140,7 +140,7 @@ struct Compared {
 };
 Compared compared(Line& site, const Table& cam) {
   Compared count;
-  std::map<std::size_t, MasterSight> sights;
+  std::map<std::size_t, MasterReading> sights;
   const Replay r = site.replayed(
       [&](const RecordedCycle& c) {
         if (c.axis != 0 || c.tick.progress != Progress::running || c.tick.job == 0) return;
@@ -315,7 +315,7 @@ TEST(ExternalMasterRun, AGoogolFollowTableWaitsForTheLineAndIsThatOfTheRecordedO
   EXPECT_NEAR(site.knife().position, 100000, 1e-7) << "stated";
 
   const Cam exact = follow(FollowSpec{{table}}).cam;
-  std::map<std::size_t, MasterSight> sights;
+  std::map<std::size_t, MasterReading> sights;
   std::int64_t within = 0;
   const Replay r = site.replayed(
       [&](const RecordedCycle& c) {
@@ -366,7 +366,7 @@ TEST(ExternalMasterRun, AGearIsInStepWithTheRecordedMaster) {
   ASSERT_TRUE(knife.release().ok());
   site.advance(4s);
   std::int64_t in_step = 0;
-  std::map<std::size_t, MasterSight> sights;
+  std::map<std::size_t, MasterReading> sights;
   const Replay r = site.replayed(
       [&](const RecordedCycle& c) {
         const double x = sights[0].at[0];

@@ -35,7 +35,7 @@ int compare(const std::string& record, const std::string& table, const std::stri
   while (names.axes.at(a).name != axis) ++a;
   while (names.masters.at(m).name != master) ++m;
 
-  MasterSight sight;
+  MasterReading sight;
   long equal = 0, other = 0, lost = 0;
   std::ifstream in(record, std::ios::binary);
   const Replay result = replay(

@@ -50,7 +50,7 @@ struct Site3 : Site {
       if (each_tick) each_tick();
     };
   }
-  CallOutcome tell(const char* name, const ClientCommand& command) {
+  CallOutcome order(const char* name, const ClientCommand& command) {
     Client client(link, name, {}, clock);
     const CallOutcome outcome = client.command(command);
     static_cast<void>(client.release());
@@ -67,25 +67,25 @@ struct Site3 : Site {
 TEST(GroupPlay, IsStartedHeldAndContinuedByCommands) {
   Site3 site;
   site.advance(10ms);
-  EXPECT_THAT(site.tell("plotter", command::StartTable{}).reason, HasSubstr("not_enabled"));
-  ASSERT_TRUE(site.tell("plotter", command::Enable{}).ok());
+  EXPECT_THAT(site.order("plotter", command::StartTable{}).reason, HasSubstr("not_enabled"));
+  ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
   site.each_tick = [&] { site.expect_on_path(); };
-  const CallOutcome start = site.tell("plotter", command::StartTable{});
+  const CallOutcome start = site.order("plotter", command::StartTable{});
   ASSERT_TRUE(start.ok()) << start.reason;
-  EXPECT_THAT(site.tell("x", command::MoveAbsolute{.position = 5}).reason, HasSubstr("in_group"));
-  ASSERT_TRUE(site.tell("plotter", command::Override{0.5}).ok());
+  EXPECT_THAT(site.order("x", command::MoveAbsolute{.position = 5}).reason, HasSubstr("in_group"));
+  ASSERT_TRUE(site.order("plotter", command::Override{0.5}).ok());
   site.advance(500ms);
-  EXPECT_THAT(site.tell("plotter", command::StartTable{}).reason, HasSubstr("in_motion"));
-  ASSERT_TRUE(site.tell("plotter", command::Hold{}).ok());
+  EXPECT_THAT(site.order("plotter", command::StartTable{}).reason, HasSubstr("in_motion"));
+  ASSERT_TRUE(site.order("plotter", command::Hold{}).ok());
   site.advance(500ms);
   EXPECT_EQ(site.last(x).velocity, 0);
   EXPECT_EQ(site.last(x).state, State::standstill);
-  ASSERT_TRUE(site.tell("plotter", command::Resume{}).ok());
-  ASSERT_TRUE(site.tell("plotter", command::Override{1}).ok());
+  ASSERT_TRUE(site.order("plotter", command::Resume{}).ok());
+  ASSERT_TRUE(site.order("plotter", command::Override{1}).ok());
   site.advance(6s);
   EXPECT_EQ(site.last(group).finished, 1U);
   EXPECT_EQ(site.last(group).state, State::standstill);
-  const CallOutcome again = site.tell("plotter", command::StartTable{});
+  const CallOutcome again = site.order("plotter", command::StartTable{});
   EXPECT_TRUE(again.ok()) << "it ends where it begins: " << again.reason;
   site.advance(300ms);
   EXPECT_GT(site.last(group).position, 1);
@@ -94,9 +94,9 @@ TEST(GroupPlay, IsStartedHeldAndContinuedByCommands) {
 TEST(GroupPlay, AStartElsewhereIsRejectedWithTheNumbers) {
   Site3 site;
   site.advance(10ms);
-  ASSERT_TRUE(site.tell("x", command::SetPosition{2.5}).ok());
-  ASSERT_TRUE(site.tell("plotter", command::Enable{}).ok());
-  EXPECT_THAT(site.tell("plotter", command::StartTable{}).reason,
+  ASSERT_TRUE(site.order("x", command::SetPosition{2.5}).ok());
+  ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
+  EXPECT_THAT(site.order("plotter", command::StartTable{}).reason,
               HasSubstr("axis 1 of the group: it stands at 2.5 mm, and its place is 0 mm"));
   EXPECT_EQ(site.last(group).state, State::standstill);
 }
@@ -105,8 +105,8 @@ TEST(GroupPlay, AStopByAnOperatorAndTheEndOfTheExecutorStayOnThePath) {
   for (const bool leaves : {false, true}) {
     Site3 site;
     site.advance(10ms);
-    ASSERT_TRUE(site.tell("plotter", command::Enable{}).ok());
-    ASSERT_TRUE(site.tell("plotter", command::StartTable{}).ok());
+    ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
+    ASSERT_TRUE(site.order("plotter", command::StartTable{}).ok());
     site.advance(700ms);
     site.each_tick = [&] { site.expect_on_path(); };
     if (leaves)
@@ -123,15 +123,15 @@ TEST(GroupPlay, AStopByAnOperatorAndTheEndOfTheExecutorStayOnThePath) {
 TEST(GroupPlay, ARecordIsReplayedToTheLastBit) {
   Site3 site(true);
   site.advance(10ms);
-  ASSERT_TRUE(site.tell("plotter", command::Enable{}).ok());
-  ASSERT_TRUE(site.tell("plotter", command::StartTable{}).ok());
+  ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
+  ASSERT_TRUE(site.order("plotter", command::StartTable{}).ok());
   site.advance(700ms);
-  ASSERT_TRUE(site.tell("plotter", command::Hold{}).ok());
+  ASSERT_TRUE(site.order("plotter", command::Hold{}).ok());
   site.advance(300ms);
-  ASSERT_TRUE(site.tell("plotter", command::Resume{}).ok());
-  ASSERT_TRUE(site.tell("plotter", command::Override{0.4}).ok());
+  ASSERT_TRUE(site.order("plotter", command::Resume{}).ok());
+  ASSERT_TRUE(site.order("plotter", command::Override{0.4}).ok());
   site.advance(500ms);
-  ASSERT_TRUE(site.tell("y", command::Disable{}).ok());
+  ASSERT_TRUE(site.order("y", command::Disable{}).ok());
   site.advance(500ms);
   EXPECT_EQ(site.last(group).fault, Cause::axis_fault);
   const Replay replay = site.replayed();
@@ -148,7 +148,7 @@ TEST(GroupPlay, ItsCycleNeitherAllocatesNorLocksNorWrites) {
   Cycle cycle(rig.machine, pacer, exchange, {.drives = {}, .record = buffer.get()});
   Noise noise{};
   Tick last;
-  const auto tell = [&](std::size_t axis, Command command, int cycles) {
+  const auto order = [&](std::size_t axis, Command command, int cycles) {
     command.id = 1;
     exchange.axes[axis]->commands.push(command);
     for (int i = 0; i < cycles; ++i) {
@@ -162,13 +162,13 @@ TEST(GroupPlay, ItsCycleNeitherAllocatesNorLocksNorWrites) {
       }
     }
   };
-  for (const std::size_t i : {x, y, group}) tell(i, {command::Enable{}}, 1);
-  tell(group, {command::Arm{&rig.path}}, 1);
-  tell(group, {command::Start{}}, 500);
-  tell(group, {command::Override{0.5}}, 300);
-  tell(group, {command::Hold{}}, 300);
-  tell(group, {command::Resume{}}, 300);
-  tell(y, {command::Abort{}}, 500);
+  for (const std::size_t i : {x, y, group}) order(i, {command::Enable{}}, 1);
+  order(group, {command::Arm{&rig.path}}, 1);
+  order(group, {command::Start{}}, 500);
+  order(group, {command::Override{0.5}}, 300);
+  order(group, {command::Hold{}}, 300);
+  order(group, {command::Resume{}}, 300);
+  order(y, {command::Abort{}}, 500);
   EXPECT_EQ(last.fault, Cause::axis_fault);
   EXPECT_EQ(noise, Noise{});
 }

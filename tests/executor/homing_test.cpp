@@ -180,7 +180,7 @@ TEST(OrderedHoming, WhatIsNotGivenOrWrong) {
   const auto refused = [&](std::initializer_list<double> values) {
     wire::Command home = wire::message_of(command::Home{});
     std::copy(values.begin(), values.end(), home.value.begin());
-    return site.client.tell(home).reason;
+    return site.client.request(home).reason;
   };
   const double nan = as_configured;
   EXPECT_NE(refused({nan, 99}).find("no_such_method"), std::string::npos);

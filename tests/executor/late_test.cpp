@@ -35,10 +35,10 @@ void play_late(const TablePtr& move, std::int64_t after, std::int64_t late) {
   SCOPED_TRACE(::testing::Message() << "late by " << late << " after " << after);
   Job job(1, move);
   Rig rig({.limits = limits(velocity, acceleration), .longest_gap = gap});
-  rig.tell({command::Enable{}});
-  rig.tell({command::Arm{.movement = &job}});
+  rig.order({command::Enable{}});
+  rig.order({command::Arm{.movement = &job}});
   rig.pacer.delay = after == 0 ? late * period + period / 3 : 0;
-  Tick before = rig.tell({command::Start{}});
+  Tick before = rig.order({command::Start{}});
   const std::int64_t start = before.tick;
   for (int steps = 1; before.job != 0; ++steps) {
     ASSERT_LT(steps, 20'000) << "it does not end";
@@ -85,9 +85,9 @@ TEST(Late, AgainAndAgain) {
   const TablePtr move = there_and_back(0, 5, 3, Extrapolation::wrap);
   Job job(1, move);
   Rig rig({.limits = limits(velocity, acceleration), .longest_gap = gap});
-  rig.tell({command::Enable{}});
-  rig.tell({command::Arm{.movement = &job}});
-  Tick before = rig.tell({command::Start{}});
+  rig.order({command::Enable{}});
+  rig.order({command::Arm{.movement = &job}});
+  Tick before = rig.order({command::Start{}});
   const std::int64_t start = before.tick;
   for (int i = 0; i < 5000; ++i) {
     const std::int64_t late = i % 10 == 0 ? i % 97 : 0;

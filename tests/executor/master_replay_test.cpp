@@ -63,7 +63,7 @@ class RecordedRun {
     Cycle cycle(machine, pacer, exchange, options);
     for (std::int64_t k = 0; k < 3000; ++k) {
       feed(static_cast<double>(k) * 1e-3);
-      tell(k, exchange);
+      order(k, exchange);
       cycle.once();
       recorder.turn();
       for (Tick tick; exchange.axes[0]->ticks.pop(tick);) dropped_ += tick.dropped.has_value();
@@ -98,7 +98,7 @@ class RecordedRun {
     reading_ = now < silent_until_ ? NAN : std::sin(now) + random_.uniform(-1e-5, 1e-5);
   }
   /// Moves that wait and are taken back: something is dropped every now and then.
-  void tell(std::int64_t k, MachineExchange& exchange) {
+  void order(std::int64_t k, MachineExchange& exchange) {
     Command command;
     if (k == 10) command = {command::Enable{}};
     if (k > 10 && k % 100 == 0) command = {command::MoveRelative{.distance = 1}};

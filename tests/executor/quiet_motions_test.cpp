@@ -43,12 +43,12 @@ class Stage {
                    .config = config,
                    .follow = {.what = Follow::What::setpoint, .index = 0}}}),
         cycle_(machine_, pacer_, exchange_, {.drives = {drive, nullptr}, .record = buffer_.get()}) {
-    tell(0, {command::Enable{}}, 100);
-    tell(1, {command::Enable{}});
+    order(0, {command::Enable{}}, 100);
+    order(1, {command::Enable{}});
   }
 
   /// Sends a command to axis 0 or 1, runs the cycles, and returns its last tick.
-  Tick tell(std::size_t axis, Command command, int cycles = 1) {
+  Tick order(std::size_t axis, Command command, int cycles = 1) {
     command.id = ++number_;
     EXPECT_TRUE(exchange_.axes[axis]->commands.push(command));
     return run(axis, cycles);
@@ -66,9 +66,9 @@ class Stage {
     return last_[axis];
   }
   Tick start(std::size_t axis, Movement& movement, int cycles = 1) {
-    const Tick armed = tell(axis, {command::Arm{.movement = &movement}});
+    const Tick armed = order(axis, {command::Arm{.movement = &movement}});
     EXPECT_FALSE(armed.refused) << name(armed.refused->cause);
-    return tell(axis, {command::Start{}}, cycles);
+    return order(axis, {command::Start{}}, cycles);
   }
 
   [[nodiscard]] const Noise& noise() const { return noise_; }
@@ -117,8 +117,8 @@ TEST(Quiet, RowsThatArriveInFlightTheirEndAndWhatComesAfter) {
   stage.between = [&] {
     while (pushed < 300 && path.fifos().push(0, wave(pushed)) == RowRule::none) ++pushed;
   };
-  stage.tell(0, {command::Reset{}}, 10);
-  now = stage.tell(0, {command::Resume{}}, 1000);
+  stage.order(0, {command::Reset{}}, 10);
+  now = stage.order(0, {command::Resume{}}, 1000);
   EXPECT_EQ(now.state, State::discrete_motion);
   EXPECT_EQ(stage.noise(), Noise{});
 }
@@ -131,7 +131,7 @@ TEST(Quiet, TablesOfRowsBehindAMasterSwitchedInFlight) {
     for (const SegmentRow& row : {there, back})
       ASSERT_EQ(follow.fifos().push(bank, row), RowRule::none);
   Stage stage;
-  stage.tell(0, {command::MoveVelocity{.velocity = 100}}, 50);
+  stage.order(0, {command::MoveVelocity{.velocity = 100}}, 50);
   EXPECT_EQ(stage.start(1, follow, 500).state, State::synchronized_motion);
   int switched = 0;
   stage.between = [&] { switched += switched == 0 && follow.fifos().queue_switch() ? 1 : 0; };
@@ -150,20 +150,20 @@ TEST(Quiet, GearsThatAreGoneIntoInMotionAndLeft) {
                            .slave_sync_position = 20,
                            .master_start_distance = 40});
   Stage stage;
-  stage.tell(0, {command::MoveVelocity{.velocity = 200}}, 60);
-  stage.tell(1, {command::Couple{.movement = &gear}}, 100);
+  stage.order(0, {command::MoveVelocity{.velocity = 200}}, 60);
+  stage.order(1, {command::Couple{.movement = &gear}}, 100);
   EXPECT_EQ(gear.progress(), Progress::running);
-  stage.tell(1, {command::Couple{.movement = &other}}, 100);
+  stage.order(1, {command::Couple{.movement = &other}}, 100);
   EXPECT_EQ(other.progress(), Progress::running);
-  EXPECT_EQ(stage.tell(1, {command::GearOut{}}, 50).state, State::continuous_motion);
-  stage.tell(1, {command::Halt{}}, 200);
-  stage.tell(0, {command::Halt{}}, 200);
-  stage.tell(0, {command::SetPosition{.position = 0}});
-  stage.tell(1, {command::SetPosition{.position = 0}});
+  EXPECT_EQ(stage.order(1, {command::GearOut{}}, 50).state, State::continuous_motion);
+  stage.order(1, {command::Halt{}}, 200);
+  stage.order(0, {command::Halt{}}, 200);
+  stage.order(0, {command::SetPosition{.position = 0}});
+  stage.order(1, {command::SetPosition{.position = 0}});
   stage.start(1, in_pos);
-  stage.tell(0, {command::MoveAbsolute{.position = 100, .dynamics = {.velocity = 100}}}, 900);
+  stage.order(0, {command::MoveAbsolute{.position = 100, .dynamics = {.velocity = 100}}}, 900);
   EXPECT_EQ(in_pos.progress(), Progress::running);
-  EXPECT_EQ(stage.tell(1, {command::GearOut{}}, 50).fault, Cause::none);
+  EXPECT_EQ(stage.order(1, {command::GearOut{}}, 50).fault, Cause::none);
   EXPECT_EQ(stage.noise(), Noise{});
 }
 
@@ -176,13 +176,13 @@ TEST(Quiet, CamsBehindALiveMasterAndASwapOfThem) {
                 {.start = StartMode::ramp_in, .velocity_diff = 300, .acceleration = 3e4});
   LiveCam second(2, cam(-2), {.start = StartMode::relative});
   Stage stage;
-  stage.tell(0, {command::MoveVelocity{.velocity = 100}}, 60);
+  stage.order(0, {command::MoveVelocity{.velocity = 100}}, 60);
   EXPECT_EQ(stage.start(1, first, 600).state, State::synchronized_motion);
   EXPECT_EQ(first.progress(), Progress::running);
-  stage.tell(1, {command::CamOut{}}, 20);
-  stage.tell(1, {command::Halt{}}, 300);
+  stage.order(1, {command::CamOut{}}, 20);
+  stage.order(1, {command::Halt{}}, 300);
   EXPECT_EQ(stage.start(1, second, 300).state, State::synchronized_motion);
-  stage.tell(0, {command::Abort{}}, 5);
+  stage.order(0, {command::Abort{}}, 5);
   EXPECT_EQ(stage.run(1, 500).state, State::error_stop) << "a frozen master is lost";
   EXPECT_EQ(stage.noise(), Noise{});
 }
@@ -190,20 +190,20 @@ TEST(Quiet, CamsBehindALiveMasterAndASwapOfThem) {
 TEST(Quiet, MovesThatArePlannedAnewAgainAndAgain) {
   Stage stage;
   const MoveDynamics slow{.velocity = 100, .acceleration = 1000, .deceleration = 2000, .jerk = 1e5};
-  stage.tell(0, {command::MoveAbsolute{.position = 50, .dynamics = slow}}, 150);
-  stage.tell(0, {command::MoveAbsolute{.position = -20, .dynamics = slow}}, 70);
-  stage.tell(0, {command::Override{.factor = 0.3}}, 70);
-  stage.tell(0, {command::MoveAdditive{.distance = 7, .dynamics = slow}}, 30);
-  stage.tell(0, {command::MoveSuperimposed{.distance = 3, .dynamics = {.velocity = 20}}}, 50);
-  stage.tell(0, {command::Hold{}}, 100);
-  stage.tell(0, {command::Resume{}}, 100);
-  stage.tell(0, {command::Override{.factor = 2}}, 50);
-  stage.tell(0, any({.kind = Kind::move_velocity, .position = -100, .dynamics = slow}), 120);
-  stage.tell(0, {command::MoveRelative{.distance = 30}}, 20);
-  EXPECT_EQ(stage.tell(0, {command::Stop{}}, 200).state, State::standstill);
-  stage.tell(0, {command::Home{.offset = 4}}, 10);
-  stage.tell(0, {command::MoveRelative{.distance = 30}}, 20);
-  EXPECT_EQ(stage.tell(0, {command::Disable{}}, 20).state, State::disabled);
+  stage.order(0, {command::MoveAbsolute{.position = 50, .dynamics = slow}}, 150);
+  stage.order(0, {command::MoveAbsolute{.position = -20, .dynamics = slow}}, 70);
+  stage.order(0, {command::Override{.factor = 0.3}}, 70);
+  stage.order(0, {command::MoveAdditive{.distance = 7, .dynamics = slow}}, 30);
+  stage.order(0, {command::MoveSuperimposed{.distance = 3, .dynamics = {.velocity = 20}}}, 50);
+  stage.order(0, {command::Hold{}}, 100);
+  stage.order(0, {command::Resume{}}, 100);
+  stage.order(0, {command::Override{.factor = 2}}, 50);
+  stage.order(0, any({.kind = Kind::move_velocity, .position = -100, .dynamics = slow}), 120);
+  stage.order(0, {command::MoveRelative{.distance = 30}}, 20);
+  EXPECT_EQ(stage.order(0, {command::Stop{}}, 200).state, State::standstill);
+  stage.order(0, {command::Home{.offset = 4}}, 10);
+  stage.order(0, {command::MoveRelative{.distance = 30}}, 20);
+  EXPECT_EQ(stage.order(0, {command::Disable{}}, 20).state, State::disabled);
   EXPECT_EQ(stage.noise(), Noise{});
 }
 
@@ -217,24 +217,24 @@ TEST(Quiet, TablesThatTakeOverFromEachOtherInMotion) {
   Job* waiting = b.get();
   Job* playing = a.get();
   for (int swap = 0; swap < 6; ++swap) {
-    stage.tell(0, {command::Arm{.movement = waiting}});
-    const Tick now = stage.tell(0, {command::Start{.when = StartAt::end_of_table}}, 450);
+    stage.order(0, {command::Arm{.movement = waiting}});
+    const Tick now = stage.order(0, {command::Start{.when = StartAt::end_of_table}}, 450);
     EXPECT_EQ(now.job, waiting->id());
     EXPECT_EQ(now.state, State::discrete_motion);
     std::swap(waiting, playing);
   }
-  stage.tell(0, {command::Finish{}}, 900);
+  stage.order(0, {command::Finish{}}, 900);
   EXPECT_EQ(stage.run(0, 1).state, State::standstill);
   EXPECT_EQ(stage.noise(), Noise{});
 }
 
 /// Back and forth until the drive cannot follow; then a reset, and again.
 void drive_hard(Stage& stage) {
-  stage.tell(0, {command::MoveRelative{.distance = 10, .dynamics = {.velocity = 100}}}, 400);
-  stage.tell(0, {command::MoveVelocity{.velocity = 1000}}, 600);
-  stage.tell(0, {command::Reset{}}, 100);
-  stage.tell(0, {command::Enable{}}, 100);
-  stage.tell(0, {command::MoveRelative{.distance = -5, .dynamics = {.velocity = 50}}}, 400);
+  stage.order(0, {command::MoveRelative{.distance = 10, .dynamics = {.velocity = 100}}}, 400);
+  stage.order(0, {command::MoveVelocity{.velocity = 1000}}, 600);
+  stage.order(0, {command::Reset{}}, 100);
+  stage.order(0, {command::Enable{}}, 100);
+  stage.order(0, {command::MoveRelative{.distance = -5, .dynamics = {.velocity = 50}}}, 400);
 }
 
 TEST(Quiet, ASimulatedDriveThatIsAskedForTooMuch) {

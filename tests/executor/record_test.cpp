@@ -69,7 +69,7 @@ class Recorded : public ::testing::Test {
       next();
     }
   }
-  void tell(const Command& command, std::size_t axis = 0) {
+  void order(const Command& command, std::size_t axis = 0) {
     for (std::size_t i = 0; i < motions_.size(); ++i) step(i == axis ? command : Command{}, {}, i);
     next();
   }
@@ -107,28 +107,28 @@ class Recorded : public ::testing::Test {
 
 TEST_F(Recorded, ARunIsReplayedToTheLastBit) {
   start({.log = path("run.lcmlog")}, 2);
-  tell({command::Enable{}});
-  tell({command::Enable{}}, 1);
-  tell({command::Arm{.movement = cam(7)}});
-  tell({command::Start{}});
+  order({command::Enable{}});
+  order({command::Enable{}}, 1);
+  order({command::Arm{.movement = cam(7)}});
+  order({command::Start{}});
   run(100);
-  tell({command::Arm{.movement = cam(7, 1)}}, 1);  // the same number on another axis
-  tell({command::Start{.tick = tick_ + 20}}, 1);
+  order({command::Arm{.movement = cam(7, 1)}}, 1);  // the same number on another axis
+  order({command::Start{.tick = tick_ + 20}}, 1);
   run(200);
   tick_ += 13;  // a late cycle
   run(50);
-  tell({command::Stop{}}, 1);
+  order({command::Stop{}}, 1);
   run(300);
-  tell({command::Start{}});  // refused: nothing is armed
-  tell({command::SetPosition{.position = 12.5}});
-  tell({command::Abort{}});
+  order({command::Start{}});  // refused: nothing is armed
+  order({command::SetPosition{.position = 12.5}});
+  order({command::Abort{}});
   run(5);
-  tell({command::Reset{}});
-  tell({command::MoveAbsolute{.position = 90, .dynamics = {.velocity = 300}}});
+  order({command::Reset{}});
+  order({command::MoveAbsolute{.position = 90, .dynamics = {.velocity = 300}}});
   run(40);
-  tell({command::Override{.factor = 0.3}});
+  order({command::Override{.factor = 0.3}});
   run(40);
-  tell({command::Halt{}});
+  order({command::Halt{}});
   run(100);
   EXPECT_FALSE(std::filesystem::exists(path("run.lcmlog"))) << "not before it is closed";
   recorder_->close();
@@ -148,14 +148,14 @@ TEST_F(Recorded, ARunIsReplayedToTheLastBit) {
 
 TEST_F(Recorded, MovesThatWaitAndBlendAreReplayedToo) {
   start({.log = path("run.lcmlog")});
-  tell({command::Enable{}});
+  order({command::Enable{}});
   for (const BufferMode mode :
        {BufferMode::buffered, BufferMode::blending_low, BufferMode::blending_high}) {
-    tell({command::MoveRelative{.distance = 40, .dynamics = {.velocity = 400}}});
-    tell({command::MoveRelative{.distance = 30, .dynamics = {.velocity = 600}, .buffer = mode}});
+    order({command::MoveRelative{.distance = 40, .dynamics = {.velocity = 400}}});
+    order({command::MoveRelative{.distance = 30, .dynamics = {.velocity = 600}, .buffer = mode}});
     run(300);
   }
-  tell({.what = command::MoveRelative{.distance = 5}, .at = tick_ + 20});
+  order({.what = command::MoveRelative{.distance = 5}, .at = tick_ + 20});
   run(100);
   recorder_->close();
   const Replay result = replayed(bytes_of(path("run.lcmlog")));
@@ -165,8 +165,8 @@ TEST_F(Recorded, MovesThatWaitAndBlendAreReplayedToo) {
 
 TEST_F(Recorded, LcmsOwnReaderReadsIt) {
   start({.log = path("run.lcmlog")});
-  tell({command::Enable{}});
-  tell({command::Arm{.movement = cam(1)}});
+  order({command::Enable{}});
+  order({command::Arm{.movement = cam(1)}});
   run(10);
   recorder_->close();
   lcm::LogFile log(path("run.lcmlog").string(), "r");
@@ -188,9 +188,9 @@ TEST_F(Recorded, LcmsOwnReaderReadsIt) {
 
 TEST_F(Recorded, TheFirstDifferenceIsFound) {
   start({.log = path("run.lcmlog")});
-  tell({command::Enable{}});
-  tell({command::Arm{.movement = cam(1)}});
-  tell({command::Start{}});
+  order({command::Enable{}});
+  order({command::Arm{.movement = cam(1)}});
+  order({command::Start{}});
   run(200);
   recorder_->close();
   // One bit of the position of one tick, by our own events: the last digit.
@@ -223,9 +223,9 @@ TEST_F(Recorded, TheFirstDifferenceIsFound) {
 
 TEST_F(Recorded, WhatIsCutOffIsReplayedAsFarAsItGoes) {
   start({.log = path("run.lcmlog")});
-  tell({command::Enable{}});
-  tell({command::Arm{.movement = cam(1)}});
-  tell({command::Start{}});
+  order({command::Enable{}});
+  order({command::Arm{.movement = cam(1)}});
+  order({command::Start{}});
   run(50);
   recorder_->close();
   const std::string whole = bytes_of(path("run.lcmlog"));
@@ -249,9 +249,9 @@ TEST_F(Recorded, WhatIsCutOffIsReplayedAsFarAsItGoes) {
 
 TEST_F(Recorded, WhatIsDamagedIsAnErrorOrADifferenceAndNeverACrash) {
   start({.log = path("run.lcmlog")});
-  tell({command::Enable{}});
-  tell({command::Arm{.movement = cam(1)}});
-  tell({command::Start{}});
+  order({command::Enable{}});
+  order({command::Arm{.movement = cam(1)}});
+  order({command::Start{}});
   run(20);
   recorder_->close();
   const std::string whole = bytes_of(path("run.lcmlog"));
@@ -325,7 +325,7 @@ TEST(RecordedEvents, OfAnotherVersionAreRefusedAndTheErrorSaysSo) {
 TEST_F(Recorded, ATableThatIsNotTheOneOfItsHashIsRefused) {
   std::string bytes;
   start({.log = path("run.lcmlog")});
-  tell({command::Enable{}});
+  order({command::Enable{}});
   (void)cam(1);
   recorder_->close();
   bytes = bytes_of(path("run.lcmlog"));
@@ -348,9 +348,9 @@ TEST_F(Recorded, ATableThatIsNotTheOneOfItsHashIsRefused) {
 
 TEST_F(Recorded, AMovementThatIsNotInTheRecordEndsTheReplayAndIsSaid) {
   start({.log = path("run.lcmlog")});
-  tell({command::Enable{}});
+  order({command::Enable{}});
   Job unknown(5, test::there_and_back(0, 10, 1, Extrapolation::hold));
-  tell({command::Arm{.movement = &unknown}});
+  order({command::Arm{.movement = &unknown}});
   run(10);
   recorder_->close();
   const Replay result = replayed(bytes_of(path("run.lcmlog")));
@@ -385,10 +385,10 @@ TEST_F(Recorded, WhatFoundNoRoomIsCountedAndTheReplayEndsThere) {
 
 TEST_F(Recorded, AFullDiskEndsTheRecordAndNothingElse) {
   start({.log = "/dev/full"});
-  tell({command::Enable{}});
+  order({command::Enable{}});
   run(5000);
-  tell({command::Arm{.movement = cam(1)}});
-  tell({command::Start{}});
+  order({command::Arm{.movement = cam(1)}});
+  order({command::Start{}});
   run(100);
   EXPECT_EQ(motions_[0]->state(), State::synchronized_motion);
   recorder_->close();
@@ -399,12 +399,12 @@ TEST_F(Recorded, AFullDiskEndsTheRecordAndNothingElse) {
 // Each file that cannot be written is reported, once, after any other failure.
 TEST_F(Recorded, AFullDiskIsReportedForTheBlackBoxToo) {
   start({.log = "/dev/full", .black_box = "/dev/full"});
-  tell({command::Enable{}});
+  order({command::Enable{}});
   run(5000);
   EXPECT_EQ(recorder_->unwritten(), wire::record_unwritten);
   for (int i = 0; i < 2; ++i) {
-    tell({command::Abort{}});
-    tell({command::Reset{}});
+    order({command::Abort{}});
+    order({command::Reset{}});
     run(10);
   }
   EXPECT_EQ(recorder_->unwritten(), wire::record_unwritten | wire::black_box_unwritten);
@@ -416,12 +416,12 @@ TEST_F(Recorded, AFullDiskIsReportedForTheBlackBoxToo) {
 
 TEST_F(Recorded, AFaultLeavesABlackBoxOfTheCyclesBeforeIt) {
   start({.black_box = path("box.lcmlog"), .black_box_cycles = 50}, 2);
-  tell({command::Enable{}});
-  tell({command::Arm{.movement = cam(1)}});
-  tell({command::Start{}});
+  order({command::Enable{}});
+  order({command::Arm{.movement = cam(1)}});
+  order({command::Start{}});
   run(200);
   EXPECT_FALSE(std::filesystem::exists(path("box.lcmlog")));
-  tell({command::Abort{}});
+  order({command::Abort{}});
   ASSERT_TRUE(std::filesystem::exists(path("box.lcmlog")));
   const std::string box = bytes_of(path("box.lcmlog"));
   std::vector<RecordedCycle> seen;
@@ -440,8 +440,8 @@ TEST_F(Recorded, AFaultLeavesABlackBoxOfTheCyclesBeforeIt) {
     EXPECT_EQ(seen[i].tick.tick, seen[i - 1].tick.tick + 1);
   run(20);
   EXPECT_EQ(bytes_of(path("box.lcmlog")), box) << "a fault that stays is not another one";
-  tell({command::Reset{}});
-  tell({command::Abort{}});
+  order({command::Reset{}});
+  order({command::Abort{}});
   EXPECT_NE(bytes_of(path("box.lcmlog")), box) << "a new one is";
 }
 

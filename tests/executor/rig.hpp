@@ -19,7 +19,7 @@ struct Rig {
     EXPECT_TRUE(axis.ticks.pop(tick));
     return tick;
   }
-  Tick tell(const Command& command) {
+  Tick order(const Command& command) {
     EXPECT_TRUE(axis.commands.push(command));
     return next();
   }

@@ -30,7 +30,7 @@ std::vector<ExecutorOptions> line_and_knife() {
 /// A line with a table of its own, and a knife behind it.
 struct Line : Site {
   Line() : Site(line_and_knife()) {}
-  CallOutcome tell(const char* axis, CommandKind kind) {
+  CallOutcome order(const char* axis, CommandKind kind) {
     Client client(link, axis, {}, clock);
     const CallOutcome outcome = client.command(command_of(kind));
     static_cast<void>(client.release());
@@ -43,15 +43,15 @@ TEST(VirtualMaster, IsStartedByAnOrderHeldAndFollowed) {
   Client knife(site.link, "knife", {}, site.clock);
   ASSERT_TRUE(knife.gear_in(1, 2).ok());
   ASSERT_TRUE(knife.release().ok());
-  const CallOutcome start = site.tell("line", CommandKind::start_table);
+  const CallOutcome start = site.order("line", CommandKind::start_table);
   ASSERT_TRUE(start.ok()) << start.reason;
   site.advance(500ms);
   EXPECT_NEAR(site.last(0).velocity, 400, 1e-9);
-  ASSERT_TRUE(site.tell("line", CommandKind::hold).ok());
+  ASSERT_TRUE(site.order("line", CommandKind::hold).ok());
   site.advance(1s);
   EXPECT_EQ(site.last(0).velocity, 0);
   EXPECT_EQ(site.last(1).velocity, 0) << "the follower rests with it";
-  ASSERT_TRUE(site.tell("line", CommandKind::resume).ok());
+  ASSERT_TRUE(site.order("line", CommandKind::resume).ok());
   site.advance(3s);
   EXPECT_EQ(site.last(0).finished, 1U);
   EXPECT_EQ(site.last(0).position, 500);
@@ -61,15 +61,15 @@ TEST(VirtualMaster, IsStartedByAnOrderHeldAndFollowed) {
 
 TEST(VirtualMaster, StartsOnlyWhereItsTableBegins) {
   Line site;
-  ASSERT_TRUE(site.tell("line", CommandKind::start_table).ok());
+  ASSERT_TRUE(site.order("line", CommandKind::start_table).ok());
   site.advance(100ms);
-  EXPECT_THAT(site.tell("line", CommandKind::start_table).reason, HasSubstr("in_motion"));
+  EXPECT_THAT(site.order("line", CommandKind::start_table).reason, HasSubstr("in_motion"));
   site.advance(3s);
-  EXPECT_THAT(site.tell("line", CommandKind::start_table).reason, HasSubstr("start_position"));
+  EXPECT_THAT(site.order("line", CommandKind::start_table).reason, HasSubstr("start_position"));
   Client line(site.link, "line", {}, site.clock);
   ASSERT_TRUE(line.set_position(0).ok());
   ASSERT_TRUE(line.release().ok());
-  EXPECT_TRUE(site.tell("line", CommandKind::start_table).ok());
+  EXPECT_TRUE(site.order("line", CommandKind::start_table).ok());
   site.advance(3s);
   EXPECT_EQ(site.last(0).finished, 2U);
 }
@@ -92,7 +92,7 @@ TEST(VirtualMaster, OneThatIsRefusedStartsNothingElse) {
 
 TEST(VirtualMaster, AnAxisWithoutATableOfItsOwnSaysSo) {
   Line site;
-  EXPECT_THAT(site.tell("knife", CommandKind::start_table).reason,
+  EXPECT_THAT(site.order("knife", CommandKind::start_table).reason,
               HasSubstr("no table of its own"));
 }
 

@@ -136,7 +136,7 @@ TEST(RotaryKnife, HasTheClosedFormsOfEverySymmetricLaw) {
       spec.cut_length = length;
       const RotaryKnifeFigures f = figures(spec);
       const Cam cam = rotary_knife(spec).cam;
-      const Cam rise(normalised(spec.law));
+      const Cam rise(normalized(spec.law));
       const double cv = extrema(rise, 1).max.value;
       const double ca = extrema(rise, 2).max.value;
       const double b = f.recovery_length;

@@ -77,13 +77,13 @@ TEST_F(Lint, ABrokenLimitIsAtTheTableOfItsSegment) {
 TEST_F(Lint, AllErrorsThatDoNotDependOnEachOtherAreReported) {
   const FileResult file =
       linted(cam_head +
-             "[[segment]]\nlaw = \"345\"\nend = { master = \"6 kg\", slave = 5 }\ncolour = 3\n"
+             "[[segment]]\nlaw = \"345\"\nend = { master = \"6 kg\", slave = 5 }\ncolor = 3\n"
              "[[segment]]\nlaw = \"345x\"\nend = { master = 20, slave = 5 }\n"
              "[[segment]]\nlaw = \"dwell\"\nend = { master = 30 }\n"
              "[limits]\ngeo_velocity = \"fast\"\ngeo_jrek = 3\n"
              "[table]\ntolerance = true\n");
   EXPECT_THAT(places(file, Level::error),
-              ElementsAre("7:18 input/key segment[1].end.master", "8:1 input/key segment[1].colour",
+              ElementsAre("7:18 input/key segment[1].end.master", "8:1 input/key segment[1].color",
                           "10:7 input/key segment[2].law", "14:7 input/key segment[3].end.slave",
                           "16:16 input/key limits.geo_velocity", "17:1 input/key limits.geo_jrek",
                           "19:13 input/key table.tolerance"));

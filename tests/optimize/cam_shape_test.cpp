@@ -14,7 +14,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Up, dwell, down, dwell; degrees and millimetres.
+/// Up, dwell, down, dwell; degrees and millimeters.
 CamSpec up_and_down(Law law) {
   CamSpec cam;
   cam.periodic = true;
@@ -109,7 +109,7 @@ TEST(CamShapes, EverythingElseStaysExactly) {
               outcome.runs[0].shape.figures[0].given);
 }
 
-TEST(CamShapes, TwoRunsAreOptimisedEachForItself) {
+TEST(CamShapes, TwoRunsAreOptimizedEachForItself) {
   CamSpec cam = up_and_down(Law::modified_sine);
   cam.segments[2].end.master = 300;
   const auto outcome = optimize_cam_shapes(problem_of(cam, {{0, 20}, {2, 20}}, rms(2)));

@@ -234,7 +234,7 @@ TEST(LoadTorque, RefusesWhatIsNoLoad) {
 TEST(Residual, OfTheLawsHasItsClosedForm) {
   const auto residual = [](Law law, double w) {
     ShapeProblem p = rest_to_rest(8);
-    p.given = normalised(law);
+    p.given = normalized(law);
     return residual_vibration(Trajectory(p.given), {w / (2 * pi), 0});
   };
   EXPECT_NEAR(residual(Law::parabola, 5), 0.576366, 5e-7);
@@ -254,7 +254,7 @@ TEST(Residual, ABandIsKeptQuietWithLessAccelerationThanAShapedLaw) {
   const ModeBand band{mode.frequency * 0.85, mode.frequency * 1.15, 0, 0.05};
   const auto impulses = shaper({ShaperKind::zvd, mode});
   const double rest = 1 - impulses.back().time;
-  std::vector<Segment> sine = normalised(Law::inclined_sine);
+  std::vector<Segment> sine = normalized(Law::inclined_sine);
   for (Segment& f : sine) f.length *= rest;
   const Trajectory yardstick = shaped(Trajectory(sine), impulses);
   ASSERT_NEAR(yardstick.end(), 1, 1e-12);

@@ -20,7 +20,7 @@ using test_optimize::rest_to_rest_shape;
 using test_optimize::within;
 using Status = OptimizeStatus;
 
-/// The k-th derivative on a dense grid, both sides of every break, with nothing of the optimiser's.
+/// The k-th derivative on a dense grid, both sides of every break, with nothing of the optimizer's.
 template <class Visit>
 void sampled(const ShapeOutcome& best, double begin, const LinearQuantity& q, const Visit& visit) {
   double x = begin;
@@ -130,7 +130,7 @@ TEST(Shape, NoPerturbationIsBetter) {
     // A bump that keeps position, velocity and acceleration at both ends: (x (1 - x))^3 times a line,
     // or a narrow one.
     const double size = random.log_uniform(1e-7, 1e-1) * (random.below(2) ? 1 : -1);
-    const double centre = random.uniform(0, 1);
+    const double center = random.uniform(0, 1);
     std::vector<Segment> other;
     double x = 0;
     for (const Segment& f : best.best) {
@@ -140,7 +140,7 @@ TEST(Shape, NoPerturbationIsBetter) {
       // The curve has degree 7: exact from its values.
       const auto at = [&](double s) {
         const double u = x + s * f.length;
-        return size * std::pow(u * (1 - u), 3) * (u - centre);
+        return size * std::pow(u * (1 - u), 3) * (u - center);
       };
       std::array<double, 8> d{};
       for (int i = 0; i < 8; ++i) d[static_cast<std::size_t>(i)] = at(i / 7.0);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes disc.json: plate cams with roller followers, computed without any of the library's code or formulas.
 
-The roller's centre is placed in the machine by plain trigonometry and turned back with the cam; everything else is
+The roller's center is placed in the machine by plain trigonometry and turned back with the cam; everything else is
 numerical differentiation (mpmath, 40 digits) of that path: tangent, normal, curvature. The follower's direction is the
 difference of two places with slightly different lift. Extremes are found on a grid of half a degree and refined by
 bisection of the numerical derivative. 17 digits are written.
@@ -35,12 +35,12 @@ def lift_piece(law, piece, x):
     return mp.mpf(0)
 
 
-def centre_in_machine(case, lift):
+def center_in_machine(case, lift):
     prime = mp.mpf(case["base_radius"] + case["roller_radius"])
     if case["follower"] == "translating":
         e = mp.mpf(case["offset"])
         return mp.mpc(e, mp.sqrt(prime**2 - e**2) + lift)
-    l, c = mp.mpf(case["arm_length"]), mp.mpf(case["centre_distance"])
+    l, c = mp.mpf(case["arm_length"]), mp.mpf(case["center_distance"])
     at_pivot = mp.acos((l**2 + c**2 - prime**2) / (2 * l * c)) + lift / l
     return mp.mpc(c - l * mp.cos(at_pivot), l * mp.sin(at_pivot))
 
@@ -50,13 +50,13 @@ def turn(case):
 
 
 def path(case, piece):
-    def centre(x):
-        return centre_in_machine(case, lift_piece(case["law"], piece, x)) * mp.expj(-turn(case) * mp.radians(x))
-    return centre
+    def center(x):
+        return center_in_machine(case, lift_piece(case["law"], piece, x)) * mp.expj(-turn(case) * mp.radians(x))
+    return center
 
 
 def look(case, piece, x):
-    """centre, contact, pressure angle [rad], curvature at x deg."""
+    """center, contact, pressure angle [rad], curvature at x deg."""
     c = path(case, piece)
     x = mp.mpf(x)
     tangent, second = mp.diff(c, x, 1), mp.diff(c, x, 2)
@@ -66,7 +66,7 @@ def look(case, piece, x):
     cross = mp.im(mp.conj(tangent) * second)
     curvature = -turn(case) * cross / abs(tangent) ** 3
     lift, d = lift_piece(case["law"], piece, x), mp.mpf(10) ** -15
-    way = centre_in_machine(case, lift + d) - centre_in_machine(case, lift - d)
+    way = center_in_machine(case, lift + d) - center_in_machine(case, lift - d)
     push = normal * mp.expj(turn(case) * mp.radians(x))  # in the machine
     angle = mp.acos(mp.re(push * mp.conj(way)) / abs(way))
     side = -turn(case) * mp.im(mp.conj(push) * way)
@@ -95,7 +95,7 @@ def extreme(case, index, sign):
 def cases():
     base = {"base_radius": 20, "roller_radius": 8}
     slide = {"follower": "translating"}
-    arm = {"follower": "oscillating", "arm_length": 40, "centre_distance": 50}
+    arm = {"follower": "oscillating", "arm_length": 40, "center_distance": 50}
     for law in RISE:
         for geometry in ({**slide, "offset": 0}, {**slide, "offset": 5}, arm):
             for rotation in ("counterclockwise", "clockwise"):
@@ -105,8 +105,8 @@ def cases():
 def make(case):
     points = []
     for piece, x in [(0, 1), (0, 17.5), (0, 60), (0, 111.25), (1, 150), (2, 190.5), (2, 240), (2, 299), (3, 330)]:
-        centre, contact, angle, curvature = look(case, piece, x)
-        points.append({"master": x, "centre": [float(centre.real), float(centre.imag)],
+        center, contact, angle, curvature = look(case, piece, x)
+        points.append({"master": x, "center": [float(center.real), float(center.imag)],
                        "contact": [float(contact.real), float(contact.imag)],
                        "pressure_angle": float(angle), "pitch_curvature": float(curvature)})
     extremes = {f"{name}_{bound}": extreme(case, index, sign)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rest-to-rest motion laws (VDI 2143 names where it has one), normalised: f(0) = 0, f(1) = 1.
+"""Rest-to-rest motion laws (VDI 2143 names where it has one), normalized: f(0) = 0, f(1) = 1.
 
 Every law is derived here, not copied: the trigonometric ones by integrating the shape of their acceleration twice
 and scaling the stroke to 1, the polynomial ones by solving their boundary conditions. The published closed forms
@@ -109,7 +109,7 @@ def build():
     }
 
 
-def normalised(law):
+def normalized(law):
     return law.scaled(1 / law(mpf(1)))
 
 
@@ -169,7 +169,7 @@ def make():
     points = sample_points()
     result = {"z": points, "laws": {}, "sum_seven_segment": {}}
     for name, (law, closed, printed) in build().items():
-        f = normalised(law)
+        f = normalized(law)
         values = coefficients(f)
         witness(name, f)
         for key, value in closed.items():

@@ -164,7 +164,7 @@ TEST(Arcs, ACircleUsesItsLimits) {
       const Plan made = circle(limits, feed);
       EXPECT_LE(path_tests::excess(to_axes(made), limits), 1e-12);
       double fastest = 0;
-      for (const LawStretch& s : made.law().stretches()) fastest = std::max(fastest, s.peak);
+      for (const LawInterval& s : made.law().stretches()) fastest = std::max(fastest, s.peak);
       EXPECT_GE(fastest, 0.97 * std::min(feed, most));
     }
   }

@@ -50,7 +50,7 @@ TEST(Hold, AnyInstantStaysOnThePathWithinTheLimits) {
       EXPECT_LE(std::abs(largest_jump(f, 0).step), 1e-9);
       EXPECT_LE(std::abs(largest_jump(f, 1).step), 1e-6);
     }
-    const LawStretch& last = held.law().stretches().back();
+    const LawInterval& last = held.law().stretches().back();
     if (last.start + last.length >= made.path().length() * (1 - 1e-12)) continue;
     const Plan rest = resumed(made, held);
     const PlanAxes behind = to_axes(rest);
@@ -66,12 +66,12 @@ TEST(Hold, AnyInstantStaysOnThePathWithinTheLimits) {
     }
     // No station is faster than in the plan, and all dwells are there.
     double dwells = 0;
-    for (const LawStretch& stretch : made.law().stretches())
+    for (const LawInterval& stretch : made.law().stretches())
       dwells += stretch.pieces == 0 ? stretch.duration : 0;
     for (const Plan* half : {&held, &rest})
-      for (const LawStretch& stretch : half->law().stretches()) {
+      for (const LawInterval& stretch : half->law().stretches()) {
         dwells -= stretch.pieces == 0 ? stretch.duration : 0;
-        for (const LawStretch& planned : made.law().stretches())
+        for (const LawInterval& planned : made.law().stretches())
           if (std::abs(planned.start + planned.length - stretch.start - stretch.length) < 1e-9 &&
               stretch.pieces > 0 && planned.pieces > 0) {
             EXPECT_LE(stretch.v1, planned.v1 * (1 + 1e-9));

@@ -316,7 +316,7 @@ TEST(Map, AnOverrideAndARetreatKeepTheLimitsOfTheJointsAndThePath) {
     const FactorRequest steps[] = {{0.1 * end, 1.5}, {0.3 * end, 0}, {0.5 * end, 0.4}};
     const Plan changed = played(motion, steps);
     const Plan held = halted(motion, 0.6 * end);
-    const LawStretch& last = held.law().stretches().back();
+    const LawInterval& last = held.law().stretches().back();
     const Plan back = retreated(motion, held, motion.path().pieces()[1].start / 2);
     const Plan rest = resumed(motion, held);
     EXPECT_LT(last.start, motion.path().length());

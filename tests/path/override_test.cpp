@@ -68,7 +68,7 @@ void expect_good(const Plan& motion, const GroupLimits& limits) {
   }
   double q = -1;
   double before = -1;
-  for (const LawStretch& s : motion.law().stretches()) {
+  for (const LawInterval& s : motion.law().stretches()) {
     EXPECT_NEAR(s.start, before < 0 ? s.start : before, 1e-9 * motion.path().length());
     before = s.start + s.length;
     for (const double share : {0.0, 0.3, 0.7}) {
@@ -157,7 +157,7 @@ TEST(Override, LowerIsNeverFasterAnywhere) {
     double feed = 0;
     for (const PathSettings& s : program.settings())
       if (std::isfinite(s.velocity)) feed = std::max(feed, s.velocity);
-    for (const LawStretch& s : slow.law().stretches()) EXPECT_LE(s.peak, 0.3 * feed * (1 + 1e-9));
+    for (const LawInterval& s : slow.law().stretches()) EXPECT_LE(s.peak, 0.3 * feed * (1 + 1e-9));
   }
 }
 
@@ -197,7 +197,7 @@ TEST(Retreat, GoesBackOnThePathWithinTheLimits) {
     const GroupLimits limits = usual(2, random.log_between(1e3, 1e6));
     const Plan made = plan(random_program(random, random.log_between(1, 100)), limits);
     const Plan held = halted(made, made.duration() * random.between(0.2, 0.9));
-    const LawStretch& last = held.law().stretches().back();
+    const LawInterval& last = held.law().stretches().back();
     double to = random() < 0.2 ? 0 : (last.start + last.length) * random.between(0.1, 0.9);
     for (const PathPiece& p : made.path().pieces())
       if ((p.kind == PieceKind::turn || p.kind == PieceKind::blend) && to >= p.start &&

@@ -267,11 +267,11 @@ TEST(TimingLaw, FindsTheIntervalOfAnyInstant) {
   const auto all = motion.law().stretches();
   const auto expected = [&](double t) {
     const auto behind = std::upper_bound(all.begin() + 1, all.end(), t,
-                                         [](double x, const LawStretch& s) { return x < s.time; });
+                                         [](double x, const LawInterval& s) { return x < s.time; });
     return static_cast<std::size_t>(behind - all.begin()) - 1;
   };
   const auto check = [&](double t) { ASSERT_EQ(motion.law().stretch_at(t), expected(t)) << t; };
-  for (const LawStretch& s : all)
+  for (const LawInterval& s : all)
     for (const double t : {std::nextafter(s.time, -1.0), s.time, std::nextafter(s.time, 1e9)})
       check(t);
   for (int i = 0; i < 10000; ++i) check(random.between(-1, motion.duration() + 1));

@@ -154,7 +154,7 @@ TEST(CurveFigure, KeepsRoundingFlat) {
 
 TEST(CurveFigure, LaysTheOneBeforeUnder) {
   const Figure figure = curve_figure(trapezoid_move(), scaled(trapezoid_move(), 1, 2),
-                                     {.label = "optimised", .before = "as drawn"});
+                                     {.label = "optimized", .before = "as drawn"});
   for (const Panel& panel : figure.panels) {
     ASSERT_EQ(panel.series.size(), 2U);
     EXPECT_EQ(panel.series[0].style, Style::line);
@@ -162,7 +162,7 @@ TEST(CurveFigure, LaysTheOneBeforeUnder) {
     EXPECT_DOUBLE_EQ(panel.series[1].x.back(), 10.75);
   }
   const std::string text = svg(figure);
-  EXPECT_THAT(text, HasSubstr(">optimised</text>"));
+  EXPECT_THAT(text, HasSubstr(">optimized</text>"));
   EXPECT_THAT(text, HasSubstr(">as drawn</text>"));
 }
 

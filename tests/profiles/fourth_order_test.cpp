@@ -165,9 +165,9 @@ TEST(FourthOrder, TendsToTheSCurve) {
 TEST(FourthOrder, DoesNotDependOnTheUnit) {
   for (const double v : {0.2, 1.7, 1.9, 100.0})
     for (const double k : {0x1p-20, 0x1p20}) {
-      const FourthOrderSpec metres{0, 1, v, 9, 50, 384};
+      const FourthOrderSpec meters{0, 1, v, 9, 50, 384};
       const FourthOrderSpec other{0, k, v * k, 9 * k, 50 * k, 384 * k};
-      EXPECT_EQ(fourth_order(metres).length(), fourth_order(other).length()) << v;
+      EXPECT_EQ(fourth_order(meters).length(), fourth_order(other).length()) << v;
     }
 }
 

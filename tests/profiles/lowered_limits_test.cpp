@@ -10,7 +10,7 @@
 #include "jounce/profiles/moves/dynamics.hpp"
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 #include "support/random.hpp"
 
@@ -163,7 +163,7 @@ TEST(LoweredLimits, AStraightLineKeepsTheBoundsOfAxesInsideThem) {
                                       {{0, .15, .3}, {}, within(.2, 1, 1)},
                                       {{0, .2, .4}, {}, within(1, 1, 1)}}};
   std::array<Profile, 3> out;
-  const Synchronised s = synchronise(axes, Sync::phase, out);
+  const Synchronized s = synchronize(axes, Sync::phase, out);
   EXPECT_EQ(s.status, MoveStatus::not_straight);
   EXPECT_EQ(s.axis, 1U);
 }
@@ -189,7 +189,7 @@ TEST(LoweredLimits, NoStraightMotionBreaksTheBoundsOfAnAxisInside) {
     };
     if (!std::all_of(axes.begin(), axes.end(), inside)) continue;
     std::vector<Profile> out(3);
-    if (synchronise(axes, Sync::phase, out).status != MoveStatus::ok) continue;
+    if (synchronize(axes, Sync::phase, out).status != MoveStatus::ok) continue;
     ++straight;
     for (std::size_t k = 0; k < 3; ++k) {
       const Ranges range = extrema(out[k].curve());

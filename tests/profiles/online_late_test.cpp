@@ -13,7 +13,7 @@
 #include "support/random.hpp"
 
 // Orders repeated in every cycle cost no time. A move is *late* if it arrives more than 0.1 % and one
-// cycle after the one-shot optimum: the motion that synchronise() finds once, at the beginning, for the
+// cycle after the one-shot optimum: the motion that synchronize() finds once, at the beginning, for the
 // place (or the motion) that the target has in the end.
 
 namespace jounce::online_late_test {
@@ -40,7 +40,7 @@ AxisMove random_move(test::Random& random, MoveGoal goal) {
 
 double optimum(const AxisMove& m) {
   Profile best;
-  EXPECT_EQ(synchronise({&m, 1}, Sync::none, {&best, 1}).status, MoveStatus::ok);
+  EXPECT_EQ(synchronize({&m, 1}, Sync::none, {&best, 1}).status, MoveStatus::ok);
   return best.duration();
 }
 
@@ -74,7 +74,7 @@ double replanned_arrival(AxisMove m, const Target& target, double dt, double giv
   Profile plan;
   for (int k = 0; k * dt < give_up; ++k) {
     m.to = target(k * dt);
-    (void)synchronise({&m, 1}, Sync::none, {&plan, 1});
+    (void)synchronize({&m, 1}, Sync::none, {&plan, 1});
     if (plan.duration() <= dt) return k * dt;
     const Motion next = plan.at(dt);
     m.from = {next.position, next.velocity, next.acceleration};
@@ -162,7 +162,7 @@ TEST(OnlineLate, NoCommonMoveOfSeveralAxes) {
     std::array<AxisMove, 3> moves;
     for (auto& m : moves) m = random_move(random, MoveGoal::state);
     std::array<Profile, 3> best;
-    const double t = synchronise(moves, Sync::time, best).duration;
+    const double t = synchronize(moves, Sync::time, best).duration;
     OnlineGenerator<3> g(Sync::time);
     for (std::size_t a = 0; a < 3; ++a) g.set_state(a, moves[a].from);
     const double dt = t / cycles;

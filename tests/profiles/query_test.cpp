@@ -267,14 +267,14 @@ TEST(Queries, AreTheSolversAnswers) {
 
 TEST(Queries, DoNotDependOnTheUnit) {
   const double k = 1024;
-  const Ramp metres{7, 90};
+  const Ramp meters{7, 90};
   const Ramp other{7 * k, 90 * k};
-  EXPECT_EQ(minimum_duration(0.3, {1, 0.2, 1.1}, metres),
+  EXPECT_EQ(minimum_duration(0.3, {1, 0.2, 1.1}, meters),
             minimum_duration(0.3 * k, {k, 0.2 * k, 1.1 * k}, other));
-  EXPECT_EQ(minimum_duration(0.02, {}, metres), minimum_duration(0.02 * k, {}, other));
-  EXPECT_EQ(entry_velocity(0.01, 0.2, metres).value() * k,
+  EXPECT_EQ(minimum_duration(0.02, {}, meters), minimum_duration(0.02 * k, {}, other));
+  EXPECT_EQ(entry_velocity(0.01, 0.2, meters).value() * k,
             entry_velocity(0.01 * k, 0.2 * k, other));
-  EXPECT_EQ(stopping({1, -2}, metres)->duration, stopping({k, -2 * k}, other)->duration);
+  EXPECT_EQ(stopping({1, -2}, meters)->duration, stopping({k, -2 * k}, other)->duration);
 }
 
 TEST(Queries, AnswerWithNumbersUpToTheEdgesOfTheMagnitudes) {

@@ -129,10 +129,10 @@ TEST(SCurve, HoldsItsLimitsOverSixDecadesForwardAndBack) {
 }
 
 TEST(SCurve, DurationDoesNotDependOnTheUnit) {
-  const SCurveSpec metres{0, 0.3, 1.1, 7, 5, 90, 60};
+  const SCurveSpec meters{0, 0.3, 1.1, 7, 5, 90, 60};
   for (const double k : {1e3, 1e6, 1e-6}) {
     const SCurveSpec other{0, 0.3 * k, 1.1 * k, 7 * k, 5 * k, 90 * k, 60 * k};
-    EXPECT_NEAR(s_curve(other).duration(), s_curve(metres).duration(), 1e-14);
+    EXPECT_NEAR(s_curve(other).duration(), s_curve(meters).duration(), 1e-14);
   }
 }
 

@@ -12,7 +12,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 #include "support/random.hpp"
 
@@ -96,8 +96,8 @@ double best_of_grid(const ViaSpec& spec, int steps, bool accelerations) {
       second[i] = {knot, {spec.points[2][i], 0, 0}, spec.axes[i]};
     }
     std::vector<Profile> one(n), two(n);
-    const Synchronised a = synchronise(first, Sync::time, one);
-    const Synchronised b = synchronise(second, Sync::time, two);
+    const Synchronized a = synchronize(first, Sync::time, one);
+    const Synchronized b = synchronize(second, Sync::time, two);
     if (a.status == MoveStatus::ok && b.status == MoveStatus::ok && goes_forward(first, one) &&
         goes_forward(second, two))
       best = std::min(best, a.duration + b.duration);

@@ -30,7 +30,7 @@ constexpr Interpolation all_rules[] = {Interpolation::linear, Interpolation::cub
                                        Interpolation::quintic_hermite};
 
 Cam cycloid() {
-  return Cam(normalised(Law::inclined_sine));
+  return Cam(normalized(Law::inclined_sine));
 }
 
 double stroke_of(const Cam& f) {
@@ -606,7 +606,7 @@ Trajectory example_7_4() {
   std::vector<Segment> segments;
   for (int period = 0; period < 2; ++period)
     for (const double way : {stroke, -stroke})
-      for (const Segment& part : normalised(Law::simple_sine)) {
+      for (const Segment& part : normalized(Law::simple_sine)) {
         segments.push_back(scaled(part, way, way < 0 ? stroke : 0));
         segments.back().length *= 500;
       }
@@ -660,7 +660,7 @@ TEST(ReducedToQuadraticPieces, TakesOnePieceWhereTheCurveIsOne) {
 }
 
 TEST(ReducedToQuadraticPieces, KeepsItsTolerancesOrSaysWhichItCan) {
-  const Cam f = Cam(normalised(Law::inclined_sine));
+  const Cam f = Cam(normalized(Law::inclined_sine));
   for (const double tolerance : {1e-3, 1e-5}) {
     const Sampled made =
         reduced(f, {.quadratic = true, .tolerance = tolerance, .velocity_tolerance = 0.01});

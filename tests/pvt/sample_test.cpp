@@ -24,7 +24,7 @@ const std::map<std::string, Interpolation> rules{{"linear", Interpolation::linea
                                                  {"quintic", Interpolation::quintic_hermite}};
 
 Cam cycloid() {
-  return Cam(normalised(Law::inclined_sine));
+  return Cam(normalized(Law::inclined_sine));
 }
 
 TEST(SampleWithin, KeepsItsToleranceWhereTheAccelerationSteps) {
@@ -33,9 +33,9 @@ TEST(SampleWithin, KeepsItsToleranceWhereTheAccelerationSteps) {
     for (const Extrapolation outside : {Extrapolation::hold, Extrapolation::advance})
       for (const double tolerance : {1e-3, 1e-5, 1e-8}) {
         std::vector<Segment> segments{line(0.5, 0, 0)};
-        for (const Segment& f : normalised(law)) segments.push_back(f);
+        for (const Segment& f : normalized(law)) segments.push_back(f);
         segments.push_back(line(0.7, 1, 1));
-        for (const Segment& f : normalised(Law::poly345)) segments.push_back(scaled(f, 1, 1));
+        for (const Segment& f : normalized(Law::poly345)) segments.push_back(scaled(f, 1, 1));
         const Sampled made =
             sample_within(Cam(segments, 0, outside), Interpolation::quintic_hermite, tolerance);
         EXPECT_LE(made.error.position, tolerance) << name(law);
@@ -108,7 +108,7 @@ TEST(SampleWithin, KeepsTheLimitsThatTheCurveKeeps) {
   for (const Law law : {Law::inclined_sine, Law::poly345, Law::poly4567})
     for (const Interpolation rule : {Interpolation::cubic_hermite, Interpolation::quintic_hermite})
       for (const double margin : {1e-3, 1e-6}) {
-        const Cam cam(normalised(law));
+        const Cam cam(normalized(law));
         const Limits limits = limits_of(cam, 1 + margin);
         const Sampled kept = sample_within(cam, rule, 1e-3, limits);
         EXPECT_TRUE(check(kept.table, limits).ok()) << name(law) << " " << name(rule) << margin;
@@ -131,7 +131,7 @@ TEST(SampleWithin, ExceedsALimitNoMoreThanTheCurve) {
 
 TEST(SampleWithin, AddsNoKnotsWhereHalvesDoNotHelp) {
   // The acceleration of the parabola steps. A quintic cannot step: the shorter, the greater its third derivative.
-  const Cam cam(normalised(Law::parabola));
+  const Cam cam(normalized(Law::parabola));
   const auto size = [&](const Limits& limits) {
     return sample_within(cam, Interpolation::quintic_hermite, 1e-3, limits).table.size();
   };

@@ -8,33 +8,33 @@ import numpy as np
 AXES = jounce.Bounds([2, 1], [10, 5], [100, 50])
 
 
-class Synchronised(unittest.TestCase):
+class Synchronized(unittest.TestCase):
     def test_all_axes_arrive_at_the_same_instant(self) -> None:
-        moves = jounce.synchronise([0, 0], [1, 2], AXES)
+        moves = jounce.synchronize([0, 0], [1, 2], AXES)
         alone = jounce.move_to([0, 0], [1, 2], AXES).duration
         np.testing.assert_allclose(moves.duration, alone.max(), rtol=1e-14)
         self.assertEqual(moves[0].end.position, 1)
 
     def test_phase_keeps_the_line(self) -> None:
-        moves = jounce.synchronise([0, 0], [1, 2], AXES, sync="phase")
+        moves = jounce.synchronize([0, 0], [1, 2], AXES, sync="phase")
         p = moves.at(np.linspace(0, moves.duration[0], 50)[:, None]).position
         np.testing.assert_allclose(p[:, 1], 2 * p[:, 0], atol=1e-12)
 
     def test_groups_equal_single_groups(self) -> None:
         random = np.random.default_rng(4)
         start, target = random.normal(size=(2, 20, 2))
-        together = jounce.synchronise(start, target, AXES).duration
+        together = jounce.synchronize(start, target, AXES).duration
         for i in range(20):
-            np.testing.assert_array_equal(jounce.synchronise(start[i], target[i], AXES).duration, together[i])
+            np.testing.assert_array_equal(jounce.synchronize(start[i], target[i], AXES).duration, together[i])
 
     def test_errors_name_the_axis(self) -> None:
         with self.assertRaises(jounce.MoveError) as caught:
-            jounce.synchronise([0, 0], jounce.State([1, 1], [0, 5]), AXES)
+            jounce.synchronize([0, 0], jounce.State([1, 1], [0, 5]), AXES)
         self.assertIn("axis 1", str(caught.exception))
-        many = jounce.synchronise(np.zeros((2, 2)), jounce.State([1.0, 1.0], [[0, 0], [0, 5]]), AXES)
+        many = jounce.synchronize(np.zeros((2, 2)), jounce.State([1.0, 1.0], [[0, 0], [0, 5]]), AXES)
         np.testing.assert_array_equal(many.ok, [[True, True], [False, False]])
         with self.assertRaises(jounce.InputError):
-            jounce.synchronise(0, 1, jounce.Bounds(1, 1, 1))
+            jounce.synchronize(0, 1, jounce.Bounds(1, 1, 1))
 
 
 class Via(unittest.TestCase):
@@ -81,7 +81,7 @@ class Online(unittest.TestCase):
         generator.set_bounds(AXES)
         generator.set_target([1, -0.5])
         t, motion = generator.run(0.001)
-        planned = jounce.synchronise([0, 0], [1, -0.5], AXES)
+        planned = jounce.synchronize([0, 0], [1, -0.5], AXES)
         self.assertAlmostEqual(t[-1], planned.duration[0], delta=0.0011)
         np.testing.assert_array_equal(motion.position[-1], [1, -0.5])
         np.testing.assert_allclose(motion.position, planned.at(t[:, None]).position, atol=1e-12)

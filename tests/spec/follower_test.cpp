@@ -43,7 +43,7 @@ TEST(FollowerSpec, IsReadInSIUnits) {
   EXPECT_DOUBLE_EQ(f.mass, 0.2);
   EXPECT_DOUBLE_EQ(f.spring_stiffness, 30e3);
   EXPECT_DOUBLE_EQ(f.preload, 250);
-  EXPECT_DOUBLE_EQ(f.metres_per_unit, 1e-3);
+  EXPECT_DOUBLE_EQ(f.meters_per_unit, 1e-3);
   EXPECT_DOUBLE_EQ(spec.follower->settle, 0.02);
   EXPECT_DOUBLE_EQ(spec.follower->limits.least_force.value(), 20);
   EXPECT_DOUBLE_EQ(spec.follower->limits.residual.value(), 0.01);

@@ -285,22 +285,22 @@ velocity = 801
 TEST(AxesSpec, EveryWordOfSyncMeansTheLibrarys) {
   const std::string text = axes_spec;
   const std::size_t at = text.find("\"phase\"");
-  const auto synchronised_by = [&](const std::string& word) {
+  const auto synchronized_by = [&](const std::string& word) {
     const Spec spec = parse_spec(std::string(text).replace(at, 7, '"' + word + '"'), "a.toml");
     return std::get<AxesSpec>(spec.subject).sync;
   };
-  EXPECT_EQ(synchronised_by("none"), Sync::none);
-  EXPECT_EQ(synchronised_by("time"), Sync::time);
-  EXPECT_EQ(synchronised_by("time_if_moving"), Sync::time_if_moving);
-  EXPECT_EQ(synchronised_by("phase"), Sync::phase);
-  EXPECT_EQ(synchronised_by("phase_or_time"), Sync::phase_or_time);
+  EXPECT_EQ(synchronized_by("none"), Sync::none);
+  EXPECT_EQ(synchronized_by("time"), Sync::time);
+  EXPECT_EQ(synchronized_by("time_if_moving"), Sync::time_if_moving);
+  EXPECT_EQ(synchronized_by("phase"), Sync::phase);
+  EXPECT_EQ(synchronized_by("phase_or_time"), Sync::phase_or_time);
 }
 
-TEST(AxesSpec, AreTheLibrarysSynchronisedAxes) {
+TEST(AxesSpec, AreTheLibrarysSynchronizedAxes) {
   const std::vector<AxisMove> moves{{{}, {.position = 300}, within(1000, 5000, 100000)},
                                     {{.position = 180}, {.position = 90}, within(800, 4000, 1e5)}};
   std::vector<Profile> profiles(2);
-  ASSERT_EQ(synchronise(moves, Sync::phase, profiles).status, MoveStatus::ok);
+  ASSERT_EQ(synchronize(moves, Sync::phase, profiles).status, MoveStatus::ok);
   const std::vector<Made> all = make_axes(parse_spec(axes_spec, "a.toml"));
   ASSERT_EQ(all.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i)

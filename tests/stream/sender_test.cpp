@@ -293,8 +293,8 @@ TEST_F(SenderTest, RefusesAPlanThatCannotBeSentOrArmed) {
             "executor = my axis: must have 1 to 23 characters, each a letter A-Z or a-z, a digit, "
             "_ or -");
   EXPECT_EQ(refuses([](StreamPlan& p) { p.tables.clear(); }), "tables = 0: must be 1 to 64");
-  EXPECT_EQ(refuses([](StreamPlan& p) { p.tables[0].units.position = "millimillimetres"; }),
-            "unit of position = millimillimetres: must be shorter than 16 bytes");
+  EXPECT_EQ(refuses([](StreamPlan& p) { p.tables[0].units.position = "millimillimeters"; }),
+            "unit of position = millimillimeters: must be shorter than 16 bytes");
   EXPECT_EQ(
       refuses([](StreamPlan& p) { p.mode = wire::ArmMode::follow_table; }),
       "table: the table of the axis is over time, but it must be over the position of a master");

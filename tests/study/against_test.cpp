@@ -193,7 +193,7 @@ TEST(Against, AGivenCamThatBreaksACeilingIsImprovedOnByOneThatKeepsIt) {
   EXPECT_GT(outcome.driven_best.rms_torque, outcome.driven_given.rms_torque) << "it has its price";
 }
 
-TEST(Against, ACamThatTurnsForEverIsOptimisedInItsSteadyState) {
+TEST(Against, ACamThatTurnsForEverIsOptimizedInItsSteadyState) {
   // The rest after the index is too short for the loops to calm down: once from rest is another matter.
   Against once = axis();
   once.velocity = 4800;

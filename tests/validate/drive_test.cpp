@@ -323,10 +323,10 @@ TEST(Drive, PlaceAndInstantOfTheStartDoNotMatter) {
 }
 
 TEST(Drive, UnitsOfPositionScaleOut) {
-  Drive millimetres = servo_400w();
-  millimetres.position_per_rev = 10;
+  Drive millimeters = servo_400w();
+  millimeters.position_per_rev = 10;
   const DriveResult degrees = drive_through(test::s_curve_move(), servo_400w());
-  const DriveResult run = drive_through(scaled(test::s_curve_move(), 10.0 / 360), millimetres);
+  const DriveResult run = drive_through(scaled(test::s_curve_move(), 10.0 / 360), millimeters);
   EXPECT_NEAR(run.torque.value, degrees.torque.value, 1e-9);
   EXPECT_NEAR(run.following_error.value * 36, degrees.following_error.value, 1e-9);
 }

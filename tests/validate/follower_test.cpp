@@ -181,7 +181,7 @@ TEST(Follower, FindsAJumpWithinASegmentOfADwellCam) {
                    {Law::modified_sine, {360, 0, {}, {}}, ""}};
   SpringFollower f = valve();
   f.linkage_damping = 50;
-  f.metres_per_unit = 1e-3;
+  f.meters_per_unit = 1e-3;
   const auto at_speed = [&](double degrees_per_second) {
     return follow(Followed(design(spec).cam, Trajectory({line(1080 / degrees_per_second, 0, 1080)},
                                                         0, Extrapolation::hold)),
@@ -200,10 +200,10 @@ TEST(Follower, FindsAJumpWithinASegmentOfADwellCam) {
 
 TEST(Follower, UnitsScaleOut) {
   const double w = 1.15 * rigid_jump_speed(valve());
-  SpringFollower millimetres = valve();
-  millimetres.metres_per_unit = 1e-3;
+  SpringFollower millimeters = valve();
+  millimeters.meters_per_unit = 1e-3;
   const FollowerResult a = follow(harmonic(w, 1), valve());
-  const FollowerResult b = follow(harmonic(w, 1, 1000 * h), millimetres);
+  const FollowerResult b = follow(harmonic(w, 1, 1000 * h), millimeters);
   ASSERT_EQ(a.flights.size(), b.flights.size());
   EXPECT_NEAR(a.flights[0].from, b.flights[0].from, 1e-9 * a.flights[0].from);
   EXPECT_NEAR(1000 * a.flights[0].height, b.flights[0].height, 1e-6 * b.flights[0].height);
@@ -250,7 +250,7 @@ TEST(Follower, RefusesParametersOutOfRangeByName) {
   EXPECT_EQ(refused([](auto& f, auto&) { f.preload = -1; }), "preload");
   EXPECT_EQ(refused([](auto& f, auto&) { f.preload = 0; }),
             "preload");  // nothing presses at lift 0
-  EXPECT_EQ(refused([](auto& f, auto&) { f.metres_per_unit = 0; }), "metres_per_unit");
+  EXPECT_EQ(refused([](auto& f, auto&) { f.meters_per_unit = 0; }), "meters_per_unit");
   EXPECT_EQ(refused([](auto&, auto& o) { o.settle = -1; }), "settle");
   EXPECT_EQ(refused([](auto&, auto& o) { o.tolerance = 1; }), "tolerance");
   EXPECT_EQ(refused([](auto&, auto& o) { o.limits.impact_speed = 0; }), "limits.impact_speed");

@@ -175,10 +175,10 @@ TEST(Rest, BeyondTheLimitIsLostWithTheAccelerationThatIsMissing) {
   const double inertia = drive.motor.inertia + drive.train[0].inertia;
   const double fallen = -over / inertia * time * time / 2 / radians;
   const DriveSample& last = run.samples.back();
-  const double centre = (drive.motor.inertia * last.motor +
+  const double center = (drive.motor.inertia * last.motor +
                          drive.train[0].inertia * (last.load - run.samples[0].load)) /
                         inertia;
-  EXPECT_NEAR(centre, fallen, 1e-5 * std::abs(fallen));
+  EXPECT_NEAR(center, fallen, 1e-5 * std::abs(fallen));
 }
 
 TEST(Rest, OfABodyThatSticksWithLessThanItsBreakawayLasts) {
@@ -425,7 +425,7 @@ TEST(Tolerances, TellSettlingHeatAndEnergyWhereTheDriveHasThem) {
 
 TEST(HostileFollower, WithoutPreloadAtTheFootOfItsSpringIsRefused) {
   SpringFollower follower{
-      .mass = 0.1, .linkage_stiffness = 1e6, .spring_stiffness = 1e4, .metres_per_unit = 1e-3};
+      .mass = 0.1, .linkage_stiffness = 1e6, .spring_stiffness = 1e4, .meters_per_unit = 1e-3};
   const Trajectory lift = test::law_345(10, 0.1);
   try {
     follow(lift, follower);
@@ -440,11 +440,11 @@ TEST(HostileFollower, NumbersThatAreNotFiniteAreRefused) {
                             .linkage_stiffness = 1e6,
                             .spring_stiffness = 1e4,
                             .preload = 50,
-                            .metres_per_unit = 1e-3};
+                            .meters_per_unit = 1e-3};
   for (double SpringFollower::*number :
        {&SpringFollower::mass, &SpringFollower::linkage_stiffness, &SpringFollower::linkage_damping,
         &SpringFollower::spring_stiffness, &SpringFollower::spring_damping,
-        &SpringFollower::preload, &SpringFollower::metres_per_unit})
+        &SpringFollower::preload, &SpringFollower::meters_per_unit})
     for (const double bad : {nan, infinity, -1.0}) {
       SpringFollower follower = good;
       follower.*number = bad;

@@ -65,10 +65,10 @@ TEST(Witness, AgreesOnEveryLawInEveryForm) {
     SCOPED_TRACE(law.name);
     LawForm form;
     if (law.law == Law::scca) form.shares = std::array{0.2, 0.3, 0.5};
-    expect_agreement(witness(Cam(normalised(law.law, form))), accuracy);
+    expect_agreement(witness(Cam(normalized(law.law, form))), accuracy);
     if (!law.inflection) continue;
     form.inflection = 0.3;
-    expect_agreement(witness(Cam(normalised(law.law, form))), accuracy);
+    expect_agreement(witness(Cam(normalized(law.law, form))), accuracy);
   }
 }
 

@@ -62,7 +62,7 @@ class Browser:
     def picture(self, file, dark=False):
         scheme = "dark" if dark else "light"
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
-        time.sleep(0.3)  # another event comes, and is drawn in these colours
+        time.sleep(0.3)  # another event comes, and is drawn in these colors
         height = self.run("document.documentElement.scrollHeight")
         width = self.run("innerWidth")
         data = self.call("Page.captureScreenshot", captureBeyondViewport=True,

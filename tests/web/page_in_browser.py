@@ -69,7 +69,7 @@ def jog(until, least=1.5, attempts=20):
 
 
 def inked(canvas="canvas"):
-    """True if a plot, that of the position, has pixels in the line's colour."""
+    """True if a plot, that of the position, has pixels in the line's color."""
     return f"(() => {{ const c = document.querySelector('{canvas}');" + """
       const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
       let n = 0;

@@ -191,7 +191,7 @@ function draw(canvas, samples, column) {
   canvas.width = box.width * scale;
   canvas.height = box.height * scale;
   const ink = canvas.getContext('2d'), css = getComputedStyle(document.documentElement);
-  const colour = (name) => css.getPropertyValue(`--${name}`);
+  const color = (name) => css.getPropertyValue(`--${name}`);
   ink.scale(scale, scale);
   ink.font = '11px system-ui,sans-serif';
   const left = 46, right = box.width - 4, top = 6, bottom = box.height - 18;
@@ -202,8 +202,8 @@ function draw(canvas, samples, column) {
   ink.textAlign = 'right';
   ink.textBaseline = 'middle';
   ink.lineWidth = 1;
-  ink.strokeStyle = colour('grid');
-  ink.fillStyle = colour('soft');
+  ink.strokeStyle = color('grid');
+  ink.fillStyle = color('soft');
   const rise = step(high - low, 4);
   for (let v = Math.ceil(low / rise) * rise; v <= high; v += rise) {
     ink.beginPath(); ink.moveTo(left, y(v)); ink.lineTo(right, y(v)); ink.stroke();
@@ -214,7 +214,7 @@ function draw(canvas, samples, column) {
     ink.textAlign = t === 0 ? 'right' : t === -window_s ? 'left' : 'center';
     ink.fillText(t === 0 ? 'now' : `${t} s`.replace('-', '−'), x(end + t), bottom + 4);
   }
-  ink.strokeStyle = colour(['', 'one', 'two', 'four'][column]);
+  ink.strokeStyle = color(['', 'one', 'two', 'four'][column]);
   ink.lineWidth = 1.5;
   ink.lineJoin = 'round';
   ink.beginPath();

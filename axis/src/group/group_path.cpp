@@ -17,7 +17,7 @@ Peaks peaks_of(const TimingLaw& law) {
   const auto raise = [](double& peak, double value) {
     if (std::isfinite(value)) peak = std::max(peak, value);
   };
-  for (const LawStretch& s : law.stretches()) {
+  for (const LawInterval& s : law.stretches()) {
     for (const double v : {s.v0, s.peak, s.v1}) raise(peaks.velocity, v);
     for (const double a : {s.acceleration, s.deceleration}) raise(peaks.acceleration, std::abs(a));
     raise(peaks.jerk, std::abs(s.jerk));

@@ -75,11 +75,11 @@ void PathPlayer::govern(const PathRequest& request) noexcept {
     return;
   }
   const double rate = clock_.target();
-  if (rate > 1 && !knows(request.tick + 1, 1, 1, request)) change(1, request);
+  if (rate > 1 && !is_planned(request.tick + 1, 1, 1, request)) change(1, request);
   if (rate < 1 || !steady(request.tick)) return;
   constexpr double least = 1.0 / 64;
   for (double more = most; more - rate > least; more = (more + rate) / 2)
-    if (knows(request.tick, more, 1.5, request)) {
+    if (is_planned(request.tick, more, 1.5, request)) {
       change(more, request);
       return;
     }
@@ -97,8 +97,8 @@ bool PathPlayer::starves(const PathRequest& request) const noexcept {
 
 /// True if `times` times the path time is available that a run at `rate` takes to full speed and to
 /// rest.
-bool PathPlayer::knows(std::int64_t tick, double rate, double times,
-                       const PathRequest& request) const noexcept {
+bool PathPlayer::is_planned(std::int64_t tick, double rate, double times,
+                            const PathRequest& request) const noexcept {
   const double way = clock_.way_by(tick, rate, slope_to(rate, request.tick, request.added));
   return path_->known() >= clock_.at(tick).s + times * way + 1e-3 * seconds(config_.period);
 }

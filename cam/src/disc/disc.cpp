@@ -31,7 +31,7 @@ void require_lengths(const DiscSpec& spec) {
   require_positive("angle", spec.angle);
   if (spec.follower == Follower::translating) return require_finite("offset", spec.offset);
   require_positive("arm_length", spec.arm_length);
-  require_positive("centre_distance", spec.centre_distance);
+  require_positive("center_distance", spec.center_distance);
   if (spec.arm_angle) require_positive("arm_angle", *spec.arm_angle);
 }
 
@@ -48,7 +48,7 @@ double start_height(const DiscSpec& spec) {
 double start_angle(const DiscSpec& spec, double travel) {
   const double prime = spec.base_radius + spec.roller_radius;
   const double l = spec.arm_length;
-  const double c = spec.centre_distance;
+  const double c = spec.center_distance;
   if (!(std::abs(c - l) < prime && prime < c + l))
     throw InputError(
         "arm_length", l,
@@ -135,7 +135,7 @@ DiscPoint Disc::at(double master, Side side) const {
     return Place{b.x.c[0].middle(), b.y.c[0].middle()};
   };
   DiscPoint point;
-  point.centre = place(p.centre);
+  point.center = place(p.center);
   point.contact = place(p.parallel(-spec_.roller_radius));
   point.normal = place(p.normal());
   point.pressure_angle = std::atan2(p.across().c[0].middle(), p.along().c[0].middle());

@@ -194,8 +194,8 @@ std::optional<double> least_base_radius(const Cam& cam, const DiscSpec& spec,
   require_valid(limits);
   if (spec.follower == Follower::oscillating) {
     const double from =
-        std::max(0.0, std::abs(spec.centre_distance - spec.arm_length) - spec.roller_radius);
-    const double to = spec.centre_distance + spec.arm_length - spec.roller_radius;
+        std::max(0.0, std::abs(spec.center_distance - spec.arm_length) - spec.roller_radius);
+    const double to = spec.center_distance + spec.arm_length - spec.roller_radius;
     const double step = (to - from) / 400;
     return step > 0 ? climb(cam, spec, limits, from + just_above * step, to, 1, step)
                     : std::nullopt;

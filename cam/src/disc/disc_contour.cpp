@@ -36,7 +36,7 @@ constexpr double shortest_arc = 1e-12;    ///< share of a segment: a shorter arc
 constexpr double finest_contour = 1e-10;  ///< share of the size of the cam
 
 struct Circle {
-  Place centre;
+  Place center;
   double radius = 0;
   double bulge = 0;
 };
@@ -114,10 +114,10 @@ class Flattening {
     const auto circle = through(a, vertex(over.segment, over.middle()), b);
     if (!circle || !(circle->radius > tolerance_)) return std::nullopt;
     const cam_detail::Pitch pitch = cam_detail::pitch(disc_, over);
-    const Plane<3> centre = cam_detail::seen_from_cam(
-        Plane<3>{Taylor<3>(circle->centre.x), Taylor<3>(circle->centre.y)},
+    const Plane<3> center = cam_detail::seen_from_cam(
+        Plane<3>{Taylor<3>(circle->center.x), Taylor<3>(circle->center.y)},
         cam_detail::turned<3>(disc_, over), -pitch.sigma);
-    const Plane<3> from = pitch.parallel(distance_) - centre;
+    const Plane<3> from = pitch.parallel(distance_) - center;
     const double third = (square(from.x) + square(from.y)).c[3].magnitude();
     const double k = half_width(over);
     const double g = third * 2 * k * k * k / (3 * std::numbers::sqrt3);

@@ -36,9 +36,9 @@ constexpr double precision = 1e-3;      // relative to the radius: precision of 
 /// contains all centers of the rolled circle.
 struct Arc {
   SegmentPart over;
-  Place contact, centre;
+  Place contact, center;
   double contact_radius = 0;
-  double centre_radius = 0;
+  double center_radius = 0;
   double turning = 0;  ///< rad, upper bound of the rotation of the tangent
 };
 
@@ -111,8 +111,8 @@ class Search {
   /// The least distance (1) of the two, if it is less than the best so far.
   void search(const Arc& circle, const Arc& covered) {
     const double apart =
-        std::hypot(circle.centre.x - covered.contact.x, circle.centre.y - covered.contact.y);
-    const double reach = circle.centre_radius + covered.contact_radius;
+        std::hypot(circle.center.x - covered.contact.x, circle.center.y - covered.contact.y);
+    const double reach = circle.center_radius + covered.contact_radius;
     const bool is_small = reach <= touching / 2 * radius_;
     if (apart < least_ || (is_small && apart - reach < least_ && !found_)) {
       least_ = apart;
@@ -120,7 +120,7 @@ class Search {
     }
     const double slack = found_ ? precision * radius_ : 0;
     if (apart - reach >= least_ - slack || is_small) return;  // (2)
-    if (circle.centre_radius > covered.contact_radius) {
+    if (circle.center_radius > covered.contact_radius) {
       search(arc(circle.over.left()), covered);
       search(arc(circle.over.right()), covered);
     } else {

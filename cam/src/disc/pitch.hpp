@@ -75,7 +75,7 @@ Plane<N - 1> turning(const Plane<N>& a, double sigma) {
 /// The pitch curve over an interval, in the fixed frame.
 struct Pitch {
   double sigma = 1;
-  Plane<4> centre;     ///< P
+  Plane<4> center;     ///< P
   Plane<4> direction;  ///< D
   Plane<3> tangent;    ///< T
 
@@ -97,7 +97,7 @@ struct Pitch {
   }
   /// The curve parallel to it, `distance` outwards.
   [[nodiscard]] Plane<3> parallel(double distance) const {
-    return centre.to<3>() + distance * normal();
+    return center.to<3>() + distance * normal();
   }
 };
 
@@ -115,15 +115,15 @@ inline Pitch pitch(const DiscSpec& spec, double start, const Taylor<4>& lift) {
   Pitch p;
   p.sigma = sigma(spec);
   if (spec.follower == Follower::translating) {
-    p.centre = {Taylor<4>(spec.offset), Taylor<4>(start) + lift};
+    p.center = {Taylor<4>(spec.offset), Taylor<4>(start) + lift};
     p.direction = {Taylor<4>(0.0), Taylor<4>(1.0)};
   } else {
     const auto psi = sincos(Taylor<4>(start) + arm_angle(spec) * lift);
-    p.centre = {Taylor<4>(spec.centre_distance) - spec.arm_length * psi.cos,
+    p.center = {Taylor<4>(spec.center_distance) - spec.arm_length * psi.cos,
                 spec.arm_length * psi.sin};
     p.direction = {psi.sin, psi.cos};
   }
-  p.tangent = turning(p.centre, p.sigma);
+  p.tangent = turning(p.center, p.sigma);
   return p;
 }
 

@@ -343,7 +343,7 @@ std::vector<Segment> scca(double b, double c, double d, double straight) {
   return ramped({b, c, d}, half, straight, {b, c, d}, half);
 }
 
-std::vector<Segment> normalised(Law law, const LawForm& form) {
+std::vector<Segment> normalized(Law law, const LawForm& form) {
   require_valid(law, form);
   const auto own = rise(law, form);
   return form.inflection && info(law).ends != Ends::rest_to_reversal
@@ -352,7 +352,7 @@ std::vector<Segment> normalised(Law law, const LawForm& form) {
 }
 
 std::vector<LawPiece> pieces(Law law, const LawForm& form) {
-  const auto shape = normalised(law, form);
+  const auto shape = normalized(law, form);
   if (const int n = hermite_order(law); n > 0 && !form.inflection)
     return {hermite(n, info(law).ends == Ends::given)};
   if (info(law).ends == Ends::moving || info(law).ends == Ends::moving_free)

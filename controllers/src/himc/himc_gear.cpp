@@ -38,7 +38,7 @@ const char* explain(GearError error) {
       return "";
     case GearError::disabled:
       return "Both axes of a gear must be enabled.";
-    case GearError::synchronised:
+    case GearError::synchronized:
       return "The slave is engaged: GearOut comes before DisableGear.";
     case GearError::is_master:
       return "The axis is a gear master, and cannot be a slave as well.";
@@ -99,7 +99,7 @@ GearAnswer gear_out(const Gears& gears, int slave) {
 GearAnswer disable_gear(const Gears& gears, int slave) {
   if (!is_axis(slave)) return {gears, GearError::bad_slave};
   if (!is_gear_slave(gears, slave)) return {gears, GearError::not_enabled};
-  if (is_in_gear(gears, slave)) return {gears, GearError::synchronised};
+  if (is_in_gear(gears, slave)) return {gears, GearError::synchronized};
   GearAnswer answer{gears};
   GearAxis& axis = at(answer.gears, slave);
   axis = {.enabled = axis.enabled, .in_cam = axis.in_cam};

@@ -294,7 +294,7 @@ std::vector<Trajectory> motions_of(const AxesSpec& axes) {
   if (!axes.points.empty()) return through_points(axes);
   std::vector<Profile> profiles(axes.axes.size());
   const std::vector<AxisMove> moves = with_followers(axes);
-  const Synchronised all = synchronise(moves, axes.sync, profiles, axes.duration);
+  const Synchronized all = synchronize(moves, axes.sync, profiles, axes.duration);
   if (all.status != MoveStatus::ok) {
     const AxisMove& move = moves[all.axis];
     throw impossible(key_of(all.axis) + ".", key_of(all.axis), all.status, move.from, move.to,

@@ -87,7 +87,7 @@ struct LawPlace {
 std::vector<LawPlace> places_of(const TimingLaw& law) {
   std::vector<LawPlace> places;
   std::array<LawPhase, 7> phase;
-  for (const LawStretch& stretch : law.stretches()) {
+  for (const LawInterval& stretch : law.stretches()) {
     double time = stretch.time;
     for (const LawPhase& p : std::span(phase).first(phases(stretch, phase))) {
       const auto add = [&](double t) {

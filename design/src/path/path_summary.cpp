@@ -39,7 +39,7 @@ double first_time_at(const TimingLaw& law, double q) {
   if (q <= rounding) return 0;
   const auto stretch =
       std::lower_bound(stretches.begin(), stretches.end() - 1, q - rounding,
-                       [](const LawStretch& s, double at) { return s.start + s.length < at; });
+                       [](const LawInterval& s, double at) { return s.start + s.length < at; });
   double low = stretch->time;
   double high = stretch->time + stretch->duration;
   if (stretch->start + stretch->length <= q + rounding) return high;

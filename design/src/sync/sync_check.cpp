@@ -121,7 +121,7 @@ std::vector<SyncFigure> figures_of(const RotaryKnifeSpec& knife, const Spec& spe
 }
 
 /// "return acceleration" -> "limited by the slave's acceleration on its return"
-std::string told(const ShearBound& bound) {
+std::string limited_by(const ShearBound& bound) {
   const std::string& q = bound.quantity;
   const std::string limit = "limited by the slave's " + q.substr(q.find(' ') + 1);
   if (q == "stroke") return "limited by the stroke";
@@ -144,12 +144,12 @@ std::vector<SyncFigure> figures_of(const FlyingShear& shear, const Spec& spec) {
        fmt::format("{} {} at {}{}", rounded(plan.sync / shear.line_speed), spec.time_unit, speed,
                    left ? ", as long as stroke and return allow" : "")}};
   if (std::isfinite(least.value))
-    all.push_back(
-        {"shortest cut", least.value, m, fmt::format("at {}, {}{}", speed, told(least), none)});
+    all.push_back({"shortest cut", least.value, m,
+                   fmt::format("at {}, {}{}", speed, limited_by(least), none)});
   if (std::isfinite(most.value))
     all.push_back({"fastest line", most.value, speed_unit(spec),
                    fmt::format("for cuts of {} {} with a new table, {}{}",
-                               rounded(shear.cut_length), m, told(most), none)});
+                               rounded(shear.cut_length), m, limited_by(most), none)});
   return all;
 }
 

@@ -45,7 +45,7 @@ Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes
       masters_(masters_of(axes, std::move(masters)), pump_, exchange, clock_),
       recorder_(axes.front().recorder) {
   if (claim_)
-    pump_.hear_claims([this](const wire::Message& said) { claim_->receive(said, clock_()); });
+    pump_.subscribe_claims([this](const wire::Message& said) { claim_->receive(said, clock_()); });
   const Nanos now = clock_();
   for (std::size_t i = 0; i < axes.size(); ++i) {
     servers_.emplace_back(axes[i], pump_.receiver(i), exchange, i, worker_);

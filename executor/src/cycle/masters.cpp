@@ -17,14 +17,14 @@ MasterServer::MasterServer(Options options, ReceiverPump& pump, MachineExchange&
     if (std::find(one.said_by.begin(), one.said_by.end(), true) == one.said_by.end())
       one.said_by.front() = true;
     if (auto* external = dynamic_cast<ExternalMaster*>(one.master.source.get()))
-      hear(one, *external);
+      subscribe(one, *external);
   }
 }
 
 /// Samples go directly to the cycle, with their time of arrival by its clock.
-void MasterServer::hear(One& one, ExternalMaster& master) {
+void MasterServer::subscribe(One& one, ExternalMaster& master) {
   one.intake.emplace(MasterIntakeOptions{.unit = one.master.unit, .keyed = options_.keyed});
-  pump_.hear(one.master.name, [this, &one, &master](const wire::Master& said) {
+  pump_.subscribe(one.master.name, [this, &one, &master](const wire::Master& said) {
     const Nanos now = clock_();
     const std::int64_t start = exchange_.cycle.start.load(std::memory_order_acquire);
     if (!one.intake->take(said, now)) return refused(one, said);
@@ -56,7 +56,7 @@ void MasterServer::turn() {
     if (const auto now = exchange_.masters[m]->read()) compare(masters_[m], *now);
 }
 
-void MasterServer::compare(One& one, const MasterSight& now) {
+void MasterServer::compare(One& one, const MasterReading& now) {
   one.last = now;
   const bool other_unit = one.intake && !one.intake->other_unit().empty();
   if (other_unit && !one.told_unit && options_.notify)

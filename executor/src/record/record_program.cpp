@@ -33,7 +33,7 @@ std::vector<RecordedProgram> recorded(const GroupProgram& program, std::size_t a
   return parts;
 }
 
-GroupProgram remade(const std::vector<LawStretch>& law, std::vector<GroupAxis> axes) {
+GroupProgram remade(const std::vector<LawInterval>& law, std::vector<GroupAxis> axes) {
   if (law.empty() || axes.empty()) throw InputError("program", "", "has no law or no axes");
   const std::size_t n = axes.size();
   const double length = law.back().start + law.back().length;
@@ -99,7 +99,7 @@ RecordedProgram ours(const program_t& w) {
                     .total = static_cast<std::size_t>(w.total),
                     .first = static_cast<std::size_t>(w.first)};
   for (int i = 0; i < w.count; ++i) {
-    LawStretch s;
+    LawInterval s;
     const auto numbers = numbers_of(s);
     for (std::size_t k = 0; k < numbers.size(); ++k) *numbers[k] = w.value[i][k];
     s.pieces = w.value[i][numbers.size()] > 0 ? 1 : 0;  // one straight piece; 0: a rest

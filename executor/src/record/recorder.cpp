@@ -53,7 +53,7 @@ void RecordBuffer::add(std::size_t axis, const Command& command, const Inputs& i
   push(item);
 }
 
-void RecordBuffer::add(std::size_t master, const MasterSight& sight) noexcept {
+void RecordBuffer::add(std::size_t master, const MasterReading& sight) noexcept {
   Item item{.what = Item::What::sight, .sight = {.master = master, .sight = sight}};
   push(item);
 }

@@ -17,7 +17,7 @@ bool same(double a, double b) {
          std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-std::optional<TickDifference> difference(const MasterSight& was, const MasterSight& now) {
+std::optional<TickDifference> difference(const MasterReading& was, const MasterReading& now) {
   constexpr std::array fields{"master_position", "master_velocity", "master_acceleration",
                               "master_jerk"};
   for (std::size_t k = 0; k < fields.size(); ++k)
@@ -56,7 +56,7 @@ std::optional<TickDifference> RemadeMasters::compare(const RecordedSight& seen, 
   One& one = masters_[seen.master];
   Master* const master = one.heard ? static_cast<Master*>(one.heard.get()) : one.read.get();
   if (master == nullptr) return std::nullopt;
-  MasterSight now{.tick = seen.sight.tick, .at = master->at(time)};
+  MasterReading now{.tick = seen.sight.tick, .at = master->at(time)};
   now.age = master->age(time);
   return difference(seen.sight, now);
 }

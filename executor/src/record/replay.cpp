@@ -97,7 +97,7 @@ class Replayer {
   }
 
   void take(const RecordedProgram& part) {
-    std::vector<LawStretch>& law = laws_[{part.axis, part.id}];
+    std::vector<LawInterval>& law = laws_[{part.axis, part.id}];
     if (part.first != law.size())
       throw InputError("program", std::to_string(part.first),
                        "must be " + std::to_string(law.size()) + ", the next stretch of its law");
@@ -270,13 +270,13 @@ class Replayer {
   const std::function<void(const RecordedSight&)>& watch_master_;
   Replay result_;
   executor_detail::RemadeMasters masters_;
-  std::vector<MasterSight> sights_;  // the last of each master
+  std::vector<MasterReading> sights_;  // the last of each master
   std::vector<std::unique_ptr<MotionAxis>> motions_;
   std::map<std::size_t, std::int64_t> last_ticks_;
   std::map<Sha256, Growing> growing_;
   std::map<Sha256, std::shared_ptr<const Table>> tables_;
   std::map<Key, std::shared_ptr<Movement>> movements_;
-  std::map<Key, std::vector<LawStretch>> laws_;  // programs whose parts arrive
+  std::map<Key, std::vector<LawInterval>> laws_;  // programs whose parts arrive
   std::map<Key, QueueMovement> queues_;
   std::map<std::size_t, std::deque<HandedOver>> handed_over_;  // not yet seen, by axis
   bool ended_ = false;

@@ -164,7 +164,7 @@ Knife knife_of(const RotaryKnifeSpec& spec) {
                      "must be longer than the sync zone on the web, " +
                          six_digits_up(2 * sync.length) + ": shorten the sync zone, or cut longer");
   return {pitch, spec.thickness > 0 ? contact_angle(spec) : 0, sync,
-          KnifeShape(normalised(spec.law, spec.form), sync, pitch - 2 * half), unit};
+          KnifeShape(normalized(spec.law, spec.form), sync, pitch - 2 * half), unit};
 }
 
 /// True if the cut is a straight line; this is possible with surface matching only.

@@ -43,7 +43,7 @@ std::vector<Segment> rise(Law law, double distance, const std::string& key_of_la
   if (!has_own_shape(law) || law == Law::dwell || law == Law::scca ||
       info(law).ends == Ends::rest_to_reversal)
     throw InputError(key_of_law, name(law), "must be a line or a law from rest to rest");
-  std::vector<Segment> all = normalised(law);
+  std::vector<Segment> all = normalized(law);
   for (Segment& f : all) f.length *= distance;
   return all;
 }

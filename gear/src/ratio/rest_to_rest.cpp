@@ -26,7 +26,7 @@ double peak(const Cam& law, const Ranges& ranges, int order) {
 /// The law between two rests, so a step against them counts. If a derivative steps, all higher ones
 /// are infinite.
 Peaks peaks_of(Law law, const LawForm& form) {
-  const Cam f(normalised(law, form), 0, Extrapolation::hold);
+  const Cam f(normalized(law, form), 0, Extrapolation::hold);
   const Ranges ranges = extrema(f);
   const double acceleration = peak(f, ranges, 2);
   return {peak(f, ranges, 1), acceleration,
@@ -62,7 +62,7 @@ double on_grid(double x, double cycle) {
 
 std::vector<Segment> placed(Law law, const LawForm& form, double from, double length,
                             double cycle) {
-  std::vector<Segment> pieces = normalised(law, form);
+  std::vector<Segment> pieces = normalized(law, form);
   double share = 0;
   double last = from;
   for (std::size_t i = 0; i < pieces.size(); ++i) {

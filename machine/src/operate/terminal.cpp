@@ -26,7 +26,7 @@ void write_all(std::string_view text) {
   }
 }
 
-/// SGR of ECMA-48; the sixteen colours that every theme has made readable.
+/// SGR of ECMA-48; the sixteen colors that every theme has made readable.
 const char* look(Tone tone) {
   switch (tone) {
     case Tone::plain:

@@ -41,7 +41,7 @@ std::function<double()> reader_of(const MachineMasterSpec& spec,
   if (encoder.drive) {
     AxisDriveSpec alone{.type = AxisDriveSpec::Type::shared_memory, .shared = encoder.drive};
     const std::shared_ptr<AxisDrive> drive = make_drive(alone, {});
-    return [drive, reading] { return (*reading)(told_position(drive->feedback())); };
+    return [drive, reading] { return (*reading)(reported_position(drive->feedback())); };
   }
   ExecutorOptions* const axis = axis_named(encoder.axis, parts);
   if (axis == nullptr) throw InputError("axis", encoder.axis, "is not an axis of this machine");

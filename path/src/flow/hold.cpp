@@ -27,7 +27,7 @@ Plan halted(const Plan& plan, double t) {
   std::size_t i = plan.law().stretch_at(t);
   PartialLaw held;
   for (std::size_t k = 0; k < i; ++k) held.add(stretches[k]);
-  const LawStretch& here = stretches[i];
+  const LawInterval& here = stretches[i];
   const double into = std::min(t - here.time, here.duration);
   const auto made = [&] {
     if (held.law.empty())
@@ -37,7 +37,7 @@ Plan halted(const Plan& plan, double t) {
   };
   if (here.pieces == 0) {  // in a dwell
     if (into > 0) {
-      LawStretch rest = here;
+      LawInterval rest = here;
       rest.duration = into;
       held.add(rest);
     }
@@ -70,7 +70,7 @@ Plan halted(const Plan& plan, double t) {
   for (std::size_t k = i + 1; k < stretches.size() && stretches[k - 1].v1 > 0; ++k)
     planned.add(stretches[k]);
   for (++i; i < stretches.size() && v > 0; ++i) {
-    LawStretch s = stretches[i];
+    LawInterval s = stretches[i];
     if (s.single_phase) {
       v = s.v1;
     } else {
@@ -102,13 +102,13 @@ using profiles_detail::rounded_value;
 Plan remaining(const Plan& plan, double from, double rested) {
   const auto stretches = plan.law().stretches();
   const double end = plan.path().length();
-  std::vector<LawStretch> law;
+  std::vector<LawInterval> law;
   std::vector<Unit> units;
   double time = 0;
   double start = from;
   const auto flush = [&] {
     if (units.empty()) return;
-    for (LawStretch s : stations(units)) {
+    for (LawInterval s : stations(units)) {
       s.time += time;
       s.start += start;
       law.push_back(s);
@@ -117,13 +117,13 @@ Plan remaining(const Plan& plan, double from, double rested) {
     start = law.back().start + law.back().length;
     units.clear();
   };
-  for (const LawStretch& s : stretches) {
+  for (const LawInterval& s : stretches) {
     const double stretch_end = s.start + s.length;
     if (stretch_end < from - rounded_value * end) continue;
     if (s.pieces > 0 && stretch_end <= from + rounded_value * end) continue;
     if (s.pieces == 0 || s.single_phase) {  // a dwell, or a run by a window, which begins at rest
       flush();
-      LawStretch same = s;
+      LawInterval same = s;
       same.time = time;
       if (s.pieces == 0 && s.start == from) same.duration -= rested;
       if (!(same.duration > 0)) continue;
@@ -154,7 +154,7 @@ Plan remaining(const Plan& plan, double from, double rested) {
 }  // namespace
 
 Plan resumed(const Plan& plan, const Plan& held) {
-  const LawStretch& last = held.law().stretches().back();
+  const LawInterval& last = held.law().stretches().back();
   const double from = last.start + last.length;
   if (!(from < plan.path().length() * (1 - rounded_value)))
     throw InputError("held", from, "is at the end of the path; nothing remains");

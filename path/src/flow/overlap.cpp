@@ -43,14 +43,14 @@ constexpr double least_overlap = 1e-9;
 
 struct Leg {
   Point start{}, direction{};
-  LawStretch law;
+  LawInterval law;
   double up = 0, down = 0;  ///< s, durations of its first and last ramp
   double dwell = 0;         ///< s, dwell before it
   std::int32_t line = 0;
 };
 
 /// Segments of s(t) between two times of a leg.
-std::vector<Segment> law_between(const LawStretch& law, double from, double to) {
+std::vector<Segment> law_between(const LawInterval& law, double from, double to) {
   std::array<LawPhase, 7> phase;
   std::vector<Segment> out;
   double begin = 0;
@@ -150,7 +150,7 @@ class Overlapping {
         if (k + 1 < legs.size() && !route_.joints[k + 1].rests)
           lower(unit.box, legs[k], legs[k + 1]);
       }
-      LawStretch& law = legs[k].law = stretch_of(unit, 0, 0);
+      LawInterval& law = legs[k].law = stretch_of(unit, 0, 0);
       legs[k].up = ramp_time(law.peak, law.acceleration, law.jerk);
       legs[k].down = ramp_time(law.peak, law.deceleration, law.jerk);
     }

@@ -81,7 +81,7 @@ class Player {
         at.time = out_.time();
         if (factor_at(at.time) == 0 && !wait(at)) return made();
       }
-      const std::vector<LawStretch> law = *law_from(at, factor_at(at.time));
+      const std::vector<LawInterval> law = *law_from(at, factor_at(at.time));
       rested = false;
       at = follow(law, at);
     }
@@ -194,12 +194,12 @@ class Player {
 
   /// The law from a place to the next rest with this factor; nullopt if the velocity at the place
   /// is too high for it.
-  [[nodiscard]] std::optional<std::vector<LawStretch>> law_from(const Place& from,
-                                                                double factor) const {
+  [[nodiscard]] std::optional<std::vector<LawInterval>> law_from(const Place& from,
+                                                                 double factor) const {
     PartialLaw law;
     double q = all_.starts[from.unit] + from.within;
     const auto add = [&](const Unit& unit, double v0, double v1) {
-      LawStretch s = stretch_of(unit, v0, v1);
+      LawInterval s = stretch_of(unit, v0, v1);
       s.start = q;
       q += s.length;
       law.add(s);
@@ -260,7 +260,7 @@ class Player {
 
   /// Appends one ramp over the whole length of a unit.
   static void add_ramp(const Unit& unit, double v0, double v1, double& q, PartialLaw& law) {
-    LawStretch s;
+    LawInterval s;
     s.start = q;
     s.length = unit.length;
     s.v0 = s.peak = v0;
@@ -279,9 +279,9 @@ class Player {
 
   /// Follows a law until the override changes or the law ends; returns the place from which to
   /// continue.
-  Place follow(const std::vector<LawStretch>& law, const Place& from) {
+  Place follow(const std::vector<LawInterval>& law, const Place& from) {
     const double change = next_change(from.time);
-    for (const LawStretch& s : law) {
+    for (const LawInterval& s : law) {
       if (out_.time() + s.duration > change) {
         if (const auto left = leave(s, std::max(change - out_.time(), 0.0))) return *left;
         out_.add(s);
@@ -291,7 +291,7 @@ class Player {
         out_.add(s);
       }
     }
-    const LawStretch& last = law.back();
+    const LawInterval& last = law.back();
     return place(last.start + last.length, last.v1);
   }
 
@@ -301,7 +301,7 @@ class Player {
 
   /// Leaves a stretch at t after its start, at a place within it where the acceleration is zero;
   /// nullopt if there is none.
-  std::optional<Place> leave(const LawStretch& s, double t) {
+  std::optional<Place> leave(const LawInterval& s, double t) {
     if (is_corner(s)) return std::nullopt;
     std::array<LawPhase, 7> phase;
     const std::size_t count = phases(s, phase);

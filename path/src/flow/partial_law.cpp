@@ -26,9 +26,9 @@ double lowest_end(const Box& box, double length, double v) {
   return v - low;
 }
 
-void PartialLaw::phase(const LawStretch& whole, double at, double duration, const Motion& m) {
+void PartialLaw::phase(const LawInterval& whole, double at, double duration, const Motion& m) {
   if (!(duration > 0)) return;
-  LawStretch s = whole;
+  LawInterval s = whole;
   s.single_phase = true;
   s.start = whole.start + at;
   s.duration = duration;
@@ -40,7 +40,7 @@ void PartialLaw::phase(const LawStretch& whole, double at, double duration, cons
   add(s);
 }
 
-void PartialLaw::until(const LawStretch& whole, double t) {
+void PartialLaw::until(const LawInterval& whole, double t) {
   std::array<LawPhase, 7> phases_of;
   const std::size_t count = phases(whole, phases_of);
   double gone = 0;
@@ -57,7 +57,7 @@ void PartialLaw::rest(const Path& path, double q, double duration) {
   const auto pieces = path.pieces();
   const auto next = std::upper_bound(pieces.begin() + 1, pieces.end(), q,
                                      [](double x, const PathPiece& p) { return x < p.start; });
-  LawStretch s;
+  LawInterval s;
   s.start = q;
   s.duration = duration;
   s.piece = static_cast<std::uint32_t>(next - pieces.begin() - 1);
@@ -73,7 +73,7 @@ void require_no_corner(const Plan& plan, const char* key, double q) {
                            number(p.start + p.length) + ", which is passed at constant velocity");
 }
 
-Unit unit_of(const LawStretch& s) {
+Unit unit_of(const LawInterval& s) {
   Unit unit;
   unit.length = s.length;
   unit.box = {s.peak, s.acceleration, s.deceleration, s.jerk, is_corner(s)};
@@ -86,7 +86,7 @@ Unit unit_of(const LawStretch& s) {
 PlannedUnits units_of(const Plan& plan) {
   PlannedUnits all;
   double dwell = 0;
-  for (const LawStretch& s : plan.law().stretches()) {
+  for (const LawInterval& s : plan.law().stretches()) {
     if (s.pieces == 0) {
       dwell += s.duration;
       continue;
@@ -136,7 +136,7 @@ class Replanned {
       if (units.empty()) return;
       const double time = out.time();
       double end = start;
-      for (LawStretch s : stations(units)) {
+      for (LawInterval s : stations(units)) {
         s.time += time;
         s.start += start;
         end = s.start + s.length;
@@ -175,7 +175,7 @@ class Replanned {
     rests_.assign(pieces.size() + 1, false);
     dwells_.assign(pieces.size() + 1, 0.0);
     rests_.front() = rests_.back() = true;
-    for (const LawStretch& s : plan_.law().stretches()) {
+    for (const LawInterval& s : plan_.law().stretches()) {
       if (s.pieces > 0 && s.v0 != 0) continue;
       const auto at =
           std::lower_bound(pieces.begin(), pieces.end(), s.start - rounded_sum * path_.length(),
@@ -277,7 +277,7 @@ class Replanned {
 Plan by_stations(const Plan& plan, double factor) {
   const auto stretches = plan.law().stretches();
   const bool window = std::any_of(stretches.begin(), stretches.end(),
-                                  [](const LawStretch& s) { return s.single_phase; });
+                                  [](const LawInterval& s) { return s.single_phase; });
   if (factor == 1 && !window) return plan;
   return Replanned(plan, factor).run();
 }

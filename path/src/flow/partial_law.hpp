@@ -14,7 +14,7 @@
 namespace jounce {
 
 /// True for the stretch of a corner, which has constant velocity.
-inline bool is_corner(const LawStretch& s) {
+inline bool is_corner(const LawInterval& s) {
   return !s.single_phase && s.pieces > 0 && !std::isfinite(s.deceleration);
 }
 
@@ -24,19 +24,19 @@ double lowest_end(const Box& box, double length, double v);
 
 /// Collects the stretches of a law in the order of time.
 struct PartialLaw {
-  std::vector<LawStretch> law = {};
+  std::vector<LawInterval> law = {};
 
   [[nodiscard]] double time() const {
     return law.empty() ? 0 : law.back().time + law.back().duration;
   }
-  void add(LawStretch s) {
+  void add(LawInterval s) {
     s.time = time();
     law.push_back(s);
   }
   /// Appends a phase of constant jerk that begins at a place within a stretch.
-  void phase(const LawStretch& whole, double at, double duration, const Motion& m);
+  void phase(const LawInterval& whole, double at, double duration, const Motion& m);
   /// Appends the first t seconds of a stretch.
-  void until(const LawStretch& whole, double t);
+  void until(const LawInterval& whole, double t);
   /// Appends a rest at q; nothing if the duration is 0.
   void rest(const Path& path, double q, double duration);
 };
@@ -46,7 +46,7 @@ void require_no_corner(const Plan& plan, const char* key, double q);
 
 /// A stretch of a plan as a unit. Its velocity limit is the peak of the stretch, its greatest entry
 /// velocity the start velocity.
-Unit unit_of(const LawStretch& s);
+Unit unit_of(const LawInterval& s);
 
 /// The units of a plan from rest to rest, with the dwell before each. A law keeps all limits if it
 /// stays within their boxes and is at no station faster than the plan.

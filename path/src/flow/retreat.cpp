@@ -111,7 +111,7 @@ Unit turned_around(const Unit& unit, const Path& path) {
 }  // namespace
 
 Plan retreated(const Plan& plan, const Plan& held, double to) {
-  const LawStretch& last = held.law().stretches().back();
+  const LawInterval& last = held.law().stretches().back();
   const double from = last.start + last.length;
   if (!(to >= 0 && to < from))
     throw InputError("to", to, "must be from 0 to less than " + number(from) + ", the held place");
@@ -136,7 +136,7 @@ Plan retreated(const Plan& plan, const Plan& held, double to) {
   if (given.drawn) given.drawn = reversed(*given.drawn);
   PartialLaw law;
   const double start = path.length() - from;
-  for (LawStretch s : stations(back)) {
+  for (LawInterval s : stations(back)) {
     s.start += start;
     law.add(s);
   }

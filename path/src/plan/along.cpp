@@ -105,7 +105,7 @@ class Along {
 
   Report run() {
     std::array<LawPhase, 7> phase;
-    for (const LawStretch& interval : plan_.law().stretches()) {
+    for (const LawInterval& interval : plan_.law().stretches()) {
       if (interval.pieces == 0) continue;
       double t = interval.time;
       std::size_t piece = interval.piece;

@@ -42,7 +42,7 @@ double place_of(const Segment& f, double y) {
   return low;
 }
 
-void cut_at_pieces(const Path& path, const LawStretch& stretch, std::vector<Cut>& out) {
+void cut_at_pieces(const Path& path, const LawInterval& stretch, std::vector<Cut>& out) {
   std::array<LawPhase, 7> phase;
   const std::size_t count = phases(stretch, phase);
   out.clear();
@@ -165,7 +165,7 @@ PlanAxes to_axes(const Plan& plan, double tolerance) {
     allowed.push_back(allowed_error(limits, tolerance));
   std::vector<Cut> cuts;
   std::vector<Segment> pieces;
-  for (const LawStretch& stretch : plan.law().stretches()) {
+  for (const LawInterval& stretch : plan.law().stretches()) {
     if (stretch.pieces == 0) {
       for (std::size_t i = 0; i < n; ++i) {
         const PathPiece& piece = path.pieces()[stretch.piece];

@@ -107,12 +107,12 @@ class Bound {
   double run() {
     const Path& path = plan_.path();
     double time = 0;
-    for (const LawStretch& s : plan_.law().stretches())
+    for (const LawInterval& s : plan_.law().stretches())
       if (s.pieces == 0) {
         time += s.duration;
         rests_.push_back(s.start);
       }
-    for (const LawStretch& s : plan_.law().stretches())
+    for (const LawInterval& s : plan_.law().stretches())
       if (s.pieces > 0 && s.v0 == 0) rests_.push_back(s.start);
     std::sort(rests_.begin(), rests_.end());
     std::vector<Cell> cells;

@@ -12,7 +12,7 @@ namespace jounce {
 namespace {
 
 /// The piece at `at`, among those of an interval of the law.
-std::size_t piece_at(std::span<const PathPiece> pieces, const LawStretch& interval, double at) {
+std::size_t piece_at(std::span<const PathPiece> pieces, const LawInterval& interval, double at) {
   const auto first = pieces.begin() + static_cast<std::ptrdiff_t>(interval.piece);
   const auto behind = std::upper_bound(first + 1, first + interval.pieces, at,
                                        [](double x, const PathPiece& p) { return x < p.start; });
@@ -37,7 +37,7 @@ void compose(const Path& path, std::size_t piece, double u, const Motion& q,
 
 void Plan::at(double t, std::span<Motion> out) const {
   assert(out.size() == path_.axes());
-  const LawStretch& interval = law_.stretches()[law_.stretch_at(t)];
+  const LawInterval& interval = law_.stretches()[law_.stretch_at(t)];
   const Motion q = motion_in(interval, t - interval.time);
   const auto pieces = path_.pieces();
   std::size_t piece = interval.piece;
@@ -68,7 +68,7 @@ void PlanCursor::seek(double t) {
 /// True if q is in this piece. The first and the last piece of the interval also include all q
 /// before and after them.
 bool PlanCursor::is_in_piece(double q, std::size_t piece) const {
-  const LawStretch& interval = plan_->law().stretches()[interval_];
+  const LawInterval& interval = plan_->law().stretches()[interval_];
   const auto pieces = plan_->path().pieces();
   return (piece == interval.piece || pieces[piece].start <= q) &&
          (piece + 1 == interval.piece + interval.pieces || q < pieces[piece + 1].start);
@@ -78,7 +78,7 @@ void PlanCursor::at(double t, std::span<Motion> out) {
   const Path& path = plan_->path();
   assert(out.size() == path.axes());
   if (!(t >= from_ && t < to_)) seek(t);
-  const LawStretch& interval = plan_->law().stretches()[interval_];
+  const LawInterval& interval = plan_->law().stretches()[interval_];
   const Motion q = motion_of(std::span(phases_).first(count_), t - interval.time);
   const auto pieces = path.pieces();
   double u = q.position + (interval.start - pieces[interval.piece].start);

@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 namespace jounce {
 
@@ -29,7 +29,7 @@ Bounds bounds_of(const Limits& limits) {
 void append_moves(std::span<const AxisMove> moves, Sync sync,
                   std::vector<std::vector<Segment>>& axes) {
   std::array<Profile, max_axes> profiles{};
-  const Synchronised result = synchronise(moves, sync, std::span(profiles).first(moves.size()));
+  const Synchronized result = synchronize(moves, sync, std::span(profiles).first(moves.size()));
   if (result.status != MoveStatus::ok)
     throw InputError("to[" + std::to_string(result.axis + 1) + "]", moves[result.axis].to.position,
                      explain(result.status));

@@ -65,7 +65,7 @@ LawPhase scaled(LawPhase phase, double factor) {
   return phase;
 }
 
-Unscaled unscaled_phases(const LawStretch& stretch, std::span<LawPhase, 7> out) {
+Unscaled unscaled_phases(const LawInterval& stretch, std::span<LawPhase, 7> out) {
   Builder builder{out};
   builder.now.velocity = stretch.v0;
   if (stretch.pieces == 0) {
@@ -94,13 +94,13 @@ Motion motion_of(const LawPhase& p, double t) {
 
 }  // namespace
 
-std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out) {
+std::size_t phases(const LawInterval& stretch, std::span<LawPhase, 7> out) {
   const auto [count, factor] = unscaled_phases(stretch, out);
   for (LawPhase& phase : out.first(count)) phase = scaled(phase, factor);
   return count;
 }
 
-TimingLaw::TimingLaw(std::vector<LawStretch> stretches) : stretches_(std::move(stretches)) {
+TimingLaw::TimingLaw(std::vector<LawInterval> stretches) : stretches_(std::move(stretches)) {
   assert(!stretches_.empty());
   constexpr std::size_t in_a_part = 4;
   const std::size_t parts = stretches_.size() / in_a_part + 1;
@@ -130,7 +130,7 @@ std::size_t TimingLaw::stretch_at(double t) const {
   const auto from = stretches_.begin() + static_cast<std::ptrdiff_t>(first);
   const auto to = stretches_.begin() + static_cast<std::ptrdiff_t>(last);
   const auto it =
-      std::upper_bound(from, to, t, [](double x, const LawStretch& s) { return x < s.time; });
+      std::upper_bound(from, to, t, [](double x, const LawInterval& s) { return x < s.time; });
   return static_cast<std::size_t>(it - stretches_.begin()) - 1;
 }
 
@@ -141,7 +141,7 @@ Motion motion_of(std::span<const LawPhase> phases, double t) {
   return motion_of(phases[i], t);
 }
 
-Motion motion_in(const LawStretch& stretch, double t) {
+Motion motion_in(const LawInterval& stretch, double t) {
   std::array<LawPhase, 7> phase;
   const auto [count, factor] = unscaled_phases(stretch, phase);
   if (count == 0) return {};
@@ -151,7 +151,7 @@ Motion motion_in(const LawStretch& stretch, double t) {
 }
 
 Motion TimingLaw::at(double t) const {
-  const LawStretch& stretch = stretches_[stretch_at(t)];
+  const LawInterval& stretch = stretches_[stretch_at(t)];
   Motion m = motion_in(stretch, t - stretch.time);
   m.position = std::min(m.position, stretch.length) + stretch.start;
   return m;
@@ -172,7 +172,7 @@ Segment segment_of(const LawPhase& phase) {
 Trajectory TimingLaw::curve() const {
   std::vector<Segment> segments;
   std::array<LawPhase, 7> phase;
-  for (const LawStretch& stretch : stretches_)
+  for (const LawInterval& stretch : stretches_)
     for (const LawPhase& p : std::span(phase).first(phases(stretch, phase)))
       segments.push_back(scaled(segment_of(p), 1, stretch.start));
   return Trajectory(std::move(segments), 0, Extrapolation::hold);

@@ -13,7 +13,7 @@ namespace {
 using path_detail::none;
 constexpr double reserve = 1 + 1e-9;  ///< for rounding of the times in an average
 
-double end_time(const std::vector<LawStretch>& law) {
+double end_time(const std::vector<LawInterval>& law) {
   return law.empty() ? none : law.back().time + law.back().duration;
 }
 
@@ -49,7 +49,7 @@ class WindowLaw {
     jerk_ = std::min(jerk_, p.jerk);
   }
 
-  std::vector<LawStretch> run() {
+  std::vector<LawInterval> run() {
     if (!(acceleration_ < none) || !(jerk_ < none)) return {};
     double best = none;
     double best_a = 0;
@@ -86,8 +86,8 @@ class WindowLaw {
     return spread_law(caps, acceleration, acceleration / jerk);
   }
 
-  [[nodiscard]] std::vector<LawStretch> stretches(const std::vector<LawPhase>& phases) const {
-    std::vector<LawStretch> law;
+  [[nodiscard]] std::vector<LawInterval> stretches(const std::vector<LawPhase>& phases) const {
+    std::vector<LawInterval> law;
     law.reserve(phases.size());
     double time = 0;
     std::size_t piece = first_;
@@ -95,7 +95,7 @@ class WindowLaw {
     const double origin = path_.pieces()[first_].start;
     for (std::size_t i = 0; i < phases.size(); ++i) {
       const LawPhase& p = phases[i];
-      LawStretch s;
+      LawInterval s;
       s.single_phase = true;
       s.time = time;
       s.duration = p.duration;
@@ -139,12 +139,12 @@ bool is_curved(const Path& path, std::span<const Unit> units) {
 }
 
 /// The faster of both laws for a run.
-std::vector<LawStretch> fastest(const Path& path, std::vector<Unit> run, const Rates& rates,
-                                const Program& program) {
+std::vector<LawInterval> fastest(const Path& path, std::vector<Unit> run, const Rates& rates,
+                                 const Program& program) {
   run.front().entry = none;
   if (!is_curved(path, run)) return stations(std::move(run));
-  std::vector<LawStretch> law = stations(run);
-  std::vector<LawStretch> window = WindowLaw(path, run, rates, program).run();
+  std::vector<LawInterval> law = stations(run);
+  std::vector<LawInterval> window = WindowLaw(path, run, rates, program).run();
   return end_time(window) < end_time(law) ? window : law;
 }
 
@@ -155,7 +155,7 @@ struct Collected {
   double start = 0;  ///< q
   bool times_only = false;
 
-  void add(LawStretch s) {
+  void add(LawInterval s) {
     s.time += time;
     s.start += start;
     if (!times_only) laws.stretches.push_back(s);
@@ -164,19 +164,19 @@ struct Collected {
   void rest(std::uint32_t joint, double dwell, std::uint32_t piece) {
     laws.rests.push_back({joint, time});
     if (!(dwell > 0)) return;
-    LawStretch s;
+    LawInterval s;
     s.duration = dwell;
     s.piece = piece;
     add(s);
     time += dwell;
   }
 
-  void run(std::vector<LawStretch> law, const PathPiece& last) {
+  void run(std::vector<LawInterval> law, const PathPiece& last) {
     const double duration = end_time(law);
     if (laws.stretches.empty() && time == 0 && !times_only)
       laws.stretches = std::move(law);
     else
-      for (const LawStretch& s : law) add(s);
+      for (const LawInterval& s : law) add(s);
     moved(duration, last);
   }
 
@@ -202,7 +202,7 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
     made.rest(run.front().joint, run.front().dwell, run.front().piece);
     const PathPiece& end = path.pieces()[run.back().piece + run.back().pieces - 1];
     if (run.size() == 1 && !is_curved(path, run)) {
-      const LawStretch s = stretch_of(run.front(), 0, 0);
+      const LawInterval s = stretch_of(run.front(), 0, 0);
       made.add(s);
       made.moved(s.duration, end);
     } else if (run.size() == units.size()) {

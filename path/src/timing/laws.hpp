@@ -12,7 +12,7 @@ struct Rest {
 };
 
 struct Laws {
-  std::vector<LawStretch> stretches;
+  std::vector<LawInterval> stretches;
   std::vector<Rest> rests;  ///< the start, each stop, and the end
 };
 

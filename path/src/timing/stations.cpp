@@ -77,9 +77,9 @@ double peak_of(const Box& box, double length, double v0, double v1) {
 
 }  // namespace
 
-LawStretch stretch_of(const Unit& unit, double v0, double v1) {
+LawInterval stretch_of(const Unit& unit, double v0, double v1) {
   const Box& box = unit.box;
-  LawStretch s;
+  LawInterval s;
   s.length = unit.length;
   s.v0 = v0;
   s.v1 = v1;
@@ -224,13 +224,13 @@ bool join_ramps(std::vector<Unit>& units, std::vector<double>& v) {
   return changed;
 }
 
-std::vector<LawStretch> timed(const std::vector<Unit>& units, const std::vector<double>& v) {
-  std::vector<LawStretch> law;
+std::vector<LawInterval> timed(const std::vector<Unit>& units, const std::vector<double>& v) {
+  std::vector<LawInterval> law;
   law.reserve(units.size());
   double time = 0;
   double start = 0;
   for (std::size_t k = 0; k < units.size(); ++k) {
-    LawStretch s = stretch_of(units[k], v[k], v[k + 1]);
+    LawInterval s = stretch_of(units[k], v[k], v[k + 1]);
     s.time = time;
     s.start = start;
     time += s.duration;
@@ -240,19 +240,19 @@ std::vector<LawStretch> timed(const std::vector<Unit>& units, const std::vector<
   return law;
 }
 
-double end_of(const std::vector<LawStretch>& law) {
+double end_of(const std::vector<LawInterval>& law) {
   return law.back().time + law.back().duration;
 }
 
 }  // namespace
 
-std::vector<LawStretch> stations(std::vector<Unit> units) {
+std::vector<LawInterval> stations(std::vector<Unit> units) {
   join_alike(units);
   std::vector<double> v = velocities(units);
-  std::vector<LawStretch> best = timed(units, v);
+  std::vector<LawInterval> best = timed(units, v);
   for (int round = 0; round < 3 && join_ramps(units, v); ++round) {
     v = velocities(units);
-    std::vector<LawStretch> next = timed(units, v);
+    std::vector<LawInterval> next = timed(units, v);
     if (end_of(next) >= end_of(best)) break;
     best = std::move(next);
   }

@@ -21,10 +21,10 @@ struct Unit {
 };
 
 /// The fastest stretch over a unit from v0 to v1. The unit must be long enough for it.
-LawStretch stretch_of(const Unit& unit, double v0, double v1);
+LawInterval stretch_of(const Unit& unit, double v0, double v1);
 
 /// The law with stations at the joints of the units, from rest to rest. Times and places count from
 /// 0 (docs/path/README.md, "Stations").
-std::vector<LawStretch> stations(std::vector<Unit> units);
+std::vector<LawInterval> stations(std::vector<Unit> units);
 
 }  // namespace jounce

@@ -14,7 +14,7 @@ double ramp_distance(double v0, double v1, double acceleration, double jerk);
 Motion motion_of(std::span<const LawPhase> phases, double t);
 
 /// Position within a stretch and its derivatives, at t after its start.
-Motion motion_in(const LawStretch& stretch, double t);
+Motion motion_in(const LawInterval& stretch, double t);
 
 /// A phase as a segment.
 Segment segment_of(const LawPhase& phase);

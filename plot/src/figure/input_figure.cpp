@@ -79,7 +79,7 @@ Figure law_figure(Law law) {
   CurveLook look;
   look.title = info(law).title;
   look.label = info(law).name;
-  return curve_figure(Cam(normalised(law, shown_form(law))), look);
+  return curve_figure(Cam(normalized(law, shown_form(law))), look);
 }
 
 }  // namespace jounce

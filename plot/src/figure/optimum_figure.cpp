@@ -44,10 +44,10 @@ Input only_input_of(const Spec& spec, const std::string& name) {
 
 Figure optimum_figure(const Spec& given_spec, const Spec& optimized) {
   const Input given = only_input_of(given_spec, "given");
-  const Input better = only_input_of(optimized, "optimised");
+  const Input better = only_input_of(optimized, "optimized");
   Figure figure = figure_of(better, given);
   figure.title =
-      (optimized.name.empty() ? optimized.document.name : optimized.name) + ": optimised";
+      (optimized.name.empty() ? optimized.document.name : optimized.name) + ": optimized";
   const auto torque = torque_of(optimized);
   if (!torque) return figure;
   CurveLook look{

@@ -153,7 +153,7 @@ class PanelDrawing {
     return {x - dot_radius, y - dot_radius, x + dot_radius, y + dot_radius};
   }
 
-  /// A circle; beyond a limit a full diamond, so that it differs not by colour alone.
+  /// A circle; beyond a limit a full diamond, so that it differs not by color alone.
   void draw(const Marker& marker) {
     const double x = at_.x(marker.x);
     const double y = y_(marker.y);

@@ -7,7 +7,7 @@
 namespace jounce {
 namespace {
 
-struct Colour {
+struct Color {
   std::string_view name;
   std::string_view light;
   std::string_view dark;
@@ -15,13 +15,13 @@ struct Colour {
 
 // Lines and limit: M. Okabe and K. Ito, "Color Universal Design" (2008), lightened for dark paper.
 constexpr std::array palette{
-    Colour{"paper", "#ffffff", "#16181b"}, Colour{"ink", "#1c1e21", "#e8e8e6"},
-    Colour{"soft", "#5b6168", "#a3a9b0"},  Colour{"grid", "#e4e7ea", "#2a2e33"},
-    Colour{"knot", "#c3c9d0", "#454b52"},  Colour{"frame", "#8d949c", "#6b727a"},
-    Colour{"pale", "#c9ced4", "#50565d"},  Colour{"limit", "#c0440f", "#ff9063"},
-    Colour{"zone", "#009e73", "#2fc79b"},  Colour{"one", "#0072b2", "#56b4e9"},
-    Colour{"two", "#b3478a", "#e3a3c8"},   Colour{"three", "#00805d", "#35cfa2"},
-    Colour{"four", "#a87400", "#f0b429"},
+    Color{"paper", "#ffffff", "#16181b"}, Color{"ink", "#1c1e21", "#e8e8e6"},
+    Color{"soft", "#5b6168", "#a3a9b0"},  Color{"grid", "#e4e7ea", "#2a2e33"},
+    Color{"knot", "#c3c9d0", "#454b52"},  Color{"frame", "#8d949c", "#6b727a"},
+    Color{"pale", "#c9ced4", "#50565d"},  Color{"limit", "#c0440f", "#ff9063"},
+    Color{"zone", "#009e73", "#2fc79b"},  Color{"one", "#0072b2", "#56b4e9"},
+    Color{"two", "#b3478a", "#e3a3c8"},   Color{"three", "#00805d", "#35cfa2"},
+    Color{"four", "#a87400", "#f0b429"},
 };
 
 constexpr std::string_view shape_rules =
@@ -41,7 +41,7 @@ constexpr std::string_view shape_rules =
     ".jf .halo{paint-order:stroke;stroke-width:3px;stroke-linejoin:round}"
     ".jf .mark,.jf .badmark{stroke-width:1.3}";
 
-constexpr std::string_view colour_rules =
+constexpr std::string_view color_rules =
     ".jf .paper{fill:@paper}.jf text{fill:@ink}.jf .soft{fill:@soft}"
     ".jf .grid{stroke:@grid}.jf .knot{stroke:@knot}.jf .frame{stroke:@frame}"
     ".jf .l1{stroke:@one}.jf .l2{stroke:@two}.jf .l3{stroke:@three}.jf .l4{stroke:@four}"
@@ -53,9 +53,9 @@ constexpr std::string_view colour_rules =
     ".jf .halo{stroke:@paper}.jf .mark{fill:@paper;stroke:@ink}"
     ".jf .badmark{fill:@limit;stroke:@limit}";
 
-/// The rules with each @name replaced by what colour_of gives for it.
-template <class ColourOf>
-std::string coloured(std::string_view rules, ColourOf colour_of) {
+/// The rules with each @name replaced by what color_of gives for it.
+template <class ColorOf>
+std::string colored(std::string_view rules, ColorOf color_of) {
   std::string out;
   while (!rules.empty()) {
     const std::size_t at = rules.find('@');
@@ -63,8 +63,8 @@ std::string coloured(std::string_view rules, ColourOf colour_of) {
     if (at == std::string_view::npos) break;
     rules.remove_prefix(at + 1);
     const std::size_t end = rules.find_first_of(";}");
-    for (const Colour& colour : palette)
-      if (colour.name == rules.substr(0, end)) out += colour_of(colour);
+    for (const Color& color : palette)
+      if (color.name == rules.substr(0, end)) out += color_of(color);
     rules.remove_prefix(end);
   }
   return out;
@@ -73,20 +73,20 @@ std::string coloured(std::string_view rules, ColourOf colour_of) {
 }  // namespace
 
 std::string figure_style() {
-  const auto light = [](const Colour& c) { return c.light; };
-  const auto dark = [](const Colour& c) { return c.dark; };
-  return std::string(shape_rules) + coloured(colour_rules, light) +
-         "@media (prefers-color-scheme:dark){" + coloured(colour_rules, dark) + "}";
+  const auto light = [](const Color& c) { return c.light; };
+  const auto dark = [](const Color& c) { return c.dark; };
+  return std::string(shape_rules) + colored(color_rules, light) +
+         "@media (prefers-color-scheme:dark){" + colored(color_rules, dark) + "}";
 }
 
 std::string inlined_figure_style() {
-  const auto variable = [](const Colour& c) { return "var(--" + std::string(c.name) + ")"; };
-  return std::string(shape_rules) + coloured(colour_rules, variable);
+  const auto variable = [](const Color& c) { return "var(--" + std::string(c.name) + ")"; };
+  return std::string(shape_rules) + colored(color_rules, variable);
 }
 
-std::string colour_variables(bool dark) {
+std::string color_variables(bool dark) {
   std::string out;
-  for (const Colour& c : palette) {
+  for (const Color& c : palette) {
     out += "--" + std::string(c.name) + ":";
     out += dark ? c.dark : c.light;
     out += ";";

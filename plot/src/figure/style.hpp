@@ -11,10 +11,10 @@ constexpr int line_styles = 4;
 /// Returns the CSS rules for a separate SVG file: light, or dark if the viewer prefers it.
 std::string figure_style();
 
-/// Returns the same rules for figures in a page, with the colors of the page (colour_variables).
+/// Returns the same rules for figures in a page, with the colors of the page (color_variables).
 std::string inlined_figure_style();
 
 /// Returns the CSS variables of the light or the dark palette: "--ink:#1c1e21;...".
-std::string colour_variables(bool dark);
+std::string color_variables(bool dark);
 
 }  // namespace jounce

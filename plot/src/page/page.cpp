@@ -209,7 +209,7 @@ std::string head(const Page& page) {
 std::string page_style() {
   return fmt::format(
       ":root{{{}}}\n@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n{}",
-      colour_variables(false), colour_variables(true), page_rules);
+      color_variables(false), color_variables(true), page_rules);
 }
 
 std::string html(const Page& page) {

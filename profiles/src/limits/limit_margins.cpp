@@ -10,14 +10,14 @@ std::vector<LimitMargin> limit_margins(const Curve<Over>& f, const Limits& limit
   require_valid(limits);
   const Range travel = profiles_detail::LimitCheck::needs_stroke(limits) ? extrema(f, 0) : Range{};
   const profiles_detail::LimitCheck check(limits, Over::names, travel.max.value - travel.min.value);
-  std::vector<LimitMargin> rooms;
+  std::vector<LimitMargin> margins;
   for (const profiles_detail::Bound& bound : check.bounds()) {
-    LimitMargin& room = rooms.emplace_back(LimitMargin{bound.rule.text(), {}});
+    LimitMargin& margin = margins.emplace_back(LimitMargin{bound.rule.text(), {}});
     for (std::size_t i = 0; i < f.segments().size(); ++i)
-      room.segments.push_back(
+      margin.segments.push_back(
           profiles_detail::room_of(bound, segment_range(f, i, static_cast<int>(bound.order))));
   }
-  return rooms;
+  return margins;
 }
 
 template std::vector<LimitMargin> limit_margins(const Curve<OverTime>&, const Limits&);

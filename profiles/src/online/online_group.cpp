@@ -50,7 +50,7 @@ void OnlineGroup::plan() noexcept {
       if (axis.takes_part()) axis.halt(MoveStatus::not_straight);
   }
   while (gather(false)) {
-    const Synchronised result = solve();
+    const Synchronized result = solve();
     if (result.status == MoveStatus::ok) return go();
     refuse(result);
   }
@@ -77,16 +77,16 @@ bool OnlineGroup::gather(bool widened) noexcept {
 
 /// On a line, the limits of one axis act on all. So a lowered limit may lead another axis past its
 /// target or its velocity limit.
-Synchronised OnlineGroup::solve() noexcept {
-  Synchronised result = synchronise(moves, sync, next, 0, grid);
+Synchronized OnlineGroup::solve() noexcept {
+  Synchronized result = synchronize(moves, sync, next, 0, grid);
   const bool bends = result.status == MoveStatus::not_straight;
   if (in_phase() && (bends || result.status == MoveStatus::ok) && can_widen() &&
       (bends || detour(Judged::strictly))) {
     gather(true);
-    result = synchronise(moves, sync, next, 0, grid);
+    result = synchronize(moves, sync, next, 0, grid);
     if (result.status != MoveStatus::ok || detour(Judged::mildly)) {
       gather(false);
-      result = synchronise(moves, sync, next, 0, grid);
+      result = synchronize(moves, sync, next, 0, grid);
     }
   }
   if (sync == Sync::phase && is_on_its_way() &&
@@ -106,16 +106,16 @@ bool OnlineGroup::is_on_its_way() const noexcept {
 }
 
 /// Lets the axes leave the line, if they then do not pass their goals or reverse.
-Synchronised OnlineGroup::bend(const Synchronised& straight) noexcept {
+Synchronized OnlineGroup::bend(const Synchronized& straight) noexcept {
   bent = true;
   gather(false);
-  const Synchronised result = synchronise(moves, Sync::time, next, 0, grid);
+  const Synchronized result = synchronize(moves, Sync::time, next, 0, grid);
   if (straight.status != MoveStatus::ok || result.status != MoveStatus::ok) return result;
   wait_rather_than_turn_round();
   if (!detour(Judged::mildly)) return result;
   bent = false;
   gather(false);
-  return synchronise(moves, sync, next, 0, grid);
+  return synchronize(moves, sync, next, 0, grid);
 }
 
 bool OnlineGroup::can_widen() const noexcept {
@@ -144,7 +144,7 @@ void OnlineGroup::wait_rather_than_turn_round() noexcept {
   }
 }
 
-void OnlineGroup::refuse(const Synchronised& why) noexcept {
+void OnlineGroup::refuse(const Synchronized& why) noexcept {
   if (why.status != MoveStatus::not_straight) return axes[why.axis].refuse(why.status);
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (moves[i].enabled) axes[i].refuse(why.status);
@@ -178,7 +178,7 @@ void OnlineGroup::stop() noexcept {
   for (const bool widened : {false, true}) {
     if (on_line || !in_phase()) break;
     gather_halting(widened);
-    on_line = synchronise(moves, Sync::phase, next).status == MoveStatus::ok;
+    on_line = synchronize(moves, Sync::phase, next).status == MoveStatus::ok;
   }
   if (!on_line) gather_halting(false);
   for (std::size_t i = 0; i < axes.size(); ++i) {

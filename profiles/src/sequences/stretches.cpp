@@ -256,7 +256,7 @@ Hop stretch(std::span<const Bounds> axes, const Knot& from, const Knot& to) {
     moves[i] = {from[i], to[i], axes[i]};
     if (!is_inside(from[i], axes[i])) return result;
   }
-  const Synchronised all = synchronise(moves, Sync::time, result.profiles);
+  const Synchronized all = synchronize(moves, Sync::time, result.profiles);
   if (all.status != MoveStatus::ok) return result;
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (turns_back(result.profiles[i], sign(to[i].position - from[i].position))) return result;

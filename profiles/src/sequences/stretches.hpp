@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 namespace jounce::profiles_detail {
 

@@ -185,7 +185,7 @@ double stopping_duration(const ViaSpec& spec, const profiles_detail::StretchBoun
     for (std::size_t i = 0; i < spec.axes.size(); ++i)
       moves.push_back({knots[k][i], knots[k + 1][i], bounds[k][i]});
     std::vector<Profile> profiles(moves.size());
-    const Synchronised all = synchronise(moves, Sync::time, profiles);
+    const Synchronized all = synchronize(moves, Sync::time, profiles);
     if (all.status != MoveStatus::ok)
       throw InputError("axes[" + std::to_string(all.axis + 1) + "]", "", explain(all.status));
     if (!(all.duration > 0))

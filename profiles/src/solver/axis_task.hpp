@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 #include "profiles/src/solver/solver.hpp"
 

@@ -68,10 +68,10 @@ void add_velocity(Demand& demand, double limit, double sign, double chord) {
 }
 
 /// Adds: |a v0 + b v1 - c| <= limit.
-void add_band(Demand& demand, HalfPlane centre, double limit) {
-  const double slack = rounding * (limit + std::abs(centre.c));
-  demand.add({centre.a, centre.b, centre.c + limit + slack});
-  demand.add({-centre.a, -centre.b, -centre.c + limit + slack});
+void add_band(Demand& demand, HalfPlane center, double limit) {
+  const double slack = rounding * (limit + std::abs(center.c));
+  demand.add({center.a, center.b, center.c + limit + slack});
+  demand.add({-center.a, -center.b, -center.c + limit + slack});
 }
 
 int sign_of(double difference, double slack) {

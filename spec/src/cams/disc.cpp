@@ -39,7 +39,7 @@ void read_follower(TomlReader& table, const Units& units, DiscPart& disc) {
     return;
   }
   g.arm_length = table.number("arm_length", disc.length);
-  g.centre_distance = table.number("centre_distance", disc.length);
+  g.center_distance = table.number("center_distance", disc.length);
   if (angle) g.arm_angle = conversion(units.position, "rad");
 }
 

@@ -45,7 +45,7 @@ std::optional<FollowerSpec> read_follower(TomlReader& top, const Spec& spec) {
   f.preload = table->optional_number("preload", "N").value_or(0);
   found.settle = not_negative(*table, "settle", "s").value_or(0);
   try {
-    f.metres_per_unit = conversion(spec.units.position, "m");
+    f.meters_per_unit = conversion(spec.units.position, "m");
   } catch (const InputError&) {
     top.fail("follower", "",
              "needs a slave with a unit of length, such as mm, not " + spec.units.position);

@@ -37,9 +37,9 @@ StaticQueue::StaticQueue(Client& client, wire::Queue queue)
       banks_{RowWindow(queue_, 0), RowWindow(queue_, 1)} {}
 
 /// Returns the next answer to this queue's messages.
-std::optional<wire::QueueAck> StaticQueue::hear(Nanos until) {
+std::optional<wire::QueueAck> StaticQueue::receive(Nanos until) {
   for (Nanos now = client_.clock_(); now <= until; now = client_.clock_()) {
-    const auto message = client_.hear(until - now);
+    const auto message = client_.receive(until - now);
     const auto* const ack = message ? std::get_if<wire::QueueAck>(&message->body) : nullptr;
     if (ack != nullptr && ack->queue == queue_.queue) return *ack;
     if (now == until) break;
@@ -53,16 +53,16 @@ CallOutcome StaticQueue::unanswered() const {
 }
 
 std::optional<wire::QueueAck> StaticQueue::level() {
-  static_cast<void>(client_.tell(wire::Heartbeat{}));
+  static_cast<void>(client_.request(wire::Heartbeat{}));
   for (const Nanos end = client_.clock_() + client_.options_.patience; client_.clock_() <= end;) {
     client_.send(queue_);
-    if (const auto ack = hear(client_.clock_() + client_.options_.repeat)) return ack;
+    if (const auto ack = receive(client_.clock_() + client_.options_.repeat)) return ack;
   }
   return std::nullopt;
 }
 
 CallOutcome StaticQueue::open() {
-  if (CallOutcome outcome = client_.tell(wire::Heartbeat{}); !outcome.ok()) return outcome;
+  if (CallOutcome outcome = client_.request(wire::Heartbeat{}); !outcome.ok()) return outcome;
   const auto ack = level();
   if (!ack) return unanswered();
   return ack->refusal == wire::Refusal::none ? CallOutcome{} : refused(*ack);
@@ -76,7 +76,7 @@ CallOutcome StaticQueue::fill(std::uint8_t bank, const std::vector<wire::Row>& r
   Nanos moved = client_.clock_();
   client_.send(queue_);  // requests the available space
   for (Nanos asked = moved; client_.clock_() - moved <= client_.options_.patience;) {
-    const auto ack = hear(client_.clock_() + client_.options_.repeat / 4);
+    const auto ack = receive(client_.clock_() + client_.options_.repeat / 4);
     if (ack) {
       if (ack->refusal != wire::Refusal::none) return refused(*ack);
       heard = true;
@@ -109,11 +109,12 @@ CallOutcome StaticQueue::fill(std::uint8_t bank, const std::vector<wire::Row>& r
 }
 
 CallOutcome StaticQueue::arm(std::uint8_t bank) {
-  return client_.tell(wire::Arm{.mode = wire::ArmMode::queue, .queue = queue_.queue, .bank = bank});
+  return client_.request(
+      wire::Arm{.mode = wire::ArmMode::queue, .queue = queue_.queue, .bank = bank});
 }
 
 CallOutcome StaticQueue::start(std::int64_t tick) {
-  return client_.tell(wire::Start{.tick = tick});
+  return client_.request(wire::Start{.tick = tick});
 }
 
 CallOutcome StaticQueue::switch_over() {

@@ -62,7 +62,7 @@ void Client::send(wire::Body body) {
 }
 
 /// Returns the next message for this session.
-std::optional<wire::Message> Client::hear(Nanos timeout) {
+std::optional<wire::Message> Client::receive(Nanos timeout) {
   auto message = next_message(link_, timeout, rejects_, options_.key);
   const bool ours = message && message->executor == executor_ && message->session == session_;
   return ours ? std::move(message) : std::nullopt;
@@ -78,7 +78,7 @@ CallOutcome Client::open() {
 }
 
 /// Uses the present session, or a new one.
-CallOutcome Client::tell(wire::Body body) {
+CallOutcome Client::request(wire::Body body) {
   if (session_ != 0) {
     CallOutcome outcome = ask(body);
     if (outcome.error != StreamError::refused || !is_over(outcome.refusal)) return outcome;
@@ -91,7 +91,7 @@ CallOutcome Client::command(const ClientCommand& command, std::int64_t at) {
   if (const std::string rule = contradiction(command); !rule.empty())
     throw InputError(name(kind_of(command)), "", rule);
   if (at < -1) throw InputError("at", std::to_string(at), "must be -1 or more");
-  return tell(wire::message_of(command, at));
+  return request(wire::message_of(command, at));
 }
 
 CallOutcome Client::release() {
@@ -103,7 +103,7 @@ CallOutcome Client::release() {
 }
 
 CallOutcome Client::stop(wire::StopMode mode) {
-  return tell(wire::Stop{.mode = mode});
+  return request(wire::Stop{.mode = mode});
 }
 
 CallOutcome Client::set_position(double position, bool relative) {

@@ -169,13 +169,14 @@ void ReceiverPump::publish_master(wire::MasterStatus status, std::size_t axis) {
   send_message(link_, {receivers_[axis].executor(), 0, status}, key_);
 }
 
-void ReceiverPump::hear_claims(std::function<void(const wire::Message&)> take) {
+void ReceiverPump::subscribe_claims(std::function<void(const wire::Message&)> take) {
   claims_ = std::move(take);
   for (const Receiver& receiver : receivers_)
     link_.subscribe(wire::channel(receiver.executor(), wire::Lane::claim), queue_capacity);
 }
 
-void ReceiverPump::hear(const std::string& master, std::function<void(const wire::Master&)> take) {
+void ReceiverPump::subscribe(const std::string& master,
+                             std::function<void(const wire::Master&)> take) {
   link_.subscribe(wire::channel(master, wire::Lane::master), queue_capacity);
   masters_.emplace_back(master, std::move(take));
 }

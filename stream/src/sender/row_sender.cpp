@@ -139,12 +139,12 @@ void RowSender::receive(const wire::Message& message, Nanos now) {
     if (const auto* const reply = std::get_if<wire::Reply>(&message.body)) farewell_.take(*reply);
     return;
   }
-  const std::int64_t told = message.challenge;
-  std::visit([&](const auto& body) { take(body, told, now); }, message.body);
+  const std::int64_t issued = message.challenge;
+  std::visit([&](const auto& body) { take(body, issued, now); }, message.body);
 }
 
 /// A restart of the executor ends a rolling stream: the number of played rows is unknown.
-bool RowSender::hear(std::int64_t boot, Nanos now) {
+bool RowSender::accept(std::int64_t boot, Nanos now) {
   if (boot_ != 0 && boot != boot_ && stage_ != Stage::opening) {
     fail(StreamError::restarted, "the executor has restarted");
     farewell_ = {};
@@ -156,7 +156,7 @@ bool RowSender::hear(std::int64_t boot, Nanos now) {
 }
 
 void RowSender::take(const wire::QueueAck& ack, std::int64_t challenge, Nanos now) {
-  if (ack.queue != plan_.queue.queue || !hear(ack.boot, now)) return;
+  if (ack.queue != plan_.queue.queue || !accept(ack.boot, now)) return;
   if (ack.refusal == wire::Refusal::stale_challenge) {
     if (challenge == challenge_) return;  // sent before the challenge arrived: late
     if (stage_ == Stage::opening) {
@@ -193,7 +193,7 @@ void RowSender::watch(const wire::QueueAck& ack) {
 }
 
 void RowSender::take(const wire::Reply& reply, std::int64_t /*challenge*/, Nanos now) {
-  if (!hear(reply.boot, now) || !command_.is_answered_by(reply)) return;
+  if (!accept(reply.boot, now) || !command_.is_answered_by(reply)) return;
   if (reply.outcome == wire::Outcome::refused)
     refused(reply.refusal, reply.reason, reply.cause);
   else if (reply.outcome == wire::Outcome::accepted)

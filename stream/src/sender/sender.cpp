@@ -147,13 +147,13 @@ void Sender::receive(const wire::Message& message, Nanos now) {
     if (const auto* const reply = std::get_if<wire::Reply>(&message.body)) farewell_.take(*reply);
     return;
   }
-  const std::int64_t told = message.challenge;
-  std::visit([&](const auto& body) { take(body, told, now); }, message.body);
+  const std::int64_t issued = message.challenge;
+  std::visit([&](const auto& body) { take(body, issued, now); }, message.body);
 }
 
 /// Records a message from the executor; returns true if it comes from its present boot. A new boot
 /// means that the executor has lost its state: a download begins again, any later stage fails.
-bool Sender::hear(std::int64_t boot, Nanos now) {
+bool Sender::accept(std::int64_t boot, Nanos now) {
   const bool known = std::find(boots_.begin(), boots_.end(), boot) != boots_.end();
   if (known && boots_.back() != boot) return false;  // from before its restart
   heard_ = now;
@@ -174,7 +174,7 @@ bool Sender::hear(std::int64_t boot, Nanos now) {
 }
 
 void Sender::take(const wire::Ack& ack, std::int64_t challenge, Nanos now) {
-  if (!hear(ack.boot, now) || stage() != StreamStage::downloading || ack.table != table_) return;
+  if (!accept(ack.boot, now) || stage() != StreamStage::downloading || ack.table != table_) return;
   // A chunk has overtaken its header, or the session is lost: the header opens it again.
   if (ack.refusal == wire::Refusal::unknown_session) return window_.reset();
   if (ack.refusal == wire::Refusal::stale_challenge) return begin_anew(challenge);
@@ -231,7 +231,7 @@ void Sender::count() {
 }
 
 void Sender::take(const wire::Reply& reply, std::int64_t /*challenge*/, Nanos now) {
-  if (!hear(reply.boot, now) || !command_.is_answered_by(reply)) return;
+  if (!accept(reply.boot, now) || !command_.is_answered_by(reply)) return;
   if (reply.outcome == wire::Outcome::refused) {
     refused(reply.refusal, reply.reason, reply.cause);
   } else if (reply.outcome == wire::Outcome::accepted) {

@@ -28,9 +28,9 @@ std::map<std::string, RuleMargin> rules_of(const Report& report) {
   return all;
 }
 
-std::vector<const LimitMargin*> rooms_of(const Assessment& at, const std::string& rule) {
+std::vector<const LimitMargin*> margins_of(const Assessment& at, const std::string& rule) {
   std::vector<const LimitMargin*> all;
-  for (const LimitMargin& room : at.rooms)
+  for (const LimitMargin& room : at.margins)
     if (room.rule == rule) all.push_back(&room);
   return all;
 }
@@ -60,10 +60,10 @@ void mark_broken(std::vector<double>& all, std::size_t from) {
 
 void TuneRows::settle(const Assessment& at) {
   for (const auto& [rule, margin] : rules_of(at.report)) {
-    const auto rooms = rooms_of(at, rule);
-    for (std::size_t b = 0; b < rooms.size(); ++b)
-      groups_.push_back({rule, b, std::min(places, rooms[b]->segments.size()), true});
-    if (rooms.empty()) groups_.push_back({rule});
+    const auto margins = margins_of(at, rule);
+    for (std::size_t b = 0; b < margins.size(); ++b)
+      groups_.push_back({rule, b, std::min(places, margins[b]->segments.size()), true});
+    if (margins.empty()) groups_.push_back({rule});
   }
   for (const Group& group : groups_) rules_.insert(rules_.end(), group.places, group.rule);
   rules_.emplace_back();
@@ -78,9 +78,9 @@ std::vector<double> TuneRows::of(const Assessment& at) {
     if (group.bound == 0) first = all.size();
     const auto it = left.find(group.rule);
     const RuleMargin rule = it == left.end() ? RuleMargin{1, false} : it->second;
-    const auto rooms = rooms_of(at, group.rule);
-    const bool known = group.by_segment && group.bound < rooms.size();
-    for (const double margin : known ? by_place(rooms[group.bound]->segments, group.places)
+    const auto margins = margins_of(at, group.rule);
+    const bool known = group.by_segment && group.bound < margins.size();
+    for (const double margin : known ? by_place(margins[group.bound]->segments, group.places)
                                      : std::vector<double>(group.places, rule.margin))
       all.push_back(constraint(margin, rule.broken));
     const bool last = &group == &groups_.back() || (&group + 1)->rule != group.rule;

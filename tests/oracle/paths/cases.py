@@ -18,29 +18,29 @@ def draw(rng, low, high, digits=3):
 def make_arcs(rng):
     cases = []
     for i in range(24):
-        centre = [draw(rng, -100, 100), draw(rng, -100, 100)]
+        center = [draw(rng, -100, 100), draw(rng, -100, 100)]
         start = [draw(rng, -100, 100), draw(rng, -100, 100)]
         degrees = draw(rng, 5, 355, 1) * (1 if i % 2 else -1)
-        made = arc(given(start), given(centre), pi * exact.exact(degrees) / 180)
+        made = arc(given(start), given(center), pi * exact.exact(degrees) / 180)
         end = floats(made["points"][-1])  # rounded to doubles: the definitions below start from these
         case = {"start": start, "end": end}
         if i % 4 == 0:
             extra = rng.randrange(3)
-            moved = nearest_center(given(start), given(end), given(centre))
+            moved = nearest_center(given(start), given(end), given(center))
             result = by_center(given(start), given(end), moved["center"], degrees < 0, extra)
-            case |= {"definition": "center", "center": centre, "clockwise": degrees < 0, "extra_turns": extra}
+            case |= {"definition": "center", "center": center, "clockwise": degrees < 0, "extra_turns": extra}
         elif i % 4 == 1:
             radius = round(float(made["radius"]), 3) + 0.5
             radius *= -1 if abs(degrees) > 180 else 1
             result = by_radius(given(start), given(end), exact.exact(radius), degrees < 0)
             case |= {"definition": "radius", "radius": radius, "clockwise": degrees < 0}
         elif i % 4 == 2:
-            case["via"] = floats(arc(given(start), given(centre), pi * mpf(degrees) / 180 * mpf(rng.uniform(0.2, 0.8)))["points"][-1])
+            case["via"] = floats(arc(given(start), given(center), pi * mpf(degrees) / 180 * mpf(rng.uniform(0.2, 0.8)))["points"][-1])
             result = by_three_points(given(start), given(case["via"]), given(end))
             case["definition"] = "three_points"
         else:
             result = made
-            case |= {"definition": "angle", "center": centre, "angle_deg": degrees}
+            case |= {"definition": "angle", "center": center, "angle_deg": degrees}
             del case["end"]
         cases.append({"case": case, "result": result})
     space = []

@@ -173,22 +173,22 @@ class Arc:
     def __init__(self, start, end, piece):
         self.start, self.end, n = start, end, len(start)
         if "normal" in piece:
-            centre = list(piece["center"])
-            ray = [s - c for s, c in zip(start, centre)]
+            center = list(piece["center"])
+            ray = [s - c for s, c in zip(start, center)]
             self.radius = math.sqrt(dot(ray, ray))
             size = math.sqrt(dot(piece["normal"], piece["normal"]))
             k = [x / size for x in piece["normal"]]
             ex = [x / self.radius for x in ray]
             ey = [k[1] * ex[2] - k[2] * ex[1], k[2] * ex[0] - k[0] * ex[2], k[0] * ex[1] - k[1] * ex[0]]
         else:
-            centre = [*piece["center"], *start[2:]]
-            self.radius = math.hypot(start[0] - centre[0], start[1] - centre[1])
-            ex = [(start[0] - centre[0]) / self.radius, (start[1] - centre[1]) / self.radius] + [0.0] * (n - 2)
+            center = [*piece["center"], *start[2:]]
+            self.radius = math.hypot(start[0] - center[0], start[1] - center[1])
+            ex = [(start[0] - center[0]) / self.radius, (start[1] - center[1]) / self.radius] + [0.0] * (n - 2)
             ey = [-ex[1], ex[0]] + [0.0] * (n - 2)
         if piece.get("clockwise"):
             ey = [-y for y in ey]
-        self.center, self.ex, self.ey = centre, ex, ey
-        ray = [e - c for e, c in zip(end, centre)]
+        self.center, self.ex, self.ey = center, ex, ey
+        ray = [e - c for e, c in zip(end, center)]
         angle = math.atan2(dot(ray, ey), dot(ray, ex))
         if angle <= 1e-12:
             angle += 2 * math.pi

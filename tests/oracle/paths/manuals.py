@@ -50,12 +50,12 @@ def make_pmc600():
     study("P 8.3 total acceleration", "2.096427", total)
 
     ellipses = []
-    for start, centre, angle, clockwise, middle in (((0, 0), (5000, 0), 0, True, (5000, 4000)),
+    for start, center, angle, clockwise, middle in (((0, 0), (5000, 0), 0, True, (5000, 4000)),
                                                     ((10000, 0), (10000, 5000), 90, False, (14000, 5000))):
-        major, minor, phase = ellipse_from(given(start), given(centre), pi * angle / 180, mpf(4) / 5)
+        major, minor, phase = ellipse_from(given(start), given(center), pi * angle / 180, mpf(4) / 5)
         at = phase + (-pi / 2 if clockwise else pi / 2)
         c, s = cos(pi * angle / 180), sin(pi * angle / 180)
-        passes = [centre[0] + major * cos(at) * c - minor * sin(at) * s, centre[1] + major * cos(at) * s + minor * sin(at) * c]
+        passes = [center[0] + major * cos(at) * c - minor * sin(at) * s, center[1] + major * cos(at) * s + minor * sin(at) * c]
         for got, want in zip(passes, middle):
             check_equal("P 8.4 passes", got, mpf(want), mpf(10) ** -40)
         length = ellipse_length(major, minor, phase, phase + pi)

@@ -54,24 +54,24 @@ def turn_between(start, end):
     return angle + 2 * pi if angle <= mpf(10) ** -45 else angle
 
 
-def arc(start, centre, sweep):
+def arc(start, center, sweep):
     """A planar arc: what every definition leads to. A positive sweep is counterclockwise."""
-    r = minus(start, centre)
-    at = lambda f: plus(centre, [r[0] * cos(f * sweep) - r[1] * sin(f * sweep), r[0] * sin(f * sweep) + r[1] * cos(f * sweep)])
-    return {"center": centre, "radius": norm(r), "sweep": sweep, "length": norm(r) * abs(sweep),
+    r = minus(start, center)
+    at = lambda f: plus(center, [r[0] * cos(f * sweep) - r[1] * sin(f * sweep), r[0] * sin(f * sweep) + r[1] * cos(f * sweep)])
+    return {"center": center, "radius": norm(r), "sweep": sweep, "length": norm(r) * abs(sweep),
             "points": [at(mpf(i) / 4) for i in range(5)],
-            "tangents": [times(mp.sign(sweep) / norm(r), left(minus(at(mpf(i)), centre))) for i in (0, 1)]}
+            "tangents": [times(mp.sign(sweep) / norm(r), left(minus(at(mpf(i)), center))) for i in (0, 1)]}
 
 
-def by_center(start, end, centre, clockwise, extra_turns=0):
-    angle = turn_between(minus(start, centre), minus(end, centre))
+def by_center(start, end, center, clockwise, extra_turns=0):
+    angle = turn_between(minus(start, center), minus(end, center))
     if clockwise:
         angle = angle - 2 * pi if angle < 2 * pi else -2 * pi
-    return arc(start, centre, angle + 2 * pi * extra_turns * (-1 if clockwise else 1))
+    return arc(start, center, angle + 2 * pi * extra_turns * (-1 if clockwise else 1))
 
 
 def by_radius(start, end, radius, clockwise, extra_turns=0):
-    """The centre is on the chord's bisector; a positive radius means the arc below 180 degrees."""
+    """The center is on the chord's bisector; a positive radius means the arc below 180 degrees."""
     chord = minus(end, start)
     middle = times(mpf(1) / 2, plus(start, end))
     height = sqrt(max(ZERO, radius ** 2 - dot(chord, chord) / 4))
@@ -87,49 +87,49 @@ def circumcenter(points):
     a, b = minus(points[1], points[0]), minus(points[2], points[0])
     m = mp.matrix([[dot(a, a), dot(a, b)], [dot(a, b), dot(b, b)]])
     x = mp.lu_solve(m, mp.matrix([dot(a, a) / 2, dot(b, b) / 2]))
-    centre = plus(points[0], plus(times(x[0], a), times(x[1], b)))
+    center = plus(points[0], plus(times(x[0], a), times(x[1], b)))
     for p in points[1:]:
-        check_equal("circumcenter", norm(minus(p, centre)), norm(minus(points[0], centre)))
-    return centre
+        check_equal("circumcenter", norm(minus(p, center)), norm(minus(points[0], center)))
+    return center
 
 
 def by_three_points(start, via, end):
-    centre = circumcenter([start, via, end])
-    to_via = turn_between(minus(start, centre), minus(via, centre))
-    to_end = turn_between(minus(start, centre), minus(end, centre))
-    return arc(start, centre, to_end if to_via < to_end else to_end - 2 * pi)
+    center = circumcenter([start, via, end])
+    to_via = turn_between(minus(start, center), minus(via, center))
+    to_end = turn_between(minus(start, center), minus(end, center))
+    return arc(start, center, to_end if to_via < to_end else to_end - 2 * pi)
 
 
 def in_space(start, via, end):
-    centre = circumcenter([start, via, end])
-    x = unit(minus(start, centre))
+    center = circumcenter([start, via, end])
+    x = unit(minus(start, center))
     normal = unit(cross(minus(via, start), minus(end, start)))
     y = cross(normal, x)
-    flat = lambda p: [dot(minus(p, centre), x), dot(minus(p, centre), y)]
+    flat = lambda p: [dot(minus(p, center), x), dot(minus(p, center), y)]
     sweep = turn_between(flat(start), flat(end))
     assert turn_between(flat(start), flat(via)) < sweep, "the normal has the sense start, via, end"
-    r = norm(minus(start, centre))
-    at = lambda f: plus(centre, plus(times(r * cos(f * sweep), x), times(r * sin(f * sweep), y)))
-    return {"center": centre, "radius": r, "normal": normal, "sweep": sweep, "length": r * sweep,
+    r = norm(minus(start, center))
+    at = lambda f: plus(center, plus(times(r * cos(f * sweep), x), times(r * sin(f * sweep), y)))
+    return {"center": center, "radius": r, "normal": normal, "sweep": sweep, "length": r * sweep,
             "points": [at(mpf(i) / 4) for i in range(5)]}
 
 
-def by_turns(start, end, centre, turns):
+def by_turns(start, end, center, turns):
     """HIMC 8.2.17: the sweep that `turns` asks for, in degrees counterclockwise."""
-    angle = turn_between(minus(start, centre), minus(end, centre))
+    angle = turn_between(minus(start, center), minus(end, center))
     if angle == 2 * pi:
         angle = ZERO  # start and end coincide: the manual's rule has 0 here
     return angle + 2 * pi * (max(turns, 1) - 1) if turns >= 0 else angle + 2 * pi * turns
 
 
-def nearest_center(start, end, centre):
-    """A centre that does not fit, moved along the chord's direction onto the chord's bisector."""
+def nearest_center(start, end, center):
+    """A center that does not fit, moved along the chord's direction onto the chord's bisector."""
     chord = unit(minus(end, start))
-    off = dot(minus(centre, times(mpf(1) / 2, plus(start, end))), chord)
-    moved = minus(centre, times(off, chord))
-    check_equal("moved centre", norm(minus(start, moved)), norm(minus(end, moved)))
+    off = dot(minus(center, times(mpf(1) / 2, plus(start, end))), chord)
+    moved = minus(center, times(off, chord))
+    check_equal("moved center", norm(minus(start, moved)), norm(minus(end, moved)))
     return {"center": moved, "moved": abs(off), "radius": norm(minus(start, moved)),
-            "misfit": abs(norm(minus(start, centre)) - norm(minus(end, centre)))}
+            "misfit": abs(norm(minus(start, center)) - norm(minus(end, center)))}
 
 
 def helix(radius, pitch):
@@ -150,9 +150,9 @@ def ellipse_length(a, b, start, end):
     return length
 
 
-def ellipse_from(start, centre, angle, ratio):
+def ellipse_from(start, center, angle, ratio):
     """Half axes and eccentric angle of PMC600's ellipse: it passes `start`, its major axis is turned by `angle`."""
-    d = minus(start, centre)
+    d = minus(start, center)
     along, across = d[0] * cos(angle) + d[1] * sin(angle), d[1] * cos(angle) - d[0] * sin(angle)
     major = sqrt(along ** 2 + (across / ratio) ** 2)
     return major, ratio * major, atan2(across / ratio, along)

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/curve/extrema.hpp"
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 #include "profiles/proof/judge.hpp"
 
@@ -51,13 +51,13 @@ struct Axes {
 };
 
 /// Each axis alone is optimal, and together they arrive at one instant.
-Synchronised expect_together(const Axes& spec, Sync sync = Sync::time, double least = 0) {
+Synchronized expect_together(const Axes& spec, Sync sync = Sync::time, double least = 0) {
   const std::vector<AxisMove> axes = spec.moves();
   double longest = least;
   for (const AxisMove& axis : axes)
     longest = std::max(longest, expect_optimal(axis.from, axis.to, axis.bounds).duration());
   std::vector<Profile> out(axes.size());
-  const Synchronised s = synchronise(axes, sync, out, least);
+  const Synchronized s = synchronize(axes, sync, out, least);
   EXPECT_EQ(s.status, MoveStatus::ok) << explain(s.status) << ", axis " << s.axis + 1;
   EXPECT_GE(s.duration, longest * (1 - 1e-15));
   for (std::size_t i = 0; i < axes.size() && s.status == MoveStatus::ok; ++i) {
@@ -108,7 +108,7 @@ TEST(Issue, Ruckig24SevenAxesStop) {
        .j = {1000}});
 }
 
-TEST(Issue, Ruckig25PhaseSynchronisedWithUnequalBraking) {
+TEST(Issue, Ruckig25PhaseSynchronizedWithUnequalBraking) {
   const Bounds b{.velocity_min = -1380,
                  .velocity_max = 1380,
                  .acceleration_min = -6900,
@@ -117,7 +117,7 @@ TEST(Issue, Ruckig25PhaseSynchronisedWithUnequalBraking) {
                  .jerk_max = 12420};
   const std::vector<AxisMove> axes{{{}, {400, 0, 0}, b}, {{}, {200, 0, 0}, b}};
   std::vector<Profile> out(2);
-  const Synchronised s = synchronise(axes, Sync::phase, out);
+  const Synchronized s = synchronize(axes, Sync::phase, out);
   ASSERT_EQ(s.status, MoveStatus::ok);
   for (int i = 0; i <= 100; ++i) {
     const double t = s.duration * i / 100;
@@ -125,7 +125,7 @@ TEST(Issue, Ruckig25PhaseSynchronisedWithUnequalBraking) {
   }
 }
 
-TEST(Issue, Ruckig27MillimetresAndCentimetresTakeTheSameTime) {
+TEST(Issue, Ruckig27MillimetersAndCentimetersTakeTheSameTime) {
   const double T =
       expect_optimal({100, 0, 0}, {1000, 0, 0}, within(2000, 18000, 190000)).duration();
   EXPECT_NEAR(expect_optimal({1, 0, 0}, {10, 0, 0}, within(20, 180, 1900)).duration(), T,
@@ -180,7 +180,7 @@ TEST(Issue, Ruckig69ATargetThatChangesOnTheWay) {
       .p0 = {5, 0}, .p1 = {0.1, -3.35}, .v = {32.34, 19.60}, .a = {245, 98}, .j = {2450}};
   std::vector<AxisMove> axes = spec.moves();
   std::vector<Profile> out(2);
-  const Synchronised first = synchronise(axes, Sync::time, out);
+  const Synchronized first = synchronize(axes, Sync::time, out);
   ASSERT_EQ(first.status, MoveStatus::ok);
   for (int i = 1; i < 200; ++i) {  // at every instant
     const double t = first.duration * i / 200;
@@ -190,7 +190,7 @@ TEST(Issue, Ruckig69ATargetThatChangesOnTheWay) {
     }
     axes[0].to.position = 0;
     std::vector<Profile> again(2);
-    const Synchronised s = synchronise(axes, Sync::time, again);
+    const Synchronized s = synchronize(axes, Sync::time, again);
     ASSERT_EQ(s.status, MoveStatus::ok) << i;
     for (std::size_t k = 0; k < 2; ++k)
       EXPECT_EQ(check(again[k], {axes[k].from, axes[k].to, axes[k].bounds, s.duration}).fault, "");
@@ -207,7 +207,7 @@ TEST(Issue, Ruckig79TargetsAtTheirVelocityLimit) {
 }
 
 TEST(Issue, Ruckig80AMoveOfFourteenHours) {
-  const Synchronised s = expect_together({.p0 = {0, 0, 0},
+  const Synchronized s = expect_together({.p0 = {0, 0, 0},
                                           .v0 = {-6.6706965561032989, 24.622597745627097, 0},
                                           .a0 = {0.21350997812776198, 0.057843623589371167, 0},
                                           .p1 = {51002.562712464198, 0, 0},
@@ -274,14 +274,14 @@ TEST(Issue, Ruckig90AVelocityLimitOfThreeHundredMillionths) {
 TEST(Issue, Ruckig91AlreadyThere) {
   const Numbers p{0, -1.570796326794897, 1.570796326794897, 0, 1.570796326794897, 0};
   const double v = 0.1745329251994329;
-  const Synchronised s = expect_together({.p0 = p, .p1 = p, .v = {v}, .a = {v}, .j = {4}});
+  const Synchronized s = expect_together({.p0 = p, .p1 = p, .v = {v}, .a = {v}, .j = {4}});
   EXPECT_EQ(s.duration, 0);
   const MoveResult move = move_to({1, 0, 0}, {1, 0, 0}, within(v, v, 4));
   ASSERT_TRUE(move);
   EXPECT_EQ(move.profile.at(0.04).position, 1);
 }
 
-TEST(Issue, Ruckig96SynchronisesUnderHighJerk) {
+TEST(Issue, Ruckig96SynchronizesUnderHighJerk) {
   for (const double j : {62.5, 32.5})
     expect_together({.p0 = {0.2473592757796861, 0.2921606775204735, 0.7758663276711127, 0,
                             3.141592653589793, 0},
@@ -318,7 +318,7 @@ TEST(Issue, Ruckig106MovingTargetsOnAGridOfDurations) {
                   .v = {3, 3, 5, 10},
                   .a = {30, 30, 50, 100},
                   .j = {30, 30, 50, 100}};
-  const Synchronised free = expect_together(spec);
+  const Synchronized free = expect_together(spec);
   expect_together(spec, Sync::time, std::ceil(free.duration / 0.004) * 0.004);
 }
 
@@ -368,7 +368,7 @@ TEST(Issue, Ruckig129SixAxesThatAreAlmostInPhase) {
                   .j = {100}};  // ours
   expect_together(spec);
   std::vector<Profile> out(6);
-  EXPECT_EQ(synchronise(spec.moves(), Sync::phase, out).status, MoveStatus::not_straight);
+  EXPECT_EQ(synchronize(spec.moves(), Sync::phase, out).status, MoveStatus::not_straight);
 }
 
 TEST(Issue, Ruckig130TargetsAtTheVelocityLimitAndAStartBeyondIt) {
@@ -452,7 +452,7 @@ TEST(Issue, Ruckig194LimitsOfThousandsAndMillions) {
 
 TEST(Issue, Ruckig201FarTargets) {
   for (const double far : {7598.0, 7599.0, 1e5, 1e6, 1e12}) {
-    const Synchronised s =
+    const Synchronized s =
         expect_together({.p0 = {0, 0}, .p1 = {far}, .v = {1}, .a = {1}, .j = {1}});
     EXPECT_DOUBLE_EQ(s.duration, far + 2);
   }
@@ -469,7 +469,7 @@ TEST(Issue, Ruckig245AStraightLineIsForced) {
   const double straight = expect_together(spec, Sync::phase).duration;
   EXPECT_GT(straight, bent);
   std::vector<Profile> out(6);
-  ASSERT_EQ(synchronise(axes, Sync::phase, out).status, MoveStatus::ok);
+  ASSERT_EQ(synchronize(axes, Sync::phase, out).status, MoveStatus::ok);
   for (int i = 1; i < 100; ++i) {
     const auto way = [&](std::size_t k) {
       return (out[k].at(straight * i / 100).position - spec.p0[k]) / (spec.p1[k] - spec.p0[k]);
@@ -494,7 +494,7 @@ TEST(Issue, Rsruckig7OppositeDirectionsStayInPhase) {
   const std::vector<AxisMove> axes{{{1, 0, 0}, {0, 0, 0}, within(1, 10)},
                                    {{0, 0, 0}, {2, 0, 0}, within(1000, 1000)}};
   std::vector<Profile> out(2);
-  const Synchronised s = synchronise(axes, Sync::phase, out);
+  const Synchronized s = synchronize(axes, Sync::phase, out);
   ASSERT_EQ(s.status, MoveStatus::ok);
   for (int i = 0; i <= 50; ++i) {
     const double t = s.duration * i / 50;
@@ -598,13 +598,13 @@ TEST(Issue, Jounce17ADurationThatIsNotBlocked) {
   expect_optimal(from, to, b);
 }
 
-TEST(Issue, Jounce17PhaseSynchronisationKeepsEveryAxisInside) {
+TEST(Issue, Jounce17PhaseSynchronizationKeepsEveryAxisInside) {
   // Axis 2 reached .27: the line's jerk is too low to stop its velocity at .2.
   const std::vector<AxisMove> axes{{{0, 0.4, 0.8}, {2, 0, 0}, within(1, 1, 1)},
                                    {{0, 0.15, 0.3}, {0.75, 0, 0}, within(0.2, 1, 1)},
                                    {{0, 0.2, 0.4}, {1, 0, 0}, within(1, 1, 1)}};
   std::vector<Profile> out(3);
-  EXPECT_EQ(synchronise(axes, Sync::phase, out).status, MoveStatus::not_straight);
+  EXPECT_EQ(synchronize(axes, Sync::phase, out).status, MoveStatus::not_straight);
 }
 
 TEST(Issue, Jounce17JerksFarApart) {

@@ -24,7 +24,7 @@ struct Slack {
 };
 
 /// Every duration T in which an axis can go from one state to another within its bounds, ascending
-/// and disjoint: the independent witness for `move_to`, `durations` and `synchronise`. It shares no
+/// and disjoint: the independent witness for `move_to`, `durations` and `synchronize`. It shares no
 /// code and no formula with the solver: no profile is ever solved for a target position.
 ///
 ///     const std::vector<Span> T = reachable(from, to, bounds);

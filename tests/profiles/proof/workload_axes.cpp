@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 #include "profiles/proof/judge.hpp"
 
@@ -65,7 +65,7 @@ void sync_time(Random& r, Tally& tally) {
   }
   const double least = r.below(3) == 0 ? r.uniform(0, 10) : 0;
   std::vector<Profile> out(axes.size());
-  const Synchronised s = synchronise(axes, Sync::time, out, least);
+  const Synchronized s = synchronize(axes, Sync::time, out, least);
   ++tally.cases;
   if (s.status != MoveStatus::ok)
     return tally.fail(std::string("sync of ") + kind + " refused: " + explain(s.status) +
@@ -189,7 +189,7 @@ void sync_phase(Random& r, Tally& tally) {
   const Case& c = line.parameter;
   if (!safe_target(c.to, c.bounds) || c.to.position == 0) return;
   std::vector<Profile> out(line.axes.size());
-  const Synchronised s = synchronise(line.axes, Sync::phase, out);
+  const Synchronized s = synchronize(line.axes, Sync::phase, out);
   ++tally.cases;
   const auto asked = [&] { return line_of(line.axes, 0); };
   if (must_refuse(line)) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 #include "profiles/proof/judge.hpp"
 
@@ -262,8 +262,8 @@ void driven_together(Random& r, Tally& tally) {
     all.push_back(*j);
   }
   const double T = static_cast<double>(all[0].duration);
-  const Synchronised soonest = synchronise(axes, Sync::time, out);
-  const Synchronised s = synchronise(axes, Sync::time, out, T);
+  const Synchronized soonest = synchronize(axes, Sync::time, out);
+  const Synchronized s = synchronize(axes, Sync::time, out, T);
   tally.cases += 2;
   const bool ok = s.status == MoveStatus::ok && soonest.status == MoveStatus::ok &&
                   soonest.duration <= T * (1 + same) && std::abs(s.duration - T) <= same * T;

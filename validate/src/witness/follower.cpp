@@ -101,7 +101,7 @@ void require_valid(const SpringFollower& f) {
   require_not_negative("spring_stiffness", f.spring_stiffness);
   require_not_negative("spring_damping", f.spring_damping);
   require_not_negative("preload", f.preload);
-  require_positive("metres_per_unit", f.metres_per_unit);
+  require_positive("meters_per_unit", f.meters_per_unit);
   if (f.preload == 0 && f.spring_stiffness == 0)
     throw InputError("preload", f.preload,
                      "must be greater than 0, because no spring_stiffness presses on the cam");

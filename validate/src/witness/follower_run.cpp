@@ -50,7 +50,7 @@ class FollowerModel {
 
   /// The lift in m.
   [[nodiscard]] Jet lift(Jet y) const {
-    for (double& v : y) v *= f_.metres_per_unit;
+    for (double& v : y) v *= f_.meters_per_unit;
     return y;
   }
 
@@ -186,9 +186,9 @@ class Run {
     const bool first = solver_.integration().restarts == 0;
     if (!(first || steps(before_, y, size_) || solver_.next_step() > 2 * cap)) return;
     auto s = solver_.state();
-    const double metres = follower_.metres_per_unit;
-    s[FollowerModel::compression] += metres * (y[0] - before_[0]);
-    s[FollowerModel::rate] += metres * (y[1] - before_[1]);
+    const double meters = follower_.meters_per_unit;
+    s[FollowerModel::compression] += meters * (y[0] - before_[0]);
+    s[FollowerModel::rate] += meters * (y[1] - before_[1]);
     if (!model_.flying && model_.linkage(s.data()) < 0) take_off();
     solver_.restart(solver_.time());
   }
@@ -252,19 +252,19 @@ class Run {
     }
     if (model_.flying) {
       see_parabola(gap, t, h, [&](double g, double) { height_ = std::max(height_, g); });
-      result_.flights.back().height = height_ / follower_.metres_per_unit;
+      result_.flights.back().height = height_ / follower_.meters_per_unit;
     } else {
       see_parabola(force, t, h, [&](double f, double where) { see_force(f, where); });
     }
     if (settling_)
       see_parabola(swing, t, h, [&](double x, double where) {
-        raise(result_.residual, x / follower_.metres_per_unit, where);
+        raise(result_.residual, x / follower_.meters_per_unit, where);
       });
     sample();
   }
 
   void sample() {
-    const double unit = 1 / follower_.metres_per_unit;
+    const double unit = 1 / follower_.meters_per_unit;
     const double slack = rounded_input * spacing_;
     while (result_.samples.size() < options_.samples) {
       const double t = static_cast<double>(result_.samples.size()) * spacing_;

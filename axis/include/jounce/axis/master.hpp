@@ -55,7 +55,7 @@ class Master {
 };
 
 /// The value of a master in one cycle.
-struct MasterSight {
+struct MasterReading {
   std::int64_t tick = -1;  ///< number of the cycle; -1: none
   /// Result of Master::at().
   Jet at = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};

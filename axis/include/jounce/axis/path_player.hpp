@@ -135,8 +135,8 @@ class PathPlayer {
   bool change(double rate, const PathRequest& request) noexcept;
   [[nodiscard]] double wanted(double rate, const Movement* next) const noexcept;
   [[nodiscard]] double slope_to(double rate, std::int64_t tick, const Peaks& added) const noexcept;
-  [[nodiscard]] bool knows(std::int64_t tick, double rate, double times,
-                           const PathRequest& request) const noexcept;
+  [[nodiscard]] bool is_planned(std::int64_t tick, double rate, double times,
+                                const PathRequest& request) const noexcept;
 
   AxisConfig config_;
   Movement* path_ = nullptr;

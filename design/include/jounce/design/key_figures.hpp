@@ -55,7 +55,7 @@ struct Assessment {
   /// Margins of each segment; only from assess_by_segment(). The rules are those of `report`,
   /// followed by the name of the axis. Limits of a cam's slave over time have the rule
   /// "limit/master_velocity".
-  std::vector<LimitMargin> rooms = {};
+  std::vector<LimitMargin> margins = {};
 
   /// Returns the value of a figure; nullopt if it is not in `figures`.
   [[nodiscard]] std::optional<double> value(const std::string& name) const;
@@ -72,7 +72,7 @@ bool states_limit(const Finding& finding);
 /// lists the figures); and if the integration of the drive does not reach the end. Thread-safe.
 Assessment assess(const Spec& spec, const std::vector<std::string>& names = {});
 
-/// Like assess(), with the margins of each segment (`rooms`).
+/// Like assess(), with the margins of each segment (`margins`).
 Assessment assess_by_segment(const Spec& spec, const std::vector<std::string>& names);
 
 /// Returns the rule of a finding, followed by the name of its axis if it has one.

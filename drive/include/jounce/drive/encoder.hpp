@@ -61,6 +61,6 @@ class ObservedDrive final : public AxisDrive {
 
 /// Returns the actual position in a feedback; NaN: the position is not available, or the drive has
 /// failed.
-double told_position(const Feedback& feedback);
+double reported_position(const Feedback& feedback);
 
 }  // namespace jounce

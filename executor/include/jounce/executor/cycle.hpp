@@ -81,13 +81,13 @@ struct MachineExchange {
       : axes(of_axes), masters(of_masters) {
     for (auto& one : axes) one = std::make_unique<AxisExchange>();
     for (auto& one : masters) {
-      one = std::make_unique<Seqlock<MasterSight>>();
+      one = std::make_unique<Seqlock<MasterReading>>();
       one->write({});
     }
   }
-  std::vector<std::unique_ptr<AxisExchange>> axes;             ///< exchange of each axis
-  std::vector<std::unique_ptr<Seqlock<MasterSight>>> masters;  ///< last value of each master
-  CycleStatus cycle;                                           ///< state of the cycle
+  std::vector<std::unique_ptr<AxisExchange>> axes;               ///< exchange of each axis
+  std::vector<std::unique_ptr<Seqlock<MasterReading>>> masters;  ///< last value of each master
+  CycleStatus cycle;                                             ///< state of the cycle
 };
 
 /// Timing statistics of a cycle.
@@ -153,7 +153,7 @@ class Cycle {
   MachineExchange& exchange_;
   CycleOptions options_;
   std::vector<AxisImage> images_;
-  std::vector<MasterSight> sights_;
+  std::vector<MasterReading> sights_;
   std::vector<Jet> masters_;      // values of the masters
   std::uint64_t alive_ = 0;       // the last heartbeat seen
   std::int64_t since_alive_ = 0;  // cycles since the last new heartbeat

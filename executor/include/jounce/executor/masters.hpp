@@ -57,7 +57,9 @@ class MasterServer {
   /// Number of masters.
   [[nodiscard]] std::size_t size() const { return masters_.size(); }
   /// Returns the value of a master in the last cycle.
-  [[nodiscard]] const MasterSight& last(std::size_t master) const { return masters_[master].last; }
+  [[nodiscard]] const MasterReading& last(std::size_t master) const {
+    return masters_[master].last;
+  }
   /// Returns the status message of a master.
   [[nodiscard]] wire::MasterStatus status(std::size_t master) const;
 
@@ -65,7 +67,7 @@ class MasterServer {
   struct One {
     MachineMaster master;
     std::optional<MasterIntake> intake = {};  // for an external master
-    MasterSight last = {};
+    MasterReading last = {};
     bool was_there = false;
     bool told_unit = false;
     std::optional<std::int32_t> epoch = {};       // newest epoch that was received
@@ -73,9 +75,9 @@ class MasterServer {
     std::vector<bool> said_by = {};               // axes that send the status of the master
   };
 
-  void hear(One& one, ExternalMaster& master);
+  void subscribe(One& one, ExternalMaster& master);
   void refused(One& one, const wire::Master& said);
-  void compare(One& one, const MasterSight& now);
+  void compare(One& one, const MasterReading& now);
 
   Options options_;
   ReceiverPump& pump_;

@@ -83,21 +83,21 @@ struct RecordedQueue {
 };
 
 /// A part of the program of a group: numbers of its timing law (15 for each interval: the fields of
-/// LawStretch, in their order). The first part also has the limits and peaks of the axes. The paths of
+/// LawInterval, in their order). The first part also has the limits and peaks of the axes. The paths of
 /// the axes are not in it: the ticks of each axis contain its setpoints.
 struct RecordedProgram {
-  std::size_t axis = 0;              ///< index of the group
-  std::uint64_t id = 0;              ///< id of the movement
-  std::size_t total = 0;             ///< intervals of the whole law
-  std::size_t first = 0;             ///< index of the first interval of this part
-  std::vector<LawStretch> law = {};  ///< intervals of this part; at most 32
-  std::vector<GroupAxis> axes = {};  ///< the axes; at most 9
+  std::size_t axis = 0;               ///< index of the group
+  std::uint64_t id = 0;               ///< id of the movement
+  std::size_t total = 0;              ///< intervals of the whole law
+  std::size_t first = 0;              ///< index of the first interval of this part
+  std::vector<LawInterval> law = {};  ///< intervals of this part; at most 32
+  std::vector<GroupAxis> axes = {};   ///< the axes; at most 9
 };
 /// Returns the parts of a program.
 std::vector<RecordedProgram> recorded(const GroupProgram& program, std::size_t axis,
                                       std::uint64_t id);
 /// Returns the program of a group with a straight path of the same length, for a replay of its ticks.
-GroupProgram remade(const std::vector<LawStretch>& law, std::vector<GroupAxis> axes);
+GroupProgram remade(const std::vector<LawInterval>& law, std::vector<GroupAxis> axes);
 
 /// Rows that were added to a queue, or another change of the queue. If many rows were added at
 /// once, they are several events.
@@ -140,8 +140,8 @@ struct RecordedSample {
 
 /// Value of a master in a cycle. This event precedes the cycles of the axes of the same tick.
 struct RecordedSight {
-  std::size_t master = 0;  ///< index of the master
-  MasterSight sight = {};  ///< the value
+  std::size_t master = 0;    ///< index of the master
+  MasterReading sight = {};  ///< the value
 };
 
 /// Cycles that are missing at this place in the record.

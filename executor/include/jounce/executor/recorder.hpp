@@ -37,7 +37,7 @@ class RecordBuffer {
   /// cycle.
   void add(std::size_t master, const MasterSample& sample) noexcept;
   /// Adds the value of a master in a cycle. Call before the add() of the axes in this cycle.
-  void add(std::size_t master, const MasterSight& sight) noexcept;
+  void add(std::size_t master, const MasterReading& sight) noexcept;
 
  private:
   friend class Recorder;

@@ -23,7 +23,7 @@ enum class DirectMode : std::uint8_t {
 /// group_limits.hpp.
 ///
 /// Throws InputError "to" if no axis moves, "axes" if there are no limits or more than max_axes,
-/// and with the name of the axis if synchronise() finds no move.
+/// and with the name of the axis if synchronize() finds no move.
 std::vector<Trajectory> direct(const Point& from, const Point& to,
                                const std::vector<Limits>& limits,
                                DirectMode mode = DirectMode::fast);

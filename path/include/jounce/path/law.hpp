@@ -17,7 +17,7 @@ namespace jounce {
 /// - In a law of a window, it is one phase of constant jerk, which begins with v0 and
 ///   `acceleration` (signed).
 /// - A rest (dwell) has length 0 and velocity 0.
-struct LawStretch {
+struct LawInterval {
   double time = 0;                            ///< s, at its start
   double start = 0;                           ///< q at its start
   double length = 0;                          ///< in q
@@ -41,10 +41,10 @@ struct LawPhase {
 /// for each stretch.
 class TimingLaw {
  public:
-  explicit TimingLaw(std::vector<LawStretch> stretches);
+  explicit TimingLaw(std::vector<LawInterval> stretches);
 
   [[nodiscard]] double duration() const;  ///< s
-  [[nodiscard]] std::span<const LawStretch> stretches() const { return stretches_; }
+  [[nodiscard]] std::span<const LawInterval> stretches() const { return stretches_; }
   /// Returns q and its derivatives at time t (s) in [0, duration()].
   [[nodiscard]] Motion at(double t) const;
   [[nodiscard]] std::size_t stretch_at(double t) const;  ///< index of the stretch at time t, s
@@ -54,7 +54,7 @@ class TimingLaw {
  private:
   [[nodiscard]] std::size_t part_at(double t, std::size_t parts) const;
 
-  std::vector<LawStretch> stretches_;
+  std::vector<LawInterval> stretches_;
   /// The duration in equal parts: the number of stretches that begin before each part, and before
   /// the end.
   std::vector<std::uint32_t> before_;
@@ -63,6 +63,6 @@ class TimingLaw {
 
 /// Writes the phases of a stretch to `out` and returns their number, at most seven. Every phase has
 /// a duration.
-std::size_t phases(const LawStretch& stretch, std::span<LawPhase, 7> out);
+std::size_t phases(const LawInterval& stretch, std::span<LawPhase, 7> out);
 
 }  // namespace jounce

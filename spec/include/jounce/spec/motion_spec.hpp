@@ -16,7 +16,7 @@
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/profiles/sequences/override.hpp"
 #include "jounce/profiles/sequences/queue.hpp"
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 #include "jounce/profiles/sequences/via.hpp"
 #include "jounce/profiles/vibration/notch.hpp"
 #include "jounce/profiles/vibration/shaper.hpp"

@@ -27,7 +27,7 @@ struct SpringFollower {
   double spring_stiffness = 0;   ///< k_s, N/m, >= 0
   double spring_damping = 0;   ///< c_s, N s/m, >= 0: viscous damping of the spring and of the guide
   double preload = 0;          ///< F_0, force of the spring at lift 0, N, >= 0
-  double metres_per_unit = 1;  ///< meters in one unit of the lift, > 0
+  double meters_per_unit = 1;  ///< meters in one unit of the lift, > 0
 };
 
 /// Throws InputError, with the name of the member as key, for a value out of range, and for a
@@ -90,7 +90,7 @@ struct FollowerResult {
 ///
 ///     const Followed lift(cam, shaft);                       // at 3000 rpm
 ///     SpringFollower valve{.mass = 0.2, .linkage_stiffness = 5e6, .linkage_damping = 100,
-///                    .spring_stiffness = 3e4, .preload = 250, .metres_per_unit = 1e-3};
+///                    .spring_stiffness = 3e4, .preload = 250, .meters_per_unit = 1e-3};
 ///     const FollowerResult run = follow(lift, valve);
 ///     if (!run.flights.empty()) ...                            // floats: at run.flights[0].from
 ///

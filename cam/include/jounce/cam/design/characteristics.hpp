@@ -16,7 +16,7 @@ struct Coefficient {
 /// stroke h, length b and a master at constant speed w, the peaks of the slave are: velocity cv h w
 /// / b, acceleration ca h (w / b)^2, jerk cj h (w / b)^3.
 ///
-///     Characteristics c = characteristics(Cam(normalised(Law::modified_sine)));
+///     Characteristics c = characteristics(Cam(normalized(Law::modified_sine)));
 ///     double peak = c.cv.value;                    // 1.7596...
 ///
 /// Cv, Ca and Cj are exact extrema (to rounding); rms is an exact quadrature. Cm is the value at

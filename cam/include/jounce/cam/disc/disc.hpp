@@ -13,7 +13,7 @@ namespace jounce {
 /// radius 0 is a knife edge.
 enum class Follower {
   translating,  ///< on a line beside the cam's center, at the distance `offset`
-  /// On an arm of `arm_length` whose pivot is `centre_distance` from the cam's center.
+  /// On an arm of `arm_length` whose pivot is `center_distance` from the cam's center.
   oscillating,
 };
 
@@ -39,7 +39,7 @@ enum class Rotation { counterclockwise, clockwise };
 /// **Frame.** The origin is the cam's center, and the frame shows the cam at master position 0. A
 /// translating follower then moves along +y at x = offset. A positive offset lowers the pressure
 /// angle of the rise if the cam turns counterclockwise, and raises it if the cam turns clockwise.
-/// The pivot of an arm is at (centre_distance, 0), with the roller on the +y side; lift turns the
+/// The pivot of an arm is at (center_distance, 0), with the roller on the +y side; lift turns the
 /// arm clockwise, away from the cam.
 struct DiscSpec {
   Follower follower = Follower::translating;  ///< kind of follower
@@ -47,7 +47,7 @@ struct DiscSpec {
   double roller_radius = 0;                   ///< u, >= 0
   double offset = 0;                          ///< u, any sign; for a translating follower
   double arm_length = 0;                      ///< u, > 0; for an oscillating follower
-  double centre_distance = 0;                 ///< u, > 0; for an oscillating follower
+  double center_distance = 0;                 ///< u, > 0; for an oscillating follower
   Rotation rotation = Rotation::counterclockwise;
   /// rad of the cam per master unit; the default applies to a master in deg.
   double angle = std::numbers::pi / 180;
@@ -64,7 +64,7 @@ struct Place {
 
 /// The geometry at one position of the master; positions and directions in the frame of the cam.
 struct DiscPoint {
-  Place centre;   ///< center of the roller, on the pitch curve
+  Place center;   ///< center of the roller, on the pitch curve
   Place contact;  ///< contact point on the profile
   Place normal;   ///< unit normal of pitch curve and profile, outwards
   /// rad; positive if the side force on the follower has the direction of the cam's rotation, as on

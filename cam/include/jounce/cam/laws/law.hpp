@@ -115,7 +115,7 @@ struct LawPiece {
 std::vector<LawPiece> pieces(Law law, const LawForm& form = {});
 
 /// Returns the rise of a law from 0 to 1: segments whose lengths have the sum 1.
-std::vector<Segment> normalised(Law law, const LawForm& form = {});
+std::vector<Segment> normalized(Law law, const LawForm& form = {});
 
 /// False for the laws through points: polynomial, hermite and the splines. True if pieces()
 /// supports the law.

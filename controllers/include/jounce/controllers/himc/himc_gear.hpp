@@ -22,7 +22,7 @@ inline constexpr int axis_count = 16;  ///< number of axes of a controller; axes
 enum class GearError : std::uint16_t {
   ok = 0,
   disabled = 0x0078,      ///< an axis of the pair is not enabled
-  synchronised = 0x00a0,  ///< DisableGear while the gear is engaged: call GearOut first
+  synchronized = 0x00a0,  ///< DisableGear while the gear is engaged: call GearOut first
   is_master = 0x00aa,     ///< the slave is the master of another gear: HIMC does not permit chains
   /// The master is not an axis, is the slave itself, or is the slave of another gear; or the slave
   /// already has another master.

@@ -30,7 +30,7 @@ namespace jounce {
 template <std::size_t N>
 class OnlineGenerator {
  public:
-  /// `sync`: synchronization of the axes; see Sync in synchronise.hpp.
+  /// `sync`: synchronization of the axes; see Sync in synchronize.hpp.
   explicit OnlineGenerator(Sync sync = Sync::none) noexcept : sync_(sync) {}
 
   /// Sets the state of an axis. Call at the beginning, or after something else has moved the axis.

@@ -38,12 +38,12 @@ struct OnlineGroup {
   [[nodiscard]] bool in_phase() const noexcept;
   [[nodiscard]] bool is_on_its_way() const noexcept;
   bool gather(bool widened) noexcept;
-  Synchronised solve() noexcept;
-  Synchronised bend(const Synchronised& straight) noexcept;
+  Synchronized solve() noexcept;
+  Synchronized bend(const Synchronized& straight) noexcept;
   [[nodiscard]] bool can_widen() const noexcept;
   [[nodiscard]] bool detour(Judged judged) const noexcept;
   void wait_rather_than_turn_round() noexcept;
-  void refuse(const Synchronised& why) noexcept;
+  void refuse(const Synchronized& why) noexcept;
   void go() noexcept;
   void gather_halting(bool widened) noexcept;
   void stop() noexcept;

@@ -51,7 +51,7 @@ class StaticQueue {
   [[nodiscard]] std::optional<wire::QueueAck> level();
 
  private:
-  [[nodiscard]] std::optional<wire::QueueAck> hear(Nanos until);
+  [[nodiscard]] std::optional<wire::QueueAck> receive(Nanos until);
   [[nodiscard]] CallOutcome unanswered() const;
 
   Client& client_;

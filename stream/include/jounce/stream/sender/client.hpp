@@ -71,7 +71,7 @@ class Client {
   /// this client sends no message for 0.2 s. beat() keeps the jog running.
   CallOutcome jog(double velocity, const MoveDynamics& dynamics = {});
   /// Sends a heartbeat.
-  CallOutcome beat() { return tell(wire::Heartbeat{}); }
+  CallOutcome beat() { return request(wire::Heartbeat{}); }
   /// Sends dynamics.deceleration and dynamics.jerk only.
   CallOutcome halt(const MoveDynamics& dynamics = {});
   /// Stops the axis and ends its motion.
@@ -91,7 +91,7 @@ class Client {
 
   /// Sends any message of a client, in the present session or in a new one. Use a Heartbeat to keep
   /// the session alive.
-  CallOutcome tell(wire::Body body);
+  CallOutcome request(wire::Body body);
 
   /// Ends the session. A motion continues.
   CallOutcome release();
@@ -104,7 +104,7 @@ class Client {
 
   CallOutcome open();
   void send(wire::Body body);
-  [[nodiscard]] std::optional<wire::Message> hear(Nanos timeout);
+  [[nodiscard]] std::optional<wire::Message> receive(Nanos timeout);
   CallOutcome ask(const wire::Body& body);
 
   Transport& link_;

@@ -107,9 +107,9 @@ class ReceiverPump {
   void publish_master(wire::MasterStatus status, std::size_t axis = 0);
 
   /// Subscribes to the samples of the master with this name, and passes each sample to `take`.
-  void hear(const std::string& master, std::function<void(const wire::Master&)> take);
+  void subscribe(const std::string& master, std::function<void(const wire::Master&)> take);
   /// Subscribes to the claims for the names of the axes, and passes each claim to `take`.
-  void hear_claims(std::function<void(const wire::Message&)> take);
+  void subscribe_claims(std::function<void(const wire::Message&)> take);
   /// Sends a message.
   void send(const wire::Message& message) { send_message(link_, message, key_); }
 

@@ -118,7 +118,7 @@ class RowSender {
   template <class Other>
   void take(const Other& /*not for a streamer*/, std::int64_t /*challenge*/, Nanos /*now*/) {}
 
-  [[nodiscard]] bool hear(std::int64_t boot, Nanos now);
+  [[nodiscard]] bool accept(std::int64_t boot, Nanos now);
   void fill(Nanos now);
   void go_on();
   void watch(const wire::QueueAck& ack);

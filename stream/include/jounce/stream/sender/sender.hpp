@@ -133,7 +133,7 @@ class Sender {
   void take(const Other& /*not for a streamer*/, std::int64_t /*challenge*/, Nanos /*now*/) {}
   bool asks_by_name(Nanos now);
   void begin_anew(std::int64_t challenge);
-  [[nodiscard]] bool hear(std::int64_t boot, Nanos now);
+  [[nodiscard]] bool accept(std::int64_t boot, Nanos now);
   void accepted();
   void refused(wire::Refusal refusal, const std::string& reason, std::int32_t cause = 0);
   void next_table(Nanos now);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 #include <algorithm>
 #include <array>
@@ -97,9 +97,9 @@ MoveStatus alone(const AxisMove& axis, const AxisTask& task, const Timing& timin
   return status;
 }
 
-Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
+Synchronized each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
                   Tasks& tasks) {
-  Synchronised result;
+  Synchronized result;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!axes[i].enabled) {
       out[i] = left_out(axes[i]);
@@ -112,7 +112,7 @@ Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const 
   return result;
 }
 
-Synchronised each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing) {
+Synchronized each(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing) {
   Tasks tasks(axes, false);
   return each(axes, out, timing, tasks);
 }
@@ -125,7 +125,7 @@ std::size_t after(std::size_t i, std::size_t axes) {
 /// The search for a common duration: from `next` on, cyclically, each axis is tested until all of
 /// them agree.
 struct Agreement {
-  Synchronised common;
+  Synchronized common;
   std::size_t next = 0;
   /// Number of axes just before `next` whose motion already has this duration.
   std::size_t agreed = 0;
@@ -207,7 +207,7 @@ bool resting_in_time(std::span<const AxisMove> axes, std::span<Profile> out, con
 
 /// All axes in the least time that is possible for all. With `if_moving`, an axis whose target is
 /// at rest keeps its shortest motion.
-Synchronised in_time(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
+Synchronized in_time(std::span<const AxisMove> axes, std::span<Profile> out, const Timing& timing,
                      bool if_moving) {
   if (double t = 0; !if_moving && resting_in_time(axes, out, timing, t))
     return {MoveStatus::ok, 0, t};
@@ -317,7 +317,7 @@ bool on_line(const AxisMove& axis, const AxisMove& lead, int which, double ratio
 
 /// Checks that all axes that begin within their bounds keep their velocity limits: the velocity of
 /// the line passes the one at which its acceleration has returned to zero.
-Synchronised kept_velocities(std::span<const AxisMove> axes, const AxisMove& lead, int which,
+Synchronized kept_velocities(std::span<const AxisMove> axes, const AxisMove& lead, int which,
                              const Bounds& line) {
   constexpr double forgiven = 1e-12;
   if (profiles_detail::order_of(line) < 3) return {};
@@ -336,7 +336,7 @@ Synchronised kept_velocities(std::span<const AxisMove> axes, const AxisMove& lea
 }
 
 /// Checks that all goals are valid and of the same kind.
-Synchronised one_kind(std::span<const AxisMove> axes, MoveGoal goal) {
+Synchronized one_kind(std::span<const AxisMove> axes, MoveGoal goal) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!axes[i].enabled) continue;
     const MoveStatus status = AxisTask(axes[i]).status();
@@ -346,10 +346,10 @@ Synchronised one_kind(std::span<const AxisMove> axes, MoveGoal goal) {
   return {};
 }
 
-Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out,
+Synchronized in_phase(std::span<const AxisMove> axes, std::span<Profile> out,
                       const Timing& timing) {
   const Leader lead = leader(axes);
-  if (const Synchronised s = one_kind(axes, axes[lead.axis].goal); s.status != MoveStatus::ok)
+  if (const Synchronized s = one_kind(axes, axes[lead.axis].goal); s.status != MoveStatus::ok)
     return s;
   if (lead.which == 5) return each(axes, out, timing);
   AxisMove first = profiles_detail::posed(axes[lead.axis]);
@@ -363,12 +363,12 @@ Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out,
       if (!on_line(axis, first, k, ratio, scale)) return {MoveStatus::not_straight, i, 0};
     if (ratio != 0) intersect(bounds, axis, first.from.position, ratio);
   }
-  if (const Synchronised s = kept_velocities(axes, first, lead.which, bounds);
+  if (const Synchronized s = kept_velocities(axes, first, lead.which, bounds);
       s.status != MoveStatus::ok)
     return s;
   Profile along;
   first = {first.from, first.to, bounds};
-  if (const Synchronised s = each({&first, 1}, {&along, 1}, timing); s.status != MoveStatus::ok)
+  if (const Synchronized s = each({&first, 1}, {&along, 1}, timing); s.status != MoveStatus::ok)
     return {s.status, lead.axis, 0};
   for (std::size_t i = 0; i < axes.size(); ++i) {
     out[i] = left_out(axes[i]);
@@ -384,7 +384,7 @@ Synchronised in_phase(std::span<const AxisMove> axes, std::span<Profile> out,
 
 }  // namespace
 
-Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
+Synchronized synchronize(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
                          double minimum_duration, double grid) noexcept {
   assert(axes.size() == out.size());
   if (!std::isfinite(minimum_duration) || !std::isfinite(grid))
@@ -393,7 +393,7 @@ Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Pr
   const Timing timing{minimum_duration, grid};
   if (sync == Sync::none) return each(axes, out, timing);
   if (sync == Sync::phase || sync == Sync::phase_or_time) {
-    const Synchronised straight = in_phase(axes, out, timing);
+    const Synchronized straight = in_phase(axes, out, timing);
     if (sync == Sync::phase || straight.status != MoveStatus::not_straight) return straight;
   }
   return in_time(axes, out, timing, sync == Sync::time_if_moving);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,14 +11,14 @@
 
 #include "support/random.hpp"
 
-namespace jounce::synchronise_test {
+namespace jounce::synchronize_test {
 namespace {
 
 MotionState random_state(test::Random& random) {
   return {random.uniform(-3, 3), random.uniform(-0.9, 0.9), random.uniform(-0.9, 0.9)};
 }
 
-TEST(Synchronise, InTimeAllArriveTogetherAtTheEarliestInstantForAll) {
+TEST(Synchronize, InTimeAllArriveTogetherAtTheEarliestInstantForAll) {
   test::Random random(41);
   for (int i = 0; i < 5000; ++i) {
     std::vector<AxisMove> axes(static_cast<std::size_t>(1 + random.below(6)));
@@ -26,7 +26,7 @@ TEST(Synchronise, InTimeAllArriveTogetherAtTheEarliestInstantForAll) {
       axis = {random_state(random), random_state(random),
               within(random.uniform(2, 6), random.uniform(1, 6), random.uniform(1, 20))};
     std::vector<Profile> out(axes.size());
-    const Synchronised s = synchronise(axes, Sync::time, out);
+    const Synchronized s = synchronize(axes, Sync::time, out);
     ASSERT_EQ(s.status, MoveStatus::ok) << i;
     double earliest = 0;
     for (const auto& axis : axes)
@@ -67,7 +67,7 @@ Walk walk(const Profile& profile, const Bounds& b) {
   return worst;
 }
 
-TEST(Synchronise, FromRestToRestAllLastAsLongAsTheSlowest) {
+TEST(Synchronize, FromRestToRestAllLastAsLongAsTheSlowest) {
   test::Random random(47);
   for (int i = 0; i < 5000; ++i) {
     std::vector<AxisMove> axes(static_cast<std::size_t>(1 + random.below(20)));
@@ -84,7 +84,7 @@ TEST(Synchronise, FromRestToRestAllLastAsLongAsTheSlowest) {
     const double least = random.below(2) * random.log_uniform(1e-1, 1e2);
     const double grid = random.below(2) * 0.25;
     std::vector<Profile> out(axes.size());
-    const Synchronised s = synchronise(axes, Sync::time, out, least, grid);
+    const Synchronized s = synchronize(axes, Sync::time, out, least, grid);
     ASSERT_EQ(s.status, MoveStatus::ok) << i;
     EXPECT_GE(s.duration, std::max(slowest, least) * (1 - 1e-12)) << i;
     EXPECT_LE(s.duration, std::max(slowest, least) * (1 + 1e-12) + grid) << i;
@@ -111,7 +111,7 @@ AxisMove random_axis(test::Random& random) {
   return axis;
 }
 
-TEST(Synchronise, TheOrderOfTheAxesDecidesNothing) {
+TEST(Synchronize, TheOrderOfTheAxesDecidesNothing) {
   test::Random random(43);
   for (int i = 0; i < 2000; ++i) {
     std::vector<AxisMove> axes(static_cast<std::size_t>(1 + random.below(24)));
@@ -119,7 +119,7 @@ TEST(Synchronise, TheOrderOfTheAxesDecidesNothing) {
     const double minimum = random.below(2) * random.uniform(0, 8);
     const double grid = random.below(2) * 0.25;
     std::vector<Profile> out(axes.size());
-    const Synchronised s = synchronise(axes, Sync::time, out, minimum, grid);
+    const Synchronized s = synchronize(axes, Sync::time, out, minimum, grid);
     ASSERT_EQ(s.status, MoveStatus::ok) << i;
     EXPECT_GE(s.duration, minimum * (1 - 1e-12));
     for (std::size_t k = 0; k < axes.size(); ++k) {
@@ -127,13 +127,13 @@ TEST(Synchronise, TheOrderOfTheAxesDecidesNothing) {
       EXPECT_NEAR(out[k].duration(), duration, 1e-12 * s.duration) << i << " axis " << k;
     }
     std::reverse(axes.begin(), axes.end());
-    const Synchronised backwards = synchronise(axes, Sync::time, out, minimum, grid);
+    const Synchronized backwards = synchronize(axes, Sync::time, out, minimum, grid);
     EXPECT_NEAR(backwards.duration, s.duration, 1e-12 * s.duration) << i;
     if (HasFailure()) break;
   }
 }
 
-TEST(Synchronise, InPhaseStaysOnTheLine) {
+TEST(Synchronize, InPhaseStaysOnTheLine) {
   test::Random random(42);
   for (int i = 0; i < 5000; ++i) {
     std::vector<AxisMove> axes(static_cast<std::size_t>(2 + random.below(5)));
@@ -149,7 +149,7 @@ TEST(Synchronise, InPhaseStaysOnTheLine) {
     }
     std::vector<Profile> out(axes.size());
     const double least = i % 3 == 0 ? 20 : 0;
-    const Synchronised s = synchronise(axes, Sync::phase, out, least);
+    const Synchronized s = synchronize(axes, Sync::phase, out, least);
     ASSERT_EQ(s.status, MoveStatus::ok) << i << explain(s.status);
     EXPECT_GE(s.duration, least * (1 - 1e-14));
     for (int n = 0; n <= 50; ++n) {
@@ -168,7 +168,7 @@ TEST(Synchronise, InPhaseStaysOnTheLine) {
   }
 }
 
-TEST(Synchronise, InPhaseIsReplannedOnItsOwnLine) {
+TEST(Synchronize, InPhaseIsReplannedOnItsOwnLine) {
   test::Random random(43);
   for (int i = 0; i < 5000; ++i) {
     const double offset = i % 2 == 0 ? 0 : 1e4;
@@ -178,49 +178,49 @@ TEST(Synchronise, InPhaseIsReplannedOnItsOwnLine) {
               {offset + random.uniform(0, 1000), 0, 0},
               within(2, 10, 100)};
     std::vector<Profile> out(2);
-    const double t = synchronise(axes, Sync::phase, out).duration * random.uniform(0.001, 0.99);
+    const double t = synchronize(axes, Sync::phase, out).duration * random.uniform(0.001, 0.99);
     for (std::size_t k = 0; k < 2; ++k) {
       const Motion m = out[k].at(t);
       axes[k].from = {m.position, m.velocity, m.acceleration};
     }
-    EXPECT_EQ(synchronise(axes, Sync::phase, out).status, MoveStatus::ok) << i << " at " << t;
+    EXPECT_EQ(synchronize(axes, Sync::phase, out).status, MoveStatus::ok) << i << " at " << t;
     if (HasFailure()) break;
   }
 }
 
-TEST(Synchronise, RefusesAnEndlessDuration) {
+TEST(Synchronize, RefusesAnEndlessDuration) {
   std::vector<AxisMove> axes{{{}, {1, 0, 0}, within(1, 1, 1)}};
   std::vector<Profile> out(1);
   for (const Sync sync : {Sync::none, Sync::time, Sync::phase})
-    EXPECT_EQ(synchronise(axes, sync, out, Bounds::none).status, MoveStatus::not_finite);
+    EXPECT_EQ(synchronize(axes, sync, out, Bounds::none).status, MoveStatus::not_finite);
 }
 
-TEST(Synchronise, NeverBendsAPathThatShouldBeStraight) {
+TEST(Synchronize, NeverBendsAPathThatShouldBeStraight) {
   std::vector<AxisMove> axes{{{0, 0.1, 0}, {1, 0, 0}, within(1, 1, 1)},
                              {{0, 0.2, 0}, {1, 0, 0}, within(1, 1, 1)}};
   std::vector<Profile> out(2);
-  const Synchronised s = synchronise(axes, Sync::phase, out);
+  const Synchronized s = synchronize(axes, Sync::phase, out);
   EXPECT_EQ(s.status, MoveStatus::not_straight);
   EXPECT_EQ(s.axis, 1U);
 }
 
-TEST(Synchronise, UnsynchronisedEachIsAsFastAsItCan) {
+TEST(Synchronize, UnsynchronizedEachIsAsFastAsItCan) {
   std::vector<AxisMove> axes{{{}, {1, 0, 0}, within(1, 1, 1)}, {{}, {9, 0, 0}, within(1, 1, 1)}};
   std::vector<Profile> out(2);
-  const Synchronised s = synchronise(axes, Sync::none, out);
+  const Synchronized s = synchronize(axes, Sync::none, out);
   EXPECT_EQ(out[0].duration(), move_to({}, {1, 0, 0}, within(1, 1, 1)).profile.duration());
   EXPECT_EQ(s.duration, out[1].duration());
 }
 
-TEST(Synchronise, NamesTheAxisThatCannot) {
+TEST(Synchronize, NamesTheAxisThatCannot) {
   std::vector<AxisMove> axes{{{}, {1, 0, 0}, within(1, 1, 1)}, {{}, {1, 2, 0}, within(1, 1, 1)}};
   std::vector<Profile> out(2);
   for (const Sync sync : {Sync::none, Sync::time, Sync::phase}) {
-    const Synchronised s = synchronise(axes, sync, out);
+    const Synchronized s = synchronize(axes, sync, out);
     EXPECT_EQ(s.status, MoveStatus::target_outside);
     EXPECT_EQ(s.axis, 1U);
   }
 }
 
 }  // namespace
-}  // namespace jounce::synchronise_test
+}  // namespace jounce::synchronize_test

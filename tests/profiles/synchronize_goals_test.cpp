@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/profiles/sequences/synchronise.hpp"
+#include "jounce/profiles/sequences/synchronize.hpp"
 
 #include "support/random.hpp"
 
-namespace jounce::synchronise_goals_test {
+namespace jounce::synchronize_goals_test {
 namespace {
 
 MotionState random_state(test::Random& random) {
@@ -43,13 +43,13 @@ void expect_end(const Profile& profile, const MotionState& end, double rounding)
   EXPECT_NEAR(profile.end().acceleration, end.acceleration, rounding);
 }
 
-TEST(SynchroniseGoals, AVelocityAloneIsReachedAsFastAsByMoveVelocity) {
+TEST(SynchronizeGoals, AVelocityAloneIsReachedAsFastAsByMoveVelocity) {
   test::Random random(51);
   for (int i = 0; i < 5000 && !::testing::Test::HasFailure(); ++i) {
     AxisMove axis{random_state(random), random_state(random), random_bounds(random)};
     axis.goal = MoveGoal::velocity;
     Profile out;
-    ASSERT_EQ(synchronise({&axis, 1}, Sync::none, {&out, 1}).status, MoveStatus::ok) << i;
+    ASSERT_EQ(synchronize({&axis, 1}, Sync::none, {&out, 1}).status, MoveStatus::ok) << i;
     const MoveResult alone =
         move_velocity(axis.from, axis.to.velocity, axis.bounds, axis.to.acceleration);
     EXPECT_NEAR(out.duration(), alone.profile.duration(), 1e-9) << i;
@@ -58,7 +58,7 @@ TEST(SynchroniseGoals, AVelocityAloneIsReachedAsFastAsByMoveVelocity) {
   }
 }
 
-TEST(SynchroniseGoals, VelocitiesAreReachedTogether) {
+TEST(SynchronizeGoals, VelocitiesAreReachedTogether) {
   test::Random random(52);
   for (int i = 0; i < 3000 && !::testing::Test::HasFailure(); ++i) {
     std::array<AxisMove, 4> axes;
@@ -71,7 +71,7 @@ TEST(SynchroniseGoals, VelocitiesAreReachedTogether) {
           longest, move_velocity(axis.from, axis.to.velocity, axis.bounds).profile.duration());
     }
     std::array<Profile, 4> out;
-    const Synchronised s = synchronise(axes, Sync::time, out);
+    const Synchronized s = synchronize(axes, Sync::time, out);
     ASSERT_EQ(s.status, MoveStatus::ok);
     EXPECT_NEAR(s.duration, longest, 1e-9);
     for (std::size_t k = 0; k < axes.size(); ++k) {
@@ -83,7 +83,7 @@ TEST(SynchroniseGoals, VelocitiesAreReachedTogether) {
   }
 }
 
-TEST(SynchroniseGoals, VelocitiesInPhaseChangeOnALine) {
+TEST(SynchronizeGoals, VelocitiesInPhaseChangeOnALine) {
   test::Random random(53);
   for (int i = 0; i < 3000 && !::testing::Test::HasFailure(); ++i) {
     std::array<AxisMove, 3> axes;
@@ -93,7 +93,7 @@ TEST(SynchroniseGoals, VelocitiesInPhaseChangeOnALine) {
       axis.goal = MoveGoal::velocity;
     }
     std::array<Profile, 3> out;
-    const Synchronised s = synchronise(axes, Sync::phase, out);
+    const Synchronized s = synchronize(axes, Sync::phase, out);
     ASSERT_EQ(s.status, MoveStatus::ok);
     for (int n = 0; n <= 20; ++n) {
       const auto share = [&](std::size_t k) {
@@ -107,14 +107,14 @@ TEST(SynchroniseGoals, VelocitiesInPhaseChangeOnALine) {
   }
 }
 
-TEST(SynchroniseGoals, AnOrderWithoutAccelerationLimitsStepsToItsVelocity) {
+TEST(SynchronizeGoals, AnOrderWithoutAccelerationLimitsStepsToItsVelocity) {
   AxisMove axis{{1, 0, 0}, {0, 0.5, 0}, within(2), MoveGoal::velocity};
   Profile out;
-  ASSERT_EQ(synchronise({&axis, 1}, Sync::time, {&out, 1}, 2).status, MoveStatus::ok);
+  ASSERT_EQ(synchronize({&axis, 1}, Sync::time, {&out, 1}, 2).status, MoveStatus::ok);
   EXPECT_EQ(out.duration(), 2);
   EXPECT_EQ(out.at(1).position, 1.5);
   axis.bounds = within(2, 4);
-  ASSERT_EQ(synchronise({&axis, 1}, Sync::time, {&out, 1}).status, MoveStatus::ok);
+  ASSERT_EQ(synchronize({&axis, 1}, Sync::time, {&out, 1}).status, MoveStatus::ok);
   EXPECT_EQ(out.duration(), 0.125);
   EXPECT_EQ(out.at(0.0625).velocity, 0.25);
 }
@@ -127,14 +127,14 @@ bool can_meet(const AxisMove& axis, double t) {
   return durations(axis.from, there, axis.bounds).allows(t);
 }
 
-TEST(SynchroniseGoals, AMovingTargetIsMetAsSoonAsItCanBe) {
+TEST(SynchronizeGoals, AMovingTargetIsMetAsSoonAsItCanBe) {
   test::Random random(54);
   for (int i = 0; i < 2000 && !::testing::Test::HasFailure(); ++i) {
     AxisMove axis{random_state(random), random_state(random), random_bounds(random)};
     axis.to.acceleration = 0;
     axis.goal = MoveGoal::moving;
     Profile out;
-    const Synchronised s = synchronise({&axis, 1}, Sync::none, {&out, 1});
+    const Synchronized s = synchronize({&axis, 1}, Sync::none, {&out, 1});
     ASSERT_EQ(s.status, MoveStatus::ok) << i;
     expect_kept(out, axis.bounds, 1e-9);
     const double t = s.duration;
@@ -144,11 +144,11 @@ TEST(SynchroniseGoals, AMovingTargetIsMetAsSoonAsItCanBe) {
   }
 }
 
-TEST(SynchroniseGoals, MovingTargetsInEveryOrder) {
+TEST(SynchronizeGoals, MovingTargetsInEveryOrder) {
   for (const Bounds& b : {within(3), within(3, 10), within(3, 10, 100)}) {
     const AxisMove axis{{0, 0, 0}, {2, 1, 0}, b, MoveGoal::moving};
     Profile out;
-    const Synchronised s = synchronise({&axis, 1}, Sync::none, {&out, 1});
+    const Synchronized s = synchronize({&axis, 1}, Sync::none, {&out, 1});
     ASSERT_EQ(s.status, MoveStatus::ok);
     EXPECT_NEAR(out.end().position, 2 + s.duration, 1e-12);
     EXPECT_NEAR(out.at(s.duration / 2 * (1 - 1e-9)).position,
@@ -156,23 +156,23 @@ TEST(SynchroniseGoals, MovingTargetsInEveryOrder) {
   }
   const AxisMove axis{{0, 0, 0}, {2, 1, 0}, within(3), MoveGoal::moving};
   Profile out;
-  EXPECT_EQ(synchronise({&axis, 1}, Sync::none, {&out, 1}).duration, 1);  // 3 t = 2 + t
+  EXPECT_EQ(synchronize({&axis, 1}, Sync::none, {&out, 1}).duration, 1);  // 3 t = 2 + t
 }
 
-TEST(SynchroniseGoals, ATargetAsFastAsTheLimitCannotBeMet) {
+TEST(SynchronizeGoals, ATargetAsFastAsTheLimitCannotBeMet) {
   const AxisMove axis{{0, 0, 0}, {2, 3, 0}, within(3, 10, 100), MoveGoal::moving};
   Profile out;
-  EXPECT_EQ(synchronise({&axis, 1}, Sync::none, {&out, 1}).status, MoveStatus::target_outside);
+  EXPECT_EQ(synchronize({&axis, 1}, Sync::none, {&out, 1}).status, MoveStatus::target_outside);
 }
 
-TEST(SynchroniseGoals, AMeetingBeyondThePositionLimitIsNone) {
+TEST(SynchronizeGoals, AMeetingBeyondThePositionLimitIsNone) {
   AxisMove axis{{0, 0, 0}, {2, 1, 0}, within(3, 10, 100), MoveGoal::moving};
   axis.bounds.position_max = 2.5;
   Profile out;
-  EXPECT_EQ(synchronise({&axis, 1}, Sync::none, {&out, 1}).status, MoveStatus::position_limit);
+  EXPECT_EQ(synchronize({&axis, 1}, Sync::none, {&out, 1}).status, MoveStatus::position_limit);
 }
 
-TEST(SynchroniseGoals, DurationsLieOnTheGrid) {
+TEST(SynchronizeGoals, DurationsLieOnTheGrid) {
   test::Random random(55);
   for (int i = 0; i < 3000 && !::testing::Test::HasFailure(); ++i) {
     std::array<AxisMove, 3> axes;
@@ -181,7 +181,7 @@ TEST(SynchroniseGoals, DurationsLieOnTheGrid) {
     std::array<Profile, 3> out;
     const double grid = random.log_uniform(1e-3, 0.5);
     for (const Sync sync : {Sync::none, Sync::time, Sync::time_if_moving}) {
-      const Synchronised s = synchronise(axes, sync, out, 0, grid);
+      const Synchronized s = synchronize(axes, sync, out, 0, grid);
       ASSERT_EQ(s.status, MoveStatus::ok);
       for (std::size_t k = 0; k < 3; ++k) {
         const double cycles = out[k].duration() / grid;
@@ -200,7 +200,7 @@ TEST(SynchroniseGoals, DurationsLieOnTheGrid) {
 }
 
 // The direct change takes 0.014 s less a rounding: nothing may be made of what is left of the grid.
-TEST(SynchroniseGoals, ARoundingLeftOfTheGridIsNoTimeToSpend) {
+TEST(SynchronizeGoals, ARoundingLeftOfTheGridIsNoTimeToSpend) {
   Bounds b = within(0.10461243843757903, 0.568791, 6.9417815389749462);
   b.jerk_max = 9.0267280871433329;
   const AxisMove axis{{0, 0.1039321438467595, 0.097184941545648745},
@@ -208,12 +208,12 @@ TEST(SynchroniseGoals, ARoundingLeftOfTheGridIsNoTimeToSpend) {
                       b,
                       MoveGoal::velocity};
   Profile out;
-  ASSERT_EQ(synchronise({&axis, 1}, Sync::time, {&out, 1}, 0, 0.002).status, MoveStatus::ok);
+  ASSERT_EQ(synchronize({&axis, 1}, Sync::time, {&out, 1}, 0, 0.002).status, MoveStatus::ok);
   EXPECT_NEAR(out.duration(), 0.014, 1e-12);
   expect_end(out, out.end(), 1e-12);
 }
 
-TEST(SynchroniseGoals, OnlyMovingTargetsWaitForEachOtherWhereThatIsAskedFor) {
+TEST(SynchronizeGoals, OnlyMovingTargetsWaitForEachOtherWhereThatIsAskedFor) {
   test::Random random(56);
   for (int i = 0; i < 2000 && !::testing::Test::HasFailure(); ++i) {
     std::array<AxisMove, 4> axes;
@@ -222,7 +222,7 @@ TEST(SynchroniseGoals, OnlyMovingTargetsWaitForEachOtherWhereThatIsAskedFor) {
     axes[1].to.velocity = axes[1].to.acceleration = 0;
     axes[3].to.velocity = axes[3].to.acceleration = 0;
     std::array<Profile, 4> out;
-    const Synchronised s = synchronise(axes, Sync::time_if_moving, out);
+    const Synchronized s = synchronize(axes, Sync::time_if_moving, out);
     ASSERT_EQ(s.status, MoveStatus::ok);
     for (std::size_t k = 0; k < 4; ++k) {
       const double least = durations(axes[k].from, axes[k].to, axes[k].bounds).minimum;
@@ -232,30 +232,30 @@ TEST(SynchroniseGoals, OnlyMovingTargetsWaitForEachOtherWhereThatIsAskedFor) {
   }
 }
 
-TEST(SynchroniseGoals, InPhaseWhereTheStatesAllowItOtherwiseInTime) {
+TEST(SynchronizeGoals, InPhaseWhereTheStatesAllowItOtherwiseInTime) {
   std::array<AxisMove, 2> axes{AxisMove{{0, 0, 0}, {1, 0, 0}, within(1, 1, 1)},
                                AxisMove{{0, 0, 0}, {-2, 0, 0}, within(1, 1, 1)}};
   std::array<Profile, 2> out, other;
-  EXPECT_EQ(synchronise(axes, Sync::phase_or_time, out).duration,
-            synchronise(axes, Sync::phase, other).duration);
+  EXPECT_EQ(synchronize(axes, Sync::phase_or_time, out).duration,
+            synchronize(axes, Sync::phase, other).duration);
   EXPECT_NEAR(out[1].at(0.7).position, -2 * out[0].at(0.7).position, 1e-14);
   axes[0].from.velocity = 0.3;
-  EXPECT_EQ(synchronise(axes, Sync::phase, other).status, MoveStatus::not_straight);
-  const double t = synchronise(axes, Sync::phase_or_time, out).duration;
-  EXPECT_EQ(t, synchronise(axes, Sync::time, other).duration);
+  EXPECT_EQ(synchronize(axes, Sync::phase, other).status, MoveStatus::not_straight);
+  const double t = synchronize(axes, Sync::phase_or_time, out).duration;
+  EXPECT_EQ(t, synchronize(axes, Sync::time, other).duration);
   EXPECT_NEAR(out[0].duration(), t, 1e-12);
 }
 
-TEST(SynchroniseGoals, GoalsOfTwoKindsHaveNoCommonLine) {
+TEST(SynchronizeGoals, GoalsOfTwoKindsHaveNoCommonLine) {
   std::array<AxisMove, 2> axes{AxisMove{{0, 0, 0}, {1, 0, 0}, within(1, 1, 1)},
                                AxisMove{{0, 0, 0}, {0, 1, 0}, within(1, 1, 1), MoveGoal::velocity}};
   std::array<Profile, 2> out;
-  EXPECT_EQ(synchronise(axes, Sync::phase, out).status, MoveStatus::not_straight);
-  EXPECT_EQ(synchronise(axes, Sync::time, out).status, MoveStatus::ok);
+  EXPECT_EQ(synchronize(axes, Sync::phase, out).status, MoveStatus::not_straight);
+  EXPECT_EQ(synchronize(axes, Sync::time, out).status, MoveStatus::ok);
   EXPECT_NEAR(out[0].duration(), out[1].duration(), 1e-12);
 }
 
-TEST(SynchroniseGoals, AnAxisThatIsNotEnabledTakesNoPart) {
+TEST(SynchronizeGoals, AnAxisThatIsNotEnabledTakesNoPart) {
   std::array<AxisMove, 3> axes{AxisMove{{0, 0.1, 0}, {1, 0, 0}, within(1, 1, 1)},
                                AxisMove{{7, 3, 0}, {900, 0, 0}, Bounds{}},
                                AxisMove{{0, 0.2, 0}, {2, 0, 0}, within(1, 1, 1)}};
@@ -264,9 +264,9 @@ TEST(SynchroniseGoals, AnAxisThatIsNotEnabledTakesNoPart) {
   for (const Sync sync : {Sync::none, Sync::time, Sync::time_if_moving, Sync::phase}) {
     std::array<Profile, 3> out;
     std::array<Profile, 2> expected;
-    const Synchronised s = synchronise(axes, sync, out);
+    const Synchronized s = synchronize(axes, sync, out);
     ASSERT_EQ(s.status, MoveStatus::ok);
-    EXPECT_EQ(s.duration, synchronise(two, sync, expected).duration);
+    EXPECT_EQ(s.duration, synchronize(two, sync, expected).duration);
     EXPECT_EQ(out[0].duration(), expected[0].duration());
     EXPECT_EQ(out[2].duration(), expected[1].duration());
     EXPECT_EQ(out[1].duration(), 0);
@@ -276,7 +276,7 @@ TEST(SynchroniseGoals, AnAxisThatIsNotEnabledTakesNoPart) {
 
 // A target that moves is met on a knife's edge: rounding may make the state a hair late for it, and the
 // next possibility is far away. The motion under way still gets there.
-TEST(SynchroniseGoals, AMotionUnderWayIsNotLost) {
+TEST(SynchronizeGoals, AMotionUnderWayIsNotLost) {
   test::Random random(57);
   int lost = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -287,10 +287,10 @@ TEST(SynchroniseGoals, AMotionUnderWayIsNotLost) {
     AxisMove axis{rest.start(), to, b};
     axis.to.position += 1e-9 * random.uniform(-1, 1);
     Profile out;
-    (void)synchronise({&axis, 1}, Sync::time, {&out, 1});
+    (void)synchronize({&axis, 1}, Sync::time, {&out, 1});
     if (out.duration() > rest.duration() * 1.001) ++lost;
     axis.under_way = &rest;
-    EXPECT_LE(synchronise({&axis, 1}, Sync::time, {&out, 1}).duration, rest.duration());
+    EXPECT_LE(synchronize({&axis, 1}, Sync::time, {&out, 1}).duration, rest.duration());
   }
   EXPECT_GT(lost, 50);  // there is something to lose
 }
@@ -315,4 +315,4 @@ TEST(ProfileAfter, IsTheRestOfTheMotion) {
 }
 
 }  // namespace
-}  // namespace jounce::synchronise_goals_test
+}  // namespace jounce::synchronize_goals_test

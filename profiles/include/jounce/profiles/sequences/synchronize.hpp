@@ -39,8 +39,8 @@ enum class Sync : std::uint8_t {
   phase_or_time,  ///< phase; if its status would be `not_straight`: time
 };
 
-/// Result of synchronise().
-struct Synchronised {
+/// Result of synchronize().
+struct Synchronized {
   MoveStatus status = MoveStatus::ok;  ///< ok, or why there is no common motion
   std::size_t axis = 0;                ///< the axis that causes the status, if it is not ok
   /// s, the common duration: the longest of an axis, and at least the minimum; 0 if the status is
@@ -63,7 +63,7 @@ struct Synchronised {
 ///
 /// If minimum_duration or grid is not finite, the status is `not_finite`. Without axes, the status
 /// is ok and the duration 0. A start outside the bounds: see move_to(). Does not allocate or throw.
-Synchronised synchronise(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
+Synchronized synchronize(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
                          double minimum_duration = 0, double grid = 0) noexcept;
 
 }  // namespace jounce
