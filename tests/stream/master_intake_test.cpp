@@ -77,7 +77,7 @@ TEST(MasterIntake, WithAKeyOnlyWhatIsSignedIsHandedOn) {
   Bus bus;
   ReceiverPump pump(bus.here, ReceiverOptions{.executor = "knife", .key = key_of(1)}, 1, bus.clock);
   std::vector<std::int64_t> heard;
-  pump.hear("line", [&](const wire::Master& m) { heard.push_back(m.seq); });
+  pump.subscribe("line", [&](const wire::Master& m) { heard.push_back(m.seq); });
   send_message(bus.there, {"line", 0, sample(1, 1)}, key_of(1));
   send_message(bus.there, {"line", 0, sample(2, 2)});
   send_message(bus.there, {"line", 0, sample(3, 3)}, key_of(2));
@@ -97,7 +97,7 @@ TEST(MasterIntake, RisesWhateverTheLinkDoes) {
   ReceiverPump pump(bus.here, ReceiverOptions{.executor = "knife"}, 1, bus.clock);
   MasterIntake intake({.unit = "mm"});
   std::int64_t last = -1;
-  pump.hear("line", [&](const wire::Master& m) {
+  pump.subscribe("line", [&](const wire::Master& m) {
     if (!intake.take(m, bus.now)) return;
     EXPECT_GT(m.seq, last);
     EXPECT_EQ(m.stamp_ns, m.seq * 1'000'000);
