@@ -212,7 +212,7 @@ std::vector<Residual> residuals_of(const Spec& spec, const Trajectory& before,
   return all;
 }
 
-/// A time table whose velocity steps becomes a linear table, the only rule that permits two
+/// A table over time whose velocity steps becomes a linear table, the only rule that permits two
 /// velocities at a knot. The tolerance is a millionth of the stroke, because its parabolas would
 /// require very many lines for a smaller one.
 void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& options) {

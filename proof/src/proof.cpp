@@ -76,7 +76,7 @@ Json played_json(const Played& played) {
 
 Proof prove(const Input& input, const ProofOptions& options) {
   // The velocity of a table of straight lines steps. That of an input without another curve steps,
-  // too, and that of a time table, each of whose segments has its own velocities.
+  // too, and that of a table over time, each of whose segments has its own velocities.
   const WitnessOptions of_table{.velocity_steps =
                                     input.table.table.rule() == Interpolation::linear};
   const bool time_table = input.spec && std::holds_alternative<TimeTableSpec>(input.spec->subject);

@@ -88,9 +88,10 @@ constexpr std::array rules{
     RuleInfo{"identity/*", "An integral of the curve differs from its exact value.",
              "Report a defect of the program, with the spec."},
 
-    RuleInfo{"coupling/begin", "The cam begins with a velocity, and the slave waits at rest.",
+    RuleInfo{"coupling/begin", "The cam begins at a nonzero velocity, and the slave waits at rest.",
              "Let the cam begin at rest, or start with a ramp."},
-    RuleInfo{"coupling/end", "The cam ends with a velocity, so the slave brakes after its end.",
+    RuleInfo{"coupling/end",
+             "The cam ends at a nonzero velocity, so the slave brakes after its end.",
              "Let the cam end at rest, repeat it, or stream it with --keep-velocity."},
     RuleInfo{"coupling/enter",
              "The cam moves where the master enters it, and the slave is at rest.",
@@ -224,7 +225,7 @@ constexpr std::array rules{
 
     RuleInfo{"pt/velocity_step", "The velocity steps at a point of the table.",
              "Use a rule with a continuous velocity, or change the point."},
-    RuleInfo{"pt/end_velocity", "The table ends with a velocity.",
+    RuleInfo{"pt/end_velocity", "The table ends at a nonzero velocity.",
              "End with a stop segment, or stream another table."},
     RuleInfo{"pt/oscillation", "The velocity alternates from point to point.",
              "Smooth the points, or use another rule."},

@@ -93,7 +93,7 @@ std::string of_warning(const Finding& f, const std::string& value, const std::st
                      f.quantity, value, where, f.quantity);
 }
 
-/// Warnings of a time table.
+/// Warnings of a table over time.
 std::string of_table(const Finding& f, const std::string& value, const std::string& where) {
   if (f.rule == "pt/oscillation")
     return fmt::format(

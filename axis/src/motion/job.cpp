@@ -172,7 +172,7 @@ void Job::survey_steps(const S& slave, double tick) {
   direction_ = first_direction(slave, tick);
 }
 
-/// The value of the time table at local time t; after its end it is at rest.
+/// The value of the table over time at local time t; after its end it is at rest.
 Jet Job::master(double t, Side side) const {
   if (side == Side::left && t == time_->length()) return time_->jet(time_->end(), side);
   if (repeats() || t < time_->length()) return time_->jet(start() + t);

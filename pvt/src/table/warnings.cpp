@@ -49,7 +49,7 @@ std::string advice_against_overshoot(const Segment& f) {
                        rounded(3 * mean);
   const double fastest = std::max(std::abs(a), std::abs(b));
   if (a * mean >= 0 && b * mean >= 0)
-    advice += ", or if it takes at most " + rounded(3 * std::abs(stroke) / fastest) +
+    advice += ", or if the segment takes at most " + rounded(3 * std::abs(stroke) / fastest) +
               " instead of " + rounded(f.length);
   return advice;
 }
@@ -97,11 +97,12 @@ Finding end_of(const auto& f, double velocity, double scale) {
 
   if (f.outside() == Extrapolation::hold) {
     found.advice =
-        "the table ends at a velocity, and the axis stops abruptly there: let the last segment end "
-        "at rest";
+        "the table ends at a nonzero velocity, so the axis stops abruptly: let the last segment "
+        "end at rest";
   } else {
     found.severity = Severity::note;
-    found.advice = "the table ends at a velocity: another motion must continue at this velocity";
+    found.advice =
+        "the table ends at a nonzero velocity: another motion must continue at this velocity";
   }
   found.quantity = Over::names[1];
   return found;

@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/curve/curve.hpp"
 
-/// The time tables of PLCopen, as in a Leadshine PMC600 (PMC600 manual, volume 4, 4.1 and 5.2.3;
+/// The tables over time of PLCopen, as in a Leadshine PMC600 (PMC600 manual, volume 4, 4.1 and 5.2.3;
 /// the blocks are those of CODESYS): MC_PositionProfile, MC_VelocityProfile,
 /// MC_AccelerationProfile. Times are in s, positions in the axis' unit u. The manual calls the
 /// tables PVT, but each has only one column in addition to the time.

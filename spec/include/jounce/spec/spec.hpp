@@ -34,10 +34,10 @@ namespace jounce {
 /// Conversion of a curve to a table: the rule, and a tolerance or a number of equal intervals.
 struct TableOptions {
   /// Interpolation rule. Omitted: quintic_hermite; for a motion whose acceleration steps, and for a
-  /// spec of knots, cubic_hermite; for a time table whose velocity steps, linear.
+  /// spec of knots, cubic_hermite; for a table over time whose velocity steps, linear.
   std::optional<Interpolation> rule;
   /// Greatest position error, in the unit of the position; if it and `intervals` are omitted: 1e-9
-  /// of the stroke (time table with rule linear: 1e-6).
+  /// of the stroke (table over time with rule linear: 1e-6).
   std::optional<double> tolerance;
   std::optional<std::size_t> intervals;  ///< number of equal intervals, instead of a tolerance
   /// For knots = "fewest": further requirements. Rule and tolerance are the members above.

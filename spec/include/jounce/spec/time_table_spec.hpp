@@ -11,7 +11,7 @@
 #include "jounce/pvt/profile_table.hpp"
 #include "jounce/pvt/pt.hpp"
 
-/// Specs of kind "pt": time tables that are played unchanged. Numbers are in the spec's units.
+/// Specs of kind "pt": tables over time that are played unchanged. Numbers are in the spec's units.
 
 namespace jounce {
 
