@@ -21,7 +21,7 @@ constexpr std::array table{
                     "table that is missing"},
     ControllerError{
         "PMC600", 626, "master outside the valid range", "CouplingStatus master_outside_cam",
-        "for a cam that rejects a master outside its range; a cam that holds waits there"},
+        "for a cam with `outside = \"refuse\"`; with `\"hold\"`, the slave waits at the end value"},
     ControllerError{"PMC600", 627, "ramp-in needs velocity and acceleration",
                     "InputError velocity_diff",
                     "also `acceleration`; for a ramp over the master: `distance`"},
@@ -41,10 +41,12 @@ constexpr std::array table{
     ControllerError{"PMC600", 679, "GearIn: bad jerk", "InputError jerk",
                     "must not be negative; with 0 the acceleration steps"},
     ControllerError{"PMC600", 750, "not a cam reference", "Refusal wrong_axis",
-                    "in the library, a curve over time has another type and does not compile"},
-    ControllerError{"PMC600", 751, "table does not cover the master's range", "InputError master",
-                    "thrown by Followed if the master leaves a cam that refuses this; an executor "
-                    "reports Cause master_outside_cam"},
+                    "the table is over time instead of over a master. In the library, this is a "
+                    "compile error, because a curve over time has another type"},
+    ControllerError{
+        "PMC600", 751, "table does not cover the master's range", "InputError master",
+        "thrown by the class `Followed` if the master leaves the interval of a cam with "
+        "`outside = \"refuse\"`; an executor reports `Cause master_outside_cam`"},
     ControllerError{"PMC600", 752, "master range empty", "InputError segment",
                     "a cam needs at least one segment"},
     ControllerError{"PMC600", 753, "master minimum and maximum wrong",
