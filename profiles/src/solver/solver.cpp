@@ -20,7 +20,7 @@ bool limits_position(const Bounds& b) {
   return b.position_min > -Bounds::none || b.position_max < Bounds::none;
 }
 
-/// True if no turning point is outside the position limits.
+/// True if no reversal is outside the position limits.
 bool keeps_positions(const Profile& profile, const Bounds& b) {
   if (!limits_position(b)) return true;
   const double start = profile.start().position;

@@ -29,7 +29,7 @@ namespace jounce {
 /// the slave positions at the cam's breaks, at points of rest and at dwells.
 ///
 /// **Derivatives** with respect to the slave: `Transfer` in m/u, m/u^2, m/u^3. If the slave is at
-/// rest (at the end of a dwell, at a turning point, or at an inflection with velocity zero), the
+/// rest (at the end of a dwell, at a reversal, or at an inflection with velocity zero), the
 /// master has no finite derivative. All three results are then infinite, with the signs that they
 /// approach from the requested side. They are never NaN.
 ///

@@ -22,7 +22,7 @@ struct CamRun {
   double slave_to = 0;    ///< u, slave position at `to`
 };
 
-/// Returns the runs of a cam, in the order of the master. Successive runs meet at a turning point
+/// Returns the runs of a cam, in the order of the master. Successive runs meet at a reversal
 /// (an exact root of the derivative, not found by sampling; see roots.hpp), at an end of a dwell,
 /// or at a jump of the position. Travel of at most 1e-15 of magnitude(segment) counts as rest.
 std::vector<CamRun> runs(const Cam& cam);
