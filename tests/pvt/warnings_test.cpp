@@ -50,7 +50,7 @@ TEST(Overshoot, OfHmplsExampleIsNamedSegmentBySegment) {
                 HasSubstr("the end velocities are 0 and 1000, the mean velocity is 76.6665"));
     EXPECT_THAT(f.advice,
                 HasSubstr("does not overshoot if both end velocities are between 0 and 230"));
-    EXPECT_THAT(f.advice, HasSubstr("if it takes at most 0.459999 instead of 2"));
+    EXPECT_THAT(f.advice, HasSubstr("if the segment takes at most 0.459999 instead of 2"));
   }
 }
 
