@@ -46,9 +46,9 @@ std::vector<Made> make_axes(const Spec& spec);
 /// Makes the motion of a spec of one axis. Throws InputError if the spec has several axes.
 Made make(const Spec& spec);
 
-/// Returns warnings of a valid spec. For a table over time (kinds "pt" and "pvt", without operators):
-/// steps of the velocity, oscillation and overshoot. For a polydyne cam: steps of its acceleration.
-/// Empty for all other specs.
+/// Returns warnings of a valid spec. For a table over time (kinds "pt" and "pvt", without
+/// operators): steps of the velocity, oscillation and overshoot. For a polydyne cam: steps of its
+/// acceleration. Empty for all other specs.
 Report table_warnings(const Spec& spec);
 
 /// Returns the motion of a cam's master over time in *seconds*. It begins at the start of the cam.
