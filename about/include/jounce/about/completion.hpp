@@ -19,9 +19,9 @@ struct Completion {
   bool files = false;  ///< file names can stand there, too
 };
 
-/// The words that can stand in place of the last of `words`, which are those of a command line after the name of the
-/// program. The last one is not complete, and may be empty. The word "=" alone is the sign between an option and its
-/// value: bash splits --format=json there.
+/// Returns the candidates for the last of `words`. `words` are the words of a command line after the name of the
+/// program; the last one is not complete, and may be empty. A word "=" separates an option from its value, because bash
+/// splits --format=json at the sign.
 Completion complete(const ProgramInfo& program, const std::vector<std::string>& words);
 
 /// Lines for the script of a shell: "WORD<tab>HELP" for each candidate; ":files" if file names can stand there.

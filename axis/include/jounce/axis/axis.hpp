@@ -167,7 +167,7 @@ class MotionAxis {
   /// The player of the motion, without the superimposed move. group: the group of the axis gives
   /// the setpoints.
   enum class Base : std::uint8_t { rest, path, live, move, group };
-  /// Reason for the present stop. table: the movement ended at a velocity.
+  /// Reason for the present stop. table: the movement ended at a nonzero velocity.
   enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
 
   // axis.cpp: one tick

@@ -23,8 +23,8 @@ namespace jounce {
 ///     above.clear();                   // another motion has taken over
 ///
 /// The distance of a finished move remains added until clear(). A move that begins during another
-/// one begins from the present state of the other one. It has a fixed size, and copies are
-/// independent. It does not allocate or throw.
+/// one begins from the present state of the other one. A SuperimposedMove has a fixed size, and
+/// copies are independent. It does not allocate or throw.
 class SuperimposedMove {
  public:
   /// `config`: the configuration of the axis.

@@ -19,8 +19,8 @@ struct CutMap {
   std::vector<CutSpeed> speeds;  ///< in ascending order of the length
   /// Lengths at which another limit begins to determine the speed.
   std::vector<LimitChange> changes;
-  /// Speed of the line: that of [master], but at most the greatest speed of the line; without
-  /// [master], the greatest speed.
+  /// Speed of the line: the speed of [master], or the greatest speed of the line if that is lower;
+  /// without [master], the greatest speed.
   double running = 0;
   /// Shortest cut at the speed `running`, master unit; nullopt if no cut is possible.
   std::optional<double> shortest;

@@ -56,7 +56,7 @@ struct EngageState {
   std::optional<double> master_velocity = {};  ///< m/s
 };
 
-/// Checks everything that needs no integration: the limits and joints of the curve, the error of
+/// Checks everything that needs no integration: the limits and breaks of the curve, the error of
 /// the table, limits that only the table breaks, the findings of the generator and of the table's
 /// columns, [load], [disc] and [compare], the engagement of a coupling in the state `at`, the ends
 /// of a cam that runs once, and the stability of the loop of a [drive].
@@ -71,9 +71,9 @@ void add_not_limited(Report& report, const Input& input);
 void add_no_limits(Report& report);
 
 /// Returns the greatest permitted error of the table, in the unit of the position. It is the
-/// requested tolerance; without one, for a requested number of intervals a millionth of the stroke,
-/// for a table of fewest knots the actual error, otherwise a billionth of the stroke. It is never
-/// below rounding. Returns nullopt if the curve is that of the table.
+/// requested tolerance. Without one, it is a millionth of the stroke for a requested number of
+/// intervals, the actual error for a table of fewest knots, and otherwise a billionth of the
+/// stroke. It is never below rounding. Returns nullopt if the curve is that of the table.
 std::optional<double> table_tolerance(const Input& input);
 
 /// Returns the content of a table file as an input.

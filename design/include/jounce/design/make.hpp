@@ -52,9 +52,9 @@ Made make(const Spec& spec);
 Report table_warnings(const Spec& spec);
 
 /// Returns the motion of a cam's master over time in *seconds*. It begins at the start of the cam.
-/// If the spec has no [master], throws InputError with the section to add. Throws also for a
-/// distance outside 1e-9 to 1e4 times the length of the cam, and for one that the master travels in
-/// less than 1 us.
+/// If the spec has no [master], throws InputError with the section to add. Also throws for a
+/// distance outside 1e-9 to 1e4 times the length of the cam, and for a distance that the master
+/// travels in less than 1 us.
 Trajectory make_master(const Spec& spec);
 
 /// Returns the length of the spec's unit of time, s.

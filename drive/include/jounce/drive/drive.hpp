@@ -21,7 +21,7 @@ struct DriveSetpoint {
 };
 
 /// Returns the request of a tick to the drive. `command` is the command that the axis accepted in
-/// this tick. A change of the axis' coordinate (set_position, home) does not affect the drive,
+/// this tick. A change of the axis's coordinate (set_position, home) does not affect the drive,
 /// because Tick::offset is subtracted from the position.
 DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 

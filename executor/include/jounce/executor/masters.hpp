@@ -36,8 +36,8 @@ class MasterServer {
   /// Options of the masters of a machine.
   struct Options {
     std::vector<MachineMaster> masters = {};  ///< the masters of the machine
-    /// For each axis, the master that it follows; the status of the axis includes that of this
-    /// master.
+    /// For each axis, the master that it follows; the status of the axis includes the status of
+    /// this master.
     std::vector<Follow> follows = {};
     bool keyed = false;  ///< true: samples must be authenticated, see MasterIntake
     std::function<void(const std::string& notice)> notify{};  ///< receives notices as text

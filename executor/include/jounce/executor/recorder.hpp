@@ -92,8 +92,7 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Records the arguments of a Job. The hashes of its tables are those of `time` and `cam`. Each
-  /// table is written only once.
+  /// Records the arguments of a Job. `time` and `cam` give the hashes of its tables. Each table is written only once.
   void job(const RecordedJob& job, const StoredTable& time, const StoredTable* cam = nullptr);
   /// Records the arguments of another movement, or a change of a queue.
   void note(const RecordEvent& event) { write(event, now_); }

@@ -46,7 +46,7 @@ std::optional<TableFile> line_motion(const Input& input);
 using LineProgress = std::function<bool(double time, double position, double share)>;
 
 /// Sends samples at equal intervals. A sample that is late is not sent. At the end, sends several
-/// times that the master is lost. Throws InputError like EncoderReading.
+/// messages that the master is lost. Throws InputError like EncoderReading.
 LineMasterResult send_line_master(Transport& link, const LineMaster& line,
                                   const LineProgress& keep_going = {});
 

@@ -41,10 +41,9 @@ struct MachineParts {
 ///     auto [axes, masters, watchdog] = machine_parts({.files = {"machine.toml"}});
 ///     run_executor(*link, axes, {.masters = masters});
 ///
-/// Throws InputError with file, line and key for a file of another kind, an invalid configuration, a group
-/// whose program exceeds the limits of its axes,
-/// an axis that follows an unknown axis or master, and units that do not match. Throws
-/// std::system_error if the shared memory of a drive cannot be created.
+/// Throws InputError with file, line and key for a file of another kind, an invalid configuration, a group whose
+/// program exceeds the limits of its axes, an axis that follows an unknown axis or master, and units that do not match.
+/// Throws std::system_error if the shared memory of a drive cannot be created.
 MachineParts machine_parts(const MachineOptions& options);
 
 }  // namespace jounce

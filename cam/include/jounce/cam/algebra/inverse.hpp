@@ -34,8 +34,9 @@ namespace jounce {
 /// approach from the requested side. They are never NaN.
 ///
 /// **A dwell** inside a branch is a jump of the master: Side::left returns the master position at
-/// one end of the dwell, Side::right (the default) that at the other. **Outside** [start(), end()]
-/// a query is an error of the caller: it asserts in a debug build, and holds in a release build.
+/// one end of the dwell, Side::right (the default) returns the position at the other end.
+/// **Outside** [start(), end()] a query is an error of the caller: it asserts in a debug build, and
+/// holds in a release build.
 ///
 /// **Accuracy.** cam(inverse(u)) equals u within 1e-12 of the stroke or 1e-14 of the position,
 /// whichever is greater (the second one is greater beyond 100 strokes from zero). This holds for a

@@ -55,9 +55,10 @@ struct CouplingSpec {
   std::optional<double> distance = {};
   /// u, > 0: period of a rotary slave; omitted: the slave is linear.
   std::optional<double> slave_period = {};
-  /// m, > 0. The master has jumped if its position differs by more than this from the one that its
-  /// velocity predicts, or if it is valid again after NaN. A slave with a ramp absorbs the jump by
-  /// another correction. Omitted: the coupling does not detect jumps, and the slave follows them.
+  /// m, > 0. The master has jumped if its position differs by more than this from the position that
+  /// its velocity predicts, or if it is valid again after NaN. A slave with a ramp absorbs the jump
+  /// by another correction. Omitted: the coupling does not detect jumps, and the slave follows
+  /// them.
   std::optional<double> master_jump = {};
 };
 
@@ -103,9 +104,9 @@ const char* explain(CouplingStatus status);
 /// in each period. `origin` is slave_offset or, for a relative cam, the shift to the slave. The
 /// correction c begins at the difference between slave and cam (position, velocity, acceleration)
 /// and ends at rest at zero, within velocity_diff, acceleration, deceleration and jerk. So the
-/// slave does not jump, for any motion of the master, with one exception: the master enters a cam
-/// that begins with a velocity. docs/cam/coupling.md describes the origins, the start modes and the
-/// end of a period. Throws InputError like require_valid().
+/// slave does not jump, for any motion of the master, with one exception: it jumps when the master
+/// enters a cam that begins with a nonzero velocity. docs/cam/coupling.md describes the origins,
+/// the start modes and the end of a period. Throws InputError like require_valid().
 class Coupling {
  public:
   explicit Coupling(Cam cam, const CouplingSpec& spec = {});
@@ -159,7 +160,7 @@ Engagement engage(const Coupling& coupling, const MotionState& slave, const Jet&
 
 /// Returns the setpoint of the slave and its derivatives with respect to time. A pure function of
 /// its arguments. `cam` is the cam, or a Table of it. `side` has the meaning of placed(): at the
-/// joint of two periods it selects the limit from before or from after. Does not allocate.
+/// boundary between two periods it selects the limit from before or from after. Does not allocate.
 template <class C>
 Jet point(const C& cam, const Engaged& engaged, const Jet& master, double t,
           Side side = Side::right) {
@@ -180,7 +181,8 @@ inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& ma
 /// - "coupling/period": the jump at the end of each period; broken if there is a jump;
 /// - "coupling/enter": for a master outside the cam, the velocity of the cam where the master
 ///   enters; broken if it is not 0, because the velocity of the waiting slave would jump;
-/// - "coupling/end": a cam that runs once ends at a velocity (see check_ends()); never broken;
+/// - "coupling/end": a cam that runs once ends at a nonzero velocity (see check_ends()); never
+///   broken;
 /// - "coupling/ramp": the greatest values of a correction and of its derivatives with respect to
 ///   time or master. Never broken: a correction over the master has no limits.
 ///

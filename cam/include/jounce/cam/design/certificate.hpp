@@ -14,9 +14,9 @@ namespace jounce {
 ///     for (const Finding& f : best.findings)
 ///       std::printf("%s: %g, bound %g\n", f.quantity.c_str(), f.value, f.limit);
 ///
-/// Each rise (stroke h, length b) has one finding for each rule that applies. The quantities are
-/// normalized to h = b = 1. Cv and Cm are those of Characteristics; Cj is its cj_inside; Ca is max
-/// |f''|, the greater of its ca and ca_star. A bound applies if the rise is smooth enough. In the
+/// Each rise (stroke h, length b) has one finding for each rule that applies. The quantities are normalized to h = b =
+/// 1. Characteristics defines Cv and Cm. Cj is Characteristics::cj_inside. Ca is max
+/// |f''|, the greater of Characteristics::ca and ca_star. A bound applies if the rise is smooth enough. In the
 /// column "needs n", n means that the derivatives f' to f^(n-1) are zero at both ends and do not
 /// step between them (Rise::smooth >= n - 1).
 ///

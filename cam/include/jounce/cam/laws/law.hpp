@@ -49,7 +49,7 @@ enum class Law {
 /// States that a law permits at its ends. Letters of VDI 2143: R rest, G constant velocity, U
 /// reversal, B motion.
 enum class Ends {
-  given,        ///< B: velocity and acceleration are those of the knots
+  given,        ///< B: the knots give velocity and acceleration
   straight,     ///< G: the law requires the mean velocity of the segment
   standing,     ///< R: rest, and no stroke
   moving,       ///< R or G: any velocity, with acceleration 0

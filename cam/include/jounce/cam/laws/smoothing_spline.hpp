@@ -16,12 +16,12 @@ namespace jounce {
 ///     Cam cam(s.segments, 0, Extrapolation::hold);
 ///     double bound = s.square_jerk - s.gap;             // no permitted curve has less
 ///
-/// The curve is a quintic spline. Its joints are the points with zero tolerance, which the curve
+/// The curve is a quintic spline. Its breaks are the points with zero tolerance, which the curve
 /// passes exactly, and the points where the curve uses the whole tolerance. Other points are not
-/// joints. If all tolerances are zero, the curve is quintic_spline().
+/// breaks. If all tolerances are zero, the curve is quintic_spline().
 struct SmoothingSpline {
   std::vector<Segment> segments;     ///< from the master of the first point to that of the last
-  std::vector<std::size_t> touched;  ///< indices of the points that are joints
+  std::vector<std::size_t> touched;  ///< indices of the points that are breaks
   double square_jerk = 0;            ///< integral of geo_jerk^2, u^2/m^5
   double gap = 0;     ///< proven: no curve within the tolerances has less than square_jerk - gap
   int solutions = 0;  ///< number of linear systems that were solved

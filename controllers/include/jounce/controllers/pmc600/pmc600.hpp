@@ -89,9 +89,8 @@ Trajectory position_to_velocity(const PositionToVelocity& move);
 // Functions for any running motion; t is the time of the change, s. For LS_MoveAbsChangePosVel use
 // with_target(); for LS_MoveChangeVel, MC_Halt and MC_Stop use with_velocity().
 
-/// MC_MoveAdditive: from t on, moves to the previous target plus `distance` (u), with these
-/// dynamics. After a velocity command (a motion that ends at a velocity), `distance` counts from
-/// the position at t.
+/// MC_MoveAdditive: from t on, moves to the previous target plus `distance` (u), with these dynamics. After a velocity
+/// command (a motion that ends at a nonzero velocity), `distance` counts from the position at t.
 Trajectory move_additive(const Trajectory& running, double t, double distance,
                          const Dynamics& dynamics);
 
