@@ -73,7 +73,7 @@ SplineTimesOutcome spline_times(const SplineTimesSpec& spec, const KeepGoing& ke
 
 /// Returns the joints as cubic splines with these intervals (s). (spline_times() varies these
 /// intervals.) Throws InputError for points as described above, unless the number of intervals is
-/// that of the points plus one, and unless every interval is positive.
+/// the number of points plus one, and unless every interval is positive.
 std::vector<Trajectory> spline_through(const std::vector<std::vector<double>>& points,
                                        const std::vector<double>& intervals);
 

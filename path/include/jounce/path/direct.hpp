@@ -18,9 +18,8 @@ enum class DirectMode : std::uint8_t {
 };
 
 /// Plans a point-to-point move of a group from rest to rest. Returns one trajectory for each axis.
-/// All trajectories have the same duration, that of the slowest axis. `limits` has one entry for
-/// each axis. For VelFactor, AccFactor and JerkFactor of the manual, see effective() in
-/// group_limits.hpp.
+/// All trajectories have the duration of the slowest axis. `limits` has one entry for each axis.
+/// For VelFactor, AccFactor and JerkFactor of the manual, see effective() in group_limits.hpp.
 ///
 /// Throws InputError "to" if no axis moves, "axes" if there are no limits or more than max_axes,
 /// and with the name of the axis if synchronize() finds no move.

@@ -30,15 +30,15 @@ namespace jounce {
 /// is passed at constant velocity. If a new factor changes the target velocity of a ramp in
 /// progress, the ramp either ends as planned or ends early with the greatest jerk, whichever is
 /// faster; then the new ramp begins. Before the first request with a factor other than 1, the
-/// motion is that of the plan.
+/// motion follows the plan unchanged.
 ///
 /// Exception: if a request with a factor other than 1 falls within the duration of the plan, runs
 /// with the law of a window (docs/path/README.md) are planned again from their start, by the law of
 /// stations.
 ///
-/// In corners() of the result, the velocity is that of the result; all other values are those of
-/// the plan. Throws InputError "override[k].time" if times are negative or do not ascend (equal
-/// times are rejected), and "override[k].factor" for a factor outside 0 to 2.
+/// In corners() of the result, the velocity is the velocity under the override; all other values
+/// come from the plan. Throws InputError "override[k].time" if times are negative or do not ascend
+/// (equal times are rejected), and "override[k].factor" for a factor outside 0 to 2.
 Plan played(const Plan& plan, std::span<const FactorRequest> steps);
 
 }  // namespace jounce

@@ -15,7 +15,7 @@ struct ReportPage {
 };
 
 /// Returns the page: the curve (if `before` is given, over its pale curve), the extrema of each
-/// segment, limits and joints, the proof, and the table. Throws InputError like prove(), and with
+/// segment, limits and breaks, the proof, and the table. Throws InputError like prove(), and with
 /// the key "before" if one input is over time and the other over a master.
 ReportPage report_page(const Input& input, const std::optional<Input>& before,
                        const ProofOptions& options);

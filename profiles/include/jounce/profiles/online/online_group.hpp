@@ -29,7 +29,8 @@ struct OnlineGroup {
   Sync sync;
   double grid;
   bool regroup;       ///< plan all axes, even those whose motion still fits
-  bool bent = false;  ///< planned with Sync::time, because no motion on the line keeps the bounds
+  /// planned with Sync::time, because no motion on the line stays within the bounds
+  bool bent = false;
 
   OnlineStep step(double dt) noexcept;
 
