@@ -34,7 +34,7 @@ struct GroupStart {
   std::int64_t tick = -1;  ///< tick of the start; -1: no tick was given
 };
 
-/// The outputs of an axis in one tick. Units: u is the unit of the axis, m that of its master.
+/// The outputs of an axis in one tick. Units: u is the unit of the axis, m the unit of its master.
 struct Tick {
   std::int64_t tick = 0;          ///< number of the tick
   double time = 0;                ///< tick * period, s

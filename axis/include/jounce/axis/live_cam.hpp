@@ -22,7 +22,7 @@ namespace jounce {
 /// A table with the policy `wrap` or `advance` is periodic; a table with `hold` or `refuse` runs
 /// once. For start modes, scaling, offsets and jumps of the master, see
 /// jounce/cam/coupling/coupling.hpp and jounce/cam/coupling/coupling_cycle.hpp. In sync, the
-/// setpoints are exactly those of placed() for the table.
+/// setpoints are exactly the results of placed() for the table.
 ///
 /// **Progress** is `engaging` until the slave is in sync, then `running`. A cam that runs once is
 /// `done` in the tick of its end. If the cam ends at a nonzero velocity, CamEnd selects the

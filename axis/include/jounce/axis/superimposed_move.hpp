@@ -59,7 +59,7 @@ class SuperimposedMove {
   [[nodiscard]] bool shifts() const noexcept { return running_ || finished_ != 0; }
   /// Distance of finished moves, u.
   [[nodiscard]] double finished() const noexcept { return finished_; }
-  /// Distance at the end of the present move, u, including that of finished moves.
+  /// Distance at the end of the present move, u, including the distance of finished moves.
   [[nodiscard]] double distance() const noexcept {
     return finished_ + (running_ ? goal_.value : 0);
   }

@@ -158,8 +158,8 @@ struct Home {
 template <Of<Home> C, class F>
 constexpr void each_field(C& c, F f) {
   f(Field{"offset", Quantity::position, FieldRange::given, "offset",
-          "home: position value of the home position. This option and the other home options default to "
-          "[homing] in the spec of the axis"},
+          "home: position value of the home position. This option and the other home options "
+          "default to [homing] in the spec of the axis"},
     c.offset);
   f(Field{"method", Quantity::none, FieldRange::count, "method", "home: method of CiA 402"},
     c.method);

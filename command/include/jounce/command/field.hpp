@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// Physical quantity of a field, which determines its unit: u is the unit of the axis, m that of
-/// its master.
+/// Physical quantity of a field, which determines its unit: u is the unit of the axis, m the unit
+/// of its master.
 enum class Quantity : std::uint8_t {
   none,          ///< a plain number
   position,      ///< u
@@ -72,7 +72,8 @@ inline constexpr Field jerk{"jerk", Quantity::jerk, FieldRange::positive, "jerk"
 inline constexpr Field buffer_mode{
     "buffer mode", Quantity::none, FieldRange::buffer_mode, "blend",
     "move --to, --by and jog: pass the target of the present move without a stop, at the velocity "
-    "of low (the slower of the two moves), previous (the present move), next (this move) or high (the "
+    "of low (the slower of the two moves), previous (the present move), next (this move) or high "
+    "(the "
     "faster of the two moves)"};
 inline constexpr Field numerator{"numerator", Quantity::none, FieldRange::whole, "VALUE"};
 inline constexpr Field denominator{"denominator", Quantity::none, FieldRange::whole_nonzero,

@@ -35,10 +35,10 @@ struct Converted {
 
 /// Returns the table of an input with other knots, another interpolation, or other units. The knots
 /// stay, unless the rule or the target requires others. If the controller joins the knots by a
-/// spline (KnotJoin), the error and its tolerance are those of this spline, with the numbers
-/// rounded as in the file. If the end conditions of the spline are not documented, they are assumed
-/// to be natural, or periodic if the cam repeats. Throws InputError with the name of a member of
-/// Target ("tolerance", "x_step", ...), or with "master_unit" or "position_unit" for a unit that is
+/// spline (KnotJoin), the error and its tolerance apply to this spline, with the numbers rounded as
+/// in the file. If the end conditions of the spline are not documented, they are assumed to be
+/// natural, or periodic if the cam repeats. Throws InputError with the name of a member of Target
+/// ("tolerance", "x_step", ...), or with "master_unit" or "position_unit" for a unit that is
 /// unknown or of another quantity.
 Converted converted(const Input& input, const Conversion& conversion);
 

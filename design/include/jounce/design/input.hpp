@@ -18,14 +18,13 @@ struct Input {
   std::optional<Spec> spec;  ///< the spec; nullopt for a table
   LazyCurve curve;           ///< the exact curve; for a table from a file, the curve of this table
   TableFile table;           ///< the table with its units
-  std::optional<SampleError>
-      error;         ///< error of the table against the curve; nullopt if the curve is that of the
-                     ///< table
-  Limits limits;     ///< limits of the spec; no limits for a table
-  Labels labels;     ///< names and units for reports
-  std::string name;  ///< name of the spec with the name of the axis, or name of the file
-  std::string axis;  ///< name of the axis if there are several; otherwise ""
-  TableOptions options = {};             ///< options with which the table was made
+  /// error of the table against the curve; nullopt if `curve` is the curve of the table
+  std::optional<SampleError> error;
+  Limits limits;              ///< limits of the spec; no limits for a table
+  Labels labels;              ///< names and units for reports
+  std::string name;           ///< name of the spec with the name of the axis, or name of the file
+  std::string axis;           ///< name of the axis if there are several; otherwise ""
+  TableOptions options = {};  ///< options with which the table was made
   std::optional<DriveSpec> drive = {};   ///< [drive] of the spec
   std::vector<Residual> residuals = {};  ///< residual vibration of each mode that an operator
                                          ///< suppresses
@@ -40,7 +39,7 @@ struct Input {
   std::array<std::string, 3> rate_units = {};
 };
 
-/// Calls `act` with the motion of an input: its curve or, if the curve is that of the table, its
+/// Calls `act` with the motion of an input: its curve or, if `curve` is the curve of the table, its
 /// table, which needs less time and memory.
 template <class Act>
 auto of_motion(const Input& input, const Act& act) {
@@ -73,7 +72,7 @@ void add_no_limits(Report& report);
 /// Returns the greatest permitted error of the table, in the unit of the position. It is the
 /// requested tolerance. Without one, it is a millionth of the stroke for a requested number of
 /// intervals, the actual error for a table of fewest knots, and otherwise a billionth of the
-/// stroke. It is never below rounding. Returns nullopt if the curve is that of the table.
+/// stroke. It is never below rounding. Returns nullopt if `curve` is the curve of the table.
 std::optional<double> table_tolerance(const Input& input);
 
 /// Returns the content of a table file as an input.

@@ -53,7 +53,7 @@ struct Assessment {
   /// The findings on every limit in the spec: from check and, if the drive was simulated, from the
   /// drive.
   Report report;
-  /// Margins of each segment; only from assess_by_segment(). The rules are those of `report`,
+  /// Margins of each segment; only from assess_by_segment(). The rules are the rules of `report`,
   /// followed by the name of the axis. Limits of a cam's slave over time have the rule
   /// "limit/master_velocity".
   std::vector<LimitMargin> margins = {};

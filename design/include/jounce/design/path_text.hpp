@@ -33,8 +33,8 @@ struct PathSummary {
   PathCost cost;           ///< time lost against full speed
   /// one for each junction of two commands that has a corner or a note (CornerRecord::note)
   std::vector<CornerRecord> corners;
-  std::vector<EventPlace> events;     ///< places of the words of a G-code program
-  Report along;                       ///< result of path_report()
+  std::vector<EventPlace> events;  ///< places of the words of a G-code program
+  Report along;                    ///< result of path_report()
   /// if the program is planned in the joints of a robot: greatest distance between the planned
   /// motion and the exact kinematics
   std::optional<MapFit> fit = {};

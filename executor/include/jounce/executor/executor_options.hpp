@@ -38,8 +38,8 @@ struct ExecutorOptions {
   ReceiverOptions receiver{};  ///< options of its receiver, with the name of the axis
   bool enable = true;          ///< true: the axis is enabled at the start; false: a command must
                                ///< enable it
-  std::optional<StoredTable> table = {};    ///< table over time that the command StartTable plays;
-                                            ///< nullopt: none
+  std::optional<StoredTable> table = {};  ///< table over time that the command StartTable plays;
+                                          ///< nullopt: none
   /// for a group: its axes; nullopt: the options are for a single axis
   std::optional<ExecutorGroup> group = {};
   /// True: at standstill, arming a table sets the position of the axis to the start of the table.

@@ -26,8 +26,7 @@ namespace jounce {
 /// docs/executor/replay.md describes it for users. The only time in a record is the tick: the time
 /// stamp of an event is tick * period in us, independent of any clock.
 ///
-/// Indices of axes and masters count from 0. Units: u is the unit of the axis, m that of its
-/// master.
+/// Indices of axes and masters count from 0. Units: u is the unit of the axis, m the unit of its master.
 
 /// Configuration of an axis. This event precedes all other events of the axis.
 struct RecordedAxis {

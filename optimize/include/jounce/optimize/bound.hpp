@@ -8,7 +8,7 @@
 namespace jounce {
 
 /// An interval of a cam between two fixed knots: its length, its displacement, and the derivatives
-/// with respect to the master at both ends. u is the unit of the slave, m that of the master.
+/// with respect to the master at both ends. u is the unit of the slave, m the unit of the master.
 struct KnotInterval {
   double length = 1;         ///< length, m, > 0
   double displacement = 0;   ///< displacement of the slave, u

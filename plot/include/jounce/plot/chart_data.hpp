@@ -14,7 +14,7 @@ namespace jounce {
 constexpr std::size_t most_chart_bytes = 700'000;
 
 /// Returns the numbers behind figure_of(input, before) as JSON, for Chart::data. The script of the
-/// page evaluates the segments, so the values that it shows are those of the library.
+/// page evaluates the segments, so it shows exactly the values of the library.
 ///
 /// The document has one or two views: the view of the figure and, for a cam whose spec has a
 /// [master], the slave over time with [limits.slave]. A view has the axis, the panels (unit,

@@ -20,11 +20,11 @@ struct MpiPlace {
 /// Returns the place of this process.
 MpiPlace mpi_place();
 
-/// The processes that mpirun has started. MPI is in use as long as this object exists.
+/// The processes that mpirun has started. MPI is in use while this object exists.
 ///
 ///     MpiWorld world;
 ///     SweepResult result = run_sweep(spec, {.farm = world.farm(hex(spec.identity()))});
-///     if (world.rank() != 0) return;               // only the first has all rows
+///     if (world.rank() != 0) return;               // only rank 0 has all rows
 ///
 /// MPI is loaded from the module jounce_mpi.so, which is next to the program or in ../lib/jounce
 /// relative to its folder. Throws InputError if the module does not exist, in a build without MPI.

@@ -30,8 +30,8 @@ namespace jounce {
 /// **Errors.** Each function documents when it throws InputError.
 
 /// Returns the cam between two master positions, with the policy refuse. The interval may exceed
-/// that of `f`: a periodic cam continues with its next period, a cam that holds stays at rest.
-/// Throws InputError if from >= to, if one of them is not finite, if the interval exceeds that of a
+/// the interval of `f`: a periodic cam continues with its next period, a cam that holds stays at
+/// rest. Throws InputError if from >= to, if one of them is not finite, if the interval exceeds a
 /// cam that refuses or is only rounding, or if the result would have more than 1e6 segments.
 Cam part(const Cam& f, double from, double to);
 

@@ -29,10 +29,10 @@ inline constexpr std::size_t start_mode_count = 6;  ///< number of start modes
 const char* name(StartMode mode);
 
 /// Coupling of a slave to its master by a cam: MC_CamTableSelect and MC_CamIn in one. u is the unit
-/// of the slave, m that of the master; times are in s. The policy of the cam determines whether it
-/// repeats: a cam that wraps or advances is periodic; a cam that holds or refuses runs once. If the
-/// master is outside the interval of a cam, the slave can engage only if the cam holds: the slave
-/// then waits at the end value of the cam.
+/// of the slave, m the unit of the master; times are in s. The policy of the cam determines whether
+/// it repeats: a cam that wraps or advances is periodic; a cam that holds or refuses runs once. If
+/// the master is outside the interval of a cam, the slave can engage only if the cam holds: the
+/// slave then waits at the end value of the cam.
 struct CouplingSpec {
   double master_scaling = 1;    ///< > 0
   double master_offset = 0;     ///< m, added after scaling

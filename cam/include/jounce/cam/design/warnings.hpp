@@ -15,7 +15,7 @@ namespace jounce {
 ///     CamDesign made = design(spec);
 ///     Report odd = warnings(made.cam, made.origin);
 ///
-/// For each segment of the design (`value` and `limit` are those of the finding):
+/// For each segment of the design (`value` and `limit` are members of the finding):
 ///
 /// - "warning/overshoot": the slave moves beyond both end positions. value: the extreme position;
 ///   limit: the end position that the slave passes. A note, not a warning, if the end velocities

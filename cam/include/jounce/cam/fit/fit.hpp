@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// Measured points of a cam. m is the unit of the master, u that of the slave.
+/// Measured points of a cam. m is the unit of the master, u the unit of the slave.
 struct MeasuredCam {
   /// The points: masters ascend, each tolerance > 0. It is the greatest permitted distance, u, of
   /// the cam from the point, and includes the error of the measurement.

@@ -20,7 +20,8 @@ namespace jounce {
 /// passes exactly, and the points where the curve uses the whole tolerance. Other points are not
 /// breaks. If all tolerances are zero, the curve is quintic_spline().
 struct SmoothingSpline {
-  std::vector<Segment> segments;     ///< from the master of the first point to that of the last
+  /// from the master of the first point to the master of the last
+  std::vector<Segment> segments;
   std::vector<std::size_t> touched;  ///< indices of the points that are breaks
   double square_jerk = 0;            ///< integral of geo_jerk^2, u^2/m^5
   double gap = 0;     ///< proven: no curve within the tolerances has less than square_jerk - gap

@@ -28,8 +28,8 @@ namespace jounce {
 /// Throws InputError for a table over time, because the formats are for cams.
 void require_cam(const CamFormat& format, const Table& table);
 
-/// Returns the text of the table in the format. Throws InputError for a table over time, for an
-/// interpolation rule other than that of the format, and for too few or too many knots.
+/// Returns the text of the table in the format. Throws InputError for a table over time, for
+/// another interpolation rule than the format has, and for too few or too many knots.
 std::string exchange_text(const CamFormat& format, const TableFile& file);
 
 /// One cam of a file.

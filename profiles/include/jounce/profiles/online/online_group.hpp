@@ -28,7 +28,7 @@ struct OnlineGroup {
   std::span<Profile> next, rests;
   Sync sync;
   double grid;
-  bool regroup;       ///< plan all axes, even those whose motion still fits
+  bool regroup;  ///< plan all axes, even those whose motion still fits
   /// planned with Sync::time, because no motion on the line stays within the bounds
   bool bent = false;
 

@@ -123,7 +123,7 @@ using StreamEvent =
 ///
 ///     Receiver receiver({.executor = "feeder"}, random_id());
 ///     receiver.receive(message, now);                      // each arrived message
-///     for (const auto& answer : receiver.poll(now)) ...    // to be sent; calls every few ms
+///     for (const auto& answer : receiver.poll(now)) ...    // send each one; call poll() every few ms
 ///     while (const auto event = receiver.take_event()) ... // for the axis, in order
 ///     receiver.accept(arm.session, arm.command);           // the axis's answer
 ///
