@@ -214,8 +214,8 @@ constexpr void each_field(C& c, F f) {
     c.position);
   each_field(c.dynamics, f);
   f(Field{"direction", Quantity::none, FieldRange::direction, "direction",
-          "With --to: shortest, positive, negative; a linear axis refuses a target on the other "
-          "side"},
+          "With --to: shortest, positive, negative; a linear axis rejects a target in the other "
+          "direction"},
     c.direction);
   f(buffer_mode, c.buffer);
 }

@@ -73,8 +73,7 @@ inline constexpr Field buffer_mode{
     "buffer mode", Quantity::none, FieldRange::buffer_mode, "blend",
     "move --to, --by and jog: pass the target of the present move without a stop, at the velocity "
     "of low (the slower of the two moves), previous (the present move), next (this move) or high "
-    "(the "
-    "faster of the two moves)"};
+    "(the faster of the two moves)"};
 inline constexpr Field numerator{"numerator", Quantity::none, FieldRange::whole, "VALUE"};
 inline constexpr Field denominator{"denominator", Quantity::none, FieldRange::whole_nonzero,
                                    "VALUE"};
