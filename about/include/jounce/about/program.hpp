@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-/// The command line of a program as data. The manual pages (man_page.hpp) and the completion in shells (completion.hpp)
-/// are computed from it.
+/// The command line of a program as data. The manual pages (man_page.hpp) and the completion in
+/// shells (completion.hpp) are computed from it.
 namespace jounce {
 
 /// Kind of value that an option takes.
@@ -33,6 +33,7 @@ struct VerbInfo {
   std::vector<OptionInfo> positionals{}, options{};
 };
 
+/// A program: its options, its verbs, and the texts of its help.
 struct ProgramInfo {
   std::string name{}, description{}, notes{};
   std::vector<std::pair<int, std::string>> exit_statuses{};  ///< numbers and meanings

@@ -41,15 +41,15 @@ ValueCheck seconds_or_none(double low, double high);
 
 /// A file to write. If its name has an extension, it must be one of `endings`; {}: any extension.
 ValueCheck ends_in(std::vector<std::string> endings);
-/// A file that is written after long work. In addition to the rule of ends_in(), it must not be a folder, and its own
-/// folder must exist. "-" is standard output.
+/// A file that is written after long work. In addition to the rule of ends_in(), it must not be a
+/// folder, and its own folder must exist. "-" is standard output.
 ValueCheck output_file(std::vector<std::string> endings = {});
 
 }  // namespace checks
 
-/// The whole text as a number: double in the syntax of strtod; whole numbers are decimal, also with leading zeros.
-/// nullopt if the text is not a number, or if a whole number is out of the range of its type. value_check.cpp lists the
-/// types.
+/// The whole text as a number: double in the syntax of strtod; whole numbers are decimal, also with
+/// leading zeros. nullopt if the text is not a number, or if a whole number is out of the range of
+/// its type. value_check.cpp lists the types.
 template <class Number = double>
 std::optional<Number> number_in(const std::string& text);
 

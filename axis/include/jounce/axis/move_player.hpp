@@ -23,7 +23,7 @@ struct TimedState {
 ///     MovePlayer player(config.period);
 ///     if (!player.begin({last, tick}, goal, 1, config)) ...       // no such move exists
 ///     const Jet next = player.at(tick);                           // u, u/s, u/s^2, u/s^3
-///     if (player.is_over(tick)) ...                               // it continues at its velocity
+///     if (player.is_over(tick)) ...  // the axis continues at its velocity
 ///
 /// A MovePlayer has a fixed size, and copies are independent. It does not allocate or throw.
 class MovePlayer {

@@ -14,8 +14,8 @@
 namespace jounce {
 
 /// A move that is added to the motion of an axis (MC_MoveSuperimposed). It uses the part of the
-/// limits that the motion below does not need. So the sum of both stays within the limits, whenever
-/// the move begins. u is the unit of the axis.
+/// limits that the motion of the axis (the *motion below*) does not need. So the sum of the two
+/// motions stays within the limits, whenever the move begins. u is the unit of the axis.
 ///
 ///     SuperimposedMove above(config);
 ///     if (const auto no = above.begin(tick, 5, {.velocity = 20}, below, end)) ...    // rejected

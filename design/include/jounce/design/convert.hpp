@@ -74,12 +74,11 @@ Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wante
 /// points_text().
 std::string form_text(const TableForm& form, const TableFile& file);
 
-/// Throws InputError ("master_unit", "position_unit") for a unit that a table does not have.
+/// Throws InputError ("master_unit", "position_unit") if a unit of the table is missing.
 void require_units(const TableFile& file);
 
-/// Returns everything of an input that a file in this form does not contain: the unread parts of
-/// the input file, and losses() of the format. `sampled` is true if the file has samples of the
-/// table.
+/// Returns all parts of an input that a file in this form does not contain: the unread parts of the
+/// input file, and losses() of the format. `sampled` is true if the file has samples of the table.
 std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
                                     bool sampled = false);
 

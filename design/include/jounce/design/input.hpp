@@ -25,10 +25,10 @@ struct Input {
   std::string name;           ///< name of the spec with the name of the axis, or name of the file
   std::string axis;           ///< name of the axis if there are several; otherwise ""
   TableOptions options = {};  ///< options with which the table was made
-  std::optional<DriveSpec> drive = {};   ///< [drive] of the spec
-  std::vector<Residual> residuals = {};  ///< residual vibration of each mode that an operator
-                                         ///< suppresses
-  std::vector<SyncZone> zones = {};      ///< sync zones
+  std::optional<DriveSpec> drive = {};  ///< [drive] of the spec
+  /// residual vibration of each mode that an operator of [[then]] suppresses
+  std::vector<Residual> residuals = {};
+  std::vector<SyncZone> zones = {};  ///< sync zones
   /// For a table of fewest knots: the requirement that determines their number.
   std::optional<Binding> binding = {};
   std::vector<std::string> unread = {};   ///< content of the file that was not read

@@ -16,7 +16,7 @@
 namespace jounce {
 
 /// Predicted residual vibration of a mode at the end of the motion, in the unit of the position. A
-/// spec has one for each mode that an operator or [polydyne] suppresses.
+/// spec has one for each mode that an operator of [[then]] or [polydyne] suppresses.
 struct Residual {
   Mode mode;          ///< the mode, frequency in Hz
   double before = 0;  ///< vibration of the motion without operators and [polydyne]

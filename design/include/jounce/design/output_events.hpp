@@ -23,8 +23,8 @@ struct OutputEvent {
 struct OutputEvents {
   std::vector<OutputEvent> all;  ///< in order of time
   std::string time, position;    ///< units of time and position
-  /// For [compare]: a broken finding for each point that does not fire, and if the compare hardware
-  /// is too slow.
+  /// For [compare]: a broken finding for each point that does not fire, and a broken finding if the
+  /// compare hardware is too slow.
   Report report;
   Labels labels;  ///< names and units for the report
 };

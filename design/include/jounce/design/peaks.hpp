@@ -13,7 +13,7 @@ namespace jounce {
 struct PeakChange {
   std::string name;  ///< "geo_jerk"; with several axes "x jerk"
   std::string unit;
-  std::optional<double> given;  ///< peak in the given spec; nullopt if this spec makes no curve
+  std::optional<double> given;  ///< peak in the given spec; nullopt if no curve can be made from it
   double optimized = 0;         ///< peak in the optimized spec
   std::optional<double> limit;  ///< limit, if the spec has one
 };

@@ -29,7 +29,7 @@ struct MachineMaster {
 ///
 ///     MasterServer masters({{"line", "mm", line}}, {0}, pump, exchange, clock);
 ///     pump.run(2ms);                   // passes new samples to the cycle
-///     masters.turn();                  // reports masters lost or found
+///     masters.turn();                  // reports masters that are lost or have returned
 ///     masters.publish(axis);           // with the status of this axis
 class MasterServer {
  public:

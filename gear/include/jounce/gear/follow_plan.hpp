@@ -21,8 +21,8 @@ struct FollowPoint {
 };
 
 /// A sync zone: an interval of the master in which the ratio is constant. If the slave's position
-/// at `from` is not given, a sync point inside the zone determines it; otherwise a linear ramp of
-/// the ratio from the previous point does.
+/// at `from` is not given, a sync point inside the zone determines it; otherwise, the position
+/// follows from a linear ramp of the ratio from the previous point.
 struct FollowZone {
   double from = 0;                   ///< m
   double to = 0;                     ///< m

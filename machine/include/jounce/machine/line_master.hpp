@@ -20,8 +20,8 @@ struct LineMaster {
   double rate = 1000;  ///< samples per second, > 0
   double before = 1;   ///< time at rest at the first point before the motion, s
   double after = 1;    ///< time at rest at the last point after the motion, s
-  /// Duration of the transmission, s, with `before`; nullopt: `before`, the table and `after`, or
-  /// without end if the table repeats.
+  /// Duration of the transmission, including `before`, s. nullopt: the sum of `before`, the table
+  /// and `after`; if the table repeats, the transmission has no end.
   std::optional<double> seconds = {};
   /// Number of the line's clock, MasterSample::clock; nullopt: seconds since 2020.
   std::optional<std::int32_t> epoch = {};

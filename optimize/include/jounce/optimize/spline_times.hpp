@@ -20,7 +20,7 @@ enum class TimeObjective {
 /// knots.
 ///
 ///     SplineTimesSpec spec;
-///     spec.points = {{-10, 20}, {60, 50}, {20, 120}, {55, 35}};          // one entry a joint
+///     spec.points = {{-10, 20}, {60, 50}, {20, 120}, {55, 35}};  // 4 points of 2 joints
 ///     spec.limits = {{.velocity = 100, .acceleration = 45, .jerk = 60},
 ///                    {.velocity = 95, .acceleration = 40, .jerk = 60}};
 ///     const SplineTimes best = spline_times(spec).best;

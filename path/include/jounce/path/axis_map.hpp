@@ -151,8 +151,8 @@ struct JointSpace {
 /// Distance between the fitted joints of a plan and its map.
 struct MapFit {
   double error = 0;  ///< unit of the joints; 0 for a linear map
-  /// True: the error is a bound, from an enclosure of the map over each piece. False: it is the greatest error at
-  /// samples.
+  /// True: the error is a bound, from an enclosure of the map over each piece. False: it is the
+  /// greatest error at samples.
   bool proven = false;
   double sample_step = 0;  ///< greatest distance between samples, in q, if the error is not proven
   std::size_t pieces = 0;  ///< number of polynomials (degree 7)

@@ -55,8 +55,8 @@ namespace jounce {
 /// curve steps at a knot, the knot gets the left values (beside a dwell: the values of the dwell),
 /// and the next interval is as short as necessary.
 ///
-/// **Units** are those of the curve. **Throws** InputError, with the key and a possible value, for
-/// a target that no table satisfies, for a target without any requirement, and for negative
+/// **Units** are the units of the curve. **Throws** InputError, with the key and a possible value,
+/// for a target that no table satisfies, for a target without any requirement, and for negative
 /// numbers.
 
 /// Requirements for the table. At least one of `tolerance`, `velocity_tolerance` and `most` must be

@@ -11,8 +11,8 @@ struct MpiCalls;
 
 namespace jounce {
 
-/// The place of this process among those that mpirun has started (Open MPI, or another launcher
-/// with PMI). It is read from the environment, so it does not need MPI.
+/// The place of this process among the processes that mpirun has started (Open MPI, or another
+/// launcher with PMI). It is read from the environment, so it does not need MPI.
 struct MpiPlace {
   bool started = false;  ///< true if mpirun has started this process
   int rank = 0;          ///< number of this process, from 0

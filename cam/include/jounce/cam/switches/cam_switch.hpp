@@ -11,7 +11,7 @@
 namespace jounce {
 
 /// Cam switches (tappets, programmable limit switches): output bits that are on over ranges of an
-/// axis' position. The names are those of PLCopen's MC_DigitalCamSwitch.
+/// axis' position. The names are the names in PLCopen's MC_DigitalCamSwitch.
 ///
 ///     CamSwitchSpec glue{
 ///         .switches = {{.track = 1, .first_on_position = 30, .last_on_position = 80},

@@ -6,8 +6,8 @@
 
 #include "jounce/profiles/moves/dynamics.hpp"
 
-/// The point-to-point, jog and on-the-fly moves of a Googol iDEABOX Pro, with the names and units of its manual: pulse,
-/// pulse/ms, pulse/ms^2, pulse/ms^3, ms. The time of all motions is in ms.
+/// The point-to-point, jog and on-the-fly moves of a Googol iDEABOX Pro, with the names and units
+/// of its manual: pulse, pulse/ms, pulse/ms^2, pulse/ms^3, ms. The time of all motions is in ms.
 ///
 ///     using namespace jounce::googol;
 ///     const Profile move = trap({.pos = 50000, .vel = 50, .acc = 0.25, .dec = 0.125,
@@ -62,15 +62,15 @@ struct JogVelocity {
   double vel = 0;   ///< new velocity, pulse/ms, signed
 };
 
-/// Returns the motion from any state to the velocity `vel`, pulse/ms, which the axis then keeps. The jerk is chosen so
-/// that a ramp over this change of velocity has the share `smooth`. If the axis already accelerates, a ramp between
-/// rest and the greater of the two speeds has this share. A motion that reverses consists of two ramps that meet at
-/// rest, each with this share.
+/// Returns the motion from any state to the velocity `vel`, pulse/ms, which the axis then keeps.
+/// The jerk is chosen so that a ramp over this change of velocity has the share `smooth`. If the
+/// axis already accelerates, a ramp between rest and the greater of the two speeds has this share.
+/// A motion that reverses consists of two ramps that meet at rest, each with this share.
 Profile jog(const MotionState& from, double vel, const Jog& parameters);
 
-/// Returns the motion through several velocities, one after another, from standstill at `from`, pulse. Times must
-/// ascend, and the first velocity must not be 0. The motion begins at the first time and ends when the axis reaches the
-/// last velocity.
+/// Returns the motion through several velocities, one after another, from standstill at `from`,
+/// pulse. Times must ascend, and the first velocity must not be 0. The motion begins at the first
+/// time and ends when the axis reaches the last velocity.
 Trajectory jog(double from, std::span<const JogVelocity> velocities, const Jog& parameters);
 
 /// A move on the fly: GT_MoveAbsolute (manual 7.7, I-103).
@@ -86,12 +86,12 @@ struct MoveAbsolute {
 /// Returns a move from standstill.
 Profile move_absolute(const MoveAbsolute& move);
 
-/// Replaces a running motion at the time t, ms; `from` is not used. Each ramp has the jerk that `percent` gives for a
-/// ramp from rest to `vel`. For the rules, see with_target().
+/// Replaces a running motion at the time t, ms; `from` is not used. Each ramp has the jerk that
+/// `percent` gives for a ramp from rest to `vel`. For the rules, see with_target().
 Trajectory move_absolute(const Trajectory& running, double t, const MoveAbsolute& move);
 
-/// A move from standstill with start and end velocities: GT_MoveAbsoluteEx (manual 7.7, I-104). The first six members
-/// are as in MoveAbsolute.
+/// A move from standstill with start and end velocities: GT_MoveAbsoluteEx (manual 7.7, I-104). The
+/// first six members are as in MoveAbsolute.
 struct MoveAbsoluteEx {
   double from = 0;
   std::int64_t pos = 0;
@@ -107,10 +107,10 @@ struct MoveAbsoluteEx {
   int dec_end_percent = 0;    ///< decEndPercent: deceleration at the end, % of dec
 };
 
-/// Returns the move. The acceleration rises from accStartPercent of acc to acc; at the end, the deceleration falls from
-/// dec to decEndPercent of dec. The rise and the fall each take the time ta that `percent` gives for their ramp, at any
-/// initial or final acceleration. Throws InputError if the distance is too short for the change from vel_start to
-/// vel_end.
+/// Returns the move. The acceleration rises from accStartPercent of acc to acc; at the end, the
+/// deceleration falls from dec to decEndPercent of dec. The rise and the fall each take the time ta
+/// that `percent` gives for their ramp, at any initial or final acceleration. Throws InputError if
+/// the distance is too short for the change from vel_start to vel_end.
 Profile move_absolute_ex(const MoveAbsoluteEx& move);
 
 /// Direction of a velocity move: MC_POSITIVE_DIRECTION, MC_NEGATIVE_DIRECTION,

@@ -21,8 +21,8 @@
 /// 226, 251, 276, 301, 16#FFFFFF7 to 16#FFFFFF9).
 namespace jounce::pmc600 {
 
-/// Law of a change of velocity (manual 4.1, "velocity mode"). The names and laws are those of
-/// SMC_INT_VELMODE in CODESYS.
+/// Law of a change of velocity (manual 4.1, "velocity mode"). SMC_INT_VELMODE in CODESYS has the
+/// same names and laws.
 enum class VelocityMode {
   /// Constant acceleration.
   trapezoid = 0,
@@ -89,8 +89,9 @@ Trajectory position_to_velocity(const PositionToVelocity& move);
 // Functions for any running motion; t is the time of the change, s. For LS_MoveAbsChangePosVel use
 // with_target(); for LS_MoveChangeVel, MC_Halt and MC_Stop use with_velocity().
 
-/// MC_MoveAdditive: from t on, moves to the previous target plus `distance` (u), with these dynamics. After a velocity
-/// command (a motion that ends at a nonzero velocity), `distance` counts from the position at t.
+/// MC_MoveAdditive: from t on, moves to the previous target plus `distance` (u), with these
+/// dynamics. After a velocity command (a motion that ends at a nonzero velocity), `distance` counts
+/// from the position at t.
 Trajectory move_additive(const Trajectory& running, double t, double distance,
                          const Dynamics& dynamics);
 

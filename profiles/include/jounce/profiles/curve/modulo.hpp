@@ -26,8 +26,8 @@ Turned rolled(double x, double period);
 /// Returns turns * period + position, rounded once.
 double unrolled(const Turned& spot, double period);
 
-/// Direction to a target on a modulo axis. The numbers are those of MC_DIRECTION (PMC600 manual,
-/// section 4.1).
+/// Direction to a target on a modulo axis. MC_DIRECTION (PMC600 manual, section 4.1) has the same
+/// numbers.
 enum class Direction {
   negative = -1,
   shortest = 0,

@@ -35,8 +35,7 @@ namespace jounce {
 /// command that would begin in a state beyond the range of move_to(). Every other queue has a
 /// motion.
 
-/// When a command begins, relative to the previous command. The numbers are those of the
-/// controllers.
+/// When a command begins, relative to the previous command. The controllers use the same numbers.
 enum class BufferMode : std::uint8_t {
   aborting = 0,  ///< at once, when issued; ends the running command and removes all that wait
   /// when the previous command is done: at rest or, for MoveVelocity, at its velocity
