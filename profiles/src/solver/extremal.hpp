@@ -18,8 +18,8 @@ namespace jounce::profiles_detail {
 //   jerk   +  0  -  (cruise)  -  0  +     acceleration a0 -> z1, held, -> 0 -> -z2, held, -> af
 //
 // The second half, run backwards, begins at (vf, -af) and has the same form as the first. Consider
-// a half that begins at velocity v and acceleration s and leads to the peak velocity vp. With c = v
-// - s^2/(2 jp), k = 1/jp + 1/jd, and jp, jd > 0 the jerks of the rise and the fall of the
+// a half that begins at velocity v and acceleration s and leads to the peak velocity vp. With c =
+// v - s^2/(2 jp), k = 1/jp + 1/jd, and jp, jd > 0 the jerks of the rise and the fall of the
 // acceleration,
 //
 //   (1)  vp = c + k z^2/2 + z h                            z: its peak acceleration, h: time held

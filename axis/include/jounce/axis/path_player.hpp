@@ -125,8 +125,8 @@ class PathPlayer {
 
   /// The greatest magnitudes of the path at rate 1.
   [[nodiscard]] const Peaks& peaks() const noexcept { return peaks_; }
-  /// The greatest magnitudes of the path at the rate after the present change, but at least at rate
-  /// 1. A velocity step counts as an acceleration.
+  /// The greatest magnitudes of the path at the rate after the present change, but at least at
+  /// rate 1. A velocity step counts as an acceleration.
   [[nodiscard]] Peaks peaks_at_rate() const noexcept;
 
  private:

@@ -27,11 +27,11 @@ std::vector<Trajectory> direct(const Point& from, const Point& to,
                                const std::vector<Limits>& limits,
                                DirectMode mode = DirectMode::fast);
 
-/// Follows a plan until time t (s), then leaves it in motion and moves to `to`. This is the buffer
-/// mode Aborting (PLCopen; BM_ABORT of HIMC). Returns one trajectory for each axis over the whole
-/// motion; all axes come to rest at `to` together. Velocity and acceleration are continuous, so the
-/// motion from the path to `to` is curved. The limits of the plan's axes determine its shape and
-/// apply at every instant. Limits of the path do not apply after t.
+/// Follows a plan until time t (s), then leaves the plan in motion and moves to `to`. This is the
+/// buffer mode Aborting (PLCopen; BM_ABORT of HIMC). Returns one trajectory for each axis over the
+/// whole motion; all axes come to rest at `to` together. Velocity and acceleration are continuous,
+/// so the motion from the path to `to` is curved. The limits of the plan's axes determine its shape
+/// and apply at every instant. Limits of the path do not apply after t.
 ///
 /// Throws InputError "t" outside [0, duration], "to" if the axes cannot reach it, and "plan" if the
 /// plan has joints.

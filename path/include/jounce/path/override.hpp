@@ -23,7 +23,7 @@ namespace jounce {
 /// feed, the limit of the path, and the limits of its axes. A factor above 1 multiplies only the
 /// feed, not the limits. A corner that the plan passes at a lower velocity keeps that velocity.
 /// Factor 0 holds the motion on the path until a request for another factor; without such a
-/// request, the motion ends there. Dwells keep their durations.
+/// request, the motion ends at this rest. Dwells keep their durations.
 ///
 /// **Limits.** The velocity does not step at a request; a ramp within the limits of acceleration
 /// and jerk follows. For a request in a corner, the ramp begins after the corner, because a corner

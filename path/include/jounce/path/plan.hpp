@@ -126,7 +126,7 @@ class Plan {
   [[nodiscard]] const Given& given() const { return given_; }
 
   /// Writes the motion of every axis at time t (s) in [0, duration()] to `out`, which has one entry
-  /// for each axis. At a step, the value is the one after the step. Does not allocate. For many
+  /// for each axis. At a step, writes the value after the step. Does not allocate. For many
   /// instants use PlanCursor.
   void at(double t, std::span<Motion> out) const;
 

@@ -21,8 +21,8 @@ enum class Interpolation {
 /// Meaning of the first column of a table: time, or position of a master.
 enum class Domain { time, master };
 
-/// Equally spaced instants for Table::sample(), in time or master position. Instant k is start + k
-/// * step, each operation rounded. m is the master's unit.
+/// Equally spaced instants for Table::sample(), in time or master position. Instant k is start +
+/// k * step, each operation rounded. m is the master's unit.
 struct Grid {
   double start = 0;  ///< s or m
   double step = 1;   ///< > 0, s or m

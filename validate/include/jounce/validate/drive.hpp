@@ -242,8 +242,8 @@ struct DriveResult {
   /// vertex of a parabola.
   std::vector<Interval> beyond_following_error = {};
   Peak swing;  ///< greatest deviation of the pendulum from the load, u
-  /// Greatest thermal load h of the winding, which is cold at the start: h' = ((T / rated_torque)^2
-  /// - h) / thermal_time. 1 is the limit.
+  /// Greatest thermal load h of the winding, which is cold at the start: h' = ((T /
+  /// rated_torque)^2 - h) / thermal_time. 1 is the limit.
   Peak i2t;
   DriveEnergy energy;                  ///< work and loss
   long impacts = 0;                    ///< number of impacts in connections with backlash

@@ -43,7 +43,7 @@ struct CouplingSpec {
   bool slave_absolute = true;   ///< false: the cam is shifted to the slave's position at the
                                 ///< engagement
   StartMode start = StartMode::absolute;  ///< default: at once, with a jump
-  /// u/s, > 0: limit of a correction's velocity; for ramp_in...
+  /// u/s, > 0: limit of a correction's velocity; for ramp_in, ramp_in_pos and ramp_in_neg.
   std::optional<double> velocity_diff = {};
   /// u/s^2, > 0: limit while the correction speeds up; for ramp_in...
   std::optional<double> acceleration = {};
@@ -63,7 +63,8 @@ struct CouplingSpec {
 };
 
 /// Throws InputError if a number is not finite or not positive, or if a parameter of the ramp is
-/// missing: ramp_in... needs velocity_diff and acceleration, ramp_in_distance needs distance.
+/// missing: ramp_in, ramp_in_pos and ramp_in_neg need velocity_diff and acceleration;
+/// ramp_in_distance needs distance.
 void require_valid(const CouplingSpec& spec);
 
 /// The reason why an engagement is impossible, or `ok`.

@@ -31,8 +31,8 @@ struct SmoothingSpline {
 /// Computes the curve by an active-set method for a strictly convex quadratic program. The result
 /// exceeds no tolerance by more than 1e-9 of it, plus the rounding of the slave positions. If a
 /// parabola (periodic: a constant) is within all tolerances, square_jerk is zero and the curve is
-/// such a parabola: the one through the first, the middle and the last point, or the nearest one
-/// that the tolerances permit.
+/// such a parabola: the parabola through the first, the middle and the last point, or the nearest
+/// parabola that the tolerances permit.
 ///
 /// Throws InputError like quintic_spline(); for fewer than three points; for a tolerance that is
 /// negative or not finite; for SplineEnds::not_a_knot; and for periodic ends with different

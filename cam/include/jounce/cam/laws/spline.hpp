@@ -39,7 +39,7 @@ struct SplinePoint {
 
 /// Conditions at the first and at the last point.
 enum class SplineEnds {
-  natural,   ///< given derivatives apply, omitted ones are free
+  natural,   ///< given derivatives apply, omitted derivatives are free
   periodic,  ///< value and derivatives continue from the end to the start; the slave may advance
   /// The first two intervals share one polynomial, and so do the last two (quintic: three).
   not_a_knot,
