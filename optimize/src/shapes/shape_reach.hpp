@@ -6,7 +6,7 @@
 
 #include "optimize/src/program/shape_model.hpp"
 
-/// Why the limits of a shape cannot be kept.
+/// The reason why no shape satisfies its limits.
 namespace jounce::optimizer {
 
 /// True if no shape has the fixed values at the ends and on the corridors without width. The test

@@ -41,8 +41,8 @@ enum class VelocityMode {
 Trajectory move_absolute(double from, double to, const Dynamics& dynamics,
                          VelocityMode mode = VelocityMode::trapezoid);
 
-/// Default of StartVel and EndSecondVel, u/s. If the velocity of the move is lower than this value, the default is the
-/// velocity of the move.
+/// Default of StartVel and EndSecondVel, u/s. If the velocity of the move is lower than this value,
+/// the default is the velocity of the move.
 inline constexpr double default_end_velocity = 20;
 
 /// LS_MoveAbs and LS_MoveRel (manual 5.2.4): a trapezoid whose velocity steps from rest to a start
