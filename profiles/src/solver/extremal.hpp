@@ -175,8 +175,8 @@ class Extremals {
     return (rises_slowly_ && z * h.s > 0 ? squares / (z + h.s) : z - h.s) * ijp_;
   }
 
-  // Uses the time of a slow phase as parameter: the time of both rises, of the rise of the free half,
-  // or of the fall.
+  // Uses the time of a slow phase as parameter: the time of both rises, of the rise of the free
+  // half, or of the fall.
   [[nodiscard]] bool is_timed(const Stretch& p) const noexcept;
   [[nodiscard]] Extremal timed(const Stretch& p, double x) const noexcept;
   [[nodiscard]] Extremal timed_none(double x) const noexcept;

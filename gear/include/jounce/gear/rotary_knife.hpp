@@ -59,11 +59,12 @@ struct RotaryKnifeSpec {
   KnifeMatching matching = KnifeMatching::surface;
   /// Blade speed divided by web speed in the sync zone; 1.005 pulls the cut open.
   double speed_ratio = 1;
-  double thickness = 0;      ///< m, >= 0, < diameter / 2: thickness of the web
-  Law law = Law::poly345;    ///< law of the recovery: a symmetric law from rest to rest
-  LawForm form = {};         ///< straight and shares, for a law that takes them
-  bool dwell = false;        ///< true: stop between cuts for which the knife would have to reverse
-  double tolerance = 1e-12;  ///< error of horizontal matching, as a share of the sync angle
+  double thickness = 0;    ///< m, >= 0, < diameter / 2: thickness of the web
+  Law law = Law::poly345;  ///< law of the recovery: a symmetric law from rest to rest
+  LawForm form = {};       ///< straight and shares, for a law that takes them
+  bool dwell = false;      ///< true: stop between cuts for which the knife would have to reverse
+  /// 1e-14 to 1e-3: error of horizontal matching, as a share of the sync angle
+  double tolerance = 1e-12;
 };
 
 /// Key figures of a rotary knife. Angles in u, lengths in m.

@@ -16,7 +16,7 @@ enum class EndJerk {
   /// the segment has there.
   as_given,
   free,  ///< any value: the jerk may step
-  zero,  ///< 0
+  zero,  ///< 0; requires a continuity of at least 3
 };
 
 /// A segment of a cam that may get any shape. Its law is only the start of the search.
@@ -26,9 +26,12 @@ struct FreeShape {
   /// Continuous derivatives between the polynomials, 2 to 6, the same in all free segments; their
   /// degree is one more.
   int continuity = 4;
-  bool monotone = false;                 ///< true: the slave must not reverse within the segment
-  EndJerk end_jerk = EndJerk::as_given;  ///< condition at an end of a run, if the run begins or
-                                         ///< ends with this segment
+  /// true: the slave must not reverse within the segment, which must have a stroke, which must have
+  /// a stroke
+  bool monotone = false;
+  /// condition at an end of a run, if the run begins or ends with this segment; otherwise, it must
+  /// be as_given; otherwise, it must be as_given
+  EndJerk end_jerk = EndJerk::as_given;
 };
 
 /// A cam in which some segments may take any shape.

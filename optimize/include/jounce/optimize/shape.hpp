@@ -135,9 +135,10 @@ struct Edge {
   double at_to = 0;    ///< bound at the end of the corridor
 };
 
-/// A quantity that must stay between two bounds over a range of x. Examples: a limit; a keep-out
-/// zone; a monotone interval (geo_velocity with lower 0); a point to be passed within a tolerance
-/// (from == to); an interval in step (value with lower == upper, which is satisfied exactly).
+/// A quantity that must stay between two bounds, or on one side of a single bound, over a range of
+/// x. Examples: a limit; a keep-out zone; a monotone interval (geo_velocity with lower 0); a point
+/// to be passed within a tolerance (from == to); an interval in step (value with lower == upper,
+/// which is satisfied exactly).
 struct Corridor {
   LinearQuantity quantity;         ///< the quantity
   double from = 0;                 ///< start of the range, x

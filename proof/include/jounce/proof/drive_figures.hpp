@@ -22,7 +22,8 @@ Figure torque_speed_figure(const DriveResult& run, const Drive& drive);
 Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::string& unit);
 
 /// Returns the figure with this name of `jounce plot --drive`: "response", "torque-speed" or
-/// "spectrum". Throws InputError for an input without a [drive].
+/// "spectrum". Throws InputError for an input without a [drive], and for "spectrum" if the master
+/// of a cam accelerates.
 Figure drive_figure(const Input& input, const std::string& which);
 
 /// Returns the options for drawing the figure with this name, of drive_figure() or loop_figure().

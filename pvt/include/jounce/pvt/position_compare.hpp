@@ -53,7 +53,8 @@ struct PositionCompare {
 void require_valid(const PositionCompare& compare);
 
 /// Returns `count` positions start + i * increment (PMC600 SetLinearPara). Rounding does not
-/// accumulate. A count of 0 gives one position, as in the PMC600.
+/// accumulate. A count of 0 gives one position, as in the PMC600. Throws InputError for an
+/// increment of 0 if there is more than one position, and for numbers that are not finite.
 std::vector<ComparePoint> evenly(double start, double increment, std::size_t count);
 
 /// A point that has fired.
@@ -127,8 +128,8 @@ namespace himc {
 
 /// Returns the position compare for positions of equal spacing: SetPT_StartPos, EndPos, Interval,
 /// PulseWidth. If start is above end, positions descend. Both start and end fire if their distance
-/// is a whole number of intervals (to 1e-9 of an interval). pulse_width is in ns, 20 to 80000 in
-/// steps of 20. Throws InputError with these names as keys.
+/// is a whole number of intervals (to 1e-9 of an interval). At most 1e7 positions. pulse_width is
+/// in ns, 20 to 80000 in steps of 20. Throws InputError with these names as keys.
 PositionCompare position_trigger(double start, double end, double interval, int pulse_width);
 
 /// Returns the position compare for given positions: SetPT_PosArray, StateArray (one bit for each

@@ -83,12 +83,13 @@ struct Target {
 /// Returns the table with the fewest knots for the target.
 ///
 /// **Rounding.** Positions are rounded, not their increments, so errors do not add up. All
-/// increments are whole multiples of the steps, and their sum is the whole travel. The period of a
-/// curve that repeats must be a whole number of `x_step`, and its advance a whole number of
-/// `p_step`; otherwise the table would drift, and the function throws. A table of a curve that
-/// holds ends at the first multiple of `x_step` at or after the end of the curve. Any other curve
-/// must end at such a multiple. The search chooses the farthest possible knot. If the tolerance is
-/// below p_step / 2, knots are at places where the curve is close to whole counts.
+/// increments are whole multiples of the steps, and their sum is the whole travel. The start of the
+/// curve must be a whole number of `x_step`. The period of a curve that repeats must be a whole
+/// number of `x_step`, and its advance a whole number of `p_step`; otherwise the table would drift,
+/// and the function throws. A table of a curve that holds ends at the first multiple of `x_step` at
+/// or after the end of the curve. Any other curve must end at such a multiple. The search chooses
+/// the farthest possible knot. If the tolerance is below p_step / 2, knots are at places where the
+/// curve is close to whole counts.
 ///
 /// A tolerance below the rounding of the curve's numbers (1e-15 of the sum of a segment's terms) is
 /// raised to this rounding.

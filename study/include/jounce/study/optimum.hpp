@@ -41,7 +41,7 @@ SpecOptimum optimum_of(const Spec& spec, const OptimumProgress& keep_going = {})
 
 /// Optimizes segments of free shape for a drive that follows the cam; see optimize_against().
 /// `drive` is a spec of kind "drive"; its unit of position must convert to the position unit of the
-/// cam.
+/// cam. Throws InputError like optimum_of(), and for a spec without a [master].
 SpecOptimum optimum_against(const Spec& spec, const Spec& drive,
                             const OptimumProgress& keep_going = {});
 

@@ -101,8 +101,9 @@ struct FollowerResult {
 /// **Accuracy.** Losses of contact and landings are found as events, to 1e-8 of a turn of the
 /// cam. Forces are within 1e-7 of their peak. (Tests compare with closed forms.)
 ///
-/// **Errors.** Throws InputError for a follower, an option or a limit out of range, and for a Table
-/// over a master. A failed integration is not an exception: see FollowerResult::integration.
+/// **Errors.** Throws InputError for a follower, an option or a limit out of range, for a Table
+/// over a master, and for a follower that is not pressed onto the cam at the start of the lift (key
+/// "preload"). A failed integration is not an exception: see FollowerResult::integration.
 FollowerResult follow(const SignalView& lift, const SpringFollower& follower,
                       const FollowerOptions& options = {});
 

@@ -96,8 +96,8 @@ using ForEach =
 /// figure rises or falls monotonically with each number, which is usual. Monte Carlo can find a
 /// worse case between the ends, such as a resonance.
 ///
-/// Throws InputError like drive_through(), for a key that is not in numbers() or occurs twice, and
-/// if an end of a tolerance is not valid for the drive.
+/// Throws InputError like drive_through(), for a `spec` without numbers, for a key that is not in
+/// numbers() or occurs twice, and if an end of a tolerance is not valid for the drive.
 ToleranceResult over_tolerances(const SignalView& reference, const Drive& drive,
                                 const DriveOptions& options, const ToleranceSpec& spec,
                                 const ForEach& for_each = {});

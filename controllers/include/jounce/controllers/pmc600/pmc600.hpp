@@ -63,7 +63,7 @@ struct LsMove {
 Profile ls_move(const LsMove& move);
 
 /// LS_MoveVel from standstill: the velocity steps to start_velocity (at most |velocity|), changes
-/// to `velocity` (u/s, signed), and then stays constant.
+/// to `velocity` (u/s, signed, not 0), and then stays constant.
 Profile ls_move_velocity(double from, double velocity, double acceleration,
                          double start_velocity = default_end_velocity);
 
@@ -114,9 +114,9 @@ struct JogInput {
   bool backward = false;  ///< the input JogBackward
 };
 
-/// MC_Jog from standstill. Times must ascend strictly. `max_velocity` (u/s), if given, limits the
-/// velocity. The motion begins with the first input and ends when the axis reaches the velocity of
-/// the last input.
+/// MC_Jog from standstill. Times must ascend strictly, and the first input must request a motion.
+/// `max_velocity` (u/s), if given, limits the velocity. The motion begins with the first input and
+/// ends when the axis reaches the velocity of the last input.
 Trajectory jog(double from, std::span<const JogInput> inputs, const Dynamics& dynamics,
                std::optional<double> max_velocity = {});
 
