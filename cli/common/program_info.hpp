@@ -15,7 +15,7 @@ namespace jounce::cli {
 inline const std::string notes = "Name files as arguments; - is standard input or output.";
 inline const std::vector<std::pair<int, std::string>> exit_statuses{
     {fine, "success"},
-    {finding, "a finding"},
+    {finding, "a broken rule or a rejection"},
     {bad_input, "bad input or usage"},
     {fault, "a fault at run time"}};
 

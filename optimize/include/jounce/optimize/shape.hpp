@@ -156,7 +156,8 @@ struct Ceiling {
 /// A figure in a weighted sum.
 struct WeightedFigure {
   ShapeFigure figure;
-  /// > 0. The sum adds weight * (value of the figure) / (value of the figure for the given shape).
+  /// The weight, > 0. The sum adds weight * (value of the figure) / (value of the
+  /// figure for the given shape).
   double weight = 1;
 };
 

@@ -73,8 +73,8 @@ Arc arc_by_angle(const Point& from, const Point& center, double degrees, const P
                  Plane plane);
 
 /// Direction and extra turns of an arc in HIMC's parameter `turns` (HMPL manual 8.2.17). 0 and 1:
-/// counterclockwise, no extra turns. n > 1: counterclockwise, n - 1 extra turns. n < 0: clockwise,
-/// |n| - 1 extra turns.
+/// counterclockwise, no extra turns. n > 1: counterclockwise, n - 1 extra turns. n < 0:
+/// clockwise, |n| - 1 extra turns.
 struct CircleTurns {
   ArcRotation rotation = ArcRotation::counterclockwise;
   int extra_turns = 0;

@@ -40,8 +40,8 @@ struct PathPiece {
 /// that it replaces. So a path of lines has the same length in q with and without rounded corners.
 /// On a turn, |r'| <= 1, where r is the position on the path.
 ///
-/// **Memory.** A piece needs 40 bytes and, for n axes, 2n numbers for a line, 3n + 1 for a turn, 6n
-/// + 1 for a blend. curve() makes a Curve from these numbers.
+/// **Memory.** A piece needs 40 bytes and, for n axes, 2n numbers for a line, 3n + 1 for a turn,
+/// 6n + 1 for a blend. curve() makes a Curve from these numbers.
 class Path {
  public:
   /// Used by plan(), which makes paths.

@@ -31,7 +31,7 @@ struct AxisDriveSpec {
     /// u: greatest distance between setpoint and actual position at which the drive is enabled; 0:
     /// a hundredth of a turn.
     double window = 0;
-    /// >= 1: number of cycles without new data after which the drive has a fault.
+    /// Number of cycles, >= 1, without new data after which the drive has a fault.
     int silent_cycles = 50;
   };
 
