@@ -287,7 +287,7 @@ bool is_meant_as_spec(const Document& document) {
   return text.starts_with("jounce") || document.name.ends_with(".toml");
 }
 
-int line_of(const std::string& text, std::size_t at) {
+int line_number(const std::string& text, std::size_t at) {
   return 1 + static_cast<int>(
                  std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
@@ -297,7 +297,7 @@ void require_spec_text(const Document& document) {
   const std::string& text = document.text;
   if (const auto at = text.find('\0'); at != std::string::npos)
     throw InputError("", "", "is not a text file: it has a zero byte here")
-        .at(document.name, line_of(text, at));
+        .at(document.name, line_number(text, at));
   if (is_table(text) || cam_format_of_text(text) != nullptr)
     throw InputError("", "", "is a table: give the spec of the motion instead")
         .at(document.name, 1);

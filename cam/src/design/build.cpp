@@ -8,20 +8,17 @@
 #include "jounce/profiles/error.hpp"
 
 #include "cam/src/design/resolve.hpp"
+#include "cam/src/laws/added.hpp"
 
 namespace jounce::camming {
 namespace {
-
-Segment added(const Segment& f, const Segment& g) {
-  return *sum(f, g);  // the shapes of one piece have the same sines
-}
 
 /// h rise + ... as in law.hpp. Terms that are zero are omitted, so they cost no digits.
 Segment combined(const LawPiece& piece, const Placed& at) {
   const double length = at.length();
   Segment f = scaled(piece.rise, at.to.slave - at.from.slave, at.from.slave);
   const auto add = [&](const Segment& shape, double factor) {
-    if (factor != 0) f = added(f, scaled(shape, factor));
+    if (factor != 0) f = cam_detail::added(f, scaled(shape, factor));
   };
   add(piece.enter, at.from.geo_velocity.value_or(0) * length);
   add(piece.leave, at.to.geo_velocity.value_or(0) * length);

@@ -12,6 +12,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
+#include "cam/src/laws/added.hpp"
+
 // Every law uses one of three kinds of rise, and one method for end velocities.
 //
 // **Ramps.** In a ramp, the acceleration rises as a quarter sine, is constant, and falls as a
@@ -49,6 +51,8 @@
 
 namespace jounce {
 namespace {
+
+using cam_detail::added;
 
 using profiles_detail::rounded_sum;
 
@@ -283,12 +287,6 @@ int hermite_order(Law law) {
     default:
       return 0;
   }
-}
-
-Segment added(const Segment& f, const Segment& g) {
-  const auto total = sum(f, g);
-  assert(total && "sines of one piece have the same frequencies");
-  return *total;
 }
 
 /// Equations (5) and (6).
