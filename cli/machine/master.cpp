@@ -96,7 +96,7 @@ void add_master(CommandLine& line) {
       "master", "Send the positions of a simulated master, for tests without the machine",
       "jounce master line.toml --as line\n"
       "jounce master line.csv --as line --noise 20um --resolution 50um\n"
-      "The machine that follows it has [master.line] of kind \"external\"; see jounce run.");
+      "A machine that follows this master has [master.line] of kind \"external\"; see jounce run.");
   verb.option("FILE", options->file, "Spec or table over time; - is standard input").required();
   verb.axis(options->axis);
   verb.option("--as", options->name, "Name of the master").required();

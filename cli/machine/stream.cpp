@@ -62,7 +62,7 @@ void add_stream(CommandLine& line) {
   verb.flag("--at-next-cut", options->at_next_cut,
             "With --live: a knife or a shear begins at its next cut, the end of the present pass");
   verb.flag("--keep-velocity", options->keep_velocity,
-            "With --live: if the cam ends at a velocity, keep it instead of braking");
+            "With --live: if the cam ends at a nonzero velocity, keep it instead of braking");
   verb.flag("--no-wait", options->no_wait,
             "Return when the start is accepted, before the motion begins");
   verb.option("--swap", options->swaps,

@@ -41,7 +41,7 @@ bool master_accelerates_too_fast(const Cam& cam, const Spec& spec);
 MasterLimit greatest_master_acceleration(const Cam& cam, const Spec& spec);
 
 /// The finding that compares the speed of the spec's [master] with the greatest speed at which the
-/// slave keeps its limits.
+/// slave stays within its limits.
 Finding master_finding(const Cam& cam, const Spec& spec);
 
 }  // namespace jounce

@@ -46,7 +46,7 @@ struct MoveReaders {
   }
 };
 
-/// The common shape of these arguments, with that of one more column.
+/// The common shape of these arguments and of one more column.
 inline Broadcast broadcast_moves(const StateColumns& start, const StateColumns& target,
                                  const BoundsColumns& b, const Column& more = {}) {
   return Broadcast({&start.position, &start.velocity, &start.acceleration, &target.position,

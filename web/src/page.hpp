@@ -12,7 +12,7 @@ namespace jounce::web {
 std::string page(const std::string& title, const std::string& warning = {});
 /// Returns the JavaScript of the live page.
 std::string_view script();
-/// Returns the CSS of the live page, which extends that of the report page.
+/// Returns the CSS of the live page, which extends the CSS of the report page.
 std::string style();
 
 }  // namespace jounce::web

@@ -9,7 +9,7 @@
 namespace jounce::cam_detail {
 
 /// A knot of a piecewise polynomial: its position, its value with two derivatives (value, u/m,
-/// u/m^2), and flags for the fixed ones.
+/// u/m^2), and flags for the fixed values.
 struct EnergyKnot {
   double master = 0;
   std::array<double, 3> state{};

@@ -9,8 +9,8 @@
 // Truncated Taylor series whose coefficients are intervals. If each c[k] contains f^(k)(x)/k! for
 // all x of an interval, so do the coefficients of computed results. At a single x they are the
 // value and its derivatives, to rounding. So the same formula serves for evaluation and for
-// enclosure (R. Moore, "Methods and Applications of Interval Analysis", 1979, ch. 3; the
-// recurrences are those of automatic differentiation).
+// enclosure (R. Moore, "Methods and Applications of Interval Analysis", 1979, ch. 3; automatic
+// differentiation uses the same recurrences).
 namespace jounce::cam_detail {
 
 /// The value and N derivatives, each divided by its factorial.

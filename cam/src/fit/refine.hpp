@@ -12,9 +12,10 @@ namespace jounce::fitting {
 
 /// Distances of a cam from points, as shares of the tolerances of the points.
 struct Deviation {
-  double worst = std::numeric_limits<double>::infinity();  ///< the greatest one
+  double worst = std::numeric_limits<double>::infinity();  ///< the greatest distance
   double rms = std::numeric_limits<double>::infinity();    ///< root mean square
-  std::size_t where = 0;                                   ///< index of the point of the greatest
+  /// index of the point with the greatest distance
+  std::size_t where = 0;
   [[nodiscard]] bool fits() const { return worst <= 1; }
 };
 
@@ -48,7 +49,7 @@ Deviation deviation(const CamSpec& spec, const MeasuredCam& measured,
 std::optional<double> oscillation(const CamSpec& spec, const MeasuredCam& measured,
                                   const std::vector<std::size_t>& points);
 
-/// Changes the parameters to those of the least sum of squares, by the method of Levenberg and
+/// Sets the parameters to the values with the least sum of squares, by the method of Levenberg and
 /// Marquardt, and returns the deviation.
 Deviation refine(CamSpec& spec, const std::vector<Parameter>& parameters,
                  const MeasuredCam& measured, const std::vector<std::size_t>& points);

@@ -11,7 +11,7 @@ inline constexpr int most_decimals = 12;
 int first_decimal(double scale);
 /// Returns a value with this number of decimals; negative: a multiple of a power of 10.
 double with_decimals(double value, int decimals);
-/// True if rounded values keep the tolerances, and hardly increase the rms distance.
+/// True if rounded values stay within the tolerances, and hardly increase the rms distance.
 bool is_as_good(const Deviation& after, const Deviation& before);
 
 /// Rounds the parameters to as few decimals as the points permit: the cam stays within the

@@ -29,7 +29,7 @@ struct Boundary : Event {
   double position = 0;
   double period = 0;  ///< 0: a single boundary
   double hysteresis = 0;
-  std::int64_t passed = 0;  ///< the highest index behind the axis; for a single one 0, or -1
+  std::int64_t passed = 0;  ///< the highest index behind the axis; for a single boundary 0, or -1
   bool locked = false;      ///< the axis is still near `lock`, the position of its last edge
   std::int64_t lock = 0;
 

@@ -22,11 +22,11 @@ struct TurningPiece {
 struct MonotonePart {
   double begin = 0, end = 0;  ///< s in [0, 1]; equal: a jump
   double from = 0, to = 0;    ///< positions
-  bool forwards = true;       ///< direction of the axis; that of y may differ
+  bool forwards = true;       ///< direction of the axis; the direction of y may differ
 };
 
 /// The compensated position y = x - c v of one boundary over a piece, in monotone intervals. c has
-/// one value for an axis that moves forwards, and another backwards.
+/// one value for an axis that moves forwards, and another value for an axis that moves backwards.
 class SwitchPath {
  public:
   SwitchPath(double forwards, double backwards);

@@ -21,7 +21,7 @@ struct FormatRow {
   const char* unreadable = "";  ///< reason why the format cannot be read, as a rule
 };
 
-/// The formats, one for each source of a vendor. A new one is added to the list in formats.cpp.
+/// The formats, one for each source of a vendor. Add a new format to the list in formats.cpp.
 extern const FormatRow codesys_format;
 extern const FormatRow twincat_format;
 extern const FormatRow siemens_format;

@@ -21,7 +21,7 @@ struct OutputsOf {
 /// tick, and the position of the axis (or of its master, or its drive) at that instant. The
 /// messages are numbered from last_count + 1.
 ///
-/// Instants and positions are those of the cubic through both ticks and their velocities
+/// Instants and positions are computed on the cubic through both ticks and their velocities
 /// (jounce/profiles/curve/cycle_motion.hpp). An actual position is interpolated linearly. `period`:
 /// duration of a tick, ns.
 std::vector<wire::Event> events_of(const Tick& before, const Tick& now, const OutputsOf& of,

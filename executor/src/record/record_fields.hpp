@@ -70,7 +70,7 @@ void each_input(Ours& c, Theirs& w, F f) {
 }
 
 /// Reasons why the command of a tick was rejected, and why the waiting motion was dropped. The
-/// cause `none` means that it was not.
+/// cause `none` means: not rejected, or not dropped.
 struct Refusals {
   Refusal refused = {};
   Refusal dropped = {};

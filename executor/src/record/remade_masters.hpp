@@ -24,7 +24,7 @@ class RemadeMasters {
   void add(const RecordedMaster& master);
   /// Adds a sample for the next cycle.
   void take(const RecordedSample& sample);
-  /// Computes the value of a master, and returns its difference from the recorded one; nullopt:
+  /// Computes the value of a master, and returns its difference from the recorded value; nullopt:
   /// none, or the master is not in the record (Made::elsewhere). `time`: time of the tick, s.
   [[nodiscard]] std::optional<TickDifference> compare(const RecordedSight& seen, double time);
 

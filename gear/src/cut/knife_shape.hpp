@@ -36,7 +36,7 @@ class KnifeShape {
 
   /// The recovery over the length b (m), which begins at `start` rad.
   [[nodiscard]] std::vector<Segment> recovery(double b, double start) const;
-  /// Velocity in its middle, rad/m: the least or the greatest one.
+  /// Velocity in its middle, rad/m: the least or the greatest velocity.
   [[nodiscard]] double middle_velocity(double b) const;
   /// The length b for which the knife just comes to rest in the middle.
   [[nodiscard]] double longest() const;

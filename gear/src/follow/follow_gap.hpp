@@ -19,8 +19,8 @@ struct FollowGap {
 
 FollowGap gap(const FollowKnot& a, const FollowKnot& b);
 
-/// Returns the direction of a gap, 1 or -1: the common sign of the ratios at both ends, or that of
-/// the travel if both ratios are 0. 0 if the ratios differ in sign.
+/// Returns the direction of a gap, 1 or -1: the common sign of the ratios at both ends, or the sign
+/// of the travel if both ratios are 0. 0 if the ratios differ in sign.
 int way(const FollowGap& gap);
 
 /// A piece of a gap: its length, its travel, and whether its ratio is constant.

@@ -83,8 +83,8 @@ class GcodeInterpreter {
 
 constexpr std::string_view gcode_axes = "XYZABCUVW";
 
-/// Returns the factor from the unit of a word to that of its axis; 1 if the unit of the axis is not
-/// a length.
+/// Returns the factor from the unit of a word to the unit of its axis; 1 if the unit of the axis is
+/// not a length.
 double gcode_scale(const std::string& from, const std::string& unit);
 
 [[noreturn]] void fail_at(const GcodeBlock& block, const GcodeWord& word, const std::string& rule);

@@ -13,8 +13,8 @@ namespace jounce::machine_detail {
 /// Returns the number of columns that a text takes on a terminal: characters, not bytes.
 std::size_t columns(std::string_view text);
 
-/// Returns a text from the wire without control characters, even those of two bytes: it is safe for
-/// a terminal.
+/// Returns a text from the wire without control characters, even control characters of two bytes:
+/// the text is safe for a terminal.
 std::string harmless(std::string_view text, bool ascii);
 
 /// cut() shortens a text to `width` columns; padded() also fills it up with spaces.

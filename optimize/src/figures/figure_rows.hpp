@@ -14,8 +14,8 @@ namespace jounce::optimizer {
 ///
 /// A figure is given either by planes or by squares. Planes are linear forms that are at most
 /// figure(z) for every z, and the highest of them is the figure. There are too many to list; cuts()
-/// returns those that matter (an exchange method). Squares are linear forms such that the sum of
-/// their squares is figure(z)^2.
+/// returns the planes that matter (an exchange method). Squares are linear forms such that the sum
+/// of their squares is figure(z)^2.
 struct FigureRows {
   std::string name;  ///< name for the user
   /// Returns the exact value for a finished shape that begins at the first knot. It does not use
@@ -24,7 +24,7 @@ struct FigureRows {
   /// The first planes.
   std::vector<Form> start = {};
   /// Returns the planes that touch the figure of `shape` where it exceeds `level`, for example one
-  /// for each peak; empty: it does not exceed the level.
+  /// for each peak; empty: the figure does not exceed the level.
   std::function<std::vector<Form>(const std::vector<Segment>& shape, double level)> cuts = {};
   std::vector<Form> squares = {};  ///< linear forms; the sum of their squares is figure^2
   /// Returns the places where the figure of a shape is attained, with the sign, for the report; one

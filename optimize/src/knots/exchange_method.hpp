@@ -9,8 +9,8 @@ namespace jounce::optimizer {
 
 /// Result of exchange_method().
 struct LocalSolution {
-  /// The best point: the one with the least value without violation; if none, with the least
-  /// violation.
+  /// The best point: the least value among the points without violation; if there is none, the
+  /// least violation.
   Point z;
   Merit merit;             ///< its value and violation
   bool converged = false;  ///< true if the method has ended by itself

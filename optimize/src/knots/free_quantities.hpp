@@ -61,7 +61,7 @@ inline std::vector<Knot> knots_of(const CamSpec& cam) {
 }
 
 /// Returns the free quantities of each knot. The first and the last knot of a periodic cam are one
-/// knot and have the same ones. A bound whose ends are equal frees nothing.
+/// knot and have the same free quantities. A bound whose ends are equal frees nothing.
 inline std::vector<Freedom> freedom(const CamProblem& problem) {
   std::vector<Freedom> all(problem.cam.segments.size() + 1);
   for (const FreeKnot& free : problem.free)

@@ -51,13 +51,13 @@ std::vector<Knot> knots_at(const Space& space, std::span<const double> z);
 CamSpec spec_at(const Space& space, std::span<const double> z);
 
 /// Applies the chain rule for (3), (4), (6): adds the gradient with respect to the knots of
-/// `segment` to that with respect to z.
+/// `segment` to the gradient with respect to z.
 void add_gradient(const Space& space, std::size_t segment, const KnotGradient& by_knots,
                   std::span<double> by_z);
 
 /// Returns the start with this number; 0: the given cam. Free masters are drawn at random within
-/// their bounds, and the other free quantities are those of the given cam there. The result is the
-/// same on every platform (splitmix64 of seed and number).
+/// their bounds, and the other free quantities have the values of the given cam at these masters.
+/// The result is the same on every platform (splitmix64 of seed and number).
 Point start_point(const Space& space, std::uint64_t seed, std::size_t number);
 
 }  // namespace jounce::optimizer

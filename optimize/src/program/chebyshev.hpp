@@ -17,7 +17,7 @@ class ChebyshevNodes {
 
   /// The nodes.
   [[nodiscard]] const std::vector<double>& at() const { return at_; }
-  /// True if that requires more nodes than the maximum.
+  /// True if an error at the level of rounding would need more nodes than the maximum.
   [[nodiscard]] bool too_few() const;
 
   /// Returns the values of the polynomials at x, one for each node: f(x) = sum of share * f(node).

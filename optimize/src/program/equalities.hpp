@@ -3,7 +3,8 @@
 
 #include "optimize/src/program/shape_model.hpp"
 
-/// The equalities of a shape: joints of its pieces, fixed ends, values that are kept exactly.
+/// The equalities of a shape: continuity between its pieces, fixed ends, values that are kept
+/// exactly.
 namespace jounce::optimizer {
 
 /// Returns the greatest residual of an equality at z; NaN if a residual is NaN.

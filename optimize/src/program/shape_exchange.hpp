@@ -16,7 +16,7 @@ namespace jounce::optimizer {
 struct ShapeSolution {
   enum class End {
     solved,      ///< no row exceeds its level any more
-    infeasible,  ///< proven: no shape keeps all constraints
+    infeasible,  ///< proven: no shape satisfies all constraints
     stalled,     ///< ended by rounding, or by the greatest number of rounds
     stopped,     ///< go_on returned false
   };

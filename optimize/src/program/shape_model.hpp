@@ -40,10 +40,11 @@ struct ShapeModel {
   ShapeModel& operator=(const ShapeModel&) = delete;
 
   SplineSpace space;
-  std::vector<Form> equalities;  ///< == 0: joints, ends, values that are kept exactly; of size one
-  std::vector<bool> fixed;       ///< true for a coordinate that the equalities alone determine
-  double scale = 1;              ///< common factor of the units of the terms
-  std::vector<Term> terms;       ///< the figures that are minimized
+  /// == 0: continuity at breaks, ends, values that are kept exactly; of size one
+  std::vector<Form> equalities;
+  std::vector<bool> fixed;  ///< true for a coordinate that the equalities alone determine
+  double scale = 1;         ///< common factor of the units of the terms
+  std::vector<Term> terms;  ///< the figures that are minimized
   std::vector<ShapeConstraint> constraints;  ///< corridors, and ceilings of figures by planes
   std::vector<RoundCeiling> round;           ///< ceilings of norms
   std::vector<Form> definitions;  ///< == 0: each defines an auxiliary variable by the coordinates
@@ -65,7 +66,7 @@ struct ShapeModel {
 /// Returns the sum of weight * figure / unit, in the scale of the model.
 double weighted_sum(const ShapeModel& model, const std::vector<Segment>& shape);
 
-/// Returns the knots of `pieces` equal pieces, and those where corridors begin and end.
+/// Returns the knots of `pieces` equal pieces, and the knots where corridors begin and end.
 std::vector<double> first_knots(const ShapeProblem& problem);
 
 /// Returns the ends of the pieces of a shape.

@@ -62,8 +62,7 @@ class SplineSpace {
   /// Returns the size of q in a perfect spline: the sum of |by[k]| S_k, with (3) for all
   /// derivatives.
   [[nodiscard]] double natural(const LinearQuantity& q) const;
-  /// Returns the index of the piece that contains x; at a knot, that of the piece that begins
-  /// there.
+  /// Returns the index of the piece that contains x; at a knot, the piece that begins at the knot.
   [[nodiscard]] std::size_t piece_at(double x) const;
 
   /// Returns q at s in [0, 1] of a piece, exactly.
@@ -84,12 +83,12 @@ class SplineSpace {
   /// Returns the spline with these coordinates, from the first knot on.
   [[nodiscard]] std::vector<Segment> segments(const Coordinates& z) const;
   /// Returns the coordinates of a shape over the same interval: its derivatives at the knots, and
-  /// the mean of the highest one. They are exact for a spline over these knots.
+  /// the mean of the highest derivative. They are exact for a spline over these knots.
   [[nodiscard]] Coordinates coordinates(const std::vector<Segment>& shape) const;
 
   /// Returns z with all coordinates computed again by (2), except for the highest derivatives and
-  /// those at the beginning. The result is a spline for any z. The coordinates that are kept are a
-  /// basis of the space.
+  /// the derivatives at the beginning. The result is a spline for any z. The coordinates that are
+  /// kept are a basis of the space.
   [[nodiscard]] Coordinates propagated(Coordinates z) const;
   /// True if a coordinate belongs to that basis.
   [[nodiscard]] bool independent(std::size_t coordinate) const {

@@ -126,7 +126,7 @@ class FixedKnots {
 
   [[nodiscard]] double sign_at(const SearchedFigure& part, std::size_t piece, double s) const;
 
-  /// Sets the signs to those of a shape. Returns true if the sign of a row has changed.
+  /// Sets the signs to the signs of a shape. Returns true if the sign of a row has changed.
   bool hold_signs(const std::vector<Segment>& shape);
 
   // ---- value of a shape ------------------------------------------------------------------------

@@ -6,7 +6,7 @@
 
 #include "optimize/src/program/shape_model.hpp"
 
-/// Why the limits of a shape cannot be kept.
+/// The reason why no shape satisfies its limits.
 namespace jounce::optimizer {
 
 /// Residual of an equality, or of a constraint that nothing changes, above which there is no

@@ -49,7 +49,7 @@ class ConeScaling {
   /// a.
   [[nodiscard]] Eigen::VectorXd diagonal() const;
   /// Returns r of each cone, with 0 in the place of its a: W^-2 = diagonal + r r' for all entries
-  /// except those of a.
+  /// except the entries of a.
   [[nodiscard]] std::vector<Eigen::VectorXd> rank_ones() const;
 
  private:

@@ -22,7 +22,8 @@ class Whitening {
   /// Returns z0 + W y, where W = L^-T and H = L L^T.
   [[nodiscard]] Point z(std::span<const double> y) const;
 
-  /// Converts a gradient with respect to z to one with respect to y, in place: W^T g = L^-1 g.
+  /// Converts a gradient with respect to z to the gradient with respect to y, in place: W^T g =
+  /// L^-1 g.
   void turn(std::span<double> g) const;
 
  private:

@@ -21,12 +21,12 @@ Lines lines_of(const Route& route, const Program& program, const Rates& rates);
 
 /// A route with its corners rounded, and the limits for its timing law.
 struct Rounded {
-  std::optional<Path> path;  ///< nullopt: no corner is rounded, so the path is that of the route
+  std::optional<Path> path;  ///< nullopt: no corner is rounded, so the path of the route applies
   std::vector<Unit> units;
   std::vector<JointMark> joints;
 };
 
-/// Rounds the corners. `stop`: joints at which the plan rests although their corners could be
+/// Rounds the corners. `stop`: junctions at which the plan rests although their corners could be
 /// rounded.
 Rounded rounded(const Route& route, const Lines& lines, const Program& program, const Rates& rates,
                 const std::vector<bool>& stop);

@@ -48,8 +48,8 @@ void require_no_corner(const Plan& plan, const char* key, double q);
 /// velocity the start velocity.
 Unit unit_of(const LawInterval& s);
 
-/// The units of a plan from rest to rest, with the dwell before each. A law keeps all limits if it
-/// stays within their boxes and is at no station faster than the plan.
+/// The units of a plan from rest to rest, with the dwell before each. A law stays within all limits
+/// if it stays within the boxes of the units and is at no station faster than the plan.
 struct PlannedUnits {
   std::vector<Unit> units;
   std::vector<double> starts;  ///< q of the start of each unit, and of the end
@@ -58,7 +58,7 @@ struct PlannedUnits {
 PlannedUnits units_of(const Plan& plan);
 
 /// The plan with a law of stations throughout. It is planned again if it has the law of a window,
-/// or if feeds are `factor` times those of the program; otherwise it is the plan itself.
+/// or if feeds are `factor` times the feeds of the program; otherwise it is the plan itself.
 Plan by_stations(const Plan& plan, double factor);
 
 }  // namespace jounce

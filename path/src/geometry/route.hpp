@@ -9,14 +9,15 @@
 
 namespace jounce {
 
-/// A joint of a route: the place where a command begins. The first and the last joint are the ends.
+/// A junction of a route: the place where a command begins. The first and the last junction are the
+/// ends.
 struct Joint {
   double dwell = 0;     ///< s, duration of the rest
   bool rests = false;   ///< true: the plan rests here (a dwell, a buffered command, an end)
   bool smooth = false;  ///< true: inside an average or a curve, so there is no corner
 };
 
-/// The pieces of a program with sharp corners, and the joints before, between and after them.
+/// The pieces of a program with sharp corners, and the junctions before, between and after them.
 struct Route {
   Path path;
   std::vector<Joint> joints;              ///< one more than pieces

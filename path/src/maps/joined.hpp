@@ -10,7 +10,7 @@
 
 namespace jounce {
 
-/// A rounded path with the joints as further axes, after those of the tool.
+/// A rounded path with the joints as further axes, after the axes of the tool.
 struct Jointed {
   Rounded rounded;
   /// Path of the tool with its corners, if the pieces of `rounded` are different.
@@ -35,9 +35,9 @@ class Joined {
 
   /// The route with its linear joints as further axes.
   [[nodiscard]] Route with_linear(Route route) const;
-  /// Rates that determine the shape of the corners: those of the tool, reduced to what joints that
-  /// are fitted later permit at some places of the route. This is only an estimate: with_fitted()
-  /// makes sure that the limits hold.
+  /// Rates that determine the shape of the corners: the rates of the tool, reduced to the rates
+  /// that the joints, which are fitted later, permit at some places of the route. This is only an
+  /// estimate: with_fitted() makes sure that the limits hold.
   [[nodiscard]] Rates corner_rates(const Route& route) const;
   /// The path of a rounded `route` with its fitted joints. Throws InputError with the source line
   /// if the tool is out of reach or the map is singular.

@@ -6,9 +6,9 @@
 
 #include "path/src/maps/interval.hpp"
 
-// Taylor arithmetic: computes the coefficients f^(k) / k! of an expression from those of its parts.
-// With intervals for a whole part of a path, the results enclose the coefficients everywhere on
-// this part.
+// Taylor arithmetic: computes the coefficients f^(k) / k! of an expression from the coefficients of
+// its parts. With intervals for a whole part of a path, the results enclose the coefficients
+// everywhere on this part.
 namespace jounce::maps {
 
 template <class T, std::size_t n>

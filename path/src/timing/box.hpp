@@ -29,8 +29,8 @@ constexpr double fit_share = 1e-6;
 Rates reserved(const Rates& rates);
 
 /// Any law with -deceleration <= q'' <= acceleration, |q'''| <= jerk and q' + q''^2 / 2 jerk <=
-/// velocity keeps all limits on the piece. Every ramp that ends at this velocity or below, with
-/// zero acceleration, is such a law. On a corner, the law has constant velocity.
+/// velocity stays within all limits on the piece. Every ramp that ends at this velocity or below,
+/// with zero acceleration, is such a law. On a corner, the law has constant velocity.
 struct Box {
   double velocity = PathSettings::none;
   double acceleration = PathSettings::none;
@@ -78,8 +78,8 @@ struct Derivatives {
 };
 Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path_axes);
 
-/// The greatest velocity that keeps the limits on a piece for all |q''| <= acceleration and |q'''|
-/// <= jerk; negative if there is none.
+/// The greatest velocity that stays within the limits on a piece for all |q''| <= acceleration and
+/// |q'''| <= jerk; negative if there is none.
 double velocity_with(const Rates& rates, const Derivatives& bounds, double acceleration,
                      double jerk);
 

@@ -5,7 +5,7 @@
 
 namespace jounce {
 
-/// A rest of a law: the joint, and the time at which it begins.
+/// A rest of a law: the junction, and the time at which it begins.
 struct Rest {
   std::uint32_t joint = 0;
   double time = 0;

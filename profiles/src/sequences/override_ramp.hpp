@@ -46,7 +46,7 @@ struct Path {
 
   [[nodiscard]] double start() const { return axes.front().start(); }
   [[nodiscard]] double end() const { return axes.front().end(); }
-  /// True if all axes keep their limits over this part of the clock.
+  /// True if all axes stay within their limits over this part of the clock.
   [[nodiscard]] bool allows(const Trajectory& clock) const;
   /// The greatest factor that the path permits from `from` to its end.
   [[nodiscard]] double room(double from) const;

@@ -13,7 +13,7 @@ namespace jounce::profiles_detail {
 //
 //   state     the axis as it is
 //   velocity  one derivative lower: the velocity takes the place of the position, the acceleration
-//             that of the velocity, the jerk that of the acceleration
+//             the place of the velocity, the jerk the place of the acceleration
 //   moving    seen from the target, which rests there: velocities less by its own
 //
 // The phases of a motion are the same in all of them, except for the velocities of first order.

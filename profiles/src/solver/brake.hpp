@@ -8,8 +8,8 @@
 
 namespace jounce::profiles_detail {
 
-/// True if a state keeps the bounds, and can keep them from there on, with a tolerance that is a
-/// share of the limits.
+/// True if a state is within the bounds, and can stay within them from then on, with a tolerance
+/// that is a share of the limits.
 bool is_inside(const MotionState& s, const Bounds& bounds, double tolerance) noexcept;
 
 /// The velocity at which the acceleration reaches zero, if it returns to zero at once.

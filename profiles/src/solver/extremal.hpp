@@ -18,8 +18,8 @@ namespace jounce::profiles_detail {
 //   jerk   +  0  -  (cruise)  -  0  +     acceleration a0 -> z1, held, -> 0 -> -z2, held, -> af
 //
 // The second half, run backwards, begins at (vf, -af) and has the same form as the first. Consider
-// a half that begins at velocity v and acceleration s and leads to the peak velocity vp. With c = v
-// - s^2/(2 jp), k = 1/jp + 1/jd, and jp, jd > 0 the jerks of the rise and the fall of the
+// a half that begins at velocity v and acceleration s and leads to the peak velocity vp. With c =
+// v - s^2/(2 jp), k = 1/jp + 1/jd, and jp, jd > 0 the jerks of the rise and the fall of the
 // acceleration,
 //
 //   (1)  vp = c + k z^2/2 + z h                            z: its peak acceleration, h: time held
@@ -78,8 +78,8 @@ class Extremals {
   enum class Branch { early, main };
 
   /// `degenerate` is the half (0 or 1) with the greater natural velocity. The natural velocity is
-  /// the one at which the acceleration reaches zero if it returns to zero at once. `dv` is the
-  /// velocity of `to` minus that of `from`; it may be more exact than both.
+  /// the velocity at which the acceleration reaches zero if it returns to zero at once. `dv` is the
+  /// velocity of `to` minus the velocity of `from`; it may be more exact than both.
   Extremals(const End& from, const End& to, double dv, const Limits& limits, const Jerks& jerks,
             int degenerate) noexcept;
 
@@ -175,7 +175,7 @@ class Extremals {
     return (rises_slowly_ && z * h.s > 0 ? squares / (z + h.s) : z - h.s) * ijp_;
   }
 
-  // Uses the time of a slow phase as parameter: that of both rises, of the rise of the free half,
+  // Uses the time of a slow phase as parameter: the time of both rises, of the rise of the free half,
   // or of the fall.
   [[nodiscard]] bool is_timed(const Stretch& p) const noexcept;
   [[nodiscard]] Extremal timed(const Stretch& p, double x) const noexcept;

@@ -86,7 +86,7 @@ class PointToPoint {
 
   double rise_, fall_;  ///< signed jerks
   double d_;
-  double dv_;  ///< velocity of to_ minus that of from_
+  double dv_;  ///< velocity of to_ minus velocity of from_
   Extremals::End from_, to_;
   Extremals::Jerks jerks_;
   std::array<double, 2> natural_;  ///< natural velocities of start and target

@@ -61,8 +61,8 @@ struct Rates {
   JOUNCE_INLINE Rates(Real acceleration, Real jerk)
       : a(acceleration), j(jerk), inv_a(1 / a), inv_j(1 / j), tau(a * inv_j), threshold(a * tau) {}
 
-  /// Equations (1), (2): the smaller jerk time is valid; it is that of (2) if the plateau would be
-  /// negative.
+  /// Equations (1), (2): the smaller jerk time is valid, which is the time of (2) if the plateau
+  /// would be negative.
   [[nodiscard]] JOUNCE_INLINE Real ramp(Real dv) const {
     return 2 * least(tau, square_root(dv * inv_j)) + greatest(dv * inv_a - tau, every<Real>(0));
   }

@@ -21,7 +21,7 @@ Travel travelled_in_velocity(const Profile& profile) noexcept;
 /// or moves back.
 bool turns_round(const Travel& travel, double share, double tolerance) noexcept;
 
-/// True if a profile keeps every bound throughout, with a tolerance of 1e-12 of it.
+/// True if a profile stays within every bound throughout, with a tolerance of 1e-12 of the bound.
 bool keeps(const Profile& profile, const Bounds& bounds) noexcept;
 
 }  // namespace jounce::profiles_detail

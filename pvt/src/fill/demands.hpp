@@ -14,9 +14,9 @@ namespace jounce::pvt_detail {
 /// The direction in which a piece must turn according to the data.
 enum class Turn { any, left, right, neither };
 
-/// Velocities for which the cubic piece of this length and chord keeps the limits of velocity,
-/// acceleration and jerk. All accepted velocities keep the limits, to rounding. Near a velocity
-/// limit, up to 2 % of the rejected ones would keep the limits, too.
+/// Velocities for which the cubic piece of this length and chord stays within the limits of
+/// velocity, acceleration and jerk. All accepted velocities satisfy the limits, to rounding. Near a
+/// velocity limit, up to 2 % of the rejected velocities would satisfy the limits, too.
 Demand within_limits(const Limits& limits, double length, double chord);
 
 /// The factor by which a piece between two knots must be longer, so that its demand permits some

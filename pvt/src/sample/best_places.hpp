@@ -26,10 +26,10 @@ constexpr std::size_t most_searched_segments = 128;
 /// The best table over places, found by dynamic programming; its knots are then moved. The places
 /// are the breaks of the curve, the `known` knots, and equal parts of the curve; or all multiples
 /// of x_step if they are few. See best_places.cpp. Returns nothing if no table of at most `most`
-/// knots keeps the tolerances, if there are more knots or segments than the constants above, and
-/// for quadratic pieces.
+/// knots is within the tolerances, if there are more knots or segments than the constants above,
+/// and for quadratic pieces.
 ///
-/// `fewest`: the table with the fewest knots; otherwise the one with the least share.
+/// `fewest`: the table with the fewest knots; otherwise the table with the least share.
 template <class Over>
 std::optional<BestTable> best_over_places(const Curve<Over>& f, const Target& target,
                                           const Tolerances& tolerances,

@@ -44,7 +44,7 @@ class Demand {
 std::optional<Gap> reached(const Demand& demand, Gap from, Gap to);
 
 /// The velocities v0 in `from` that are permitted together with v1, which reached() has found. If
-/// rounding leaves none: the one with the least error.
+/// rounding leaves none: the velocity with the least error.
 Gap leading_to(const Demand& demand, Gap from, double v1);
 
 /// The velocities that the demands of all pieces permit, and the pieces whose demand cannot be met.
@@ -68,8 +68,8 @@ Corridor corridor(std::vector<Gap> gaps, const DemandOf& demand_of) {
   return all;
 }
 
-/// Replaces the velocities by permitted ones, from the last knot back: each by the nearest one from
-/// which the next velocity is permitted.
+/// Replaces the velocities by permitted ones, from the last knot back: each by the nearest velocity
+/// from which the next velocity is permitted.
 template <class DemandOf>
 void follow(const Corridor& corridor, const DemandOf& demand_of, std::span<double> v) {
   const auto nearest = [](Gap gap, double wanted) {

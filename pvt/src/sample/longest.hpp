@@ -18,10 +18,11 @@ Knot knot_at(const Curve<Over>& f, double x, Side side);
 template <class Over>
 Knot held_at(const Curve<Over>& f, const Target& target, double x, Side side);
 
-/// The knots that may follow a so that the interval keeps the tolerances: first the farthest knot
-/// that the target permits, then breaks of the curve near it, from which the next interval may
+/// The knots that may follow a so that the interval stays within the tolerances: first the farthest
+/// knot that the target permits, then breaks of the curve near it, from which the next interval may
 /// reach farther. No knot is beyond the next end of a stretch, which must be a knot. Empty if no
-/// knot can follow. `guess` > 0 is a length to try first, such as that of the previous interval.
+/// knot can follow. `guess` > 0 is a length to try first, such as the length of the previous
+/// interval.
 template <class Over>
 std::vector<Knot> followers(const Curve<Over>& f, const Target& target, const Knot& a,
                             const Tolerances& tolerances, const std::vector<Straight>& stretches,

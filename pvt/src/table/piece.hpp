@@ -13,8 +13,9 @@
 //   (2)  cubic:    c = {p0, m0, 3h - 2m0 - m1, -2h + m0 + m1}
 //   (3)  quintic:  c = {p0, m0, k0/2, 10h - 6m0 - 4m1 - (3k0 - k1)/2,
 //                       -15h + 8m0 + 7m1 + (3k0 - 2k1)/2, 6h - 3(m0 + m1) - (k0 - k1)/2}
-//   (4)  v = dp/dx has the coefficients i ci / L, a those of v times i / L, the third derivative
-//        those of a; each with its first as the table gives it, where it gives it
+//   (4)  v = dp/dx has the coefficients i ci / L, a the coefficients of v times i / L, the third
+//        derivative the coefficients of a times i / L. The first coefficient of v and of a is the
+//        number in the table, if the table has it.
 //
 // No operation is contracted (the module is compiled with -ffp-contract=off). s is (x - x0) times
 // 1/L, so a sample needs no division. There are only plain arrays and inlined functions: kernels

@@ -34,11 +34,12 @@ struct PathAxes {
 /// Reads key = [a, b, ...]: one number for each axis, counted from `origin`. Required.
 Point read_position(TomlReader& reader, const char* key, const PathAxes& axes, const Point& origin);
 
-/// Reads `to`. For rotary axes, the absolute positions are moved by whole periods to those nearest
-/// to the start.
+/// Reads `to`. For rotary axes, the absolute positions are moved by whole periods to the positions
+/// nearest to the start.
 Point read_end(TomlReader& reader, const PathAxes& axes, const Point& from, const Point* origin);
 
-/// Reads velocity, corner and junction: of [path], or of a command, from which on they hold.
+/// Reads velocity, corner and junction: of [path], or of a command; they apply from this command
+/// on.
 void read_path_settings(TomlReader& owner, const PathAxes& axes, PathSettings& settings);
 
 /// Reads one [[command]].

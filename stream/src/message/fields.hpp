@@ -13,7 +13,7 @@
 /// Conversions between the field types of messages and the generated types.
 namespace jounce::wire {
 
-// The numbers on the wire are those of the enumerations.
+// The numbers on the wire are the values of the enumerators.
 static_assert(static_cast<int>(Domain::time) == 0 && static_cast<int>(Domain::master) == 1);
 static_assert(static_cast<int>(Interpolation::linear) == 0 &&
               static_cast<int>(Interpolation::cubic_hermite) == 1 &&

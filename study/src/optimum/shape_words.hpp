@@ -109,7 +109,7 @@ struct PrintedFigure {
 };
 
 /// Returns the figures of a run. For a figure that is minimized alone, `could_save` uses its bound
-/// or that of its splines, whichever is greater.
+/// or the bound of its splines, whichever is greater.
 std::vector<PrintedFigure> printed_figures(const CamRunOutcome& run, const ShapeWords& words);
 
 /// Returns the limit with the least margin among those that are not reached yet; null: none.

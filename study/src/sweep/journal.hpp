@@ -22,7 +22,8 @@ namespace jounce {
 /// system reports an error.
 class Journal {
  public:
-  /// Opens the file, or creates it. `identity`: one word; it must be that of the journal.
+  /// Opens the file, or creates it. `identity`: one word; it must equal the identity of the
+  /// journal.
   Journal(const std::string& path, const std::string& identity);
   ~Journal();
   Journal(const Journal&) = delete;

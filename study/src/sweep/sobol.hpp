@@ -16,7 +16,7 @@ inline constexpr std::size_t sobol_dimensions = 21;
 /// Sources: I. M. Sobol, USSR Comput. Math. Math. Phys. 7 (1967). Primitive polynomials and
 /// direction numbers: S. Joe, F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional
 /// projections", SIAM J. Sci. Comput. 30 (2008), table new-joe-kuo-6. A test compares the sequence
-/// with that of SciPy. The points are in the order of the sequence, not of a Gray code.
+/// with the sequence of SciPy. The points are in the order of the sequence, not of a Gray code.
 std::uint32_t sobol(std::uint32_t number, std::size_t dimension);
 
 }  // namespace jounce

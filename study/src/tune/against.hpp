@@ -21,14 +21,14 @@ struct Against {
   int max_rounds = 8;  ///< greatest number of rounds for a drive that is not linear
 };
 
-/// Result of optimize_against(): that of the shapes, and the behavior of the drive. Its bounds are
-/// valid only if the drive is linear. `feasible` requires `real`. `rounds` is the number of times
-/// that the shapes were solved.
+/// Result of optimize_against(): the result of the shapes, and the behavior of the drive. Its
+/// bounds are valid only if the drive is linear. `feasible` requires `real`. `rounds` is the number
+/// of times that the shapes were solved.
 struct AgainstOutcome : CamShapeOutcome {
   DriveResult driven_given;  ///< result of drive_through() for the given cam
   DriveResult driven_best;   ///< result of drive_through() for the best cam
-  /// Figures of the drive over the whole cam, from drive_through(): those of `minimize`, then of
-  /// the ceilings.
+  /// Figures of the drive over the whole cam, from drive_through(): the figures of `minimize`, then
+  /// the figures of the ceilings.
   std::vector<FigureResult> driven_figures = {};
   /// True if, by integration, no ceiling of the drive is exceeded and the best cam is better than
   /// the given one.
@@ -48,7 +48,7 @@ struct AgainstOutcome : CamShapeOutcome {
 /// For a linear drive, the problem is convex in the shape. The result is the minimum over the
 /// splines, at 500 instants of the cam, up to 500 instants of the standstill, and the peaks between
 /// them. A drive that is not linear, or whose torque reaches its limit, is solved in rounds, each
-/// around the run of the previous one (equation (2) in against.cpp). The slopes are those of the
+/// around the run of the previous one (equation (2) in against.cpp). The slopes belong to the
 /// linear drive, so the result is an improvement, but not proven to be the best. In both cases,
 /// both cams are integrated by drive_through(), and these runs decide.
 ///

@@ -43,7 +43,7 @@ class DrivenCam {
   /// The figures of the linear drive along a cam.
   [[nodiscard]] Lists linear(const CamSpec& cam, const std::vector<double>& slopes) const;
 
-  /// True if the linear drive is exact as long as its torque keeps its limits.
+  /// True if the linear drive is exact as long as its torque stays within its limits.
   [[nodiscard]] bool is_linear() const { return linear_; }
 
  private:

@@ -26,7 +26,7 @@ struct LeastSquaresOptions {
   int max_iterations = 50;  ///< greatest number of iterations
   double damping = 1e-3;    ///< initial mu
   double longest_step = 1;  ///< greatest change of an entry of x in a step
-  /// Returns the point after a step; empty: x + step. It must equal that to first order.
+  /// Returns the point after a step; empty: x + step. The point must equal x + step to first order.
   std::function<Eigen::VectorXd(const Eigen::VectorXd& x, const Eigen::VectorXd& step)> advance =
       {};
   double tolerance =

@@ -13,12 +13,12 @@ namespace jounce::validate_detail {
 ResidualTest whiteness(std::span<const double> residuals);
 
 /// Tests whether residuals grow along the recording: F of Goldfeld and Quandt, the squares of the
-/// last third over those of the first, against the F quantile. Fewer than 20 samples are not
-/// tested.
+/// last third over the squares of the first third, against the F quantile. Fewer than 20 samples
+/// are not tested.
 ResidualTest growth(std::span<const double> residuals);
 
-/// Tests whether residuals are larger after a fit than before: the same F, of those after it over
-/// those before it.
+/// Tests whether residuals are larger after a fit than before: the same F, of the squares after the
+/// fit over the squares before it.
 ResidualTest worsening(std::span<const double> before, std::span<const double> after);
 
 /// Returns the least step between two recorded values: a count of an encoder, or the last digit. 0:

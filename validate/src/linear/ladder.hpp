@@ -70,7 +70,7 @@ class Ladder {
   /// Greatest number of instants for read_ahead().
   static constexpr int block = 32;
   /// Writes the outputs at z and at the next instants, `step` apart, to y; `count` instants in all,
-  /// 1 to block. All outputs of one instant follow those of the previous one.
+  /// 1 to block. All outputs of one instant follow the outputs of the previous instant.
   void read_ahead(const Eigen::VectorXd& z, int count, double* y);
 
  private:

@@ -9,7 +9,7 @@ namespace jounce::validate_detail {
 ///
 ///     x' = A x + B w,   y = C x + D w,   w = (1, r', r'')
 ///
-/// The units are those of the function that made the system, with time in seconds. At a step of the
+/// The function that made the system determines the units; time is in seconds. At a step of the
 /// reference by p in position and v in velocity, the axis itself does not move, and its deviation
 /// becomes x - p * follows_position - v * follows_velocity.
 struct LinearSystem {

@@ -18,7 +18,7 @@ namespace jounce::validate_detail {
 Eigen::VectorXd periodic_start(const LinearSystem& system, const Trajectory& period,
                                const Drive& drive);
 
-/// Returns the state at the start of a run: at rest, or that of periodic_start().
+/// Returns the state at the start of a run: at rest, or the state of periodic_start().
 PathStart path_start(const LinearSystem& system, const Trajectory& reference, const Drive& drive,
                      bool periodic);
 

@@ -14,17 +14,19 @@ struct Candidate {
   bool operator==(const Candidate&) const = default;
 };
 
+/// The candidates for a word.
 struct Completion {
   std::vector<Candidate> candidates;
-  bool files = false;  ///< file names can stand there, too
+  bool files = false;  ///< file names can also stand at the cursor
 };
 
-/// The words that can stand in place of the last of `words`, which are those of a command line after the name of the
-/// program. The last one is not complete, and may be empty. The word "=" alone is the sign between an option and its
-/// value: bash splits --format=json there.
+/// Returns the candidates for the last of `words`. `words` are the words of a command line after
+/// the name of the program; the last one is not complete, and may be empty. A word "=" separates an
+/// option from its value, because bash splits --format=json at the sign.
 Completion complete(const ProgramInfo& program, const std::vector<std::string>& words);
 
-/// Lines for the script of a shell: "WORD<tab>HELP" for each candidate; ":files" if file names can stand there.
+/// Lines for the script of a shell: "WORD<tab>HELP" for each candidate; ":files" if file names can
+/// also stand at the cursor.
 std::string completion_lines(const Completion& completion);
 
 /// The shells that have a script: bash, fish, zsh.

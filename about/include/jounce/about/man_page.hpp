@@ -15,7 +15,8 @@ std::string man_page(const ProgramInfo& program, const BuildInfo& build);
 /// The manual page of one verb: jounce-check(1).
 std::string man_page(const ProgramInfo& program, const VerbInfo& verb, const BuildInfo& build);
 
-/// All pages by the names of their files: that of the program, jounce.1, and that of each verb, jounce-check.1.
+/// All pages by file name: the page of the program (jounce.1) and one page for each verb (such as
+/// jounce-check.1).
 std::map<std::string, std::string> man_pages(const ProgramInfo& program, const BuildInfo& build);
 
 }  // namespace jounce

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-/// The command line of a program as data: its manual pages (man_page.hpp) and the completion of the shells
-/// (completion.hpp) are functions of it.
+/// The command line of a program as data. The manual pages (man_page.hpp) and the completion in
+/// shells (completion.hpp) are computed from it.
 namespace jounce {
 
 /// Kind of value that an option takes.
@@ -15,7 +15,7 @@ enum class OptionValue { none, number, text };
 
 /// An option of a verb, or one of its positional arguments.
 struct OptionInfo {
-  /// "-o", "--output"; of a positional argument one name such as "FILE".
+  /// "-o", "--output"; for a positional argument, one name such as "FILE".
   std::vector<std::string> names{};
   std::string help{};
   std::string default_value{};  ///< "" if the help does not show one
@@ -33,6 +33,7 @@ struct VerbInfo {
   std::vector<OptionInfo> positionals{}, options{};
 };
 
+/// A program: its options, its verbs, and the texts of its help.
 struct ProgramInfo {
   std::string name{}, description{}, notes{};
   std::vector<std::pair<int, std::string>> exit_statuses{};  ///< numbers and meanings

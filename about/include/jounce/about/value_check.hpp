@@ -30,24 +30,26 @@ namespace checks {
 
 /// One of these words. The rule names the nearest word.
 ValueCheck one_of(std::vector<std::string> words);
-/// A whole number, both ends included.
+/// A whole number from `low` to `high`, both included.
 ValueCheck whole(std::int64_t low, std::int64_t high);
-/// A number, both ends included; nan is none.
+/// A number from `low` to `high`, both included; nan is rejected.
 ValueCheck within(double low, double high);
 /// A number of seconds, from 0.001 to 1e12.
 ValueCheck seconds();
-/// A number of seconds, both ends included, or 0, which means none.
+/// A number of seconds from `low` to `high`, both included; or 0, which means none.
 ValueCheck seconds_or_none(double low, double high);
 
-/// A file to write: if its name has an extension, one of these; {}: any.
+/// A file to write. If its name has an extension, it must be one of `endings`; {}: any extension.
 ValueCheck ends_in(std::vector<std::string> endings);
-/// A file that is written after long work: also not a folder, and in a folder that exists. "-" is standard output.
+/// A file that is written after long work. In addition to the rule of ends_in(), it must not be a
+/// folder, and its own folder must exist. "-" is standard output.
 ValueCheck output_file(std::vector<std::string> endings = {});
 
 }  // namespace checks
 
-/// The whole text as a number: double in the syntax of strtod; whole numbers are decimal, also with leading zeros.
-/// nullopt if it is none, or out of the range of a whole number. value_check.cpp lists the types.
+/// The whole text as a number: double in the syntax of strtod; whole numbers are decimal, also with
+/// leading zeros. nullopt if the text is not a number, or if a whole number is out of the range of
+/// its type. value_check.cpp lists the types.
 template <class Number = double>
 std::optional<Number> number_in(const std::string& text);
 

@@ -34,7 +34,7 @@ struct GroupStart {
   std::int64_t tick = -1;  ///< tick of the start; -1: no tick was given
 };
 
-/// The outputs of an axis in one tick. Units: u is the unit of the axis, m that of its master.
+/// The outputs of an axis in one tick. Units: u is the unit of the axis, m the unit of its master.
 struct Tick {
   std::int64_t tick = 0;          ///< number of the tick
   double time = 0;                ///< tick * period, s
@@ -118,8 +118,8 @@ bool in_motion(const Tick& tick);
 ///
 /// **Outputs** (cam switches, position compare) are computed in each tick from its positions. A new
 /// coordinate (set_position), or a new master at the start of a motion, passes no switch and no
-/// compare position; a switch whose state differs there changes at time 0 of the tick. Outputs are
-/// computed in every state, even if the axis is disabled or in a fault.
+/// compare position; a switch whose state differs at the new position changes at time 0 of the
+/// tick. Outputs are computed in every state, even if the axis is disabled or in a fault.
 ///
 /// **Drives.** Feedback is in the coordinate of the drive. set_position changes the coordinate of
 /// the axis by `offset`, and does not move the drive. While the axis is disabled, its setpoint is
@@ -156,8 +156,8 @@ class MotionAxis {
   /// For a group (AxisGroup in machine.hpp): the setpoints of its axes after the last step: u, u/s,
   /// u/s^2, u/s^3. Empty if it had no path yet.
   [[nodiscard]] std::span<const Jet> parts() const;
-  /// For a group: where its axes must stand when it moves next. At rest with an armed path: where this
-  /// path begins; otherwise parts().
+  /// For a group: the positions at which its axes must stand when it next begins to move. At rest
+  /// with an armed path: the start of this path; otherwise parts().
   [[nodiscard]] std::span<const Jet> places() const;
 
  private:
@@ -167,7 +167,7 @@ class MotionAxis {
   /// The player of the motion, without the superimposed move. group: the group of the axis gives
   /// the setpoints.
   enum class Base : std::uint8_t { rest, path, live, move, group };
-  /// Reason for the present stop. table: the movement ended at a velocity.
+  /// Reason for the present stop. table: the movement ended at a nonzero velocity.
   enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
 
   // axis.cpp: one tick

@@ -39,8 +39,8 @@ struct AxisConfig {
   /// jerk limit.
   double stop_jerk = 0;
   double position = 0;  ///< initial position of the axis, u; within the position limits
-  /// Number of skipped ticks in motion that is a fault (`stalled`), >= 1. A smaller gap is no
-  /// fault.
+  /// Number of successive ticks that, if skipped during a motion, cause the fault `stalled`; >= 1.
+  /// A smaller number is no fault.
   std::int64_t longest_gap = 100;
 
   /// Deceleration of an abort, u/s^2; 0: the setpoint freezes at once.

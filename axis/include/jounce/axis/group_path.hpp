@@ -21,11 +21,13 @@ namespace jounce {
 ///     group.step(t, {command::Arm{&path}}, {.peers = Peers::together}); ...
 ///     const std::span<const Jet> setpoints = group.parts();
 ///
-/// At the original speed, the position, velocity and acceleration of each axis are bit for bit those
-/// of Plan::at(). A change of the rate (a hold, a stop, an override) changes only the time of the
-/// plan, so the axes never leave the path. Its slope keeps the stop limits of every axis.
+/// At the original speed, the position, velocity and acceleration of each axis equal the results of
+/// Plan::at() bit for bit. A change of the rate (a hold, a stop, an override) changes only the time
+/// of the plan, so the axes never leave the path. The slope of the rate is small enough that every
+/// axis stays within its stop limits.
 ///
-/// A GroupPath is played once: before its first setpoint, parts() are the places where its axes begin.
+/// A GroupPath can be played only once. Before its first setpoint, parts() returns the places at
+/// which its axes begin.
 class GroupPath final : public Movement {
  public:
   /// `id`: id of the motion in Tick::job. The program is shared.

@@ -46,8 +46,8 @@ GroupLimits within(const GroupLimits& limits, std::span<const AxisConfig> axes);
 /// order. Other names are not compared: the first axis of the group plays the first axis of the path.
 void require_order(std::span<const std::string> path, std::span<const std::string> group);
 
-/// Returns the configuration of the MotionAxis of a group with these axes. Its limits do not bind:
-/// those of the axes do. Throws InputError "axes" for none.
+/// Returns the configuration of the MotionAxis of a group with these axes. Its own limits have no
+/// effect; the limits of the axes apply. Throws InputError "axes" for none.
 AxisConfig group_config(std::span<const AxisConfig> axes);
 
 }  // namespace jounce

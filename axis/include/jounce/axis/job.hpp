@@ -33,12 +33,12 @@ namespace jounce {
 ///
 /// The constructor throws InputError if `time` is not over time or has the policy `advance`, if
 /// `cam` is not over the position of a master, and for an invalid coupling. Units: u is the unit of
-/// the axis, m that of the master.
+/// the axis, m the unit of the master.
 class Job final : public Movement {
  public:
   /// `id` is the id of the motion in Tick::job. `time` is the table over time: the position of the
-  /// axis or, with a cam, that of the master. `tick` is the length of a tick, s; several jumps
-  /// within one tick count as one. `position` is the start position of the slave, u.
+  /// axis or, with a cam, the position of the master. `tick` is the length of a tick, s; several
+  /// jumps within one tick count as one. `position` is the start position of the slave, u.
   Job(std::uint64_t id, std::shared_ptr<const Table> time,
       std::shared_ptr<const Table> cam = nullptr, double tick = 1e-3,
       const CouplingSpec& coupling = {}, double position = 0);

@@ -22,13 +22,13 @@ namespace jounce {
 /// A table with the policy `wrap` or `advance` is periodic; a table with `hold` or `refuse` runs
 /// once. For start modes, scaling, offsets and jumps of the master, see
 /// jounce/cam/coupling/coupling.hpp and jounce/cam/coupling/coupling_cycle.hpp. In sync, the
-/// setpoints are exactly those of placed() for the table.
+/// setpoints are exactly the results of placed() for the table.
 ///
 /// **Progress** is `engaging` until the slave is in sync, then `running`. A cam that runs once is
-/// `done` in the tick of its end. If the cam ends at a velocity, CamEnd selects the behavior. With
-/// CamEnd::extend the cam is never `done`: the slave continues at the ratio of the cam's end, and
-/// follows the cam again when the master returns. Progress is `broken` if the master is lost (NaN),
-/// or if it jumps and no correction can absorb the jump.
+/// `done` in the tick of its end. If the cam ends at a nonzero velocity, CamEnd selects the
+/// behavior. With CamEnd::extend the cam is never `done`: the slave continues at the ratio of the
+/// cam's end, and follows the cam again when the master returns. Progress is `broken` if the master
+/// is lost (NaN), or if it jumps and no correction can absorb the jump.
 class LiveCam final : public Movement {
  public:
   /// `id` is the id of the motion in Tick::job. Throws InputError for a table that is not over a

@@ -10,7 +10,8 @@
 namespace jounce {
 
 /// Plays a movement that follows a live master. The movement counts time, and the coordinate of the
-/// master, from its own start. The player converts them from and to the present values of the axis.
+/// master, from its own start. The player converts between these values and the present values of
+/// the axis.
 ///
 ///     LivePlayer player(config.period);
 ///     player.begin(movement, tick);

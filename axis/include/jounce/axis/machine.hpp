@@ -69,8 +69,8 @@ struct AxisImage {
 ///
 /// **Leaders.** A change of the coordinate of a leader (set_position, home) does not move its
 /// followers. If a leader freezes (an abort, a disabled drive), it is lost to its followers in that
-/// tick. It stays lost while it is disabled, because its position is then that of its drive.
-/// Followers of a lost leader brake within their own limits.
+/// tick. It stays lost while it is disabled, because its position is then the position of its
+/// drive. Followers of a lost leader brake within their own limits.
 ///
 /// **Groups** (Arm::group): the armed movements of a group begin in the same tick, or none of them
 /// begins. They begin in a tick for which the start of every one of them was accepted. The group
@@ -86,7 +86,7 @@ struct AxisImage {
 ///
 /// **Masters** are inputs: one Jet for each master and tick, in m (the unit of the master), m/s,
 /// m/s^2, m/s^3. NaN: lost. If an axis is a master, m is the unit of that axis. The jerk of an
-/// axis' setpoint counts as 0; the acceleration and jerk of an actual position count as 0.
+/// axis's setpoint counts as 0; the acceleration and jerk of an actual position count as 0.
 ///
 /// step() does not allocate, free, lock, log or throw.
 class Machine {

@@ -71,8 +71,8 @@ struct MasterReading {
 /// repeats, depending on the policy of the table.
 class TableMaster final : public Master {
  public:
-  /// Throws InputError with the key "axis" for a table that is not over time, and "start" if it is
-  /// not finite.
+  /// Throws InputError with the key "axis" for a table that is not over time, and with the key
+  /// "start" if `start` is not finite.
   explicit TableMaster(std::shared_ptr<const Table> table, double start = 0);
   Jet at(double time) noexcept override;
 

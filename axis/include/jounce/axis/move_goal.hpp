@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// The limits that apply to the target of a move: those of the axis, and its limit switches.
+/// The limits that apply to the target of a move: the limits of the axis, and its limit switches.
 struct MoveRules {
   const AxisConfig& config;      ///< configuration of the axis
   bool positive_switch = false;  ///< true if the positive limit switch is active

@@ -32,7 +32,7 @@ struct Goal {
 /// exceeds its limit (PMC600 errors 201, 226, 301).
 std::optional<Refusal> fill(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 
-/// Like fill(), but deceleration and jerk may be as large as those of a stop
+/// Like fill(), but deceleration and jerk may be as large as in a stop
 /// (AxisConfig::stop_acceleration, stop_jerk).
 std::optional<Refusal> fill_stop(MoveDynamics& dynamics, const AxisConfig& config) noexcept;
 

@@ -21,11 +21,11 @@ struct TimedState {
 /// together: if a new move cannot be planned, both stay unchanged.
 ///
 ///     MovePlayer player(config.period);
-///     if (!player.begin({last, tick}, goal, 1, config)) ...       // there is no such move
+///     if (!player.begin({last, tick}, goal, 1, config)) ...       // no such move exists
 ///     const Jet next = player.at(tick);                           // u, u/s, u/s^2, u/s^3
-///     if (player.is_over(tick)) ...                               // it continues at its velocity
+///     if (player.is_over(tick)) ...  // the axis continues at its velocity
 ///
-/// It has a fixed size, and copies are independent. Does not allocate or throw.
+/// A MovePlayer has a fixed size, and copies are independent. It does not allocate or throw.
 class MovePlayer {
  public:
   /// `period`: duration of a tick, ns.
@@ -44,7 +44,7 @@ class MovePlayer {
   [[nodiscard]] const Goal& goal() const noexcept { return goal_; }
   /// The planned motion.
   [[nodiscard]] const Profile& plan() const noexcept { return plan_; }
-  /// True if the move passes its target at a velocity.
+  /// True if the move passes its target at a nonzero velocity.
   [[nodiscard]] bool passes() const noexcept { return goal_.through != 0; }
 
   /// Returns the state in this tick: u, u/s, u/s^2, u/s^3.

@@ -14,8 +14,8 @@ namespace jounce {
 
 struct AxisConfig;
 
-/// The commanded point of an axis at one instant. Units: u is the unit of the axis, m that of its
-/// master.
+/// The commanded point of an axis at one instant. Units: u is the unit of the axis, m the unit of
+/// its master.
 struct Setpoint {
   double master = 0;           ///< position of the master, m; 0 without a master
   double master_velocity = 0;  ///< velocity of the master, m/s

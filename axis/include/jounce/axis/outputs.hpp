@@ -17,7 +17,8 @@ struct AxisCompare {
   std::optional<PositionCompare> list = {};  ///< the list; nullopt: no position compare
 };
 
-/// Inputs of Outputs::step() in one tick. Units: u is the unit of the axis, m that of its master.
+/// Inputs of Outputs::step() in one tick. Units: u is the unit of the axis, m the unit of its
+/// master.
 struct OutputPlaces {
   /// A position and its velocity.
   struct Place {

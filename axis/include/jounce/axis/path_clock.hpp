@@ -24,8 +24,8 @@ struct PathTime {
 ///     clock.start(tick, 0, 1);                                   // path time 0 now, at full speed
 ///     double s = clock.at(tick + 500).s;                         // bit for bit 500 * 1e6 / 1e9
 ///     clock.change(tick + 500, 0, rate_slope(peaks, config, 1)); // a stop
-///     while (!clock.steady(tick)) ...                            // it takes 1.5 / slope
-///     clock.change(tick, 1, slope);                              // and on
+///     while (!clock.steady(tick)) ...                            // the stop takes 1.5 / slope
+///     clock.change(tick, 1, slope);                              // continues
 ///
 /// A change of the rate r is the fastest one with |r'| <= slope and |r''| <= 2 slope^2, from any
 /// state of a previous change. r' does not jump, and r stays between its start and end values.
@@ -56,7 +56,7 @@ class PathClock {
   /// Returns the path time that passes until rest, s. If the change in progress goes to rest, this
   /// change is used; otherwise a change to 0 with the given slope, which begins in the given tick.
   [[nodiscard]] double way_to_rest(std::int64_t tick, double slope) const noexcept;
-  /// Returns the path time that passes (s) in three changes, each directly after the previous one:
+  /// Returns the path time (s) that passes in three changes, each directly after the previous one:
   /// to `rate`, to full speed, and to rest. Infinite unless slope > 0.
   [[nodiscard]] double way_by(std::int64_t tick, double rate, double slope) const noexcept;
 

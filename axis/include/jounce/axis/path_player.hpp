@@ -93,9 +93,9 @@ class PathPlayer {
   void put_out(std::int64_t tick) noexcept;
   /// True if no more than the first point was played.
   [[nodiscard]] bool unplayed() const noexcept { return played_to_ == 0; }
-  /// Returns the path time (s), after that of the last setpoint and up to `to`, at which the master
-  /// of the path passes `position` (m, the unit of the master). Returns nullopt if the master does
-  /// not pass the position.
+  /// Returns the path time (s), after the path time of the last setpoint and up to `to`, at which
+  /// the master of the path passes `position` (m, the unit of the master). Returns nullopt if the
+  /// master does not pass the position.
   [[nodiscard]] std::optional<double> passing(double position, double to,
                                               const Moment& now) const noexcept;
 
@@ -125,8 +125,8 @@ class PathPlayer {
 
   /// The greatest magnitudes of the path at rate 1.
   [[nodiscard]] const Peaks& peaks() const noexcept { return peaks_; }
-  /// The greatest magnitudes of the path at the rate after the present change, but at least at rate
-  /// 1. A velocity step counts as an acceleration.
+  /// The greatest magnitudes of the path at the rate after the present change, but at least at
+  /// rate 1. A velocity step counts as an acceleration.
   [[nodiscard]] Peaks peaks_at_rate() const noexcept;
 
  private:

@@ -14,8 +14,8 @@
 namespace jounce {
 
 /// A move that is added to the motion of an axis (MC_MoveSuperimposed). It uses the part of the
-/// limits that the motion below does not need. So the sum of both stays within the limits, whenever
-/// the move begins. u is the unit of the axis.
+/// limits that the motion of the axis (the *motion below*) does not need. So the sum of the two
+/// motions stays within the limits, whenever the move begins. u is the unit of the axis.
 ///
 ///     SuperimposedMove above(config);
 ///     if (const auto no = above.begin(tick, 5, {.velocity = 20}, below, end)) ...    // rejected
@@ -23,8 +23,8 @@ namespace jounce {
 ///     above.clear();                   // another motion has taken over
 ///
 /// The distance of a finished move remains added until clear(). A move that begins during another
-/// one begins from the present state of the other one. It has a fixed size, and copies are
-/// independent. It does not allocate or throw.
+/// one begins from the present state of the other one. A SuperimposedMove has a fixed size, and
+/// copies are independent. It does not allocate or throw.
 class SuperimposedMove {
  public:
   /// `config`: the configuration of the axis.
@@ -59,7 +59,7 @@ class SuperimposedMove {
   [[nodiscard]] bool shifts() const noexcept { return running_ || finished_ != 0; }
   /// Distance of finished moves, u.
   [[nodiscard]] double finished() const noexcept { return finished_; }
-  /// Distance at the end of the present move, u, including that of finished moves.
+  /// Distance at the end of the present move, u, including the distance of finished moves.
   [[nodiscard]] double distance() const noexcept {
     return finished_ + (running_ ? goal_.value : 0);
   }

@@ -8,10 +8,10 @@
 namespace jounce {
 
 /// The two windows of an axis around its setpoint: one for the following error (Googol
-/// GT_SetPosErr, Agito MaxPosErr, HMPL GetPosErr), one for in position (Googol GT_SetAxisBand,
-/// Agito InTargetTol). Call too_far() and settled() once a tick. `error` is the following error, u
-/// (the unit of the axis). A drive without position feedback (error NaN) causes no fault and is
-/// never in position. `dt` is the time since the previous step, s.
+/// GT_SetPosErr, Agito MaxPosErr, HMPL GetPosErr), one for the state *in position* (Googol
+/// GT_SetAxisBand, Agito InTargetTol). Call too_far() and settled() once a tick. `error` is the
+/// following error, u (the unit of the axis). A drive without position feedback (error NaN) causes
+/// no fault and is never in position. `dt` is the time since the previous step, s.
 ///
 ///     Supervision windows;
 ///     const bool lost = windows.too_far(set - actual, dt, config);

@@ -31,7 +31,7 @@ inline double value_of(const BufferedMove& move) {
 
 /// The motion buffer of an axis: moves that each wait for the end of the previous move. (Section
 /// 2.4.2 of PLCopen Part 1 requires space for one move; motion controllers have space for several.)
-/// It has a fixed size, and copies are independent.
+/// The buffer has a fixed size, and copies are independent.
 ///
 ///     WaitingMoves moves;
 ///     if (!moves.full()) moves.push(command::MoveRelative{.distance = 3});

@@ -12,8 +12,8 @@ namespace jounce {
 /// UTF-16 and for a compressed file.
 std::string read_file(const std::string& path);
 
-/// Records the files that read_file() reads as long as the object exists. write_files() then does
-/// not replace any of them, so an output never overwrites an input. At most one object exists at a
+/// Records the files that read_file() reads while the object exists. write_files() then does not
+/// replace any of them, so an output never overwrites an input. At most one object exists at a
 /// time.
 class KeptInputs {
  public:

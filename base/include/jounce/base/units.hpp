@@ -36,7 +36,7 @@ double conversion(std::string_view from, std::string_view to);
 /// key; its rule states the error and the expected unit.
 double quantity(std::string_view text, std::string_view unit);
 
-/// Returns the unit in a text like that of quantity(): "mm/s". Empty if the text has no unit, or
+/// Returns the unit in a text that quantity() accepts: "mm/s". Empty if the text has no unit, or
 /// does not begin with a number.
 std::string_view quantity_unit(std::string_view text);
 /// Returns the unit position / x^order, as people write it: "mm", "mm/deg", "mm/deg^2". With an

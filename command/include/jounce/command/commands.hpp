@@ -14,9 +14,9 @@
 #include "jounce/profiles/curve/modulo.hpp"
 #include "jounce/profiles/sequences/queue.hpp"
 
-/// The commands of an axis, modeled on the function blocks of PLCopen. Each command is one struct,
-/// which both the client that sends it and the axis that executes it use. command_table.hpp
-/// describes the commands. u is the unit of the axis, m that of its master.
+/// The commands of an axis, modeled on the function blocks of PLCopen. Each command is one struct:
+/// the client that sends the command and the axis that executes it use the same struct.
+/// command_table.hpp describes the commands. u is the unit of the axis, m the unit of its master.
 namespace jounce {
 
 /// Value of a field that is not given (NaN): the axis uses its configured value.
@@ -41,8 +41,8 @@ enum class StartAt : std::uint8_t {
   master_position = 2,  ///< when the master passes a given position
 };
 
-/// Behavior of an axis when a cam on a live master ends at a velocity. The numbers are part of the
-/// wire format.
+/// Behavior of an axis when a cam on a live master ends at a nonzero velocity. The numbers are part
+/// of the wire format.
 enum class CamEnd : std::uint8_t {
   brake = 0,          ///< comes to rest within the limits of the axis
   keep_velocity = 1,  ///< keeps the velocity, independent of the master, until another command
@@ -143,8 +143,8 @@ constexpr void each_field(C& c, F f) {
     c.relative);
 }
 
-/// Searches for the home position. For a value that is not given (NaN, and method 0), the axis uses
-/// that of HomingSpec.
+/// Searches for the home position. For a value that is not given (NaN; for the method, 0), the axis
+/// uses the value in HomingSpec.
 struct Home {
   static constexpr auto kind = CommandKind::home;
   double offset = as_configured;           ///< position value of the axis at the home position, u
@@ -158,8 +158,8 @@ struct Home {
 template <Of<Home> C, class F>
 constexpr void each_field(C& c, F f) {
   f(Field{"offset", Quantity::position, FieldRange::given, "offset",
-          "home: the position value of the home position; default, also of the next home options: "
-          "[homing] in the spec of the axis"},
+          "home: position value of the home position. This option and the other home options "
+          "default to [homing] in the spec of the axis"},
     c.offset);
   f(Field{"method", Quantity::none, FieldRange::count, "method", "home: method of CiA 402"},
     c.method);
@@ -214,8 +214,8 @@ constexpr void each_field(C& c, F f) {
     c.position);
   each_field(c.dynamics, f);
   f(Field{"direction", Quantity::none, FieldRange::direction, "direction",
-          "With --to: shortest, positive, negative; a linear axis refuses a target on the other "
-          "side"},
+          "With --to: shortest, positive, negative; a linear axis rejects a target in the other "
+          "direction"},
     c.direction);
   f(buffer_mode, c.buffer);
 }
@@ -254,7 +254,7 @@ constexpr void each_field(C& c, F f) {
 struct MoveSuperimposed {
   static constexpr auto kind = CommandKind::move_superimposed;
   double distance = 0;  ///< signed distance, u
-  /// Dynamics of the added move alone: its velocity adds to that of the motion.
+  /// Dynamics of the added move alone: its velocity is added to the velocity of the motion.
   MoveDynamics dynamics = {};
 };
 template <Of<MoveSuperimposed> C, class F>
@@ -267,7 +267,7 @@ constexpr void each_field(C& c, F f) {
   each_field_of_ramp(c.dynamics, f);
 }
 
-/// Moves at a velocity until the next command.
+/// Moves at a given velocity until the next command.
 struct MoveVelocity {
   static constexpr auto kind = CommandKind::move_velocity;
   double velocity = 0;         ///< u/s, signed; 0: to rest
@@ -312,8 +312,8 @@ constexpr void each_field(C& c, F f) {
   each_field_of_ramp(c.dynamics, f);
 }
 
-/// Couples the axis to its live master at a ratio, so that the axis is in step from the sync
-/// positions of master and axis on.
+/// Couples the axis to its live master at a ratio, so that the axis is in step, at its own sync
+/// position, as soon as the master has reached its sync position.
 struct GearInPos {
   static constexpr auto kind = CommandKind::gear_in_pos;
   std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
@@ -388,7 +388,7 @@ constexpr void each_field(C& c, F f) {
   f(queue, c.queue);
 }
 
-/// Plays the table of a virtual master from its beginning.
+/// Plays the table of a virtual master, or the program of a group, from its beginning.
 struct StartTable {
   static constexpr auto kind = CommandKind::start_table;
 };

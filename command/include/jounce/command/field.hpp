@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// Physical quantity of a field, which determines its unit: u is the unit of the axis, m that of
-/// its master.
+/// Physical quantity of a field, which determines its unit: u is the unit of the axis, m the unit
+/// of its master.
 enum class Quantity : std::uint8_t {
   none,          ///< a plain number
   position,      ///< u
@@ -62,8 +62,8 @@ struct Fields {
 namespace jounce::command {
 
 inline constexpr Field velocity{"velocity", Quantity::velocity, FieldRange::positive, "velocity",
-                                "Greatest velocity of the move; default, also of the next three "
-                                "options: the limit of the axis"};
+                                "Greatest velocity of the move. This option and the next three "
+                                "default to the limits of the axis"};
 inline constexpr Field acceleration{"acceleration", Quantity::acceleration, FieldRange::positive,
                                     "acceleration", "Acceleration"};
 inline constexpr Field deceleration{"deceleration", Quantity::acceleration, FieldRange::positive,
@@ -72,7 +72,8 @@ inline constexpr Field jerk{"jerk", Quantity::jerk, FieldRange::positive, "jerk"
 inline constexpr Field buffer_mode{
     "buffer mode", Quantity::none, FieldRange::buffer_mode, "blend",
     "move --to, --by and jog: pass the target of the present move without a stop, at the velocity "
-    "of: low (the lower one), previous (that move), next (this move), high (the higher one)"};
+    "of low (the slower of the two moves), previous (the present move), next (this move) or high "
+    "(the faster of the two moves)"};
 inline constexpr Field numerator{"numerator", Quantity::none, FieldRange::whole, "VALUE"};
 inline constexpr Field denominator{"denominator", Quantity::none, FieldRange::whole_nonzero,
                                    "VALUE"};

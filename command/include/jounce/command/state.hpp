@@ -15,7 +15,7 @@ enum class State : std::uint8_t {
   synchronized_motion = 3,  ///< follows a master
   stopping = 4,             ///< goes to rest; only a fault interrupts this
   error_stop = 5,           ///< a fault is latched: at rest, or going to rest, until a reset
-  continuous_motion = 6,    ///< moves at a velocity until the next command
+  continuous_motion = 6,    ///< moves at a given velocity until the next command
   homing = 7,               ///< searches for the home position
 };
 inline constexpr std::size_t states = 8;  ///< number of states

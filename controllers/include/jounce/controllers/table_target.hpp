@@ -28,8 +28,8 @@ struct ControllerTable {
 };
 
 /// Returns all controller tables: googol_pt, googol_pt_1024, googol_follow, googol_follow_512,
-/// hmpl_pvt, and sew (the curve point table of the MOVI-C controllers of SEW). The four of Googol
-/// have segments of the type NORMAL (GTS manual 7.4): linear velocity, quadratic position.
+/// hmpl_pvt, and sew (the curve point table of the MOVI-C controllers of SEW). The four tables of
+/// Googol have segments of the type NORMAL (GTS manual 7.4): linear velocity, quadratic position.
 std::span<const ControllerTable> controller_tables();
 
 /// Returns the controller table with this name; null if no table has the name.
@@ -65,10 +65,11 @@ struct TargetTexts {
 using MemberName = std::function<std::string(const std::string& member)>;
 
 /// Returns the target of the texts in these units, with the capacity and the counts of
-/// texts.controller. `most` and x_step, if given, replace those of the controller. Throws
+/// texts.controller. `most` and x_step, if given, replace the values of the controller. Throws
 /// InputError, with the name of the member as key, for a text that is not a positive quantity in
-/// the unit of the member, for a controller that is not in controller_tables(), and for one whose
-/// table needs another variable (time or master position) or another interpolation.
+/// the unit of the member, for a controller that is not in controller_tables(), and for a
+/// controller whose table needs another variable (time or master position) or another
+/// interpolation.
 Target target_of(const TargetTexts& texts, Domain axis, Interpolation rule, const Units& units,
                  const MemberName& name_of = {});
 

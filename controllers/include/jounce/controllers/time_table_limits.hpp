@@ -17,8 +17,8 @@ inline constexpr std::size_t pt_fifo = 1024;  ///< segments of a FIFO with memor
 /// Greatest value of a `long` (32 bits) of the controller.
 inline constexpr double largest_long = 2147483647;
 
-/// Throws InputError unless GT_PtData (manual 7.4) accepts the points: its times are a `long`, so
-/// they must be whole numbers of ms up to largest_long. A table that is played more than once
+/// Throws InputError unless GT_PtData (manual 7.4) accepts the points: each time is a `long`, so it
+/// must be a whole number of ms, at most largest_long. A table that is played more than once
 /// (`loops` other than 1) must fit into one static FIFO.
 void require_pt(std::span<const PtPoint> points, std::size_t loops = 1);
 

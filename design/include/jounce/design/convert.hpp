@@ -15,7 +15,8 @@ namespace jounce {
 /// Requirements for a converted table.
 struct Conversion {
   Interpolation rule = Interpolation::cubic_hermite;  ///< interpolation of the result
-  /// Requirements for new knots, as few as possible. The rule of the target is `rule` above.
+  /// Requirements for new knots; the result has as few knots as possible. The rule of the target is
+  /// `rule` above.
   std::optional<Target> target = {};
   std::size_t intervals = 0;  ///< number of equal intervals of new knots; 0: not requested
   Units units = {};  ///< units of the result, or units that the file does not give; "": unchanged
@@ -27,17 +28,17 @@ struct Conversion {
 struct Converted {
   TableFile file;  ///< the table, with its units and names
   /// Error in the units of the input. If the knots and the rule are unchanged, and the controller
-  /// does not join the knots by a spline, it is the error of the input: for a spec, that of its
-  /// table; for a table, nullopt.
+  /// does not join the knots by a spline, it is the error of the input: for a spec, the error of
+  /// its table; for a table, nullopt.
   std::optional<SampleError> error;
 };
 
 /// Returns the table of an input with other knots, another interpolation, or other units. The knots
 /// stay, unless the rule or the target requires others. If the controller joins the knots by a
-/// spline (KnotJoin), the error and its tolerance are those of this spline, with the numbers
-/// rounded as in the file. If the end conditions of the spline are not documented, they are assumed
-/// to be natural, or periodic if the cam repeats. Throws InputError with the name of a member of
-/// Target ("tolerance", "x_step", ...), or with "master_unit" or "position_unit" for a unit that is
+/// spline (KnotJoin), the error and its tolerance apply to this spline, with the numbers rounded as
+/// in the file. If the end conditions of the spline are not documented, they are assumed to be
+/// natural, or periodic if the cam repeats. Throws InputError with the name of a member of Target
+/// ("tolerance", "x_step", ...), or with "master_unit" or "position_unit" for a unit that is
 /// unknown or of another quantity.
 Converted converted(const Input& input, const Conversion& conversion);
 
@@ -60,12 +61,12 @@ struct TableForm {
 /// default CSV.
 TableForm table_form(const std::string& name, const std::string& path);
 
-/// Returns the interpolation with this name; nullopt if none has it.
+/// Returns the interpolation with this name; nullopt if no interpolation has this name.
 std::optional<Interpolation> interpolation_named(const std::string& word);
 
-/// Returns the interpolation of a table in this form: that of the controller's format; otherwise the
-/// `wanted` one; otherwise that of the controller (controller_table()) with the name `controller`;
-/// otherwise that of `table`.
+/// Returns the interpolation of a table in this form, from the first of these sources that gives
+/// one: the controller's format; `wanted`; the controller (controller_table()) with the name
+/// `controller`; `table`.
 Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wanted,
                        const std::string& controller, const Table& table);
 
@@ -73,19 +74,19 @@ Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wante
 /// points_text().
 std::string form_text(const TableForm& form, const TableFile& file);
 
-/// Throws InputError ("master_unit", "position_unit") for a unit that a table does not have.
+/// Throws InputError ("master_unit", "position_unit") if a unit of the table is missing.
 void require_units(const TableFile& file);
 
-/// Returns everything of an input that a file in this form does not contain: the unread parts of
-/// the input file, and losses() of the format. `sampled` is true if the file has samples of the
-/// table.
+/// Returns all parts of an input that a file in this form does not contain: the unread parts of the
+/// input file, and losses() of the format. `sampled` is true if the file has samples of the table.
 std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
                                     bool sampled = false);
 
-/// Returns the names of all forms: "csv", "json", "points", and those of the formats of controllers.
+/// Returns the names of all forms: "csv", "json", "points", and the names of the controllers'
+/// formats.
 std::vector<std::string> form_names();
-/// Returns the endings by which table_form() recognizes a form: ".csv, .json, .st, ...". `named`:
-/// with the name of a form behind its ending, unless both are the same.
+/// Returns the endings by which table_form() recognizes a form: ".csv, .json, .st, ...". If `named`
+/// is true, the name of the form follows each ending, unless both are the same.
 std::string known_endings(bool named = false);
 /// True if a path has one of the known endings, or is "-".
 bool has_known_ending(const std::string& path);

@@ -19,12 +19,12 @@ struct CutMap {
   std::vector<CutSpeed> speeds;  ///< in ascending order of the length
   /// Lengths at which another limit begins to determine the speed.
   std::vector<LimitChange> changes;
-  /// Speed of the line: that of [master], but at most the greatest speed of the line; without
-  /// [master], the greatest speed.
+  /// Speed of the line: the lower of the speed of [master] and the greatest speed of the line;
+  /// without [master], the greatest speed.
   double running = 0;
   /// Shortest cut at the speed `running`, master unit; nullopt if no cut is possible.
   std::optional<double> shortest;
-  double per_minute = 60;  ///< cuts per minute for one cut per unit of time
+  double per_minute = 60;  ///< factor that converts cuts per unit of time to cuts per minute
 
   /// Unit of a line speed, such as "mm/s".
   [[nodiscard]] std::string speed_unit() const;

@@ -10,7 +10,7 @@ namespace jounce {
 /// The tables with which an executor plays an input. A table over time is in s. For a cam, the
 /// table of the slave is over the master's position.
 struct ExecutorTables {
-  TableFile slave;                  ///< position over time; of a cam: slave over master
+  TableFile slave;                  ///< position over time; for a cam: slave over master
   std::optional<TableFile> master;  ///< for a cam: position of the master over time, in its unit
 };
 

@@ -13,7 +13,8 @@ namespace jounce {
 struct FitOptions {
   std::string
       tolerance;  ///< greatest distance from a point; "": the column `tolerance` of the file
-  std::string period = {};  ///< the cam repeats after this travel of the master; "": it does not
+  /// the cam repeats after this travel of the master; "": it does not repeat
+  std::string period = {};
   std::string master_unit = {};    ///< unit of the master, if the file does not state it
   std::string position_unit = {};  ///< the same for the slave
 };
@@ -26,8 +27,9 @@ struct FittedCam {
   double tolerance = 0;    ///< the greatest tolerance of a point, unit of the slave
   std::string text;        ///< the spec
   CamFit fit;              ///< the cam, as the text describes it
-  /// Greatest distance from the motion between the points: the straight lines between them, or
-  /// that of a table with velocities. Exact, not sampled.
+  /// Greatest distance of the cam from the motion between the points. This motion is the straight
+  /// lines between the points or, for a table with velocities, the motion of the table. Exact, not
+  /// sampled.
   SampleError between;
   bool curved = false;  ///< true: `between` is the distance from a table with velocities
 

@@ -18,18 +18,17 @@ struct Input {
   std::optional<Spec> spec;  ///< the spec; nullopt for a table
   LazyCurve curve;           ///< the exact curve; for a table from a file, the curve of this table
   TableFile table;           ///< the table with its units
-  std::optional<SampleError>
-      error;         ///< error of the table against the curve; nullopt if the curve is that of the
-                     ///< table
-  Limits limits;     ///< limits of the spec; no limits for a table
-  Labels labels;     ///< names and units for reports
-  std::string name;  ///< name of the spec with the name of the axis, or name of the file
-  std::string axis;  ///< name of the axis if there are several; otherwise ""
-  TableOptions options = {};             ///< options with which the table was made
-  std::optional<DriveSpec> drive = {};   ///< [drive] of the spec
-  std::vector<Residual> residuals = {};  ///< residual vibration of each mode that an operator
-                                         ///< suppresses
-  std::vector<SyncZone> zones = {};      ///< sync zones
+  /// error of the table against the curve; nullopt if `curve` is the curve of the table
+  std::optional<SampleError> error;
+  Limits limits;              ///< limits of the spec; no limits for a table
+  Labels labels;              ///< names and units for reports
+  std::string name;           ///< name of the spec with the name of the axis, or name of the file
+  std::string axis;           ///< name of the axis if there are several; otherwise ""
+  TableOptions options = {};  ///< options with which the table was made
+  std::optional<DriveSpec> drive = {};  ///< [drive] of the spec
+  /// residual vibration of each mode that an operator of [[then]] suppresses
+  std::vector<Residual> residuals = {};
+  std::vector<SyncZone> zones = {};  ///< sync zones
   /// For a table of fewest knots: the requirement that determines their number.
   std::optional<Binding> binding = {};
   std::vector<std::string> unread = {};   ///< content of the file that was not read
@@ -40,7 +39,7 @@ struct Input {
   std::array<std::string, 3> rate_units = {};
 };
 
-/// Calls `act` with the motion of an input: its curve or, if the curve is that of the table, its
+/// Calls `act` with the motion of an input: its curve or, if `curve` is the curve of the table, its
 /// table, which needs less time and memory.
 template <class Act>
 auto of_motion(const Input& input, const Act& act) {
@@ -56,7 +55,7 @@ struct EngageState {
   std::optional<double> master_velocity = {};  ///< m/s
 };
 
-/// Checks everything that needs no integration: the limits and joints of the curve, the error of
+/// Checks everything that needs no integration: the limits and breaks of the curve, the error of
 /// the table, limits that only the table breaks, the findings of the generator and of the table's
 /// columns, [load], [disc] and [compare], the engagement of a coupling in the state `at`, the ends
 /// of a cam that runs once, and the stability of the loop of a [drive].
@@ -71,9 +70,9 @@ void add_not_limited(Report& report, const Input& input);
 void add_no_limits(Report& report);
 
 /// Returns the greatest permitted error of the table, in the unit of the position. It is the
-/// requested tolerance; without one, for a requested number of intervals a millionth of the stroke,
-/// for a table of fewest knots the actual error, otherwise a billionth of the stroke. It is never
-/// below rounding. Returns nullopt if the curve is that of the table.
+/// requested tolerance. Without one, it is a millionth of the stroke for a requested number of
+/// intervals, the actual error for a table of fewest knots, and otherwise a billionth of the
+/// stroke. It is never below rounding. Returns nullopt if `curve` is the curve of the table.
 std::optional<double> table_tolerance(const Input& input);
 
 /// Returns the content of a table file as an input.

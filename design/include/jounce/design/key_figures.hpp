@@ -50,9 +50,10 @@ struct KeyFigure {
 /// and one "margin".
 struct Assessment {
   std::vector<KeyFigure> figures;  ///< requested figures; by default all, in the order above
-  /// Every limit in the spec: those of check and, if the drive was simulated, those of the drive.
+  /// The findings on every limit in the spec: from check and, if the drive was simulated, from the
+  /// drive.
   Report report;
-  /// Margins of each segment; only from assess_by_segment(). The rules are those of `report`,
+  /// Margins of each segment; only from assess_by_segment(). The rules are the rules of `report`,
   /// followed by the name of the axis. Limits of a cam's slave over time have the rule
   /// "limit/master_velocity".
   std::vector<LimitMargin> margins = {};
@@ -61,8 +62,8 @@ struct Assessment {
   [[nodiscard]] std::optional<double> value(const std::string& name) const;
 };
 
-/// True if a finding is considered for "margin". The tolerance of a table and the continuity of
-/// joints are considered only if they are broken, because the design makes them no better than
+/// True if a finding is considered for "margin". The tolerance of a table and the continuity at
+/// breaks are considered only if they are broken, because the design makes them no better than
 /// necessary.
 bool states_limit(const Finding& finding);
 

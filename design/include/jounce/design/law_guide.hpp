@@ -7,8 +7,8 @@
 #include "jounce/cam/design/characteristics.hpp"
 #include "jounce/cam/laws/law.hpp"
 
-/// The guide to motion laws. It is generated from the data that design() uses, so the guide is
-/// always correct.
+/// The guide to motion laws. It is generated from the data that design() uses, so the guide always
+/// agrees with the laws.
 
 namespace jounce {
 

@@ -16,7 +16,7 @@
 namespace jounce {
 
 /// Predicted residual vibration of a mode at the end of the motion, in the unit of the position. A
-/// spec has one for each mode that an operator or [polydyne] suppresses.
+/// spec has one for each mode that an operator of [[then]] or [polydyne] suppresses.
 struct Residual {
   Mode mode;          ///< the mode, frequency in Hz
   double before = 0;  ///< vibration of the motion without operators and [polydyne]
@@ -52,9 +52,9 @@ Made make(const Spec& spec);
 Report table_warnings(const Spec& spec);
 
 /// Returns the motion of a cam's master over time in *seconds*. It begins at the start of the cam.
-/// If the spec has no [master], throws InputError with the section to add. Throws also for a
-/// distance outside 1e-9 to 1e4 times the length of the cam, and for one that the master travels in
-/// less than 1 us.
+/// If the spec has no [master], throws InputError with the section to add. Also throws for a
+/// distance outside 1e-9 to 1e4 times the length of the cam, and for a distance that the master
+/// travels in less than 1 us.
 Trajectory make_master(const Spec& spec);
 
 /// Returns the length of the spec's unit of time, s.

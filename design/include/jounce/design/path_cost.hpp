@@ -49,7 +49,7 @@ struct PathCost {
   [[nodiscard]] double of(LossCause cause) const;
 };
 
-/// Returns the sum for a plan. Requires corners of plan.corners().
+/// Returns the sum for a plan. `corners`: the result of plan.corners().
 PathCost cost_of(const Plan& plan, std::span<const CornerRecord> corners);
 
 }  // namespace jounce

@@ -13,10 +13,10 @@
 
 namespace jounce {
 
-/// Place of a word of a G-code program that does not move the axes.
+/// Place of a G-code word that moves no axis, such as M3.
 struct EventPlace {
   GcodeEvent event;
-  double where = 0;  ///< q of the place
+  double where = 0;  ///< q, the distance along the path, at this place
   double time = 0;   ///< s, time at which the axes have reached the place and the preceding dwells
                      ///< have ended
   Point position{};  ///< position of the axes
@@ -31,11 +31,13 @@ struct PathSummary {
   double lower_bound = 0;  ///< proven lower bound of the duration, without a limit of jerk
   double length = 0;       ///< length of the path, corners included
   PathCost cost;           ///< time lost against full speed
-  std::vector<CornerRecord> corners;  ///< one for each joint of the plan with a corner or a note
-  std::vector<EventPlace> events;     ///< places of the words of a G-code program
-  Report along;                       ///< result of path_report()
-  std::optional<MapFit> fit = {};     ///< for joints of the machine: distance of their motion from
-                                      ///< the kinematics
+  /// one for each junction of two commands that has a corner or a note (CornerRecord::note)
+  std::vector<CornerRecord> corners;
+  std::vector<EventPlace> events;  ///< places of the words of a G-code program
+  Report along;                    ///< result of path_report()
+  /// if the program is planned in the joints of a robot: greatest distance between the planned
+  /// motion and the exact kinematics
+  std::optional<MapFit> fit = {};
 };
 
 /// Checks the motion along the path, with the override of the spec, against [path.limits] and the
@@ -51,8 +53,9 @@ std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan,
 /// Returns the place at which each command begins, for each line of the program with a command.
 std::vector<EventPlace> places_of_lines(const PathSpec& path, const Plan& plan);
 
-/// Returns the results for a plan of a spec of kind "path". All numbers, and the places of events,
-/// are those of `plan`, without the override.
+/// Returns the results for a spec of kind "path". `plan` is the plan that is played, with the
+/// override of the spec. `played`, `along` and `events` describe this plan; all other results
+/// describe the plan without the override.
 PathSummary summary_of(const Spec& spec, const Plan& plan);
 
 /// Returns the results as text: durations, lost time, and the ten places that lose most.

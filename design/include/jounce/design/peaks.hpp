@@ -13,7 +13,7 @@ namespace jounce {
 struct PeakChange {
   std::string name;  ///< "geo_jerk"; with several axes "x jerk"
   std::string unit;
-  std::optional<double> given;  ///< peak in the given spec; nullopt if this spec makes no curve
+  std::optional<double> given;  ///< peak in the given spec; nullopt if no curve can be made from it
   double optimized = 0;         ///< peak in the optimized spec
   std::optional<double> limit;  ///< limit, if the spec has one
 };
@@ -24,9 +24,9 @@ struct PeakChange {
 std::vector<PeakChange> peak_changes(const Spec& given, const Spec& optimized);
 
 /// Returns the other figures that differ between the two specs by more than 0.1 %: duration, rms
-/// values, the peaks of a cam's slave over time, the fastest master, and those of a [drive], which
-/// is simulated. The names are those of key_figures.hpp; the units are those of the limits and of
-/// the master in the optimized spec. Empty if one of the specs cannot be assessed.
+/// values, the peaks of a cam's slave over time, the fastest master, and the figures of a [drive],
+/// which is simulated. key_figures.hpp lists the names. The units are the units of the limits and
+/// of the master in the optimized spec. Empty if one of the specs cannot be assessed.
 std::vector<PeakChange> other_changes(const Spec& given, const Spec& optimized);
 /// Return the peaks as a text table, and as a JSON list with null for a missing number.
 std::string peaks_text(const std::vector<PeakChange>& peaks);

@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// The slave's motion over time in seconds: a trajectory, or a cam behind its master.
+/// The slave's motion over time in seconds: a trajectory, or a cam that follows its master.
 using Reference = std::variant<Trajectory, Followed>;
 
 /// Returns the exact motion of an input.
@@ -23,7 +23,7 @@ Reference table_reference(const Input& input);
 Trajectory master_of(const Input& input);
 
 /// Returns the slave's exact motion over the spec's unit of time: the trajectory, or the curve of a
-/// cam behind its master. Exact, or within 1e-9 of the stroke (see composed_within()).
+/// cam that follows its master. Exact, or within 1e-9 of the stroke (see composed_within()).
 Trajectory motion_over_time(const Input& input);
 
 /// Return, for a reference: a view of it, its duration (s), and its motion at t (s).

@@ -23,8 +23,8 @@ struct SyncFigure {
 /// Returns the figures of a synchronous slave.
 std::vector<SyncFigure> sync_figures(const Spec& spec);
 
-/// True if the slave's cam is made for one speed of the master, as that of a shear. Another speed
-/// needs another cam.
+/// True if the slave's cam is made for one speed of the master, as the cam of a shear is. Another
+/// speed needs another cam.
 bool is_made_for_a_speed(const Spec& spec);
 
 /// True if the slave of a live master stays in gear beyond the end of its table.

@@ -40,8 +40,8 @@ struct Cia402Status {
 
 /// Returns the content of a statusword; nullopt if its bits do not correspond to a state.
 std::optional<Cia402Status> status_of(std::uint16_t statusword);
-/// Returns the statusword with this content. The other bits are those of a drive that has its
-/// supply voltage and permits remote control.
+/// Returns the statusword with this content. Its other bits show a drive that has its supply
+/// voltage and permits remote control.
 std::uint16_t statusword(const Cia402Status& status);
 
 /// Request of the controller to the drive.

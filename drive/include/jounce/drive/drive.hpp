@@ -21,7 +21,7 @@ struct DriveSetpoint {
 };
 
 /// Returns the request of a tick to the drive. `command` is the command that the axis accepted in
-/// this tick. A change of the axis' coordinate (set_position, home) does not affect the drive,
+/// this tick. A change of the axis's coordinate (set_position, home) does not affect the drive,
 /// because Tick::offset is subtracted from the position.
 DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 
@@ -33,8 +33,8 @@ DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 ///     drive.command(drive_setpoint(tick, command));
 ///
 /// So the feedback in cycle k + 1 is the answer to the setpoint of cycle k: an ideal drive then has
-/// the position of this setpoint. Units are those of the axis. Positions are in the coordinate of
-/// the drive: position of the axis minus Tick::offset.
+/// the position of this setpoint. Units are the units of the axis. Positions are in the coordinate
+/// of the drive: position of the axis minus Tick::offset.
 ///
 /// The cyclic thread calls both functions, once in each cycle. They must not allocate, free, lock,
 /// log, throw or wait. A bus driver should only access memory in these functions, and transfer the

@@ -25,8 +25,8 @@ namespace jounce {
 /// to the axis and returns the answers, owns the movements of the axis, writes its tick log and
 /// reports its status. If the log cannot be written, the log ends and the motion continues.
 ///
-/// When a streamer arms a motion in a later session, a latched fault is reset. In the session of
-/// the fault, the streamer must reset the fault by a command.
+/// If a streamer arms a motion in a later session than the session of the fault, the fault is
+/// reset. In the same session, the streamer must reset the fault by a command.
 class AxisServer {
  public:
   /// All references must outlive the server. `axis`: index of the axis in the machine. Throws

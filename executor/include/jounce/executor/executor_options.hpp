@@ -27,7 +27,7 @@ struct ExecutorGroup {
   std::shared_ptr<const GroupProgram> program = {};  ///< path that StartTable plays; null: none
 };
 
-/// Options of one axis of an executor.
+/// Options of one axis, or of one group, of an executor.
 struct ExecutorOptions {
   AxisConfig axis;                        ///< configuration
   AxisSwitches switches = {};             ///< cam switches
@@ -38,14 +38,15 @@ struct ExecutorOptions {
   ReceiverOptions receiver{};  ///< options of its receiver, with the name of the axis
   bool enable = true;          ///< true: the axis is enabled at the start; false: a command must
                                ///< enable it
-  std::optional<StoredTable> table = {};    ///< table over time that the command StartTable plays;
-                                            ///< nullopt: none
-  std::optional<ExecutorGroup> group = {};  ///< axes of a group; nullopt: a single axis
+  std::optional<StoredTable> table = {};  ///< table over time that the command StartTable plays;
+                                          ///< nullopt: none
+  /// for a group: its axes; nullopt: the options are for a single axis
+  std::optional<ExecutorGroup> group = {};
   /// True: at standstill, arming a table sets the position of the axis to the start of the table.
   bool adopt_start = false;
   bool stop_when_silent = true;  ///< true: stop a motion if its session times out
   /// Tables with more knots than this are prepared in a separate thread, so that a stop need not
-  /// wait for the preparation.
+  /// wait for the preparation. Default: no table is prepared in a separate thread.
   std::size_t build_apart = std::size_t{1} << 62U;
   Nanos status_period = std::chrono::milliseconds(50);      ///< time between two status messages
   std::optional<std::filesystem::path> log{};               ///< tick log, a CSV file; nullopt: none

@@ -9,8 +9,8 @@
 namespace jounce {
 
 /// A histogram of durations in bins of powers of two. Bin 0 counts durations below 1 us, bin k
-/// those in [2^(k-1), 2^k) us; the last bin begins at 2^14 us (16.4 ms). One thread adds durations,
-/// any thread reads the counts, and neither waits.
+/// counts durations in [2^(k-1), 2^k) us; the last bin begins at 2^14 us (16.4 ms). One thread adds
+/// durations, any thread reads the counts, and neither waits.
 ///
 ///     Histogram lateness;
 ///     lateness.add(woken - due);                        // ns, the cyclic thread

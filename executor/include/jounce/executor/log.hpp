@@ -24,8 +24,8 @@ namespace jounce {
 /// motion continues.
 class TickLog {
  public:
-  /// Throws std::system_error if the file cannot be created. `units` are those of the master and of
-  /// the position.
+  /// Throws std::system_error if the file cannot be created. `units`: units of the master (x) and
+  /// of the position.
   TickLog(std::filesystem::path path, const Units& units);
   ~TickLog();
   TickLog(const TickLog&) = delete;

@@ -27,7 +27,8 @@ struct MadeMovement {
   std::optional<double> last = {};          ///< end position, u, if known
   std::optional<MadeFrom> source = {};      ///< parts of the movement
   std::shared_ptr<const GroupProgram> program = {};  ///< program of a group
-  std::string reason = {};  ///< reason as a sentence why there is no movement, if it is known
+  /// sentence that states why no movement was made, if the reason is known
+  std::string reason = {};
 };
 
 /// Makes the movement for an arm request. `id` is the id of the movement, `period` the tick of the

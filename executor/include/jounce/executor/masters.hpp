@@ -29,15 +29,15 @@ struct MachineMaster {
 ///
 ///     MasterServer masters({{"line", "mm", line}}, {0}, pump, exchange, clock);
 ///     pump.run(2ms);                   // passes new samples to the cycle
-///     masters.turn();                  // reports masters lost or found
+///     masters.turn();                  // reports masters that are lost or have returned
 ///     masters.publish(axis);           // with the status of this axis
 class MasterServer {
  public:
   /// Options of the masters of a machine.
   struct Options {
     std::vector<MachineMaster> masters = {};  ///< the masters of the machine
-    /// For each axis, the master that it follows; the status of the axis includes that of this
-    /// master.
+    /// For each axis, the master that it follows; the status of the axis includes the status of
+    /// this master.
     std::vector<Follow> follows = {};
     bool keyed = false;  ///< true: samples must be authenticated, see MasterIntake
     std::function<void(const std::string& notice)> notify{};  ///< receives notices as text

@@ -50,8 +50,8 @@ class QueueMovement {
   [[nodiscard]] SegmentFifos& fifos() const { return *fifos_; }
   /// Selects the bank with which the movement begins.
   void choose(int bank) const { choose_(bank); }
-  /// Applies a change to the FIFOs: a new one, or one of a record. Returns false if the FIFOs do
-  /// not accept it.
+  /// Applies a change to the FIFOs: a new change, or a change of a record. Returns false if the
+  /// FIFOs do not accept it.
   [[nodiscard]] bool take(const HandedOver& what) const;
 
  private:
@@ -66,7 +66,7 @@ class QueueMovement {
 ///
 /// Each change of the FIFOs has a number, and the whole change is visible to the axis from the next
 /// tick on. So the motion depends only on the changes and on Inputs::rows of each tick. A replay of
-/// a record with both is identical to the last bit.
+/// a record that contains both is identical to the last bit.
 class Queues {
  public:
   /// Receives each change for the record.

@@ -26,7 +26,7 @@ namespace jounce {
 /// docs/executor/replay.md describes it for users. The only time in a record is the tick: the time
 /// stamp of an event is tick * period in us, independent of any clock.
 ///
-/// Indices of axes and masters count from 0. Units: u is the unit of the axis, m that of its
+/// Indices of axes and masters count from 0. Units: u is the unit of the axis, m the unit of its
 /// master.
 
 /// Configuration of an axis. This event precedes all other events of the axis.
@@ -100,7 +100,7 @@ std::vector<RecordedProgram> recorded(const GroupProgram& program, std::size_t a
 GroupProgram remade(const std::vector<LawInterval>& law, std::vector<GroupAxis> axes);
 
 /// Rows that were added to a queue, or another change of the queue. If many rows were added at
-/// once, they are several events.
+/// once, they are recorded as several events.
 struct RecordedRows {
   std::size_t axis = 0;  ///< index of the axis
   HandedOver what = {};  ///< the change
@@ -170,7 +170,7 @@ struct TickDifference {
   double replayed = 0;  ///< value of the replay
 };
 /// Returns the first difference, in the order of the fields of cycle_t; nullopt if the ticks are
-/// identical. If `switches` is true, compares also the outputs and the instants of their edges.
+/// identical. If `switches` is true, also compares the outputs and the instants of their edges.
 std::optional<TickDifference> first_difference(const Tick& recorded, const Tick& replayed,
                                                bool switches = true);
 

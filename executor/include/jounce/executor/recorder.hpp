@@ -81,7 +81,7 @@ struct RecorderOptions {
 /// under a temporary name; if writing fails, the previous file stays unchanged, and one notice
 /// reports the failure.
 ///
-/// Cycles that did not fit into the buffer are recorded as lost. A replay ends there.
+/// Cycles that did not fit into the buffer are recorded as lost. A replay ends at this place.
 class Recorder {
  public:
   /// Throws InputError for a black box of 0 cycles, and std::system_error if the log or the black
@@ -92,8 +92,8 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Records the arguments of a Job. The hashes of its tables are those of `time` and `cam`. Each
-  /// table is written only once.
+  /// Records the arguments of a Job. `time` and `cam` give the hashes of its tables. Each table is
+  /// written only once.
   void job(const RecordedJob& job, const StoredTable& time, const StoredTable* cam = nullptr);
   /// Records the arguments of another movement, or a change of a queue.
   void note(const RecordEvent& event) { write(event, now_); }

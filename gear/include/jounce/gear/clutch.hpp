@@ -14,7 +14,7 @@ namespace jounce {
 ///     const Clutch clutch(Gear::ratio(0, 1), Gear::ratio(1, 2), 100'000);   // Googol example 7-5
 ///     Clutch::State state;
 ///     slave += clutch.advance(state, master_increment);   // each cycle; 25000 at the clutch's end
-///     const Clutch next(clutch.ratio(state), Gear::ratio(2, 1), 5000);    // replaces it in flight
+///     const Clutch next(clutch.ratio(state), Gear::ratio(2, 1), 5000);    // in flight
 ///     state = next.after(clutch, state);
 ///
 /// Let u be the distance of the master since the clutch began, d the length of the clutch, and r0

@@ -22,7 +22,7 @@ namespace jounce {
 ///     map[3].speed, map[3].limit;                                          // 17.2, "acceleration"
 ///     const auto shortest = shortest_length(cams, limits, 20, 1, 9.42);    // at 20 m/s
 ///
-/// **Exact.** The speed is that of greatest_master_velocity()
+/// **Exact.** The speed is the result of greatest_master_velocity()
 /// (jounce/cam/coupling/master_limits.hpp), which does not sample the cam. shortest_length() and
 /// limit_changes() find lengths as roots, to 1e-13 of the length, independent of the grid of
 /// `lengths`.

@@ -9,7 +9,7 @@
 namespace jounce {
 
 /// A virtual axis that follows an encoder, such as a handwheel (PMC600 manual 5.2.4:
-/// LS_Encoder_SetAxisMove). Its parameters and error numbers are those of the manual.
+/// LS_Encoder_SetAxisMove). The manual defines its parameters and error numbers.
 struct EncoderFollowSpec {
   std::int64_t numerator = 1;    ///< Ratio_Num, 1 to 10000
   std::int64_t denominator = 1;  ///< Ratio_Denom, 1 to 10000; 0 is error 5000

@@ -108,9 +108,9 @@ std::optional<SyncCam> fastest_shear(FlyingShear shear, double cut_length);
 ShearBound least_cut_length(const FlyingShear& shear);
 
 /// Returns the greatest line speed (m/s) at which `cut_length` is possible; shear.line_speed must
-/// be > 0: the search begins there, but the result does not depend on it. Returns infinity if
-/// nothing limits the speed, and 0 if no speed is possible. Every requirement grows with the speed,
-/// so bisection finds the bound to the last digit.
+/// be > 0: the search begins at this speed, but the result does not depend on it. Returns infinity
+/// if nothing limits the speed, and 0 if no speed is possible. Every requirement grows with the
+/// speed, so bisection finds the bound to the last digit.
 ShearBound greatest_line_speed(const FlyingShear& shear);
 
 }  // namespace jounce

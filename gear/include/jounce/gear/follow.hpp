@@ -19,8 +19,8 @@ struct FollowEnd {
 };
 
 /// A follow table: a PT table over the master's travel. Within a segment, the slave's ratio (its
-/// speed divided by the master's) is linear, so its position is quadratic. The types of segments
-/// are those of PtType.
+/// speed divided by the master's) is linear, so its position is quadratic. PtType lists the types
+/// of segments.
 struct FollowTable {
   /// Ends of the segments, cumulative from the table's origin. PtPoint::x is the master's travel
   /// (m), PtPoint::position the slave's (u).
@@ -51,13 +51,13 @@ struct FollowTable {
 /// **Beyond the end.** An endless table repeats and continues from its end: the cam advances, or
 /// wraps if the slave returns to its start. If its first pass differs from later passes, or if
 /// other tables precede it, the cam contains the passes of the other tables and the first pass, or
-/// the first two passes, of the endless one; it then refuses positions beyond. A cam without an
-/// endless table holds outside if start_ratio is 0; otherwise it refuses. A last table that ends at
-/// a ratio has a finding: a controller stops the slave at once, while an axis of Jounce brakes. If
-/// the master moves backwards, the slave moves back along the same curve.
+/// the first two passes, of the endless table; the cam then refuses positions beyond. A cam without
+/// an endless table holds outside if start_ratio is 0; otherwise it refuses. If the last table ends
+/// at a nonzero ratio, check() reports this: a controller stops the slave at once, while an axis of
+/// Jounce brakes. If the master moves backwards, the slave moves back along the same curve.
 ///
 /// Throws InputError like pt(); if the spec has several tables, the key begins with the table's
-/// number. Throws also if the spec has no table, if an endless table is not the last one, or if all
+/// number. Also throws if the spec has no table, if an endless table is not the last one, or if all
 /// passes together have more than 1e6 segments. Source: Googol iDEABOX Pro manual 7.6.
 struct FollowSpec {
   std::vector<FollowTable> tables = {};  ///< in the order in which they are played
@@ -73,16 +73,17 @@ std::vector<PtRate> follow_ratios(const FollowSpec& spec);
 
 /// Reports features that a controller would play without a message. Each rule reports its worst
 /// place (a reversal: the first place) and the number of places. All findings are broken, except
-/// the warnings named below. A step of the ratio counts above 1e-9 of the greatest ratio. `segment`
-/// of a finding is that of the cam. Throws like follow().
+/// the warnings named below. A step of the ratio counts above 1e-9 of the greatest ratio.
+/// Finding::segment is a segment of the cam. Throws like follow().
 /// - follow/ratio_step: the ratio steps within a table, at an even or a stop segment, or at the
 ///   start. At the start of an endless table without other passes: a warning.
 /// - follow/wrap_step: the ratio steps from the end of a pass to the start of the next.
 /// - follow/switch_step: the ratio steps from one table to the next, whose first segment is not
 ///   continued.
-/// - follow/open_end: the last table ends at a ratio; a controller then stops the slave at once.
+/// - follow/open_end: the last table ends at a nonzero ratio; a controller then stops the slave at
+///   once.
 /// - follow/reversal: the slave moves against the direction of its segment. If the travel of a
-///   segment differs from those of its neighbors, the finding names it, because it may be a
+///   segment differs from the travel of its neighbors, the finding names it, because it may be a
 ///   misprint. Of a chain of reversals, only the first is reported: it causes the others.
 /// - follow/wrap_ratio: the ratio of an endless table differs from pass to pass. Broken if the
 ///   difference grows, a warning if it alternates.

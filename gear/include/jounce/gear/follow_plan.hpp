@@ -21,8 +21,8 @@ struct FollowPoint {
 };
 
 /// A sync zone: an interval of the master in which the ratio is constant. If the slave's position
-/// at `from` is not given, a sync point inside the zone determines it; otherwise a linear ramp of
-/// the ratio from the previous point does.
+/// at `from` is not given, a sync point inside the zone determines it; otherwise, the position
+/// follows from a linear ramp of the ratio from the previous point.
 struct FollowZone {
   double from = 0;                   ///< m
   double to = 0;                     ///< m
@@ -52,8 +52,8 @@ enum class FollowForm { smooth, table };
 ///
 /// Throws InputError "point[1].master", "zone[2].from", ... if master positions do not ascend,
 /// zones overlap, a point inside a zone contradicts the zone, the ratio at the end of a periodic
-/// plan differs from that at its start, or the position of a zone cannot be determined. Source:
-/// Googol iDEABOX Pro manual 7.6.2 (sync points and zones; ratios are computed).
+/// plan differs from the ratio at its start, or the position of a zone cannot be determined.
+/// Source: Googol iDEABOX Pro manual 7.6.2 (sync points and zones; ratios are computed).
 struct FollowPlan {
   std::vector<FollowPoint> points = {};
   std::vector<FollowZone> zones = {};
@@ -76,7 +76,7 @@ SyncCam follow(const FollowPlan& plan);
 
 /// Returns the finding "follow/backwards" for each gap in which the slave moves opposite to the
 /// ratios at both ends of the gap, with the place, the speed, and a travel that would suffice. In
-/// the table form, returns also the findings of check(FollowSpec), and "follow/whole_master" if a
+/// the table form, also returns the findings of check(FollowSpec), and "follow/whole_master" if a
 /// point could not be placed on a whole unit.
 Report check(const FollowPlan& plan);
 

@@ -21,10 +21,10 @@ enum class FollowEvent : std::uint8_t {
 ///     const auto t = begin_of(pass, master, 0);                    // Googol example 7-7: 1.025 s
 ///     if (t) const Followed slave = followed_from(follow(spec).cam, master, *t, 0);
 ///
-/// `position` is absolute (m). The master *passes* the position when it leaves it in `direction`,
-/// after it was before the position or on it. If the master is already beyond the position, the
-/// slave waits until the master returns and passes the position again. u is the slave's unit, m the
-/// master's.
+/// `position` is absolute (m). The master *passes* the position when it leaves the position in
+/// `direction`, after it was before the position or on it. If the master is already beyond the
+/// position, the slave waits until the master returns and passes the position again. u is the
+/// slave's unit, m the master's.
 struct FollowStart {
   FollowEvent event = FollowEvent::start;
   double position = 0;  ///< m

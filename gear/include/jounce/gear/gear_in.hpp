@@ -14,7 +14,7 @@ namespace jounce {
 ///     const GearedIn gear = gear_in(spec, slave, master.jet(0), 0);    // at t = 0
 ///     const Jet now = point(gear, master.jet(t), t);                   // each cycle
 ///     if (in_gear(gear, t)) ...                                        // InGear
-///     const GearedIn other = gear_in(new_spec, state, master.jet(t), t);  // a new trigger replaces it
+///     const GearedIn other = gear_in(new_spec, state, master.jet(t), t);  // after a new trigger
 ///     const Released out = cam_out(now, t);                          // GearOut keeps the velocity
 ///
 /// From its present state, the slave ramps to the velocity of the gear, k x'. After the ramp, it

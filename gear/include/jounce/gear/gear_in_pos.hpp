@@ -83,7 +83,7 @@ struct GearInPos {
   double slave_start = 0;   ///< y0, u
   double slave_sync = 0;    ///< ys, u, including the added turns
   int turns = 0;  ///< signed number of turns of the slave that were added to avoid a reversal
-  /// The cam of the engagement alone, which holds outside; empty unless status is ok.
+  /// The cam of the engagement alone, with the policy outside `hold`; empty unless status is ok.
   std::optional<Cam> curve = {};
   explicit operator bool() const { return status == GearInPosStatus::ok; }
 };

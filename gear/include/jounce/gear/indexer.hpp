@@ -11,7 +11,7 @@ namespace jounce {
 ///
 ///     Indexer table{.distance = 45, .cycle = 2000, .motion = 400};    // deg, over ms of a master
 ///     SyncCam cam = indexer(table);                                   // 45 deg per cycle, endless
-///     Indexer ring{.distance = 45, .cycle = 360, .motion = 120, .count = 8};  // eight indexes a cycle
+///     Indexer ring{.distance = 45, .cycle = 360, .motion = 120, .count = 8};  // 8 motions
 ///
 /// **Vocabulary.** A cycle consists of `count` equal parts. In each part, the slave stands still
 /// over the master distance `before`, moves by `distance` over the master distance `motion`, and

@@ -17,7 +17,7 @@ Trajectory line_follow(const Trajectory& master, double from, double to);
 namespace pmc600 {
 
 /// Input of LS_LineFollowAbs and LS_LineFollowRel (PMC600 manual 6.3): two virtual axes on one
-/// line. Positions are in pulses. Velocity, acceleration, deceleration and jerk are those of the
+/// line. Positions are in pulses. Velocity, acceleration, deceleration and jerk apply to the
 /// master.
 ///
 ///     const LineFollowed both = line_follow({.end_master = 4000, .end_slave = 2000,

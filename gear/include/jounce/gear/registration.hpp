@@ -35,20 +35,20 @@ namespace jounce {
 struct Registration {
   double window_from = 0;    ///< m, >= 0: start of the window, from the cam's start
   double window_length = 0;  ///< m, > 0
-  double most = 0;         ///< u or m, > 0: greatest correction in one product, in either direction
-  Law law = Law::poly345;  ///< law of the correction: from rest to rest
-  LawForm form = {};       ///< shape parameters of the law
+  double most = 0;           ///< c, > 0: greatest correction in one product, in either direction
+  Law law = Law::poly345;    ///< law of the correction: from rest to rest
+  LawForm form = {};         ///< shape parameters of the law
 };
 
 /// State of a registration after a product.
 struct RegistrationState {
-  double applied = 0;      ///< the present correction
-  double outstanding = 0;  ///< measured, but not yet applied
+  double applied = 0;      ///< c: the present correction
+  double outstanding = 0;  ///< c: measured, but not yet applied
 };
 
 /// The correction of one product: inside the window, it changes from state.applied by `step`.
 struct Registered {
-  double step = 0;               ///< change of the correction, in its unit
+  double step = 0;               ///< c: change of the correction
   RegistrationState state = {};  ///< after the product
 };
 

@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// Velocity of the blade that is matched to that of the web during the cut.
+/// Component of the blade's velocity that equals the velocity of the web during the cut.
 enum class KnifeMatching {
   surface,  ///< the speed on the cutting circle: the knife turns at constant speed (the usual cam)
   horizontal,  ///< the component along the web: angle = asin(x / R), so the tip does not slip
@@ -89,8 +89,8 @@ struct RotaryKnifeFigures {
   double strays = 0;
 };
 
-/// Returns the cam of one cut. Its segments are "sync", those of the recovery, and "sync"; its
-/// zones are the sync zones.
+/// Returns the cam of one cut. Its segments are "sync", the segments of the recovery, and "sync";
+/// its zones are the sync zones.
 ///
 /// Surface matching is exact; at cut_length = synchronous (to 1e-12) the cam is one straight line.
 /// With horizontal matching, the sync zone is a fit within `tolerance`, with a certified error. The

@@ -40,7 +40,7 @@ struct GcodeMachine {
   double feed_time = 60;  ///< duration in s to which F and FF refer: 60 for lengths per minute
 };
 
-/// A word of the program that does not move the axes: M, H, S or T.
+/// A word of the program that moves no axis: M, H, S or T.
 struct GcodeEvent {
   std::string word;  ///< the word: "M8", "H3"
   int line = 0;      ///< line of the word in the G-code
@@ -49,7 +49,7 @@ struct GcodeEvent {
 /// Result of parse_gcode().
 struct GcodeProgram {
   Program program;                 ///< the commands of the path
-  std::vector<GcodeEvent> events;  ///< the words that do not move the axes, in their order
+  std::vector<GcodeEvent> events;  ///< the words that move no axis, in their order
 };
 
 /// True if the text begins like G-code: with `%`, a comment in parentheses, or a word such as G21
@@ -65,11 +65,12 @@ bool begins_as_gcode(std::string_view text);
 /// - G20: inch, G21: mm; before either, the unit of each axis. G90: absolute, G91: relative. G90.1:
 ///   absolute I, J and K, G91.1: relative ones; before either, I, J and K are relative.
 /// - G54 to G59: frames, which are offsets with or without a rotation.
-/// - G61: stop at each corner. G61.1: stop at each joint, also at tangent ones. G64 P: greatest
-///   deviation; 0: stop; without P: the corner of the settings of the machine, which must not be a
-///   stop. P is the deviation of averaged lines if the settings of the machine have
-///   Corner::average; otherwise it is that of corners.
-/// - X Y Z A B C U V W: positions. F, E: feed and acceleration of G1 to G3. FF, EF: those of G0.
+/// - G61: stop at each corner. G61.1: stop at each junction, even at a tangential one. G64 P:
+///   greatest deviation; 0: stop; without P: the corner of the settings of the machine, which must
+///   not be a stop. P is the deviation of averaged lines if the settings of the machine have
+///   Corner::average; otherwise, P is the deviation at corners.
+/// - X Y Z A B C U V W: positions. F, E: feed and acceleration of G1 to G3. FF, EF: feed and
+///   acceleration of G0.
 /// - M, H, S, T: events. M0 and M1 come to rest; M2 and M30 end the program.
 /// - N: line number. G40, G49, G94 switch off functions that are not supported, and are accepted.
 ///   G80 ends G0 to G3: the next motion must name one of them. Comments are in ( ) or after a

@@ -24,11 +24,11 @@ struct PointColumn {
 ///     0;         0;             normal
 ///     16;        0,25;          even
 ///
-/// **Separator**: that of a first line `sep=;`; otherwise a semicolon if the header contains one,
-/// then a tab, then a comma. **Decimals**: a point. A decimal comma is accepted if the separator is
-/// not a comma and no number of the file has a point. **Ignored**: empty lines, lines of separators
-/// only, lines that begin with `#`, spaces and quotes around cells, and the byte order mark of a
-/// file.
+/// **Separator**: the character in a first line such as `sep=;`; otherwise a semicolon if the
+/// header contains one, then a tab, then a comma. **Decimals**: a point. A decimal comma is
+/// accepted if the separator is not a comma and no number of the file has a point. **Ignored**:
+/// empty lines, lines of separators only, lines that begin with `#`, spaces and quotes around
+/// cells, and the byte order mark of a file.
 ///
 /// The whole file is read, or InputError is thrown with file, line, key (the name of the column),
 /// value and rule. Errors are: a missing header, a repeated name, an unknown unit, a row of another

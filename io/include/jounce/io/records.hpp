@@ -26,11 +26,11 @@ struct RecordUnits {
 ///   to which a rotary axis takes the shorter way;
 /// - `DataType`: 1: line (also if the column is missing); 2: arc through Aux_Pos0 and Aux_Pos1 in
 ///   the plane of the first two axes, while all other axes move in proportion to its angle;
-/// - `Vel` and `Acc`: > 0; `Acc` is also the deceleration; if the columns are missing, those of the
-///   machine's settings;
+/// - `Vel` and `Acc`: > 0; `Acc` is also the deceleration; if the columns are missing, the values
+///   in the machine's settings;
 /// - `LineNum`: a whole number >= 0; not used.
 ///
-/// The number of each command's source line is that of its row in the document, not LineNum.
+/// The source line of each command is the line of its row in the document, not LineNum.
 ///
 /// **Errors**: throws InputError with the document, the line, and as key the name of the column,
 /// for an unknown or missing column, another DataType, a number out of range, or an arc that does

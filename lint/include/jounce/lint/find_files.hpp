@@ -7,7 +7,7 @@
 namespace jounce {
 
 /// True for a file of Jounce: a spec with `jounce = 1` before its first section, a table that
-/// Jounce wrote, or a key file (.key) of 64 hexadecimal digits. Files with other endings than
+/// Jounce wrote, or a key file (.key) of 64 hexadecimal digits. Files with endings other than
 /// .toml, .csv, .json and .key are not read. False for a file that cannot be read.
 bool is_jounce_file(const std::string& path);
 

@@ -11,6 +11,7 @@
 
 namespace jounce {
 
+/// Options of lint_run().
 struct LintOptions {
   std::string machine = {};   ///< path spec for G-code programs
   std::string baseline = {};  ///< AcceptedVersions to compare with; empty: none

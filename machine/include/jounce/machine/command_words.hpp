@@ -9,8 +9,8 @@
 #include "jounce/command/command_table.hpp"
 #include "jounce/command/commands.hpp"
 
-/// Commands in words, as in `jounce order`: "move --to 120mm --velocity 200mm/s". The words,
-/// options and units are those of command_table.hpp.
+/// Commands in words, as in `jounce order`: "move --to 120mm --velocity 200mm/s". command_table.hpp
+/// defines the words, options and units.
 ///
 ///     const CommandWords words{.what = "move", .options = {{"to", "120mm"}}};
 ///     require_taken(words);
@@ -21,9 +21,9 @@ namespace jounce {
 struct CommandWords {
   std::string what;        ///< the command: "move"
   std::string value = {};  ///< value of the command; "": not given
-  /// Options that have a text, by their name without dashes; "": not given.
+  /// Options with a value, by their name without dashes; "": not given.
   std::map<std::string, std::string> options = {};
-  std::map<std::string, bool> flags = {};  ///< options without a text, by name without dashes
+  std::map<std::string, bool> flags = {};  ///< options without a value, by name without dashes
 };
 
 /// Returns the words of all commands: "enable", "move", ...
@@ -33,7 +33,7 @@ const std::vector<std::string>& command_words();
 struct CommandOption {
   std::string name;  ///< name without dashes
   std::string help;  ///< help text
-  /// Permitted values. FieldRange::flag means that the option has no text.
+  /// Permitted values. FieldRange::flag means that the option has no value.
   FieldRange range = FieldRange::finite;
 };
 /// Returns all options, each one once. The options of "move" come first.
@@ -43,8 +43,8 @@ std::vector<CommandOption> command_options();
 /// is "VALUE", or the option with its dashes ("--to").
 void require_taken(const CommandWords& words);
 
-/// Throws InputError for `seconds`, the length of a jog, with a command that is not jog
-/// --hold-to-run: it would be ignored.
+/// Throws InputError if `seconds` (the duration of a jog) is given for a command other than `jog
+/// --hold-to-run`, which would ignore it.
 void require_held(const CommandWords& words, const std::string& seconds);
 
 /// Returns the command, with its values converted to the units of the axis. Throws InputError like

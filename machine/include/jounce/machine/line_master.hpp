@@ -20,8 +20,8 @@ struct LineMaster {
   double rate = 1000;  ///< samples per second, > 0
   double before = 1;   ///< time at rest at the first point before the motion, s
   double after = 1;    ///< time at rest at the last point after the motion, s
-  /// Duration of the transmission, s, with `before`; nullopt: `before`, the table and `after`, or
-  /// without end if the table repeats.
+  /// Duration of the transmission, including `before`, s. nullopt: the sum of `before`, the table
+  /// and `after`; if the table repeats, the transmission has no end.
   std::optional<double> seconds = {};
   /// Number of the line's clock, MasterSample::clock; nullopt: seconds since 2020.
   std::optional<std::int32_t> epoch = {};
@@ -46,7 +46,7 @@ std::optional<TableFile> line_motion(const Input& input);
 using LineProgress = std::function<bool(double time, double position, double share)>;
 
 /// Sends samples at equal intervals. A sample that is late is not sent. At the end, sends several
-/// times that the master is lost. Throws InputError like EncoderReading.
+/// messages that the master is lost. Throws InputError like EncoderReading.
 LineMasterResult send_line_master(Transport& link, const LineMaster& line,
                                   const LineProgress& keep_going = {});
 

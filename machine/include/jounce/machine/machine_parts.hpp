@@ -13,9 +13,10 @@ namespace jounce {
 
 /// The spec files of a machine, and options for all its axes.
 struct MachineOptions {
-  std::vector<std::string> files = {};  ///< specs of the kind "axis", or one of the kind "machine"
-  std::string log = {};                 ///< name of the tick log, see log_of(); "": none
-  bool adopt_start = false;             ///< see ExecutorOptions::adopt_start
+  /// specs of the kind "axis", or one spec of the kind "machine"
+  std::vector<std::string> files = {};
+  std::string log = {};      ///< name of the tick log, see log_of(); "": none
+  bool adopt_start = false;  ///< see ExecutorOptions::adopt_start
   /// True: a motion continues if its session times out (the opposite of
   /// ExecutorOptions::stop_when_silent).
   bool finish_when_silent = false;
@@ -41,10 +42,10 @@ struct MachineParts {
 ///     auto [axes, masters, watchdog] = machine_parts({.files = {"machine.toml"}});
 ///     run_executor(*link, axes, {.masters = masters});
 ///
-/// Throws InputError with file, line and key for a file of another kind, an invalid configuration, a group
-/// whose program exceeds the limits of its axes,
-/// an axis that follows an unknown axis or master, and units that do not match. Throws
-/// std::system_error if the shared memory of a drive cannot be created.
+/// Throws InputError with file, line and key for a file of another kind, an invalid configuration,
+/// a group whose program exceeds the limits of its axes, an axis that follows an unknown axis or
+/// master, and units that do not match. Throws std::system_error if the shared memory of a drive
+/// cannot be created.
 MachineParts machine_parts(const MachineOptions& options);
 
 }  // namespace jounce

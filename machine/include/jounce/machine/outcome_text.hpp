@@ -29,8 +29,8 @@ std::string stream_json(const StreamOutcome& outcome);
 std::string rows_text(const RowOutcome& outcome, const std::string& executor);
 std::string rows_json(const RowOutcome& outcome);
 
-/// Returns the state of an axis after a stream to a group that was successful: "started", or the end of its motion if
-/// the sender has `waited` for it.
+/// Returns the state of an axis after a successful stream to a group: "started", or the end of its
+/// motion if the sender has `waited` for it.
 std::string group_text(const StreamOutcome& outcome, bool waited);
 
 /// Returns a JSON list with the outcome of each axis of a group.

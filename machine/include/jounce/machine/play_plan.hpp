@@ -63,7 +63,8 @@ RowPlan row_plan(const std::string& executor, TableFile table, std::uint32_t ahe
 /// True for the axes of a path of several axes.
 bool is_path(const std::vector<Input>& axes);
 /// Returns the plan that plays a path on a group: its program, as a list of numbers. Throws
-/// InputError for a path with joints, an override, or lines that overlap in time.
+/// InputError for a path that is planned in the joints of a robot, for an override, and for lines
+/// that overlap in time.
 StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes);
 
 /// Returns the input for each of these executors, from the axes of a file. If the file has one

@@ -22,7 +22,7 @@ bool is_utf8();
 /// rest of the screen.
 std::string drawn(const std::vector<Row>& rows);
 
-/// Uses the screen of standard output and the keys of standard input as long as the object exists:
+/// Uses the screen of standard output and the keys of standard input while the object exists:
 ///
 ///     Terminal terminal;
 ///     terminal.measure(view);
@@ -37,7 +37,7 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Sets width and height of the view to those of the terminal.
+  /// Sets width and height of the view to the size of the terminal.
   void measure(View& view) const;
   /// Draws the rows, if they have changed.
   void show(const std::vector<Row>& rows);

@@ -8,7 +8,7 @@
 namespace jounce {
 
 /// An interval of a cam between two fixed knots: its length, its displacement, and the derivatives
-/// with respect to the master at both ends. u is the unit of the slave, m that of the master.
+/// with respect to the master at both ends. u is the unit of the slave, m the unit of the master.
 struct KnotInterval {
   double length = 1;         ///< length, m, > 0
   double displacement = 0;   ///< displacement of the slave, u
@@ -33,13 +33,13 @@ double least_peak_acceleration(const KnotInterval& interval,
 /// / L^3.
 double least_peak_jerk(const KnotInterval& interval);
 
-/// Returns the least possible integral of f''^2. The optimal motion is the cubic; from rest to rest
-/// the result is 12 h^2 / L^3.
+/// Returns the least possible integral of f''^2, u^2/m^3. The optimal motion is the cubic; from
+/// rest to rest the result is 12 h^2 / L^3.
 double least_square_acceleration(const KnotInterval& interval);
 
-/// Returns the least possible max |f' f''|, the peak power of a pure inertia. The optimal motion
-/// first adds and then removes energy at constant power; from rest to rest the result is 9/4 h^2 /
-/// L^3. Given accelerations at the ends have no influence.
+/// Returns the least possible max |f' f''|, u^2/m^3: the peak power of a pure inertia. The optimal
+/// motion first adds and then removes energy at constant power; from rest to rest the result is 9/4
+/// h^2 / L^3. Given accelerations at the ends have no influence.
 double least_peak_power(const KnotInterval& interval);
 
 /// Returns a lower bound of the objective, for all values of the free quantities and all laws

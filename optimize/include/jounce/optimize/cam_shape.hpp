@@ -43,8 +43,8 @@ struct FreeShape {
 /// are optimized one after another. A figure is computed for each run separately.
 ///
 /// **Knots.** At both ends of a run, slave, geo_velocity and geo_acceleration stay as in the given
-/// cam. With EndJerk::as_given, geo_jerk stays as well, in these conditions: geo_jerk of the given
-/// cam does not step there, geo_acceleration is not free, and the continuity is at least 3.
+/// cam. With EndJerk::as_given, geo_jerk stays as well, under these conditions: geo_jerk of the
+/// given cam does not step there, geo_acceleration is not free, and the continuity is at least 3.
 /// `active` has "kept/geo_jerk" for each end whose geo_jerk is fixed. The values in `knots` are
 /// free within their bounds, which may be infinite. These knots may lie inside a run, or be the
 /// start or the end of a cam that is not periodic. Master positions are never free. All other parts
@@ -81,15 +81,15 @@ void require_valid(const CamShapeProblem& problem);
 struct CamRunOutcome {
   std::vector<std::size_t> segments;  ///< indices of the segments of the run, in the order of the
                                       ///< master
-  /// The result for the last entry of `minimize`. Its figures are those of all entries, followed by
-  /// those of the ceilings.
+  /// The result for the last entry of `minimize`. Its figures are the figures of all entries,
+  /// followed by the figures of the ceilings.
   ShapeOutcome shape;
 };
 
 /// Result of optimize_cam_shapes(). In the cam `best`, segments with the law `hermite` replace the
-/// free segments. Status and reason are those of the worst run. Figures, active constraints and
-/// counts are those of all runs, one after another. `limits` is check(best, limits), with segments
-/// counted from 0 as in the spec.
+/// free segments. Status and reason come from the worst run. Figures, active constraints and counts
+/// come from all runs, one after another. `limits` is check(best, limits), with segments counted
+/// from 0 as in the spec.
 struct CamShapeOutcome : Outcome<CamSpec> {
   std::vector<CamRunOutcome> runs = {};  ///< result of each run
 };

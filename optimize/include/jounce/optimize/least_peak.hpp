@@ -6,7 +6,7 @@
 namespace jounce {
 
 /// A cam whose omitted derivatives have the values with the least max |geo_acceleration|. u is the
-/// unit of the slave, m that of the master.
+/// unit of the slave, m the unit of the master.
 struct LeastPeak {
   CamSpec cam;      ///< the cam, with all derivatives
   double peak = 0;  ///< max |geo_acceleration| of the cam, u/m^2, exact

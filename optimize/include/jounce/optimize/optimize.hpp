@@ -13,7 +13,7 @@ namespace jounce {
 /// require_valid(CamProblem).
 ///
 /// **Outcome.** `limits` is check(best, limits), including the limits of CamProblem::ramped; its
-/// segments count from 0 as in the spec. `value` and `bound` are those of the last objective.
+/// segments count from 0 as in the spec. `value` and `bound` belong to the last objective.
 Outcome<CamSpec> optimize(const CamProblem& problem, const KeepGoing& keep_going = {});
 
 }  // namespace jounce

@@ -99,8 +99,8 @@ struct Outcome {
   /// Status at the end of the run.
   OptimizeStatus status = OptimizeStatus::infeasible;
   std::string reason = {};  ///< the reason for the status, one sentence
-  /// The best result that satisfies all constraints. If no result does, the one that violates them
-  /// least.
+  /// The best result that satisfies all constraints. If no result does, the result that violates
+  /// them least.
   T best = {};
   bool feasible = false;  ///< true if `best` meets all constraints
   double value = 0;  ///< objective of `best`: a figure, or the weighted sum that was minimized last

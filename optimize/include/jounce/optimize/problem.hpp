@@ -18,7 +18,7 @@ struct Bound {
 };
 
 /// The values at one knot that may change. A value without bounds stays as in the given cam. u is
-/// the unit of the slave, m that of the master.
+/// the unit of the slave, m the unit of the master.
 struct FreeKnot {
   std::size_t knot = 0;                   ///< 0: start of the cam; i: end of its i-th segment
   std::optional<Bound> master;            ///< bounds of the master position, m

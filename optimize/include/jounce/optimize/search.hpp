@@ -24,7 +24,8 @@ struct SearchVariable {
 /// as not possible.
 struct SearchAnswer {
   double objective = 0;  ///< value to minimize
-  /// Each must be <= 0. Their number must be the same in every possible answer.
+  /// Values of the constraints, each of which must be <= 0. Their number must be the same in every
+  /// possible answer.
   std::vector<double> constraints = {};
   bool possible = true;  ///< false: this choice is not possible
   std::string why = {};  ///< reason why it is not possible, one sentence
@@ -36,12 +37,13 @@ using SearchFunction = std::function<SearchAnswer(const std::vector<double>& x)>
 /// Result of search(). `best` contains the numbers. `status` is never `optimal`, because a search
 /// proves nothing. `feasible` is determined by an additional evaluation at the end. `limits` has
 /// one finding "constraint/N" for each constraint. `active` has the constraints that are active
-/// (within 1e-4 of their usual size), and "bound/NAME" for each variable at a bound.
+/// (within 1e-4 of the usual magnitude of the constraint), and "bound/NAME" for each variable at a
+/// bound.
 struct SearchOutcome : Outcome<std::vector<double>> {
   SearchAnswer answer = {};  ///< answer of the function at `best`
   /// Indices of the variables at a bound, without fixed variables.
   std::vector<std::size_t> at_bound = {};
-  /// Indices of the active constraints: those within 1e-4 of their usual size.
+  /// Indices of the active constraints (see SearchOutcome).
   std::vector<std::size_t> met = {};
   /// Reason why choices near `best` (within 1e-3 of the ranges) are not possible; "": all are
   /// possible.

@@ -92,18 +92,18 @@ struct EnergyOf {
   double recovered = 0;  ///< 0 (braking resistor) to 1 (drive without losses)
 };
 
-/// max |y| over a list of numbers y, such as the torque of a drive at every millisecond. The list
-/// must be an affine function of the shape. The optimizer considers only the numbers in the list,
-/// not the values between them. Throws InputError for a function that is not affine, a result that
-/// is not finite, or a list of varying length.
+/// The greatest |y| in a list of numbers y, such as the torque of a drive at every millisecond. The
+/// list must be an affine function of the shape. The optimizer considers only the numbers in the
+/// list, not the values between them. Throws InputError for a function that is not affine, a result
+/// that is not finite, or a list of varying length.
 struct ResponseOf {
   std::string name;  ///< name for the user
   /// Computes the list; its length must not vary.
   std::function<std::vector<double>(const Trajectory& shape)> of;
 };
 
-/// Rms value of a list y like that of ResponseOf: root of the mean of y^2. Example: the rms torque
-/// of a drive.
+/// Rms value of a list y like the list of ResponseOf: root of the mean of y^2. Example: the rms
+/// torque of a drive.
 struct RmsResponseOf {
   std::string name;  ///< name for the user
   /// Computes the list; its length must not vary.
@@ -192,15 +192,15 @@ struct ShapeProblem {
 
 /// Result of optimize_shape(). `best` is the shape, from `begin` on.
 ///
-/// **Values.** Figures are exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), or those of a
-/// list (ResponseOf). `value` is the weighted sum. For a convex problem, `bound` follows by weak
-/// duality: no spline over these knots has a lower weighted sum, if each of its derivatives is at
-/// most 1000 times that of the result. (A spline that exceeds this by a factor k can be better by
-/// at most k times the difference between `bound` and `value`.)
+/// **Values.** Figures are exact (PeakOf, RmsOf), certified to 1e-6 (ResidualOf), or computed from
+/// a list (ResponseOf). `value` is the weighted sum. For a convex problem, `bound` follows by weak
+/// duality: no spline over these knots has a lower weighted sum, unless one of its derivatives
+/// exceeds 1000 times the same derivative of the result. (A spline that exceeds this by a factor k
+/// can be better by at most k times the difference between `bound` and `value`.)
 ///
 /// **Limits.** Corridors and ceilings are checked on the result, independently and exactly.
 /// `limits` also has findings "fixed/..." if the result differs from a fixed value at an end, and
-/// "joint/..." if a joint between pieces is not smooth.
+/// "joint/..." if a break between pieces is not smooth.
 using ShapeOutcome = Outcome<std::vector<Segment>>;
 
 /// Optimizes a shape. keep_going is called between two rounds, and many times within a round.

@@ -20,7 +20,7 @@ enum class TimeObjective {
 /// knots.
 ///
 ///     SplineTimesSpec spec;
-///     spec.points = {{-10, 20}, {60, 50}, {20, 120}, {55, 35}};          // one entry a joint
+///     spec.points = {{-10, 20}, {60, 50}, {20, 120}, {55, 35}};  // 4 points of 2 joints
 ///     spec.limits = {{.velocity = 100, .acceleration = 45, .jerk = 60},
 ///                    {.velocity = 95, .acceleration = 40, .jerk = 60}};
 ///     const SplineTimes best = spline_times(spec).best;
@@ -73,7 +73,7 @@ SplineTimesOutcome spline_times(const SplineTimesSpec& spec, const KeepGoing& ke
 
 /// Returns the joints as cubic splines with these intervals (s). (spline_times() varies these
 /// intervals.) Throws InputError for points as described above, unless the number of intervals is
-/// that of the points plus one, and unless every interval is positive.
+/// the number of points plus one, and unless every interval is positive.
 std::vector<Trajectory> spline_through(const std::vector<std::vector<double>>& points,
                                        const std::vector<double>& intervals);
 

@@ -152,9 +152,9 @@ struct JointSpace {
 struct MapFit {
   double error = 0;  ///< unit of the joints; 0 for a linear map
   /// True: the error is a bound, from an enclosure of the map over each piece. False: it is the
-  /// greatest of samples.
+  /// greatest error at samples.
   bool proven = false;
-  double sample_step = 0;  ///< greatest distance of samples, in q, if the error is not proven
+  double sample_step = 0;  ///< greatest distance between samples, in q, if the error is not proven
   std::size_t pieces = 0;  ///< number of polynomials (degree 7)
 };
 

@@ -18,9 +18,8 @@ enum class DirectMode : std::uint8_t {
 };
 
 /// Plans a point-to-point move of a group from rest to rest. Returns one trajectory for each axis.
-/// All trajectories have the same duration, that of the slowest axis. `limits` has one entry for
-/// each axis. For VelFactor, AccFactor and JerkFactor of the manual, see effective() in
-/// group_limits.hpp.
+/// All trajectories have the duration of the slowest axis. `limits` has one entry for each axis.
+/// For VelFactor, AccFactor and JerkFactor of the manual, see effective() in group_limits.hpp.
 ///
 /// Throws InputError "to" if no axis moves, "axes" if there are no limits or more than max_axes,
 /// and with the name of the axis if synchronize() finds no move.
@@ -28,11 +27,11 @@ std::vector<Trajectory> direct(const Point& from, const Point& to,
                                const std::vector<Limits>& limits,
                                DirectMode mode = DirectMode::fast);
 
-/// Follows a plan until time t (s), then leaves it in motion and moves to `to`. This is the buffer
-/// mode Aborting (PLCopen; BM_ABORT of HIMC). Returns one trajectory for each axis over the whole
-/// motion; all axes come to rest at `to` together. Velocity and acceleration are continuous, so the
-/// motion from the path to `to` is curved. The limits of the plan's axes determine its shape and
-/// apply at every instant. Limits of the path do not apply after t.
+/// Follows a plan until time t (s), then leaves the plan in motion and moves to `to`. This is the
+/// buffer mode Aborting (PLCopen; BM_ABORT of HIMC). Returns one trajectory for each axis over the
+/// whole motion; all axes come to rest at `to` together. Velocity and acceleration are continuous,
+/// so the motion from the path to `to` is curved. The limits of the plan's axes determine its shape
+/// and apply at every instant. Limits of the path do not apply after t.
 ///
 /// Throws InputError "t" outside [0, duration], "to" if the axes cannot reach it, and "plan" if the
 /// plan has joints.

@@ -23,22 +23,22 @@ namespace jounce {
 /// feed, the limit of the path, and the limits of its axes. A factor above 1 multiplies only the
 /// feed, not the limits. A corner that the plan passes at a lower velocity keeps that velocity.
 /// Factor 0 holds the motion on the path until a request for another factor; without such a
-/// request, the motion ends there. Dwells keep their durations.
+/// request, the motion ends at this rest. Dwells keep their durations.
 ///
 /// **Limits.** The velocity does not step at a request; a ramp within the limits of acceleration
 /// and jerk follows. For a request in a corner, the ramp begins after the corner, because a corner
 /// is passed at constant velocity. If a new factor changes the target velocity of a ramp in
 /// progress, the ramp either ends as planned or ends early with the greatest jerk, whichever is
 /// faster; then the new ramp begins. Before the first request with a factor other than 1, the
-/// motion is that of the plan.
+/// motion follows the plan unchanged.
 ///
 /// Exception: if a request with a factor other than 1 falls within the duration of the plan, runs
 /// with the law of a window (docs/path/README.md) are planned again from their start, by the law of
 /// stations.
 ///
-/// In corners() of the result, the velocity is that of the result; all other values are those of
-/// the plan. Throws InputError "override[k].time" if times are negative or do not ascend (equal
-/// times are rejected), and "override[k].factor" for a factor outside 0 to 2.
+/// In corners() of the result, the velocity is the velocity under the override; all other values
+/// come from the plan. Throws InputError "override[k].time" if times are negative or do not ascend
+/// (equal times are rejected), and "override[k].factor" for a factor outside 0 to 2.
 Plan played(const Plan& plan, std::span<const FactorRequest> steps);
 
 }  // namespace jounce

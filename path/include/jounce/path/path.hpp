@@ -27,8 +27,8 @@ struct PathPiece {
   double start = 0;      ///< q at its start
   double length = 0;     ///< length in q
   std::size_t data = 0;  ///< index of its first number
-  /// Source line. For joined lines: that of the first line. For a corner: that of the command after
-  /// the corner.
+  /// Source line: for joined lines, the line of the first one; for a corner, the line of the
+  /// command after the corner.
   std::int32_t line = 0;
   std::uint32_t settings = 0;  ///< index into the settings of the program
   PieceKind kind = PieceKind::line;

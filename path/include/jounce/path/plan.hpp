@@ -29,29 +29,29 @@ struct PlanOptions {
   std::optional<JointSpace> joints = {};
 };
 
-/// Short result of a *joint* of the path: a place where two pieces meet. (Not a joint of the
-/// machine.)
+/// Note on a *junction* of the path: a place where two pieces meet. (JointNote, JointMark and
+/// Plan::joints() refer to junctions, PlanOptions::joints to the joints of a machine.)
 enum class JointNote : std::uint8_t {
   none,        ///< the result is as requested
   turns_back,  ///< the path reverses: the plan stops
   /// The adjacent pieces are too short for the requested corner; a smaller one is used.
   short_sides,
   slower,  ///< the rounded corner would take longer than a stop: the plan stops at the corner
-  /// The joint is tangential, but the curvature steps, and with it the acceleration. A corner mode
-  /// rounds the joint.
+  /// The junction is tangential, but the curvature steps, and with it the acceleration. A corner
+  /// mode rounds the junction.
   steps,
   no_distance,  ///< the command covers no distance and is omitted
 };
-/// A joint of the path with its note.
+/// A junction of the path with its note.
 struct JointMark {
-  /// Index of a piece: the corner at the joint, or the piece that begins at the joint.
+  /// Index of a piece: the corner at the junction, or the piece that begins at the junction.
   std::uint32_t piece = 0;
   std::int32_t line = 0;  ///< source line
   JointNote note = JointNote::none;
   bool rests = false;  ///< true: the plan stops here
 };
 
-/// Full result of the joint at the start of a command. u is the axes' unit of length, q the path
+/// Full result of the junction at the start of a command. u is the axes' unit of length, q the path
 /// parameter (path.hpp).
 struct CornerRecord {
   std::int32_t line = 0;        ///< source line of the command that begins here
@@ -101,13 +101,14 @@ class Plan {
     std::vector<PathSettings> settings;  ///< settings of the commands
     std::size_t path_axes = 0;           ///< number of path axes
     std::optional<Path> drawn = {};      ///< set only if drawn() differs from path()
-    std::optional<MapFit> fit = {};      ///< for joints of the machine: their distance from the map
+    /// for joints of the machine: distance of the planned joints from the map
+    std::optional<MapFit> fit = {};
   };
 
   /// Used by plan() and the functions of hold.hpp and override.hpp, which make plans.
   Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration, Given given);
 
-  /// The path of all axes: those of the program, then the joints.
+  /// The path of all axes: the axes of the program, then the joints of the machine.
   [[nodiscard]] const Path& path() const { return path_; }
   /// The path with its lines, arcs and corners. joints() and corners() refer to the pieces of this
   /// path. It equals path(), unless joints of the machine are fitted: then it has only the axes of
@@ -117,15 +118,15 @@ class Plan {
   [[nodiscard]] double duration() const { return law_.duration(); }  ///< s
   /// Duration with a stop at each corner, s.
   [[nodiscard]] double stop_duration() const { return stop_duration_; }
-  /// All joints of the path that are not tangential or have a note, in the order of the path.
+  /// All junctions of the path that are not tangential or have a note, in the order of the path.
   [[nodiscard]] std::span<const JointMark> joints() const { return joints_; }
-  /// Returns the joints of the path with their full results.
+  /// Returns the junctions of the path with their full results.
   [[nodiscard]] std::vector<CornerRecord> corners() const;
 
   [[nodiscard]] const Given& given() const { return given_; }
 
   /// Writes the motion of every axis at time t (s) in [0, duration()] to `out`, which has one entry
-  /// for each axis. At a step, the value is that after the step. Does not allocate. For many
+  /// for each axis. At a step, writes the value after the step. Does not allocate. For many
   /// instants use PlanCursor.
   void at(double t, std::span<Motion> out) const;
 
@@ -137,9 +138,9 @@ class Plan {
   Given given_;
 };
 
-/// Evaluates a plan at successive instants. The results are those of Plan::at(). The cursor stores
-/// the phases of the last instant, so evaluating a slightly later instant needs no search and no
-/// square root. Does not allocate. The plan must outlive the cursor.
+/// Evaluates a plan at successive instants. The results equal the results of Plan::at(). The cursor
+/// stores the phases of the last instant, so evaluating a slightly later instant needs no search
+/// and no square root. Does not allocate. The plan must outlive the cursor.
 ///
 ///     PlanCursor cursor(motion);
 ///     for (double t = 0; t < motion.duration(); t += 0.001) cursor.at(t, out);

@@ -25,9 +25,9 @@ struct LimitedProgram {
 ///     const LimitedProgram same = program_of(numbers);
 std::vector<double> numbers_of(const LimitedProgram& program);
 
-/// Throws InputError, with the key "numbers[I]" or that of Program, for a list that is not a program:
-/// another version, a number out of range, an arc or a curve that does not begin where the command
-/// before it ends.
+/// Throws InputError, with the key "numbers[I]" or a key of Program, for a list that is not a
+/// program: another version, a number out of range, an arc or a curve that does not begin where the
+/// command before it ends.
 LimitedProgram program_of(std::span<const double> numbers);
 
 }  // namespace jounce

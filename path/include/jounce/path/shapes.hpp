@@ -50,9 +50,9 @@ PathCurve spline_through(std::span<const Point> points, std::size_t axes,
 /// Returns the B-spline of the given control points, of degree 3 to 7, with continuous curvature.
 /// The first point is the start. `knots` has points.size() + degree + 1 values. The first and the
 /// last knot occur degree + 1 times, so the curve begins and ends at its end points. If `knots` is
-/// empty, the knots are evenly spaced. The parameter of the result is that of the knots, which is
-/// far from arc length; convert it with over_length(). Throws InputError "degree", "point",
-/// "knots".
+/// empty, the knots are evenly spaced. The parameter of the result is the parameter of the knots,
+/// which is far from arc length; convert it with over_length(). Throws InputError "degree",
+/// "point", "knots".
 PathCurve b_spline(std::span<const Point> points, std::size_t axes, std::size_t degree = 3,
                    std::span<const double> knots = {});
 

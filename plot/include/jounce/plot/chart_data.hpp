@@ -14,14 +14,15 @@ namespace jounce {
 constexpr std::size_t most_chart_bytes = 700'000;
 
 /// Returns the numbers behind figure_of(input, before) as JSON, for Chart::data. The script of the
-/// page evaluates the segments, so the values that it shows are those of the library.
+/// page evaluates the segments, so it shows exactly the values of the library.
 ///
-/// The document has one or two views: that of the figure, and for a cam whose spec has a [master],
-/// the slave over time with [limits.slave]. A view has the axis, the panels (unit, limits, exact
-/// extrema), the names of the segments, the switches, and the curves. A curve has `start` and
-/// `pieces`: [length, [c0, c1, ...], [amplitude, angle, phase, ...]], see Segment. Numbers have the
-/// digits that restore the same double. A curve that is too large (most_chart_bytes) has `edges`,
-/// and `low` and `high`: the exact extrema of the value and of its derivatives between two edges.
+/// The document has one or two views: the view of the figure and, for a cam whose spec has a
+/// [master], the slave over time with [limits.slave]. A view has the axis, the panels (unit,
+/// limits, exact extrema), the names of the segments, the switches, and the curves. A curve has
+/// `start` and `pieces`: [length, [c0, c1, ...], [amplitude, angle, phase, ...]], see Segment.
+/// Numbers have the digits that restore the same double. A curve that is too large
+/// (most_chart_bytes) has `edges`, and `low` and `high`: the exact extrema of the value and of its
+/// derivatives between two edges.
 ///
 /// Throws InputError (key "before") like figure_of().
 std::string chart_data(const Input& input, const std::optional<Input>& before = std::nullopt);

@@ -13,7 +13,8 @@ namespace jounce {
 /// the report. Rows of broken findings are marked. Columns without any entry are omitted.
 DataTable findings_table(const Report& report, const Labels& labels, std::string caption = {});
 
-/// Returns a sentence with a mark: "All 4 limits hold.", "2 of 5 findings are broken.", ...
+/// Returns a sentence ("All 4 limits hold.", "2 of 5 findings are broken.", ...), and true if no
+/// finding is broken (a check mark on the page; otherwise a cross).
 Headline verdict(const Report& report);
 
 }  // namespace jounce

@@ -76,9 +76,9 @@ struct Page {
 /// Returns the page as one HTML file that needs no other file and loads nothing. If no chart has
 /// data, the page has no script. Otherwise the page has the script of plot/assets, and is complete
 /// without it. The Content-Security-Policy makes the browser reject every other script and all
-/// further files. All text is escaped, so a name in a spec cannot become markup. Colors are light or
-/// dark as the reader prefers; a print is white. Figures are included a second time for narrow
-/// windows, such as that of a phone. Equal pages give equal bytes.
+/// further files. All text is escaped, so a name in a spec cannot become markup. Colors are light
+/// or dark as the reader prefers; a printed page is white. Figures are included a second time for
+/// narrow windows, such as on a phone. Equal pages give equal bytes.
 std::string html(const Page& page);
 
 /// Returns the CSS of html(), for other pages with the same appearance: colors as variables

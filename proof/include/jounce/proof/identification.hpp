@@ -17,7 +17,8 @@ std::string identification_text(const Identification& found, const std::string& 
 /// Returns the contents of identification_text() as a JSON object, with all digits of each number.
 std::string identification_json(const Identification& found);
 
-/// Returns a figure: each recorded quantity and that of the fitted model, with the residual below.
+/// Returns a figure: each recorded quantity and the same quantity of the fitted model, with the
+/// residual below.
 Figure identification_figure(const Identification& found, const Recording& run,
                              const std::string& title, const std::string& unit);
 

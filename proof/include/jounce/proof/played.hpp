@@ -58,10 +58,9 @@ struct Played {
 };
 
 /// Compares every tick with the design. Requires at least one tick, and a table in `designed`. The
-/// permitted rounding is the sum of two terms of `most_roundings` units in the last place: that of
-/// the greatest position, and that of the distance that the fastest tick would travel during the
-/// time of the log. (A position is computed from a time, so the rounding of the time shifts the
-/// position.)
+/// permitted rounding is `most_roundings` units in the last place of the greatest position, plus as
+/// many of the distance that the fastest tick would travel during the time of the log. (A position
+/// is computed from a time, so the rounding of the time shifts the position.)
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed);
 /// Number of units in the last place that compare_played() permits.
 inline constexpr double most_roundings = 32;

@@ -6,11 +6,11 @@
 
 namespace jounce {
 
-// The functions of extrema.hpp and limits.hpp for a table. The results are those for the table's
-// curve, except for rounding. (A table stores the positions of its knots, while a curve sums
-// lengths.) The functions are ten to a hundred times as fast as those for a curve, because they
-// search only the intervals that can affect the result. A bound from the Bernstein coefficients
-// selects these intervals.
+// The functions of extrema.hpp and limits.hpp for a table. The results equal the results for the
+// table's curve, except for rounding. (A table stores the positions of its knots, while a curve
+// sums lengths.) The functions are ten to a hundred times as fast as the functions for a curve,
+// because they search only the intervals that can affect the result. A bound from the Bernstein
+// coefficients selects these intervals.
 //
 //     Report report = check(table, {.velocity = 2, .acceleration = 50});
 //     Ranges all = extrema(table);          // position to third derivative: least, greatest, where

@@ -53,7 +53,7 @@ std::optional<Filling> filling_named(std::string_view name);
 /// **Units.** x: s, or the master's unit m; p: u; v: u/x; a: u/x^2. The limits are in the same
 /// units.
 ///
-/// **Throws** InputError with the knot's key, like Table. Throws also for v or a of another size
+/// **Throws** InputError with the knot's key, like Table. Also throws for v or a of another size
 /// than x; for a given value that is not finite; for an acceleration if the rule has no
 /// accelerations; for different values at both ends of a periodic table; for the interpolation
 /// linear; for monotone or shape_preserving with an interpolation other than cubic_hermite; for

@@ -38,8 +38,8 @@ struct ComparePoint {
 /// **Order.** The points of a list fire in their order only. Each point arms the next one, so a
 /// point that the axis does not pass blocks all later points (PMC600 manual 9.3). A point fires
 /// when the axis reaches or touches it, in either direction (to rounding). It fires at once if the
-/// axis is already at the point. Pulses that overlap become one pulse. Positions (u) are those of
-/// the setpoint.
+/// axis is already at the point. Pulses that overlap become one pulse. Positions (u) refer to the
+/// setpoint.
 struct PositionCompare {
   CompareMode mode = CompareMode::fifo_time;
   /// One point for equal, less and greater; otherwise a list.
@@ -114,8 +114,8 @@ struct PlaneCompare {
   double pulse = 0;                ///< s, > 0: duration of the output
 };
 
-/// Returns the points that fire, in their order. `position` and `velocity` of an event are those of
-/// x. Requires motions over the same interval.
+/// Returns the points that fire, in their order. `position` and `velocity` of an event belong to
+/// the axis x. Requires motions over the same interval.
 std::vector<CompareEvent> compared(const PlaneCompare& compare, const Trajectory& x,
                                    const Trajectory& y);
 

@@ -6,8 +6,8 @@
 
 #include "jounce/profiles/curve/curve.hpp"
 
-/// The tables over time of PLCopen, as in a Leadshine PMC600 (PMC600 manual, volume 4, 4.1 and 5.2.3;
-/// the blocks are those of CODESYS): MC_PositionProfile, MC_VelocityProfile,
+/// The tables over time of PLCopen, as in a Leadshine PMC600 (PMC600 manual, volume 4, 4.1 and
+/// 5.2.3; the blocks are from CODESYS): MC_PositionProfile, MC_VelocityProfile,
 /// MC_AccelerationProfile. Times are in s, positions in the axis' unit u. The manual calls the
 /// tables PVT, but each has only one column in addition to the time.
 ///

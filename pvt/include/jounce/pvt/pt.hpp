@@ -83,8 +83,8 @@ Curve<Over> pt_loops(std::span<const PtPoint> points, int loops, double start_ra
 /// Warns of features that a controller plays without a message, with place and size. No finding is
 /// broken. Throws like pt(). Rates below `tolerance` times the greatest rate count as rounding.
 /// Rules:
-/// - those of velocity_steps() in warnings.hpp ("pt/velocity_step", "pt/end_velocity", "pt/wrap"),
-///   with an advice for the type of the segment;
+/// - the rules of velocity_steps() in warnings.hpp ("pt/velocity_step", "pt/end_velocity",
+///   "pt/wrap"), with an advice for the type of the segment;
 /// - "pt/oscillation": four or more normal segments speed up and slow down in turn, because the
 ///   error of one increment continues with alternating sign. value: the greatest change of the rate
 ///   within a segment; where: the end of this segment.

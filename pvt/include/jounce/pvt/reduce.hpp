@@ -31,8 +31,8 @@ namespace jounce {
 /// 1. Each interval is made as long as possible. The result has the fewest knots if the following
 ///    holds: whenever an interval is within the tolerance, each part of the interval is, too.
 /// 2. All intervals are shortened together until they have the same error. For a smooth curve, the
-///    error is then within a hundredth of that of the best table with this number of knots. For
-///    other curves it is near the best.
+///    error is then within a hundredth of the error of the best table with this number of knots.
+///    For other curves it is near the best.
 /// 3. For tables of at most 64 knots and curves of at most 128 segments, a further search covers
 ///    the breaks of the curve and 64 divisions of it: no subset of these places is better by more
 ///    than a hundredth (pvt/src/sample/best_places.hpp).
@@ -52,11 +52,11 @@ namespace jounce {
 /// accumulate. If the curve is quadratic in the interval, one piece is enough.
 ///
 /// **Steps.** A knot has one velocity and one acceleration. If the velocity or acceleration of the
-/// curve steps at a knot, the knot gets the left values (beside a dwell: those of the dwell), and
-/// the next interval is as short as necessary.
+/// curve steps at a knot, the knot gets the left values (beside a dwell: the values of the dwell),
+/// and the next interval is as short as necessary.
 ///
-/// **Units** are those of the curve. **Throws** InputError, with the key and a possible value, for
-/// a target that no table satisfies, for a target without any requirement, and for negative
+/// **Units** are the units of the curve. **Throws** InputError, with the key and a possible value,
+/// for a target that no table satisfies, for a target without any requirement, and for negative
 /// numbers.
 
 /// Requirements for the table. At least one of `tolerance`, `velocity_tolerance` and `most` must be

@@ -31,9 +31,9 @@ namespace jounce {
 /// whose switch is queued accepts no more rows.) Both threads may query the state.
 ///
 /// **Vocabulary.** x is the time or the position of the master. A *pass* plays one FIFO from its
-/// first row to its last. The *origin* of a pass is the x and the position at its beginning: those
-/// at the start, at the end of the previous pass, or at the switch. So the position is always
-/// continuous. The rows of a table count from (0, 0), those of a stream from Layout::base.
+/// first row to its last. The *origin* of a pass is the x and the position at its beginning: at the
+/// start, at the end of the previous pass, or at the switch. So the position is always continuous.
+/// The rows of a table count from (0, 0), the rows of a stream from Layout::base.
 ///
 /// **Tables** (Googol: static). Each FIFO is one table. The player plays it `loops` times; the FIFO
 /// keeps its rows, so that it can be started again. A queued switch takes place at the end of the
@@ -51,8 +51,8 @@ namespace jounce {
 /// number, not on the timing of the threads. Without numbers, every action is visible at once.
 /// clear() has no number.
 ///
-/// **Rates** are those of SegmentRow. An open rate is the end rate of the previous row; in the
-/// first row of a pass it is the end rate of the previous pass (0 in the first pass).
+/// **Rates**: see SegmentRow. An open rate is the end rate of the previous row; in the first row of
+/// a pass it is the end rate of the previous pass (0 in the first pass).
 ///
 /// **Backwards.** If x decreases, the axis moves backwards to the beginning of the pass (in a
 /// stream: of the FIFO). There it stands still until x returns.
@@ -79,7 +79,7 @@ class SegmentFifos {
     taken,    ///< a FIFO is selected and waits for start()
     moving,   ///< the FIFO is played
     ended,    ///< the last row has been played and ended at rest
-    cut_off,  ///< the last row ended at a rate: an underrun, or a table with an open end
+    cut_off,  ///< the last row ended at a nonzero rate: an underrun, or a table with an open end
     left,     ///< leave() was called before the end
     /// x was not finite, or more than 2^53 passes away. The axis keeps its position until the next
     /// start.
@@ -94,8 +94,8 @@ class SegmentFifos {
   [[nodiscard]] std::size_t size(int fifo) const { return fifos_[index(fifo)].size.load(); }
   /// Returns the number of rows that can be pushed now into this FIFO, or into the stream.
   [[nodiscard]] std::size_t space(int fifo) const;
-  /// True if the FIFO is played or selected, or is part of a stream that is. (The target of a
-  /// queued switch is not in use yet, but clear() rejects it.)
+  /// True if the FIFO is played or selected, or is part of a stream that is played or selected.
+  /// (The target of a queued switch is not in use yet, but clear() rejects it.)
   [[nodiscard]] bool in_use(int fifo) const;
   /// The FIFO that is played or was played last: 0 or 1.
   [[nodiscard]] int active() const { return active_.load(); }

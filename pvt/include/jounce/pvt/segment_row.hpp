@@ -95,8 +95,8 @@ struct RowPeaks {
 /// the previous row.
 PtRate rates(const SegmentRow& row, const RowStart& from, double rate);
 
-/// Returns the position and derivatives of a row at x. Outside the row, returns those at its nearer
-/// end. Does not allocate.
+/// Returns the position and derivatives of a row at x. Outside the row, returns the values at its
+/// nearer end. Does not allocate.
 Jet point(const SegmentRow& row, const RowStart& from, double rate, double x);
 
 /// Returns the exact extrema of the row's polynomial.

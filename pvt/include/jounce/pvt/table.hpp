@@ -21,8 +21,8 @@ enum class Interpolation {
 /// Meaning of the first column of a table: time, or position of a master.
 enum class Domain { time, master };
 
-/// Equally spaced instants for Table::sample(), in time or master position. Instant k is start + k
-/// * step, each operation rounded. m is the master's unit.
+/// Equally spaced instants for Table::sample(), in time or master position. Instant k is start +
+/// k * step, each operation rounded. m is the master's unit.
 struct Grid {
   double start = 0;  ///< s or m
   double step = 1;   ///< > 0, s or m
@@ -75,9 +75,9 @@ class Table {
   /// Returns the position and three derivatives at x.
   [[nodiscard]] Jet jet(double x, Side side = Side::right) const;
 
-  /// Writes the position and two derivatives at every x[i] to p[i], v[i], a[i]. The results are bit
-  /// for bit those of jet() on every processor, but many times as fast if x ascends. Requires spans
-  /// of equal size (asserted). Does not allocate or throw.
+  /// Writes the position and two derivatives at every x[i] to p[i], v[i], a[i]. The results equal
+  /// the results of jet() bit for bit on every processor; if x ascends, the function is many times
+  /// as fast. Requires spans of equal size (asserted). Does not allocate or throw.
   void sample(std::span<const double> x, std::span<double> p, std::span<double> v,
               std::span<double> a) const noexcept;
   /// Writes the values at the instants of a grid. The size of p, v and a is the number of instants.

@@ -53,7 +53,7 @@ const std::vector<std::string>& run_formats();
 /// Selection of the findings that the text shows.
 struct RunLook {
   bool strict = false;  ///< a warning counts as a broken limit
-  bool quiet = false;   ///< errors and broken limits alone
+  bool quiet = false;   ///< only errors and broken limits
 };
 
 /// Returns the run in one of run_formats(): "text", "json", "github", "gitlab", "sarif", "junit".

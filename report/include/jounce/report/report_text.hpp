@@ -57,7 +57,7 @@ std::string one_line(const Report& report, const Labels& labels);
 bool is_unlimited(const Finding& finding);
 
 /// True if the report has a finding that compares the motion with a limit of the machine. Findings
-/// on joints, tables or other computations do not count.
+/// on breaks, tables or other computations do not count.
 bool has_limits(const Report& report);
 
 /// Returns "not limited: geo_acceleration (up to 0.16 mm/deg^2), geo_jerk (up to 0.02 mm/deg^3)";

@@ -18,7 +18,7 @@ struct RuleInfo {
 /// for the family of the rule.
 std::span<const RuleInfo> all_rules();
 
-/// Returns the entry of a rule, or that of its family; null if neither has an entry.
+/// Returns the entry of a rule, or the entry of its family; null if neither has an entry.
 const RuleInfo* rule_info(std::string_view rule);
 
 }  // namespace jounce

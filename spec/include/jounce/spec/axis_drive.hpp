@@ -14,7 +14,7 @@ namespace jounce {
 ///
 ///     [drive]
 ///     type = "simulated"        # or "null", "shared_memory"
-///     spec = "drive.toml"       # file of the model, or the keys of the model itself
+///     spec = "drive.toml"       # the model; or its keys in [drive]
 struct AxisDriveSpec {
   enum class Type : std::uint8_t {
     null,           ///< follows the setpoint exactly, one cycle later

@@ -35,7 +35,7 @@ std::optional<DriveFigure> drive_figure(const std::string& name);
 ShapeFigure asked(DriveFigure figure);
 
 /// Returns the figure of a drive for a figure of a shape, by its name; nullopt if the shape's
-/// figure is not one of a drive.
+/// figure is not a figure of a drive.
 std::optional<DriveFigure> drive_figure(const ShapeFigure& figure);
 
 }  // namespace jounce

@@ -14,8 +14,9 @@ namespace jounce {
 
 /// A number of the spec that may change.
 struct SpecParameter {
-  std::string key;   ///< full key, as in error messages: "segment[2].end.master"
-  std::string unit;  ///< unit of the bounds: that of the number in the spec; "1" for a pure number
+  std::string key;  ///< full key, as in error messages: "segment[2].end.master"
+  /// unit of the bounds: the unit of the number in the spec; "1" for a pure number
+  std::string unit;
   double lower = 0;  ///< least permitted value
   double upper = 0;  ///< greatest permitted value
 };

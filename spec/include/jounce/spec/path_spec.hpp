@@ -22,7 +22,7 @@ struct PathSpec {
   /// The joints of the machine: [kinematics]. In Spec::axes, they follow the axes of the program.
   std::optional<JointSpace> joints = {};
   std::string source;  ///< name of the document to which the source lines of commands refer
-  std::vector<GcodeEvent> events;  ///< words of a G-code program that do not move the axes
+  std::vector<GcodeEvent> events;  ///< G-code words that move no axis
   GcodeMachine machine;            ///< settings for a G-code program that is given separately
   /// Changes of the override during the motion: [[override]].
   std::vector<FactorRequest> override_steps = {};

@@ -57,8 +57,8 @@ LinearQuantity torque_of(const LoadSpec& load, double speed, const std::string& 
 LinearQuantity motor_speed_of(const LoadSpec& load, double speed);
 
 /// Returns the whole torque (1). Its sign is for the direction in which the slave's position grows,
-/// even if position_per_rev is negative. So its magnitude is that of the motor's torque, and torque
-/// times slave velocity has the sign of the power.
+/// even if position_per_rev is negative. So its magnitude equals the magnitude of the motor's
+/// torque, and torque times slave velocity has the sign of the power.
 LoadTorque load_torque_of(const LoadSpec& load, double speed, const std::string& unit);
 
 /// Returns the energy (4) of a shape over the master, in J.
@@ -86,7 +86,7 @@ struct ShapeSpec {
   std::optional<LoadSpec> load = {};                       ///< [load]
   std::vector<std::vector<WeightedFigure>> minimize = {};  ///< objectives, the most important first
   std::vector<Ceiling> ceilings = {};                      ///< upper limits of figures
-  /// The figures of `minimize`, followed by those of `ceilings`, in the order of
+  /// The figures of `minimize`, followed by the figures of `ceilings`, in the order of
   /// CamRunOutcome::shape.figures.
   std::vector<ShapeFigureSpec> figures = {};
   /// Lower and upper bounds of quantities over a range of the master.

@@ -133,7 +133,8 @@ struct AxisSpec {
   double following_time = 0;      ///< s, time for which the following error may exceed the limit
   double in_position = 0;         ///< u, window for "in position"
   double in_position_time = 0;    ///< s, time for which the error must stay in the window
-  double longest_gap = 0;         ///< s, delay of a cycle in motion that is a fault; 0: 100 cycles
+  /// s, delay of a cycle that causes a fault during a motion; 0: 100 cycles
+  double longest_gap = 0;
   /// s; after this time without a message, the session ends and the axis is free.
   double session_timeout = 1;
   bool require_home = false;  ///< true: motions to absolute positions are rejected before homing
@@ -149,7 +150,7 @@ struct AxisPart {
   std::string name;    ///< name of the axis
   Units units;         ///< units of the axis
   TableOptions table;  ///< conversion of its curve to a table
-  Limits limits;       ///< limits; of a cam, per master unit
+  Limits limits;       ///< limits; for a cam, per master unit
   std::optional<DriveSpec> drive;
 };
 
@@ -182,7 +183,7 @@ struct Spec {
   std::vector<AxisPart> axes;  ///< the axes of kinds "axes" and "path"; empty for other kinds
   Boundaries boundaries = Boundaries::rest;  ///< for a cam
   TableOptions table;                        ///< conversion to a table
-  Limits limits;                             ///< [limits]; of a cam: per master unit
+  Limits limits;                             ///< [limits]; for a cam, per master unit
   Limits slave;                      ///< for a cam: [limits.slave], over time, without positions
   std::optional<MasterSpec> master;  ///< for a cam: [master]
   /// For a cam: the coupling with which `jounce stream` engages the cam; times in s.
@@ -209,7 +210,7 @@ struct Spec {
   Spec& operator=(Spec&& other) noexcept;
   ~Spec();
 
-  /// Returns all axes: those of kinds "axes" and "path", otherwise the only one.
+  /// Returns all axes: `axes` for the kinds "axes" and "path", otherwise the only axis.
   [[nodiscard]] std::vector<AxisPart> parts() const;
 
   /// True for a cam (given by knots or by a synchronous slave); false for a motion over time.

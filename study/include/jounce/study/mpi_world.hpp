@@ -11,8 +11,8 @@ struct MpiCalls;
 
 namespace jounce {
 
-/// The place of this process among those that mpirun has started (Open MPI, or another launcher
-/// with PMI). It is read from the environment, so it does not need MPI.
+/// The place of this process among the processes that mpirun has started (Open MPI, or another
+/// launcher with PMI). It is read from the environment, so it does not need MPI.
 struct MpiPlace {
   bool started = false;  ///< true if mpirun has started this process
   int rank = 0;          ///< number of this process, from 0
@@ -20,11 +20,11 @@ struct MpiPlace {
 /// Returns the place of this process.
 MpiPlace mpi_place();
 
-/// The processes that mpirun has started. MPI is in use as long as this object exists.
+/// The processes that mpirun has started. MPI is in use while this object exists.
 ///
 ///     MpiWorld world;
 ///     SweepResult result = run_sweep(spec, {.farm = world.farm(hex(spec.identity()))});
-///     if (world.rank() != 0) return;               // only the first has all rows
+///     if (world.rank() != 0) return;               // only rank 0 has all rows
 ///
 /// MPI is loaded from the module jounce_mpi.so, which is next to the program or in ../lib/jounce
 /// relative to its folder. Throws InputError if the module does not exist, in a build without MPI.

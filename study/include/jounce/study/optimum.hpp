@@ -23,8 +23,8 @@ struct SpecOptimum {
 using OptimumProgress = std::function<bool(double done, const std::string& step)>;
 
 /// Prepares a spec for optimum_of(). A path without [[optimize.parameter]] gets its corners as
-/// parameters (corner_parameters()). `seconds` > 0: time limit in place of that of the spec. Throws
-/// InputError like corner_parameters(), and with the key `seconds`.
+/// parameters (corner_parameters()). `seconds` > 0: time limit, in place of the time limit of the
+/// spec. Throws InputError like corner_parameters(), and with the key `seconds`.
 void prepare_optimum(Spec& spec, std::optional<double> seconds = {});
 
 /// Optimizes everything that a spec leaves free: the numbers of [[optimize.parameter]] if the spec
@@ -40,7 +40,8 @@ void prepare_optimum(Spec& spec, std::optional<double> seconds = {});
 SpecOptimum optimum_of(const Spec& spec, const OptimumProgress& keep_going = {});
 
 /// Optimizes segments of free shape for a drive that follows the cam; see optimize_against().
-/// `drive` is a spec of kind "drive"; its unit of position must convert to that of the cam.
+/// `drive` is a spec of kind "drive"; its unit of position must convert to the position unit of the
+/// cam.
 SpecOptimum optimum_against(const Spec& spec, const Spec& drive,
                             const OptimumProgress& keep_going = {});
 

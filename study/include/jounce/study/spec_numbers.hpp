@@ -19,7 +19,7 @@ namespace jounce {
 ///     const std::vector<SpecNumbers::Change> later{{"segment[2].end.master", 125}};
 ///     const Spec other = cam.spec(later);
 ///
-/// Keys are those of the file, as in error messages, with entries of arrays counted from 1:
+/// Keys are written as in the file and in error messages, with entries of arrays counted from 1:
 /// "move.velocity", "segment[3].end.slave", "drive.mass[1].inertia", "shares[2]". For a number that
 /// the file omits, and for a value that is not a number, functions throw InputError with key and
 /// rule. The object does not change after its construction, so several threads may use it at the

@@ -70,7 +70,7 @@ struct SweepLimit {
 ///     samples = 1000
 ///     design = "sobol"                        # or "latin_hypercube"; omitted: "random"
 ///     [limits]
-///     "peak torque" = 2.5                     # in addition to those of the spec
+///     "peak torque" = 2.5                     # in addition to the limits of the spec
 ///
 /// **Cases** are all combinations of the listed values, each with all samples. They are numbered
 /// from 0: the sample changes fastest, then the last listed parameter. A random number depends only
@@ -95,7 +95,7 @@ struct SweepSpec {
   std::vector<KeyFigure> given;
   bool given_ok = false;                   ///< true if the given spec is within all limits
   std::vector<SweepObjective> objectives;  ///< objectives of the Pareto front
-  std::vector<SweepLimit> limits;          ///< limits in addition to those of the spec
+  std::vector<SweepLimit> limits;          ///< limits in addition to the limits of the spec
 
   /// True if at least one parameter is random.
   [[nodiscard]] bool random() const;

@@ -45,8 +45,8 @@ struct TuneOutcome {
 };
 
 /// Chooses the numbers in [[optimize.parameter]] of a spec so that a key figure becomes minimal or
-/// maximal. The result satisfies every limit of the spec (those of check and, if the spec has a
-/// [drive], those of the drive) and the requirements in [[optimize.require]].
+/// maximal. The result satisfies every limit of the spec (the limits of check and, if the spec has
+/// a [drive], of the drive) and the requirements in [[optimize.require]].
 ///
 ///     TuneOutcome best = tune(read_spec("shear.toml"));
 ///     if (best.usable()) write("faster.toml", best.text);

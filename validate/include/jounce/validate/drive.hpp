@@ -119,8 +119,8 @@ std::vector<DriveNumber> numbers(Drive& drive);
 
 /// Returns an example: an axis of the size of a 400 W servo. Its peak torque is 3.8 N m. Its load
 /// has five times the inertia of the motor, on a shaft that resonates near 80 Hz if the motor is
-/// held. Its loops are tuned by hand. The numbers are round and typical, not those of a product.
-/// The unit of the position is a degree of the motor shaft.
+/// held. Its loops are tuned by hand. The numbers are round and typical; they do not describe a
+/// product. The unit of the position is a degree of the motor shaft.
 Drive servo_400w();
 
 /// Returns a motor of the 400 W class with the values of its data sheet: Wittenstein premo SP,
@@ -242,8 +242,8 @@ struct DriveResult {
   /// vertex of a parabola.
   std::vector<Interval> beyond_following_error = {};
   Peak swing;  ///< greatest deviation of the pendulum from the load, u
-  /// Greatest thermal load h of the winding, which is cold at the start: h' = ((T / rated_torque)^2
-  /// - h) / thermal_time. 1 is the limit.
+  /// Greatest thermal load h of the winding, which is cold at the start: h' = ((T /
+  /// rated_torque)^2 - h) / thermal_time. 1 is the limit.
   Peak i2t;
   DriveEnergy energy;                  ///< work and loss
   long impacts = 0;                    ///< number of impacts in connections with backlash
@@ -286,16 +286,16 @@ struct DriveResult {
 /// within 1e-6 of its value. (Tests compare with matrix exponentials; usual errors are 2e-11 of the
 /// stroke, or 1e-8 if a move ends before the loop can follow.) Peaks are computed by parabolas
 /// through the steps of the solver, within 1e-4 of their value. The frequency is computed from the
-/// zeros of the load's velocity, as long as the vibration is at least 1 % of its peak.
+/// zeros of the load's velocity, while the vibration is at least 1 % of its peak.
 ///
 /// **Periodic.** One period is integrated from the exact steady state (exact_period()). The finding
 /// "drive/periodic" gives the difference between the end and the start of the period, as a share of
 /// the stroke or of the peak torque. The rule is broken if the difference exceeds a hundred
-/// tolerances. It is also broken if the torque reaches its limit, because the initial state is that
-/// of a drive without this limit.
+/// tolerances. It is also broken if the torque reaches its limit, because the initial state is
+/// computed without this limit.
 ///
 /// **Errors.** Throws InputError for a drive, an option or a limit out of range, and for a Table
-/// over a master. If `periodic`, throws also for a signal without segments, a nonlinear drive, and
+/// over a master. If `periodic`, also throws for a signal without segments, a nonlinear drive, and
 /// a controller with a cycle, and like exact_period(). A failed integration is not an exception:
 /// see DriveResult::integration. A periodic run of an unstable loop is also a failed integration,
 /// and its only finding is "drive/stability".

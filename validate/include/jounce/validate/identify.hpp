@@ -68,9 +68,9 @@ struct ResidualTest {
   [[nodiscard]] bool failed() const { return value > limit; }
 };
 
-/// Quality of the fit for one recorded quantity. A residual is the recorded value minus that of the
-/// model. It is not tested if it is below the resolution of the recording or the error of the
-/// integration.
+/// Quality of the fit for one recorded quantity. A residual is the recorded value minus the value
+/// of the model. It is not tested if it is below the resolution of the recording or the error of
+/// the integration.
 struct Explained {
   std::string quantity;  ///< "position", "velocity", "torque", "load"
   double before = 0;     ///< rms of the residuals at the start of the fit
@@ -78,11 +78,11 @@ struct Explained {
   /// Correlation of successive residuals; about 0 if the model is right.
   double autocorrelation = 0;
   ResidualTest white = {};  ///< test of whiteness: Q of Ljung and Box
-  /// Test of growth: mean square of the last third over that of the first third (F of Goldfeld and
-  /// Quandt).
+  /// Test of growth: mean square of the last third, divided by the mean square of the first third
+  /// (F of Goldfeld and Quandt).
   ResidualTest growth = {};
-  ResidualTest worsening = {};     ///< test of worsening: mean square after the fit over that
-                                   ///< before the fit
+  /// test of worsening: mean square after the fit, divided by the mean square before the fit
+  ResidualTest worsening = {};
   std::vector<double> model = {};  ///< values of the fitted model, one for each sample
 };
 
@@ -119,8 +119,8 @@ struct Identification {
 /// Returns the name of a status.
 const char* name(Identification::Status status);
 
-/// Receives the number of iterations so far, and the rms residual as a share of that at the start.
-/// To stop the fit, return false.
+/// Receives the number of iterations so far, and the rms residual as a share of the rms residual at
+/// the start. To stop the fit, return false.
 using IdentifyProgress = std::function<bool(int iteration, double share)>;
 
 /// Fits numbers of a drive to a recorded run. The method is weighted least squares of the residuals
@@ -145,13 +145,13 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 /// estimates this deviation from the residuals, and repeats the estimate until it no longer
 /// changes.
 ///
-/// **Reference.** The times of `reference` are those of the recording. The axis is at rest at the
+/// **Reference.** `reference` has the same time axis as the recording. The axis is at rest at the
 /// start of `reference`.
 ///
 /// **Errors.** Throws InputError for an unknown key (the message lists the valid ones), a number
 /// that cannot be fitted or is named twice, an empty `fit`, an option out of range, an invalid
-/// recording, a recording without position, velocity, torque and load, a reference over a master or
-/// one that begins after the first sample, and like require_valid(Drive).
+/// recording, a recording without position, velocity, torque and load, a reference that is over a
+/// master or begins after the first sample, and like require_valid(Drive).
 Identification identify(const Recording& recording, const SignalView& reference,
                         const IdentifySpec& spec, const IdentifyProgress& keep_going = {});
 

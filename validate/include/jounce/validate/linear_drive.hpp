@@ -16,8 +16,7 @@ namespace jounce {
 
 /// Returns the key (as in numbers()) of a number that makes the drive nonlinear, such as
 /// "mass[1].backlash"; nullopt if the drive is linear. The limits of the motor are ignored: a
-/// linear drive is solved without limits, which is correct as long as the torque is below its
-/// limit.
+/// linear drive is solved without limits, which is correct while the torque is below its limit.
 std::optional<std::string> nonlinearity(const Drive& drive);
 
 /// A mode of the closed loop: a free vibration or a free decay of the axis. Unit u: the unit of the
@@ -71,9 +70,9 @@ ExactRun exact_run(const Table& reference, const Drive& drive, std::span<const d
 /// The position may advance over a period (a rotary slave). A step of the velocity from the end of
 /// a period to its start is taken into account. The start of the steady state is computed, x(0) =
 /// (I - exp(A T))^-1 c, instead of simulating many periods (periodic.cpp). The sample at the end of
-/// the period is the limit from within the period. The accuracy is that of exact_run(). Throws
-/// InputError like exact_run(), for a controller with a cycle, for times after the end of the
-/// period, and for loops that do not decay.
+/// the period is the limit from within the period. The accuracy is the same as for exact_run().
+/// Throws InputError like exact_run(), for a controller with a cycle, for times after the end of
+/// the period, and for loops that do not decay.
 ExactRun exact_period(const Trajectory& period, const Drive& drive, std::span<const double> times);
 
 /// Returns the result of drive_through() without numerical integration, about ten times as fast.
@@ -113,7 +112,7 @@ std::vector<DriveMode> modes(const Drive& drive);
 ///
 /// `periodic` is true if the run was a period of the steady state. Returns nullopt for a drive that
 /// is not linear, a torque that reached its limit, a signal without segments, a failed integration,
-/// and a run without samples. Returns nullopt also for a difference in an unstable loop, where
+/// and a run without samples. Also returns nullopt for a difference in an unstable loop, where
 /// rounding errors grow with the motion.
 std::optional<Finding> exact_opinion(const SignalView& reference, const Drive& drive,
                                      const DriveResult& run, double tolerance = 1e-8,

@@ -44,7 +44,7 @@ struct LoopStability {
 
 /// Computes the poles and margins of the position loop and the velocity loop together. The loop is
 /// opened where the torque enters the motor. The open loop L is the velocity gain times all other
-/// factors, so the gain margin is that of `velocity_gain`.
+/// factors, so the gain margin applies to `velocity_gain`.
 ///
 ///     const LoopStability loop = loop_stability(drive);
 ///     if (!loop.stable) ...  loop.poles.front().frequency      // Hz at which it starts to swing

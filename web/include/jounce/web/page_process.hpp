@@ -12,7 +12,7 @@
 /// A live page in its own process, started by the process that runs the axes.
 namespace jounce::web {
 
-/// The parent's side of a live page: the page is served as long as this object exists.
+/// The parent's side of a live page: the page is served while this object exists.
 ///
 ///     const PageProcess page(8080, {"jounce", "page", "--of-run", "feeder"}, notify);
 ///     print(page.address());

@@ -22,7 +22,7 @@ namespace jounce {
 /// this header depend on the policy of the cam outside its interval: periodic (wrap or advance),
 /// hold, or refuse.
 ///
-/// **Values** do not change: a jump at a joint remains, and check_continuity() reports it. If a
+/// **Values** do not change: a jump at a break remains, and check_continuity() reports it. If a
 /// **cut** is nearer to a break than 1e-13 of the master positions, the cut is made at the break.
 /// Segments that are not cut stay the same to the last digit. The two parts of a cut segment have
 /// lengths whose sum is exactly the length of the segment.
@@ -30,8 +30,8 @@ namespace jounce {
 /// **Errors.** Each function documents when it throws InputError.
 
 /// Returns the cam between two master positions, with the policy refuse. The interval may exceed
-/// that of `f`: a periodic cam continues with its next period, a cam that holds stays at rest.
-/// Throws InputError if from >= to, if one of them is not finite, if the interval exceeds that of a
+/// the interval of `f`: a periodic cam continues with its next period, a cam that holds stays at
+/// rest. Throws InputError if from >= to, if one of them is not finite, if the interval exceeds a
 /// cam that refuses or is only rounding, or if the result would have more than 1e6 segments.
 Cam part(const Cam& f, double from, double to);
 

@@ -34,18 +34,19 @@ namespace jounce {
 /// approach from the requested side. They are never NaN.
 ///
 /// **A dwell** inside a branch is a jump of the master: Side::left returns the master position at
-/// one end of the dwell, Side::right (the default) that at the other. **Outside** [start(), end()]
-/// a query is an error of the caller: it asserts in a debug build, and holds in a release build.
+/// one end of the dwell, Side::right (the default) returns the position at the other end.
+/// **Outside** [start(), end()] a query is an error of the caller: it asserts in a debug build, and
+/// holds in a release build.
 ///
 /// **Accuracy.** cam(inverse(u)) equals u within 1e-12 of the stroke or 1e-14 of the position,
-/// whichever is greater (the second one is greater beyond 100 strokes from zero). This holds for a
-/// master up to 100 lengths from zero. Evaluation never allocates.
+/// whichever is greater (1e-14 of the position is greater beyond 100 strokes from zero). This holds
+/// for a master up to 100 lengths from zero. Evaluation never allocates.
 class Inverse {
  public:
   using Point = Transfer;
 
   /// `branch`: consecutive runs of `cam`. The first and the last have the same kind (rise or fall);
-  /// those between them have this kind or are dwells.
+  /// the runs between them have this kind or are dwells.
   Inverse(std::shared_ptr<const Cam> cam, std::span<const CamRun> branch);
 
   [[nodiscard]] double start() const { return breaks_.front(); }

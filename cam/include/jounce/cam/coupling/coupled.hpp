@@ -17,11 +17,11 @@ namespace jounce {
 ///     const Coupled motion(coupling, in.engaged, master);
 ///     const Jet now = motion.jet(0.5);
 ///
-/// Exact. The breaks are those of the master, those of the correction, and the instants at which
-/// the master passes a break of the cam. The motion ends when both the master's motion and a
-/// correction over time have ended. If the correction ends later, the master rests at its end
-/// position in the meantime. A cam that runs once holds its end value, at rest. The constructor
-/// throws InputError like require_few_periods().
+/// The motion is exact. Its breaks are the breaks of the master, the breaks of the correction, and
+/// the instants at which the master passes a break of the cam. The motion ends when both the
+/// master's motion and a correction over time have ended. If the correction ends later, the master
+/// rests at its end position in the meantime. A cam that runs once holds its end value, at rest.
+/// The constructor throws InputError like require_few_periods().
 class Coupled {
  public:
   /// `engaged`: the result of engage() for this coupling and the start of `master`.

@@ -29,10 +29,10 @@ inline constexpr std::size_t start_mode_count = 6;  ///< number of start modes
 const char* name(StartMode mode);
 
 /// Coupling of a slave to its master by a cam: MC_CamTableSelect and MC_CamIn in one. u is the unit
-/// of the slave, m that of the master; times are in s. The policy of the cam determines whether it
-/// repeats: a cam that wraps or advances is periodic; a cam that holds or refuses runs once. If the
-/// master is outside the interval of a cam, the slave can engage only if the cam holds: the slave
-/// then waits at the end value of the cam.
+/// of the slave, m the unit of the master; times are in s. The policy of the cam determines whether
+/// it repeats: a cam that wraps or advances is periodic; a cam that holds or refuses runs once. If
+/// the master is outside the interval of a cam, the slave can engage only if the cam holds: the
+/// slave then waits at the end value of the cam.
 struct CouplingSpec {
   double master_scaling = 1;    ///< > 0
   double master_offset = 0;     ///< m, added after scaling
@@ -43,7 +43,7 @@ struct CouplingSpec {
   bool slave_absolute = true;   ///< false: the cam is shifted to the slave's position at the
                                 ///< engagement
   StartMode start = StartMode::absolute;  ///< default: at once, with a jump
-  /// u/s, > 0: limit of a correction's velocity; for ramp_in...
+  /// u/s, > 0: limit of a correction's velocity; for ramp_in, ramp_in_pos and ramp_in_neg.
   std::optional<double> velocity_diff = {};
   /// u/s^2, > 0: limit while the correction speeds up; for ramp_in...
   std::optional<double> acceleration = {};
@@ -55,14 +55,16 @@ struct CouplingSpec {
   std::optional<double> distance = {};
   /// u, > 0: period of a rotary slave; omitted: the slave is linear.
   std::optional<double> slave_period = {};
-  /// m, > 0. The master has jumped if its position differs by more than this from the one that its
-  /// velocity predicts, or if it is valid again after NaN. A slave with a ramp absorbs the jump by
-  /// another correction. Omitted: the coupling does not detect jumps, and the slave follows them.
+  /// m, > 0. The master has jumped if its position differs by more than this from the position that
+  /// its velocity predicts, or if it is valid again after NaN. A slave with a ramp absorbs the jump
+  /// by another correction. Omitted: the coupling does not detect jumps, and the slave follows
+  /// them.
   std::optional<double> master_jump = {};
 };
 
 /// Throws InputError if a number is not finite or not positive, or if a parameter of the ramp is
-/// missing: ramp_in... needs velocity_diff and acceleration, ramp_in_distance needs distance.
+/// missing: ramp_in, ramp_in_pos and ramp_in_neg need velocity_diff and acceleration;
+/// ramp_in_distance needs distance.
 void require_valid(const CouplingSpec& spec);
 
 /// The reason why an engagement is impossible, or `ok`.
@@ -103,9 +105,9 @@ const char* explain(CouplingStatus status);
 /// in each period. `origin` is slave_offset or, for a relative cam, the shift to the slave. The
 /// correction c begins at the difference between slave and cam (position, velocity, acceleration)
 /// and ends at rest at zero, within velocity_diff, acceleration, deceleration and jerk. So the
-/// slave does not jump, for any motion of the master, with one exception: the master enters a cam
-/// that begins with a velocity. docs/cam/coupling.md describes the origins, the start modes and the
-/// end of a period. Throws InputError like require_valid().
+/// slave does not jump, for any motion of the master, with one exception: it jumps when the master
+/// enters a cam that begins with a nonzero velocity. docs/cam/coupling.md describes the origins,
+/// the start modes and the end of a period. Throws InputError like require_valid().
 class Coupling {
  public:
   explicit Coupling(Cam cam, const CouplingSpec& spec = {});
@@ -159,7 +161,7 @@ Engagement engage(const Coupling& coupling, const MotionState& slave, const Jet&
 
 /// Returns the setpoint of the slave and its derivatives with respect to time. A pure function of
 /// its arguments. `cam` is the cam, or a Table of it. `side` has the meaning of placed(): at the
-/// joint of two periods it selects the limit from before or from after. Does not allocate.
+/// boundary between two periods it selects the limit from before or from after. Does not allocate.
 template <class C>
 Jet point(const C& cam, const Engaged& engaged, const Jet& master, double t,
           Side side = Side::right) {
@@ -180,7 +182,8 @@ inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& ma
 /// - "coupling/period": the jump at the end of each period; broken if there is a jump;
 /// - "coupling/enter": for a master outside the cam, the velocity of the cam where the master
 ///   enters; broken if it is not 0, because the velocity of the waiting slave would jump;
-/// - "coupling/end": a cam that runs once ends at a velocity (see check_ends()); never broken;
+/// - "coupling/end": a cam that runs once ends at a nonzero velocity (see check_ends()); never
+///   broken;
 /// - "coupling/ramp": the greatest values of a correction and of its derivatives with respect to
 ///   time or master. Never broken: a correction over the master has no limits.
 ///

@@ -100,8 +100,9 @@ struct Due {
   CouplingStatus status = CouplingStatus::ok;
   std::optional<Sample> at{};  ///< time and master at the instant of the trigger; nullopt: not yet
 };
-/// Returns the instant between two cycles at which a trigger fires, if it does. A master that is on
-/// the position in the present cycle (to 1e-12 of the cam) fires now.
+/// Returns the instant between two cycles at which a trigger fires, if it does. If the master is at
+/// the position in the present cycle (to 1e-12 of the cam's length), the trigger fires in this
+/// cycle.
 Due due(const Trigger& trigger, const Cam& cam, const Placement& placement, const Sample& before,
         const Sample& now);
 

@@ -45,9 +45,9 @@ void require_few_periods(double first, double last, std::size_t breaks);
 ///     (2)  y''  = f'' x'^2 + f' x''
 ///     (3)  y''' = f''' x'^3 + 3 f'' x' x'' + f' x'''
 ///
-/// The breaks are those of the master, and every instant at which the master passes a break of the
-/// cam. While the master moves backwards, right and left limits of the cam are exchanged. Throws
-/// InputError if the master leaves a cam that refuses positions outside, and like
+/// The breaks are the breaks of the master, and every instant at which the master passes a break of
+/// the cam. While the master moves backwards, right and left limits of the cam are exchanged.
+/// Throws InputError if the master leaves a cam that refuses positions outside, and like
 /// require_few_periods().
 class Followed {
  public:

@@ -26,7 +26,7 @@ enum class Fill {
 /// "minimum_peak_acceleration", see filled_for_least_peak() in jounce/optimize/least_peak.hpp.
 const char* name(Fill fill);
 
-/// Free derivatives of one knot: those that a Fill may choose.
+/// Free derivatives of one knot: the derivatives that a Fill may choose.
 struct FreeDerivatives {
   bool geo_velocity = false;
   bool geo_acceleration = false;

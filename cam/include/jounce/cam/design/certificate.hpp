@@ -15,10 +15,10 @@ namespace jounce {
 ///       std::printf("%s: %g, bound %g\n", f.quantity.c_str(), f.value, f.limit);
 ///
 /// Each rise (stroke h, length b) has one finding for each rule that applies. The quantities are
-/// normalized to h = b = 1. Cv and Cm are those of Characteristics; Cj is its cj_inside; Ca is max
-/// |f''|, the greater of its ca and ca_star. A bound applies if the rise is smooth enough. In the
-/// column "needs n", n means that the derivatives f' to f^(n-1) are zero at both ends and do not
-/// step between them (Rise::smooth >= n - 1).
+/// normalized to h = b = 1. Characteristics defines Cv and Cm. Cj is Characteristics::cj_inside. Ca
+/// is max |f''|, the greater of Characteristics::ca and ca_star. A bound applies if the rise is
+/// smooth enough. In the column "needs n", n means that the derivatives f' to f^(n-1) are zero at
+/// both ends and do not step between them (Rise::smooth >= n - 1).
 ///
 /// | rule | quantity | bound | needs n | attained by |
 /// |---|---|---|---|---|
@@ -50,7 +50,7 @@ namespace jounce {
 /// its terms). A `broken` finding therefore means inconsistent data, such as pieces that do not
 /// join. Never throws.
 ///
-/// The derivations are in the source; the symbols are those of VDI 2143.
+/// The derivations are in the source; the symbols are the symbols of VDI 2143.
 Report certificates(const Rise& rise);
 
 /// Returns the findings of all rises of a cam.

@@ -20,9 +20,9 @@ struct Coefficient {
 ///     double peak = c.cv.value;                    // 1.7596...
 ///
 /// Cv, Ca and Cj are exact extrema (to rounding); rms is an exact quadrature. Cm is the value at
-/// one position, and no other position exceeds Cm by more than 1e-10 of it. If the velocity steps,
-/// Ca, Cm and rms are infinite; if the acceleration steps, Cj is infinite. A step counts inside the
-/// rise and at its ends, against the neighbors (see rises()).
+/// one position, and no other position exceeds Cm by more than 1e-10 of its value. If the velocity
+/// steps, Ca, Cm and rms are infinite; if the acceleration steps, Cj is infinite. A step counts
+/// inside the rise and at its ends, against the neighbors (see rises()).
 struct Characteristics {
   double stroke = 0;  ///< h, u, signed
   double length = 0;  ///< b, m

@@ -10,9 +10,10 @@
 
 namespace jounce {
 
-/// A knot: the joint of two segments of a cam, or one of its ends. Derivatives are with respect to
-/// the master's position. The adjacent laws determine an omitted derivative; if they leave it free,
-/// it is zero, or chosen as in boundaries.hpp. u is the slave's unit, m the master's.
+/// A knot: the point at which two segments of a cam meet, or one end of the cam. Derivatives are
+/// with respect to the master's position. The adjacent laws determine an omitted derivative; if
+/// they leave it free, it is zero, or chosen as in boundaries.hpp. u is the slave's unit, m the
+/// master's.
 struct CamKnot {
   double master = 0;                            ///< m, master position
   double slave = 0;                             ///< u, slave position
@@ -61,8 +62,8 @@ struct CamDesign {
   std::vector<std::size_t> origin;
 };
 
-/// Returns all knots of the spec, start included, with every derivative filled in. Each value has
-/// the first of these sources that gives one:
+/// Returns all knots of the spec, start included, with every derivative filled in. Each value comes
+/// from the first of these sources that gives one:
 /// - the knot;
 /// - an adjacent line, dwell or law from rest, which requires the value;
 /// - an adjacent law that determines the value (the reversal of a sine, the end of a spline), if

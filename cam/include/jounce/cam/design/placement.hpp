@@ -51,8 +51,8 @@ inline Spot spot(double X, double start, double length, bool periodic) {
 }
 
 /// Returns the place of the position X on a periodic cam, approached from one side. A position
-/// within `near` of the joint between two periods counts as on the joint: from the left as the end
-/// of a period, from the right as the start of the next.
+/// within `near` of the boundary between two periods counts as on the boundary: from the left as
+/// the end of a period, from the right as the start of the next.
 inline Spot spot_on(Side side, double X, double start, double end, double near) {
   const Spot s = spot(X, start, end - start, true);
   const bool behind = s.at - start <= near;

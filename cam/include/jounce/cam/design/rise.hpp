@@ -22,7 +22,7 @@ namespace jounce {
 /// **Vocabulary.** A *rise* (or a fall) lies between two successive breaks at which the slave
 /// rests, with zero velocity on both sides of each break. A dwell is not a rise; an interval that
 /// returns to its start position is not a rise either. Master (unit m) and slave (unit u) positions
-/// are those of the cam. A rise across the end of a period continues beyond the cam's end.
+/// count as in the cam. A rise across the end of a period continues beyond the cam's end.
 ///
 /// "Zero" and "does not step" mean: within 1e-9 of the greatest magnitude of the derivative in the
 /// rise (of the velocity: in the whole cam).

@@ -15,7 +15,7 @@ namespace jounce {
 ///     CamDesign made = design(spec);
 ///     Report odd = warnings(made.cam, made.origin);
 ///
-/// For each segment of the design (`value` and `limit` are those of the finding):
+/// For each segment of the design (`value` and `limit` are members of the finding):
 ///
 /// - "warning/overshoot": the slave moves beyond both end positions. value: the extreme position;
 ///   limit: the end position that the slave passes. A note, not a warning, if the end velocities
@@ -34,12 +34,12 @@ namespace jounce {
 /// The advice for an R-G or G-R quintic uses rho = slope * length / stroke: no reversal for rho <=
 /// 5/2, no velocity overshoot for rho >= 5/3.
 ///
-/// For each joint, and for the ends of a cam that wraps, advances or holds, there is one finding,
-/// for the lowest derivative that steps: "joint/position", "joint/geo_velocity",
+/// For each break of the cam, and for the ends of a cam that wraps, advances or holds, there is one
+/// finding, for the lowest derivative that steps: "joint/position", "joint/geo_velocity",
 /// "joint/geo_acceleration" or "joint/geo_jerk" (always a note). value: size of the step; limit:
 /// tolerance for rounding, 1e-9 of the derivative's peak (for the position: of the travel).
 ///
-/// The margin is the excess over the limit (for a joint: the step) with a negative sign, as a share
+/// The margin is the excess over the limit (for a break: the step) with a negative sign, as a share
 /// of the cam's travel or of the derivative's peak in the cam. An excess up to 1e-9 does not count
 /// (for a ripple: up to 1e-3).
 ///

@@ -8,13 +8,13 @@
 namespace jounce::cam_detail {
 
 /// The factorization A P = Q R by Householder reflections. The columns are pivoted so that the
-/// diagonal of R does not increase. Its own source file instantiates Eigen's template, because that
-/// compiles for seconds.
+/// diagonal of R does not increase. Eigen's template is instantiated in a source file of its own,
+/// because its compilation takes seconds.
 class PivotedQr {
  public:
   using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// Factorizes a; the rank is that of Eigen's default threshold.
+  /// Factorizes a; the rank follows from Eigen's default threshold.
   explicit PivotedQr(const Eigen::MatrixXd& a);
   /// The rank is the number of pivots above `threshold` times the greatest pivot.
   PivotedQr(const Eigen::MatrixXd& a, double threshold);

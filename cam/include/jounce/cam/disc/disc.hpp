@@ -110,7 +110,7 @@ class Disc {
 /// enclosure (interval arithmetic, second order) excludes a greater value. It brackets a peak only
 /// if the enclosure of the second derivative excludes zero.
 struct DiscExtremes {
-  Range pressure_angle;   ///< rad: max is that of the rise, min that of the return
+  Range pressure_angle;   ///< rad: the maximum occurs on the rise, the minimum on the return
   Range pitch_curvature;  ///< 1/u: max is the most convex, min the most concave
   /// Bound of the error of the extrema, as a share of the peak; at most 1e-12 unless the cam is
   /// degenerate.

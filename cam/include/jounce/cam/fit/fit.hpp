@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// Measured points of a cam. m is the unit of the master, u that of the slave.
+/// Measured points of a cam. m is the unit of the master, u the unit of the slave.
 struct MeasuredCam {
   /// The points: masters ascend, each tolerance > 0. It is the greatest permitted distance, u, of
   /// the cam from the point, and includes the error of the measurement.
@@ -44,11 +44,11 @@ struct CamFit {
 ///     const Cam cam = design(fit.spec).cam;
 ///
 /// A range in which the slave rests becomes a dwell. A motion between two rests gets the law with
-/// the least root mean square distance from the points. If no law keeps the tolerances, the longest
-/// straight line in the motion becomes a segment, and the parts beside it are fitted alone. A part
-/// that no law fits becomes a quintic, or a quintic spline with few points. Then the values of the
-/// knots are rounded, as far as the points permit. Knots are at any master positions, not only at
-/// those of the points.
+/// the least root mean square distance from the points. If no law stays within the tolerances, the
+/// longest straight line in the motion becomes a segment, and the parts before and after it are
+/// fitted separately. A part that no law fits becomes a quintic, or a quintic spline with few
+/// points. Then the values of the knots are rounded, as far as the points permit. Knots are at any
+/// master positions, not only at the positions of the points.
 ///
 /// Throws InputError for fewer than five points, for points that are not finite or do not ascend,
 /// and for a tolerance that is not greater than 0.

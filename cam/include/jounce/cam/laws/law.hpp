@@ -49,7 +49,7 @@ enum class Law {
 /// States that a law permits at its ends. Letters of VDI 2143: R rest, G constant velocity, U
 /// reversal, B motion.
 enum class Ends {
-  given,        ///< B: velocity and acceleration are those of the knots
+  given,        ///< B: the knots give velocity and acceleration
   straight,     ///< G: the law requires the mean velocity of the segment
   standing,     ///< R: rest, and no stroke
   moving,       ///< R or G: any velocity, with acceleration 0
@@ -128,8 +128,8 @@ bool is_spline(Law law);  ///< true for cubic_spline and quintic_spline
 /// The laws of this family are, as (b, c, d): parabola (0, 1, 0), simple sine (0, 0, 1), cycloid
 /// (1/2, 0, 1/2), modified sine (1/4, 0, 3/4), modified trapezoid (1/4, 1/2, 1/4); and with a
 /// straight share, modified constant velocity (1/4, 0, 3/4) and sine-straight (0, 0, 1). Throws
-/// InputError for a negative share, and for a sum of b, c and d other than 1. Requires straight <
-/// 1. Source: R. Norton, Cam Design and Manufacturing Handbook, ch. 3.
+/// InputError for a negative share, and for a sum of b, c and d other than 1. Requires straight
+/// < 1. Source: R. Norton, Cam Design and Manufacturing Handbook, ch. 3.
 std::vector<Segment> scca(double b, double c, double d, double straight = 0);
 
 /// Returns the inflection lambda with which an R-U law ends with the normalized acceleration f''(1)

@@ -15,10 +15,10 @@ namespace jounce {
 ///     Cam cam(quintic_spline(table), 0, Extrapolation::wrap);
 ///     double hardest = extrema(cam, 2).peak().value;      // exact, as for every curve
 ///
-/// **Vocabulary.** The curve passes through the *points*. Two segments meet at a *joint*, which is
-/// a point. At its joints, a cubic spline is continuous up to geo_acceleration, a quintic spline up
-/// to the fourth derivative. An end is *clamped* if a derivative is given for it, and *natural* if
-/// the derivative is omitted: the spline then chooses the smoothest value.
+/// **Vocabulary.** The curve passes through the *points*. Two segments meet at a *break*, which is
+/// one of the points. At its breaks, a cubic spline is continuous up to geo_acceleration, a quintic
+/// spline up to the fourth derivative. An end is *clamped* if a derivative is given for it, and
+/// *natural* if the derivative is omitted: the spline then chooses the smoothest value.
 ///
 /// **Smoothest.** Of all functions through the points with the given end values, the cubic spline
 /// has the least integral of geo_acceleration^2, and the quintic spline the least integral of
@@ -39,7 +39,7 @@ struct SplinePoint {
 
 /// Conditions at the first and at the last point.
 enum class SplineEnds {
-  natural,   ///< given derivatives apply, omitted ones are free
+  natural,   ///< given derivatives apply, omitted derivatives are free
   periodic,  ///< value and derivatives continue from the end to the start; the slave may advance
   /// The first two intervals share one polynomial, and so do the last two (quintic: three).
   not_a_knot,
@@ -60,7 +60,7 @@ struct SplineSpec {
   SplineEnd end = {};                     ///< derivatives at the last point
 };
 
-/// Returns the cubic spline: geo_acceleration is continuous, geo_jerk steps at every joint. It has
+/// Returns the cubic spline: geo_acceleration is continuous, geo_jerk steps at every break. It has
 /// one segment for each interval (not_a_knot: one for the first two and one for the last two; three
 /// points give a parabola). An end without a given slope has geo_acceleration zero. For points of a
 /// smooth function at distance h, the error is of order h^4 (near natural ends h^2). Source: C. de

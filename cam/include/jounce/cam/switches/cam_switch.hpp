@@ -11,7 +11,7 @@
 namespace jounce {
 
 /// Cam switches (tappets, programmable limit switches): output bits that are on over ranges of an
-/// axis' position. The names are those of PLCopen's MC_DigitalCamSwitch.
+/// axis' position. The names are the names in PLCopen's MC_DigitalCamSwitch.
 ///
 ///     CamSwitchSpec glue{
 ///         .switches = {{.track = 1, .first_on_position = 30, .last_on_position = 80},
@@ -136,9 +136,9 @@ struct SwitchTimes {
 };
 
 /// Returns the edges of a given motion over its interval, at the exact instants that satisfy (1).
-/// `position` is the motion of the position that the switches use: that of a master, or that of a
-/// slave, composed(cam, master). A track that goes on and off at the same instant has no edge at
-/// that instant. Throws InputError like require_valid().
+/// `position` is the motion of the position that the switches use: the position of a master, or the
+/// position of a slave, composed(cam, master). A track that goes on and off at the same instant has
+/// no edge at that instant. Throws InputError like require_valid().
 SwitchTimes switch_times(const CamSwitchSpec& spec, const Trajectory& position);
 
 /// Returns the word of the spec: "both", "positive", "negative"; "position", "time".

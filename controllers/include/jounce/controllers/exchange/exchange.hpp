@@ -28,8 +28,8 @@ namespace jounce {
 /// Throws InputError for a table over time, because the formats are for cams.
 void require_cam(const CamFormat& format, const Table& table);
 
-/// Returns the text of the table in the format. Throws InputError for a table over time, for an
-/// interpolation rule other than that of the format, and for too few or too many knots.
+/// Returns the text of the table in the format. Throws InputError for a table over time, for
+/// another interpolation rule than the format has, and for too few or too many knots.
 std::string exchange_text(const CamFormat& format, const TableFile& file);
 
 /// One cam of a file.
@@ -39,13 +39,15 @@ struct ExchangeCam {
   std::vector<std::string> unread = {};  ///< one phrase for each part of the file that was not read
 };
 
-/// Reads a text in any readable format. The text may contain several cams; they are returned in the
-/// order of their references. `name` is the name of the file for errors. If `decimal_comma` is
-/// true, 0,5 is read as 0.5, in columns that are not separated by commas.
+/// Reads a text in any readable format. The text may contain several cams. They are returned in the
+/// order in which the file declares them (CODESYS: in the order of the MC_CAM_REF, then the arrays
+/// without an MC_CAM_REF). `name` is the name of the file for errors. If `decimal_comma` is true,
+/// 0,5 is read as 0.5, in columns that are not separated by commas.
 ///
 /// Throws InputError with file, line, key, value and rule for a wrong number of columns; for text
-/// that is not a finite number (the error names a decimal comma); for knots that do not ascend; for
-/// a number of knots or a hash that does not match; and for a format that cannot be read.
+/// that is not a finite number (if the cause is a decimal comma, the error states this); for knots
+/// that do not ascend; for a number of knots or a hash that does not match; and for a format that
+/// cannot be read.
 std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
                                              bool decimal_comma = false);
 

@@ -7,7 +7,7 @@
 #include "jounce/profiles/moves/dynamics.hpp"
 
 /// The point-to-point, jog and on-the-fly moves of a Googol iDEABOX Pro, with the names and units
-/// of its manual: pulse, pulse/ms, pulse/ms^2, pulse/ms^3, ms. The motions run over ms.
+/// of its manual: pulse, pulse/ms, pulse/ms^2, pulse/ms^3, ms. The time of all motions is in ms.
 ///
 ///     using namespace jounce::googol;
 ///     const Profile move = trap({.pos = 50000, .vel = 50, .acc = 0.25, .dec = 0.125,
@@ -63,13 +63,14 @@ struct JogVelocity {
 };
 
 /// Returns the motion from any state to the velocity `vel`, pulse/ms, which the axis then keeps.
-/// The jerk is that of `smooth` for a ramp over the change of velocity. If the axis already
-/// accelerates, it is that of a ramp between rest and the greater of the two velocities.
+/// The jerk is chosen so that a ramp over this change of velocity has the share `smooth`. If the
+/// axis already accelerates, a ramp between rest and the greater of the two speeds has this share.
+/// A motion that reverses consists of two ramps that meet at rest, each with this share.
 Profile jog(const MotionState& from, double vel, const Jog& parameters);
 
 /// Returns the motion through several velocities, one after another, from standstill at `from`,
-/// pulse. Times must ascend. The motion begins at the first time and ends when the axis reaches the
-/// last velocity.
+/// pulse. Times must ascend, and the first velocity must not be 0. The motion begins at the first
+/// time and ends when the axis reaches the last velocity.
 Trajectory jog(double from, std::span<const JogVelocity> velocities, const Jog& parameters);
 
 /// A move on the fly: GT_MoveAbsolute (manual 7.7, I-103).
@@ -85,12 +86,12 @@ struct MoveAbsolute {
 /// Returns a move from standstill.
 Profile move_absolute(const MoveAbsolute& move);
 
-/// Replaces a running motion at the time t, ms; `from` is not used. The jerk of each ramp is that
-/// of `percent` for a ramp from rest to `vel`. For the rules, see with_target().
+/// Replaces a running motion at the time t, ms; `from` is not used. Each ramp has the jerk that
+/// `percent` gives for a ramp from rest to `vel`. For the rules, see with_target().
 Trajectory move_absolute(const Trajectory& running, double t, const MoveAbsolute& move);
 
 /// A move from standstill with start and end velocities: GT_MoveAbsoluteEx (manual 7.7, I-104). The
-/// first members are those of MoveAbsolute.
+/// first six members are as in MoveAbsolute.
 struct MoveAbsoluteEx {
   double from = 0;
   std::int64_t pos = 0;
@@ -107,16 +108,16 @@ struct MoveAbsoluteEx {
 };
 
 /// Returns the move. The acceleration rises from accStartPercent of acc to acc; at the end, the
-/// deceleration falls from dec to decEndPercent of dec. Each takes the time ta of a full ramp, so
-/// `percent` keeps its meaning. Throws InputError if the distance is too short for the change from
-/// vel_start to vel_end.
+/// deceleration falls from dec to decEndPercent of dec. The rise and the fall each take the time ta
+/// that `percent` gives for their ramp, at any initial or final acceleration. Throws InputError if
+/// the distance is too short for the change from vel_start to vel_end.
 Profile move_absolute_ex(const MoveAbsoluteEx& move);
 
 /// Direction of a velocity move: MC_POSITIVE_DIRECTION, MC_NEGATIVE_DIRECTION,
 /// MC_CURRENT_DIRECTION.
 enum class Direction { positive, negative, current };
 
-/// A move at a velocity: GT_MoveVelocity (manual 7.8, I-105).
+/// A motion to a constant velocity: GT_MoveVelocity (manual 7.8, I-105).
 struct MoveVelocity {
   double vel = 0;         ///< velocity, pulse/ms; a negative value reverses the direction
   double acc = 0;         ///< acceleration while speeding up, pulse/ms^2, > 0

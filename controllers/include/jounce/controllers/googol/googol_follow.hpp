@@ -18,8 +18,8 @@ namespace jounce::googol {
 ///     axis.follow_data({20000, 10000, PtType::continued}, 1);  ...    // the other FIFO
 ///     axis.follow_switch(1);                  // after the pass that is running; then 0 is empty
 ///
-/// Functions return Refusal::none, or one of the refusals that their comments list. `fifo` is 0 or
-/// 1. Manual: 7.6, I-22 to I-30, I-65 to I-68, I-110, I-136 to I-139.
+/// Functions return Refusal::none, or one of the refusals that their comments list. `fifo` is 0
+/// or 1. Manual: 7.6, I-22 to I-30, I-65 to I-68, I-110, I-136 to I-139.
 /// docs/decisions/0030-follow-tables.md defines the behavior that the manual does not define.
 class FollowFifos {
  public:

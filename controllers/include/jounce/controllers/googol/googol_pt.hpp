@@ -37,7 +37,7 @@ const char* explain(Refusal refusal);
 /// Use of the FIFOs: as two tables (PT_MODE_STATIC), or as one stream (PT_MODE_DYNAMIC).
 enum class PtMode : std::uint8_t { fixed = 0, dynamic = 1 };
 
-/// True if the number is that of a FIFO: 0 or 1.
+/// True if the number is a valid FIFO: 0 or 1.
 constexpr bool is_fifo(int fifo) {
   return fifo == 0 || fifo == 1;
 }

@@ -20,8 +20,8 @@ namespace jounce::himc {
 /// phase takes Ta + Ts, where Ta is the time of the phase without smoothing. With Ts = 0, the
 /// profile is a trapezoid. A ramp that is too short to reach the acceleration has the same jerk.
 ///
-/// **Units** are those of HMPL: mm or deg for positions, ms for the times of this struct. The time
-/// of the resulting motions is in s.
+/// **Units** are the units of HMPL: mm or deg for positions, ms for the times of this struct. The
+/// time of the resulting motions is in s.
 struct AxisProfile {
   double velocity = 0;      ///< SetVel: velocity, mm/s, > 0
   double acceleration = 0;  ///< SetAcc: acceleration, mm/s^2, > 0; give either this or

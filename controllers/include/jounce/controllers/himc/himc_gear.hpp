@@ -74,7 +74,7 @@ GearAnswer gear_out(const Gears& gears, int slave);
 /// would then continue without a command.
 GearAnswer disable_gear(const Gears& gears, int slave);
 
-/// GetGearRatio: returns the ratio; 0 without a gear. This function and the three that follow
+/// GetGearRatio: returns the ratio; 0 without a gear. This function and the next three functions
 /// return 0 or false for a number that is not an axis.
 double gear_ratio(const Gears& gears, int slave);
 /// True if the slave is engaged.

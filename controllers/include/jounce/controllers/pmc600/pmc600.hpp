@@ -21,8 +21,8 @@
 /// 226, 251, 276, 301, 16#FFFFFF7 to 16#FFFFFF9).
 namespace jounce::pmc600 {
 
-/// Law of a change of velocity (manual 4.1, "velocity mode"). The names and laws are those of
-/// SMC_INT_VELMODE in CODESYS.
+/// Law of a change of velocity (manual 4.1, "velocity mode"). SMC_INT_VELMODE in CODESYS has the
+/// same names and laws.
 enum class VelocityMode {
   /// Constant acceleration.
   trapezoid = 0,
@@ -41,8 +41,8 @@ enum class VelocityMode {
 Trajectory move_absolute(double from, double to, const Dynamics& dynamics,
                          VelocityMode mode = VelocityMode::trapezoid);
 
-/// Default of StartVel and EndSecondVel, u/s. If the velocity of the move is lower than the
-/// default, it replaces the default.
+/// Default of StartVel and EndSecondVel, u/s. If the velocity of the move is lower than this value,
+/// the default is the velocity of the move.
 inline constexpr double default_end_velocity = 20;
 
 /// LS_MoveAbs and LS_MoveRel (manual 5.2.4): a trapezoid whose velocity steps from rest to a start
@@ -90,8 +90,8 @@ Trajectory position_to_velocity(const PositionToVelocity& move);
 // with_target(); for LS_MoveChangeVel, MC_Halt and MC_Stop use with_velocity().
 
 /// MC_MoveAdditive: from t on, moves to the previous target plus `distance` (u), with these
-/// dynamics. After a velocity command (a motion that ends at a velocity), `distance` counts from
-/// the position at t.
+/// dynamics. After a velocity command (a motion that ends at a nonzero velocity), `distance` counts
+/// from the position at t.
 Trajectory move_additive(const Trajectory& running, double t, double distance,
                          const Dynamics& dynamics);
 

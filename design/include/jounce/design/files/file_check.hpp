@@ -25,8 +25,8 @@ struct EngageTexts {
 /// unit of the member, and for an input without a spec with [coupling].
 EngageState engage_state(const Input& input, const EngageTexts& texts);
 
-/// Returns the report of `jounce check` for one axis: that of checked(), the peaks without a limit,
-/// and a warning if no limits are given.
+/// Returns the report of `jounce check` for one axis: the report of checked(), the peaks without a
+/// limit, and a warning if no limits are given.
 Report axis_report(const Input& input, int continuity = 1, const EngageState& at = {});
 
 /// The check of all axes of a file, and of the path that they follow.
@@ -37,7 +37,7 @@ struct FileCheck {
   /// True if no limit is broken. `strict` counts a warning as a broken limit.
   [[nodiscard]] bool ok(bool strict = false) const;
 };
-/// `reports` of the axes, such as axis_report().
+/// Returns the check of a file. `reports`: one report for each axis, such as axis_report().
 FileCheck file_check(const std::vector<Input>& axes, std::vector<Report> reports);
 
 /// Returns the answer of `jounce check`: path_text() or overlap_text() if the axes follow a path,

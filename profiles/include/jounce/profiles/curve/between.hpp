@@ -18,8 +18,8 @@ namespace jounce {
 /// segments). The result has the policy of f. Exception: a part of a periodic curve has the policy
 /// `hold`. The result is exact: the only new breaks are `from` and `to`.
 ///
-/// Throws InputError if from >= to, if the interval exceeds that of an f with the policy `refuse`,
-/// or if a periodic curve would need more segments.
+/// Throws InputError if from >= to, if the interval exceeds the interval of an f with the policy
+/// `refuse`, or if a periodic curve would need more segments.
 template <class Over>
 Curve<Over> between(const Curve<Over>& f, double from, double to);
 

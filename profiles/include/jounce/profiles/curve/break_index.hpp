@@ -27,8 +27,8 @@ namespace jounce {
 /// **Intervals** are counted from 0. They are half-open: [breaks[i], breaks[i + 1]) for
 /// Side::right, (breaks[i], breaks[i + 1]] for Side::left. A position before the first break
 /// belongs to the first interval, and a position after the last break to the last interval. The
-/// result is exactly that of a search through all breaks: find() bisects in a cell with many
-/// breaks. Only the constructor throws, and only std::bad_alloc.
+/// result is exactly the same as from a search through all breaks: find() bisects in a cell with
+/// many breaks. Only the constructor throws, and only std::bad_alloc.
 class BreakIndex {
  public:
   static constexpr std::size_t few = 4;  ///< up to this number of intervals, no cells are stored
@@ -44,7 +44,7 @@ class BreakIndex {
   }
 
   /// Returns the index of the first interval that overlaps the cell of x. This index never exceeds
-  /// that of find(x), and is rarely far below. The function reads no break, so a caller can use the
+  /// find(x), and is rarely far below it. The function reads no break, so a caller can use the
   /// result to prefetch the breaks.
   [[nodiscard]] std::size_t near(double x) const { return before_.empty() ? 0 : before_[cell(x)]; }
 
@@ -64,8 +64,8 @@ class BreakIndex {
   std::vector<std::uint32_t> before_;
 };
 
-// Every operation of cell() is monotone in x, rounding included. So a break in a cell before that
-// of x lies before x, and find() compares x only with the breaks in the cell of x.
+// Every operation of cell() is monotone in x, rounding included. So a break in a cell before the
+// cell of x lies before x, and find() compares x only with the breaks in the cell of x.
 
 inline std::size_t BreakIndex::cell(double x) const {
   const double at = (x - start_) * cells_per_unit_;

@@ -21,7 +21,7 @@ struct Range {
   Extremum min;
   Extremum max;
 
-  /// The one of larger magnitude.
+  /// The extremum of larger magnitude.
   [[nodiscard]] const Extremum& peak() const;
 };
 

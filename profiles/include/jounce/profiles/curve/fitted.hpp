@@ -14,7 +14,7 @@ namespace jounce {
 ///     Report report = check(slave.curve, limits);       // a curve like any other
 ///
 /// **How.** The curve consists of polynomials of degree 11. At both ends of each piece, the
-/// polynomial has the value and the first five derivatives of the function, so the joints are as
+/// polynomial has the value and the first five derivatives of the function, so the breaks are as
 /// smooth as the function. Pieces are halved until the error bound is within the tolerance. A piece
 /// of the function that fits a Segment is exact.
 ///

@@ -26,8 +26,8 @@ Turned rolled(double x, double period);
 /// Returns turns * period + position, rounded once.
 double unrolled(const Turned& spot, double period);
 
-/// Direction to a target on a modulo axis. The values are those of MC_DIRECTION (PMC600 manual,
-/// section 4.1).
+/// Direction to a target on a modulo axis. MC_DIRECTION (PMC600 manual, section 4.1) has the same
+/// numbers.
 enum class Direction {
   negative = -1,
   shortest = 0,
@@ -38,7 +38,7 @@ enum class Direction {
 
 /// Target of a move on a modulo axis.
 struct ModuloTarget {
-  /// Not ok: the reason why there is no target. Possible for every direction except `shortest`.
+  /// If not ok: the reason why there is no target. `shortest` always has a target.
   MoveStatus status = MoveStatus::ok;
   double distance = 0;  ///< u, signed, from the present position
   double position = 0;  ///< u, not reduced: present position + distance

@@ -25,7 +25,7 @@ namespace jounce {
 /// **No answer.** A function returns std::nullopt in these cases: no such motion exists; a value is
 /// not finite; a limit is not positive; a limit or a nonzero distance is below 1e-30; or a finite
 /// input is above 1e30. The functions do not throw or allocate. If the jerk is infinite, the
-/// answers are those of trapezoids.
+/// answers apply to trapezoids.
 ///
 /// **Accuracy**: the relative error is at most 1e-14 if the question is well-conditioned. Results
 /// do not depend on the unit. The derivation is in query.cpp.
@@ -82,7 +82,7 @@ std::optional<double> peak_velocity(double distance, const SpanEnds& ends,
 
 /// Returns the duration of the fastest motion over the given distance > 0, between the velocities
 /// of `ends`. The motion consists of a ramp to the peak velocity, a cruise, and a ramp to the exit
-/// velocity. The duration equals that of move_to() between the same states.
+/// velocity. The duration equals the duration of move_to() between the same states.
 std::optional<double> minimum_duration(double distance, const SpanEnds& ends,
                                        const Ramp& ramp) noexcept;
 

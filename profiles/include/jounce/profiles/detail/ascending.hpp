@@ -10,7 +10,7 @@
 
 namespace jounce::profiles_detail {
 
-/// Throws InputError unless the `time` of every event is finite and greater than that of the
+/// Throws InputError unless the `time` of every event is finite and greater than the time of the
 /// previous event. The key of the error counts from 1: `key[2].time`.
 template <class Event>
 void require_ascending(const std::string& key, std::span<const Event> events) {

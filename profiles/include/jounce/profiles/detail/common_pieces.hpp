@@ -16,7 +16,7 @@ inline bool same_place(double a, double b, double scale) {
 
 /// Calls visit(start, f_part, i, g_part, k) for each stretch on which each of the two curves is a
 /// single segment, within the interval that both share. f_part is the part of segment i of f,
-/// g_part that of segment k of g; both have the same length. Two breaks that differ only by
+/// g_part the part of segment k of g; both have the same length. Two breaks that differ only by
 /// rounding count as one, at the break of f.
 template <class Over, class Visit>
 void for_common_pieces(const Curve<Over>& f, const Curve<Over>& g, Visit visit) {

@@ -142,8 +142,8 @@ JOUNCE_INLINE Real cube_root(Real x, Real per_x) {
   return cube_root_near(rough_cube_root(x), per_x);
 }
 
-/// Returns the cube root of one double. The root of 8 x is exactly twice that of x, so units that
-/// differ by powers of two give the same result.
+/// Returns the cube root of one double. The root of 8 x is exactly twice the root of x, so units
+/// that differ by powers of two give the same result.
 JOUNCE_INLINE double cube_root_in_units(double x, double per_x) {
   const std::uint64_t third = std::bit_cast<std::uint64_t>(x) / 3;
   return cube_root_near(std::bit_cast<double>(third + 0x2a9f789300000000U), per_x);

@@ -10,7 +10,7 @@
 #include "jounce/profiles/limits/limits.hpp"
 
 // Turns extrema into the findings of `check`. A curve gives the extrema of each of its segments; a
-// table gives only those that can affect the result.
+// table gives only the extrema that can affect the result.
 namespace jounce::profiles_detail {
 
 /// A limit on one derivative, to one side.
@@ -32,7 +32,7 @@ inline constexpr double forgiven = 1e-12;
 /// Collects the ranges of all segments and makes the report.
 class LimitCheck {
  public:
-  /// `names`: those of the value and its derivatives. `stroke`: range of the position; used only if
+  /// `names`: names of the value and its derivatives. `stroke`: range of the position; used only if
   /// needs_stroke().
   LimitCheck(const Limits& limits, const std::array<const char*, 4>& names, double stroke);
   /// True if the position is limited at one end only: the stroke is then the scale of its margin.
@@ -47,7 +47,8 @@ class LimitCheck {
   /// closer to it than an earlier segment.
   void consider(std::size_t bound, const Range& range, double start, double end,
                 std::size_t segment);
-  /// Returns the value closest to a bound among those that keep it; nothing if none was considered.
+  /// Returns the value closest to a bound, among the values that satisfy it; nullopt if no value
+  /// was considered.
   [[nodiscard]] std::optional<double> closest(std::size_t bound) const;
 
   /// The report on all considered ranges.

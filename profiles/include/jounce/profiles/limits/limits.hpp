@@ -50,15 +50,16 @@ struct Finding {
                                        ///< finding has no segment
   std::string advice;                  ///< suggested change; may be empty
   std::string unit = {};               ///< unit of value and limit; empty: the quantity defines it
-  std::string where_unit = {};         ///< unit of `where`; empty: that of the time or the master
+  /// unit of `where`; empty: the unit of the time or the master
+  std::string where_unit = {};
   Severity severity = Severity::required;  ///< kind of the finding
   /// False for a step or a figure without a limit. `limit` and `margin` are then used only to order
   /// the findings.
   bool has_limit = true;
 };
 
-/// Result of a check. A check does not print. It returns a finding for a broken rule, and throws
-/// only for invalid arguments.
+/// Result of a check. A check does not print. It returns its results as findings, broken or not,
+/// and throws only for invalid arguments.
 struct Report {
   std::vector<Finding> findings;  ///< in the order of sort()
 
@@ -80,7 +81,7 @@ template <class Over>
 Report check(const Curve<Over>& f, const Limits& limits);
 
 /// Checks the continuity of the value and of its derivatives up to this order (0 to 3). The steps
-/// are those of largest_jump(): they include the joint of the end with the start of a periodic
+/// are the results of largest_jump(): they include the step from the end to the start of a periodic
 /// curve, and the steps from and to rest at the ends of a curve with the policy `hold`. A rule is
 /// broken if a step exceeds `tolerance` times the stroke of the value (order 0) or the peak
 /// magnitude of the derivative (orders 1 to 3), and also exceeds rounding. The default 1e-9 permits

@@ -14,9 +14,9 @@ enum class RuleFamily : std::uint8_t {
   limit,       ///< a quantity against its limit
   unlimited,   ///< the peak of a quantity that has no limit
   objective,   ///< the place where a quantity that is minimized has its peak
-  continuity,  ///< a step at a joint, against the required order of continuity
+  continuity,  ///< a step at a break, against the required order of continuity
   table,       ///< a table against its exact curve
-  joint,       ///< a step at a joint that is permitted
+  joint,       ///< a permitted step at a break
   kept,        ///< a step that an optimization left as it was
   polydyne,    ///< a cam for a load on a spring
   warning,     ///< perhaps not intended: an overshoot, a reversal

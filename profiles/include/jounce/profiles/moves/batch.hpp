@@ -32,8 +32,8 @@ struct MoveColumns {
 /// (asserts) that `durations`, a nonempty `peak` and every column with one value for each move have
 /// the same size.
 ///
-/// Uses the widest vectors of the processor (AVX-512, AVX2, or the baseline). The result differs
-/// from that of query.hpp by at most 1e-12, relatively. Does not allocate or throw.
+/// Uses the widest vectors of the processor (AVX-512, AVX2, or the baseline). The relative
+/// difference from the result of query.hpp is at most 1e-12. Does not allocate or throw.
 void minimum_durations(const MoveColumns& moves, std::span<double> durations,
                        std::span<double> peak = {}) noexcept;
 

@@ -13,7 +13,7 @@ namespace jounce {
 ///     const MoveResult move = move_to(from, to, bounds);
 ///     if (!move) throw std::runtime_error(explain(move.status, from, to, bounds));
 ///
-/// Units: those of the arguments.
+/// The numbers in the sentence have the units of the arguments.
 std::string explain(MoveStatus status, const MotionState& from, const MotionState& to,
                     const Bounds& bounds);
 

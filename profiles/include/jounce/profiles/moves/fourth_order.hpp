@@ -32,8 +32,8 @@ struct FourthOrderSpec {
 ///
 /// Source: Lambrechts, Boerlage, Steinbuch, "Trajectory planning and feedforward design for
 /// electromechanical motion systems", Control Engineering Practice 13 (2005). With a cruise, the
-/// move is the profile of this paper. Shorter moves are up to 7 % faster than those of the paper
-/// (derivation: fourth_order.cpp).
+/// move is the profile of this paper. Shorter moves are up to 7 % faster than the moves of the
+/// paper (derivation: fourth_order.cpp).
 Trajectory fourth_order(const FourthOrderSpec& spec);
 
 }  // namespace jounce

@@ -90,7 +90,7 @@ struct MoveResult {
 /// A target at rest is not passed, and the axis does not reverse, if the fastest stop does not pass
 /// the target. The acceleration limit has one exception: the axis is braking harder than the limit
 /// at the start, and with the limit would pass a target at rest. Then the deceleration stays above
-/// the limit, by only as much as the stop needs, and never above that of the start.
+/// the limit, by only as much as the stop needs, and never above the deceleration at the start.
 ///
 /// **The target** must be inside the bounds. A quantity that may step (such as the acceleration of
 /// a second-order motion) steps to its target value at the end.

@@ -21,8 +21,8 @@ namespace jounce {
 ///     while (!xy.step(0.001).arrived) output(xy[0].position, xy[1].position);
 ///
 /// **Start.** Every axis begins at rest at position 0. An axis takes part as soon as it has bounds.
-/// Without a target, it comes to rest. When an axis reaches a target with a velocity, it continues
-/// at this velocity.
+/// Without a target, it comes to rest. When an axis reaches a target with a nonzero velocity, it
+/// continues at this velocity.
 ///
 /// **Errors.** Nothing allocates, locks or throws. An axis index must be less than N. A setter
 /// rejects invalid bounds, states and targets with a status that is not ok; the previous value

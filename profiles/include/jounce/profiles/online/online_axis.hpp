@@ -58,7 +58,7 @@ class OnlineAxis {
   void bend() noexcept { bent_ = true; }
 
   /// Reacts to a goal that cannot be reached, for the given reason. refuse(): the present motion
-  /// continues if it keeps the bounds; otherwise the axis stops. halt(): the axis stops.
+  /// continues if it stays within the bounds; otherwise the axis stops. halt(): the axis stops.
   /// reconsider(): requests a new plan for an axis that was refused.
   void refuse(MoveStatus why) noexcept;
   void halt(MoveStatus why) noexcept;
@@ -118,7 +118,7 @@ class OnlineAxis {
   MoveGoal aim_goal_ = MoveGoal::velocity;
   Purpose purpose_ = Purpose::stop;
   bool bent_ = false;  ///< the motion leaves the straight line
-  /// A target with a velocity was reached: the axis continues at this velocity.
+  /// A target with a nonzero velocity was reached: the axis continues at this velocity.
   bool passed_ = false;
   MoveStatus status_ = MoveStatus::ok;
 };

@@ -28,8 +28,9 @@ struct OnlineGroup {
   std::span<Profile> next, rests;
   Sync sync;
   double grid;
-  bool regroup;       ///< plan all axes, even those whose motion still fits
-  bool bent = false;  ///< planned with Sync::time, because no motion on the line keeps the bounds
+  bool regroup;  ///< plan all axes, even those whose motion still fits
+  /// planned with Sync::time, because no motion on the line stays within the bounds
+  bool bent = false;
 
   OnlineStep step(double dt) noexcept;
 

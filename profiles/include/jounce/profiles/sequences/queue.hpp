@@ -35,11 +35,11 @@ namespace jounce {
 /// command that would begin in a state beyond the range of move_to(). Every other queue has a
 /// motion.
 
-/// When a command begins, relative to the previous command. The numbers are those of the
-/// controllers.
+/// When a command begins, relative to the previous command. The controllers use the same numbers.
 enum class BufferMode : std::uint8_t {
   aborting = 0,  ///< at once, when issued; ends the running command and removes all that wait
-  buffered = 1,  ///< when the previous command is done, that is, at rest or in velocity
+  /// when the previous command is done: at rest or, for MoveVelocity, at its velocity
+  buffered = 1,
   /// At the end position of the previous command, with the lower of the two command velocities.
   blending_low = 2,
   blending_previous = 3,  ///< like blending_low, with the velocity of the previous command
@@ -67,7 +67,7 @@ struct MoveVelocity {
 /// MC_Halt: a stop, at any position. Done at rest.
 struct Halt {};
 
-/// Waits in the state in which the previous command ended: at rest or, after MoveVelocity, in
+/// Waits in the state in which the previous command ended: at rest or, after MoveVelocity, at its
 /// velocity.
 struct Dwell {
   double time = 0;  ///< s, >= 0; need not be a multiple of a cycle (PMC600 manual 7.2.6, GroupWait)
@@ -85,9 +85,9 @@ struct QueuedCommand {
   Dynamics dynamics = {};
   /// For the first command, only `aborting` has an effect: it permits `issued`.
   BufferMode mode = BufferMode::buffered;
-  /// Time at which an aborting command is issued: s, >= 0, not before that of the previous abort.
-  /// Required for an aborting command, except for the first command; not permitted otherwise. A
-  /// Dwell can abort only as the first command.
+  /// Time at which an aborting command is issued: s, >= 0, not before the previous aborting
+  /// command. Required for an aborting command, except for the first command; not permitted
+  /// otherwise. A Dwell can abort only as the first command.
   std::optional<double> issued = {};
 };
 

@@ -39,8 +39,8 @@ struct Notched {
 /// Segment. Taylor polynomials of degree 10 over steps of an eighth of a radian replace them, with
 /// a bounded remainder. When the rest of the tail is below `settled` times the travel, a quintic
 /// ends the motion at rest. `error` bounds both approximations. The acceleration of the result is
-/// continuous where that of f is continuous. Before and after its interval, f counts as at rest,
-/// even if its policy is `refuse`.
+/// continuous where the acceleration of f is continuous. Before and after its interval, f counts as
+/// at rest, even if its policy is `refuse`.
 ///
 /// Throws InputError for a value out of range, for a motion that is periodic or does not move, and
 /// for a motion so long that it needs more than a million steps.

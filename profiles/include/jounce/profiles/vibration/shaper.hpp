@@ -43,9 +43,9 @@ struct ShaperSpec {
 ///     const double left = residual_vibration(quiet, {5.5, 0.03});      // 0, to rounding
 ///
 /// Sources: Smith 1957 (zv), Singer & Seering 1990 (zvd), Singhose, Seering & Singer 1994 (ei). For
-/// a damped mode, the amplitudes of ei are those of the undamped shaper, scaled by the decay of the
-/// mode. So exactly `tolerance` remains at the frequency of the mode, and little remains at the two
-/// neighboring frequencies where the undamped shaper leaves no vibration.
+/// a damped mode, the amplitudes of ei are the amplitudes of the undamped shaper, scaled by the
+/// decay of the mode. So exactly `tolerance` remains at the frequency of the mode, and little
+/// remains at the two neighboring frequencies where the undamped shaper leaves no vibration.
 ///
 /// Throws InputError for a mode or tolerance out of range; for ei also if the damping of the mode
 /// is so strong that no middle impulse > 0 leaves the tolerance.

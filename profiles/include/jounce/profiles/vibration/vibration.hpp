@@ -11,8 +11,8 @@ namespace jounce {
 ///
 ///     (1)  x'' + 2 D w x' + w^2 x = w^2 f(t),   w = 2 pi frequency
 ///
-/// f(t) is the position of the axis. `frequency` is the undamped one. A measured decay oscillates
-/// with frequency * sqrt(1 - D^2), which differs by 0.05 % at D = 0.03.
+/// f(t) is the position of the axis. `frequency` is the undamped frequency. A measured decay
+/// oscillates with frequency * sqrt(1 - D^2), which differs by 0.05 % at D = 0.03.
 struct Mode {
   double frequency = 0;  ///< Hz, > 0
   double damping = 0;    ///< D, a ratio: 0 <= D < 1

@@ -14,7 +14,7 @@ struct Chords {
 
 /// Returns the velocity at a knot between two pieces of lengths h0, h1 with chords d0, d1: the
 /// weighted harmonic mean of Fritsch and Butland; 0 if the chords differ in sign. Its magnitude is
-/// at most 3 times that of the smaller chord.
+/// at most 3 times the magnitude of the smaller chord.
 double between_chords(double h0, double d0, double h1, double d1);
 
 /// Writes the velocities of between_chords() to v. At open ends the limited three-point formula

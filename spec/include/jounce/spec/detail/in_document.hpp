@@ -12,7 +12,7 @@ inline InputError renamed(const InputError& error, const std::string& key) {
   return {key, error.value(), error.rule()};
 }
 
-/// Calls make() and converts the keys of its InputError to those of the document: fields of a
+/// Calls make() and converts the keys of its InputError to keys of the document: fields of a
 /// generator are in `table`, and limits of the slave in [limits.slave].
 template <class Make>
 auto in_document(const std::string& table, const Make& make) -> decltype(make()) {

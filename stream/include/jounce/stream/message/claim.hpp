@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// Times of a claim.
+/// Times of a claim. A claim is *up* when its executor owns the names (Claim::up()).
 struct ClaimOptions {
   /// Time between two requests before the claim is up.
   Nanos repeat = std::chrono::milliseconds(30);
@@ -26,7 +26,7 @@ struct ClaimOptions {
 ///
 ///     Claim claim({"feeder", "knife"}, random_id());
 ///     claim.receive(message, now);                       // each arrived message
-///     for (const auto& m : claim.poll(now)) ...          // to be sent
+///     for (const auto& m : claim.poll(now)) ...          // send each one
 ///     if (claim.lost()) ...                              // another executor has this name
 ///     if (claim.up()) ...                                // all names are this executor's
 ///

@@ -69,7 +69,7 @@ enum class Refusal : std::int8_t {
   hash_mismatch,  ///< all chunks have arrived, but the table differs from the announced one
   bad_table,      ///< the table is invalid: see the reason
   table_missing,  ///< the table to be armed has not arrived completely
-  wrong_axis,     ///< a table over time where one over a master is required, or the reverse
+  wrong_axis,     ///< a table over time where a table over a master is required, or the reverse
   wrong_unit,     ///< a table or queue over time that is not in s, or a master in another unit
   not_armed,      ///< a start, but nothing is armed
   axis,           ///< rejected by the axis: see the reason
@@ -215,7 +215,7 @@ struct QueueAck {
   /// All messages of rows with a number below this one have been accepted.
   std::array<std::uint32_t, 2> next{};
   std::array<std::uint64_t, 2> mask{};   ///< bit i: message next + 1 + i has arrived
-  std::array<std::uint32_t, 2> space{};  ///< free rows after those of the messages below `next`
+  std::array<std::uint32_t, 2> space{};  ///< free rows after the rows of the messages below `next`
   std::int64_t played = 0;  ///< number of rows that were played since the queue was opened
   Progress progress = Progress::none;  ///< progress of the motion
   Refusal refusal = Refusal::none;     ///< reason for rejecting the queue; permanent
@@ -223,7 +223,7 @@ struct QueueAck {
   std::string reason{};                ///< the reason as text; may be empty
 };
 
-/// A histogram of durations. Class 0 counts durations below 1 us, class i from 1 to 14 those from
+/// A histogram of durations. Class 0 counts durations below 1 us, class i (1 to 14) durations from
 /// 2^(i-1) us to below 2^i us, class 15 all others.
 using Histogram = std::array<std::int32_t, 16>;
 

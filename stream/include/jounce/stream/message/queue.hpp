@@ -25,7 +25,7 @@
 /// that leave the announced range are rejected. If the axis would leave the range for another
 /// reason, it stops.
 ///
-/// **Units**: u is the unit of the position p, m that of x (s over time).
+/// **Units**: u is the unit of the position p, m the unit of x (s over time).
 namespace jounce::wire {
 
 inline constexpr std::size_t rows_each = 200;  ///< greatest number of rows in a message: 12.8 KB
@@ -46,7 +46,8 @@ enum class RowOrder : std::int8_t {
 /// One piece of the curve. It begins at the end of the previous row. x and p count from the origin
 /// of the bank.
 struct Row {
-  double x_end = 0;                  ///< end of the row, m, greater than that of the previous row
+  /// end of the row, m, greater than the end of the previous row
+  double x_end = 0;
   double p_end = 0;                  ///< position at the end, u
   double v_start = 0;                ///< velocity at the start, u/m
   double v_end = 0;                  ///< velocity at the end, u/m

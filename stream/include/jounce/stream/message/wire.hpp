@@ -11,9 +11,9 @@
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/security/key.hpp"
 
-/// Conversion between messages and bytes. The bytes are those of the LCM types in stream/lcm, so
-/// every tool of LCM can read them. Arrays have a fixed size, so all messages of a type have the
-/// same length.
+/// Conversion between messages and bytes. The LCM types in stream/lcm define the bytes, so every
+/// tool of LCM can read them. Arrays have a fixed size, so all messages of a type have the same
+/// length.
 namespace jounce::wire {
 
 /// The bytes of a message.

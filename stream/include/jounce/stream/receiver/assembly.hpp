@@ -34,7 +34,7 @@ class Assembly {
   /// True if all chunks have arrived.
   [[nodiscard]] bool complete() const { return next_ == cut_.chunks; }
 
-  /// Returns the table if it is valid and the hash of the received data is the announced one;
+  /// Returns the table if it is valid and the hash of the received data equals the announced hash;
   /// otherwise a refusal. Requires a complete assembly. Call once.
   [[nodiscard]] std::variant<StoredTable, Refused> finish(const Sha256& announced);
 

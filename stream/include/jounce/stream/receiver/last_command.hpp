@@ -18,7 +18,7 @@ std::int32_t command_number(const wire::Body& body);
 ///     LastCommand last(boot);
 ///     if (last.begin(LastCommand::Kind::start, start.command)) ...   // else old or repeated
 ///     last.settle({});                                                 // accepted
-///     if (const auto reply = last.take_reply()) ...                    // each due one once
+///     if (const auto reply = last.take_reply()) ...                    // each due reply once
 class LastCommand {
  public:
   enum class Kind { heartbeat, arm, start, stop, command };
@@ -30,7 +30,8 @@ class LastCommand {
   /// recorded one and waits for its outcome. For a repeated command, the reply becomes due again;
   /// an older command has no effect.
   bool begin(Kind kind, std::int32_t number);
-  /// Replaces the recorded command by one with any number: the first command of another sender.
+  /// Replaces the recorded command by a command with any number: the first command of another
+  /// sender.
   void replace(Kind kind, std::int32_t number);
   /// Forgets the recorded command.
   void clear() { *this = LastCommand(reply_.boot); }

@@ -19,8 +19,8 @@ struct MasterIntakeOptions {
   Nanos forget = std::chrono::seconds(1);
 };
 
-/// Filters the messages about one master: accepts those with new content. A value type, without
-/// clock and network.
+/// Filters the messages about one master: accepts the messages with new content. A value type,
+/// without clock and network.
 ///
 ///     MasterIntake intake({.unit = "mm"});
 ///     if (intake.take(message, now)) line.receive(...);

@@ -27,7 +27,7 @@ struct QueueLimits {
 ///     if (const auto opened = queues.take_opened()) ...     // after every add() of a queue
 ///     queues.add(rows);
 ///     for (wire::Rows& ready : queues.take_rows()) ...      // in order, within the free space
-///     for (wire::QueueAck ack : queues.acks(boot)) ...      // each due one once
+///     for (wire::QueueAck ack : queues.acks(boot)) ...      // each due acknowledgment once
 ///     queues.clear();                                       // the session has ended
 class QueueIntake {
  public:

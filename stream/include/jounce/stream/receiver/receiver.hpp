@@ -123,7 +123,7 @@ using StreamEvent =
 ///
 ///     Receiver receiver({.executor = "feeder"}, random_id());
 ///     receiver.receive(message, now);                      // each arrived message
-///     for (const auto& answer : receiver.poll(now)) ...    // to be sent; calls every few ms
+///     for (const auto& answer : receiver.poll(now)) ...    // send each one; poll every few ms
 ///     while (const auto event = receiver.take_event()) ... // for the axis, in order
 ///     receiver.accept(arm.session, arm.command);           // the axis's answer
 ///
@@ -134,9 +134,9 @@ using StreamEvent =
 /// **Challenge.** A challenge is a number that every command must contain. The receiver draws a new
 /// one when the executor starts and when a session ends, so that older messages have no effect. The
 /// refusal `stale_challenge` contains the present challenge. Operators have no session; they have a
-/// separate challenge, which changes with each of their commands. Two stops need no newest
-/// challenge: while the axis is free, the last owner may stop it with the challenge of its session;
-/// and without a key, an operator may stop it with the challenge 0.
+/// separate challenge, which changes with each of their commands. In two cases, a stop does not
+/// need the newest challenge: while the axis is free, the last owner may stop it with the challenge
+/// of its session; and without a key, an operator may stop it with the challenge 0.
 class Receiver {
  public:
   /// `boot` > 0: a random number, different at each start. Throws InputError for an invalid name,

@@ -28,7 +28,7 @@ struct TableLimits {
 ///     if (Refused no = tables.add(header)) ...           // an answer to its sender
 ///     tables.add(chunk);
 ///     if (const auto ready = tables.take_ready()) ...    // after every add()
-///     for (wire::Ack ack : tables.acks(boot)) ...        // each due one once
+///     for (wire::Ack ack : tables.acks(boot)) ...        // each due acknowledgment once
 ///     tables.clear();                                    // the session has ended
 class TableIntake {
  public:

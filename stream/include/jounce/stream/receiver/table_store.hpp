@@ -18,8 +18,8 @@ struct StoredTable {
   std::shared_ptr<const Table> table;
 };
 
-/// Complete tables by their hash. A limit applies to their memory together with that of tables in
-/// transit.
+/// Complete tables by their hash. A limit applies to the memory of these tables and of the tables
+/// in transit together.
 ///
 /// New tables replace the oldest tables that have no other owner. So only the thread that owns the
 /// store frees the memory of a table, never a thread that has played the table.

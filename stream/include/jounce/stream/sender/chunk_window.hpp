@@ -24,11 +24,12 @@ struct Pace {
   Nanos fast_resend = std::chrono::milliseconds(2);
 };
 
-/// The chunks of one table in transit: selects those to be sent now, and those to be sent again.
-/// The method is selective repeat within a window. The time until a repeat follows the measured
-/// round trip (RFC 6298) and increases while no acknowledgment arrives. A chunk counts as lost if a
-/// chunk that was sent later has arrived (RFC 8985). If no acknowledgment arrives at all, only one
-/// chunk is repeated first, because a receiver that was merely delayed already has all others.
+/// The chunks of one table in transit: selects the chunks to be sent now, and the chunks to be sent
+/// again. The method is selective repeat within a window. The time until a repeat follows the
+/// measured round trip (RFC 6298) and increases while no acknowledgment arrives. A chunk counts as
+/// lost if a chunk that was sent later has arrived (RFC 8985). If no acknowledgment arrives at all,
+/// only one chunk is repeated first, because a receiver that was merely delayed already has all
+/// others.
 class ChunkWindow {
  public:
   /// `chunks`: number of chunks of the table.

@@ -30,7 +30,7 @@ struct ClientOptions {
 ///
 /// A call returns when the axis has accepted or rejected the command; the motion may not have ended
 /// yet. A call throws only InputError, for a value that is out of range for any axis, and
-/// TransportError. Units are those of the axis and of its master.
+/// TransportError. Units are the units of the axis and of its master.
 ///
 /// The first call opens a session: from then on, the client owns the axis. If another program owns
 /// the axis, the call is rejected with Refusal::busy. If no call is made for the session timeout of

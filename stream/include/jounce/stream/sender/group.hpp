@@ -27,7 +27,7 @@ struct GroupOptions {
 ///
 ///     Group group({plan_of("x"), plan_of("y")}, 11);
 ///     while (!group.ended()) {
-///       for (const auto& message : group.poll(now)) ...   // to be sent; calls every ms
+///       for (const auto& message : group.poll(now)) ...   // send each one; call poll() every ms
 ///       group.receive(message, now);                      // replies and statuses of all axes
 ///     }
 ///
@@ -42,7 +42,7 @@ class Group {
  public:
   /// `session` > 0: a random number. Throws InputError like Sender, for fewer than 2 plans, a
   /// duplicate name, or a plan with swaps. The goal and the start tick of each plan are replaced by
-  /// those of the group.
+  /// the goal and the tick of the group.
   Group(std::vector<StreamPlan> plans, std::int64_t session, GroupOptions options = {});
 
   /// Returns the messages to send now.

@@ -58,6 +58,7 @@ CallOutcome execute_command(Transport& link, const std::string& executor,
                             const ClientCommand& command, const ExecuteOptions& options = {},
                             const Clock& clock = steady_now);
 
+/// Result of stop_axis().
 struct StopResult {
   bool confirmed = false;          ///< true if the executor has accepted the stop
   std::optional<State> rest = {};  ///< state of the axis at rest; nullopt: the axis was not at rest

@@ -68,7 +68,7 @@ struct RowOutcome : CallOutcome {
 ///
 ///     RowSender sender({.executor = "feeder", .queue = queue, .rows = next_rows}, random_id());
 ///     while (!sender.ended()) {
-///       for (const auto& message : sender.poll(now)) ...   // to be sent; calls every ms
+///       for (const auto& message : sender.poll(now)) ...   // send each one; call poll() every ms
 ///       sender.receive(message, now);                      // each arrived message
 ///     }
 ///

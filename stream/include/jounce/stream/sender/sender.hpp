@@ -17,7 +17,8 @@
 
 namespace jounce {
 
-/// Times of a streamer. A stream fails when a patience is exceeded.
+/// Times of a streamer. A stream fails when one of the three waiting limits (`patience`,
+/// `command_patience`, `progress_patience`) is exceeded.
 struct SenderOptions {
   Pace pace;  ///< options for the chunks
   /// Time between two repetitions of a header or command without an answer.
@@ -69,7 +70,7 @@ struct StreamOutcome : CallOutcome {
 ///
 ///     Sender sender({.executor = "feeder", .tables = {{table, units}}}, random_id());
 ///     while (!sender.ended()) {
-///       for (const auto& message : sender.poll(now)) ...   // to be sent; calls every ms
+///       for (const auto& message : sender.poll(now)) ...   // send each one; call poll() every ms
 ///       sender.receive(message, now);                      // each arrived message
 ///       sender.hash();                                     // if none has arrived
 ///       if (sender.at_goal()) sender.release();            // or hold the session, or stop()
@@ -177,7 +178,8 @@ class Sender {
   Farewell farewell_;
   Nanos heard_{}, progressed_{}, sent_{};
   std::optional<Nanos> header_sent_;
-  std::optional<Nanos> named_;  ///< time since which a table without space is requested by its hash
+  /// time since which the sender asks, by its hash, for a table for which the executor had no space
+  std::optional<Nanos> named_;
 };
 
 }  // namespace jounce

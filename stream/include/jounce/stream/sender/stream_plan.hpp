@@ -53,7 +53,7 @@ struct StreamPlan {
 };
 
 /// Throws InputError for no tables, more than 64 tables, or a start tick below -1. Unless the goal
-/// is `download`, throws also for a swap to a table that does not exist, tables whose variables or
+/// is `download`, also throws for a swap to a table that does not exist, tables whose variables or
 /// units do not fit the mode, the mode `queue`, a position that is not finite, and an invalid
 /// coupling.
 void require_valid(const StreamPlan& plan);
