@@ -322,8 +322,7 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
     add(spec.fill);
     add(check_sync(spec));
     add(merged(table_warnings(spec), report));
-    if (std::holds_alternative<CamSpec>(spec.subject))
-      add(check_load(spec, std::get<Cam>(*input.curve)));
+    if (spec.is_cam()) add(check_load(spec, std::get<Cam>(*input.curve)));
     if (spec.disc) add(check_disc(spec, std::get<Cam>(*input.curve)));
     if (spec.coupling) add(check_coupling(spec, std::get<Cam>(*input.curve), at));
     if (spec.compare && !spec.compare->plane && spec.compare->axis == input.axis)

@@ -39,8 +39,7 @@ struct Chain {
 
 /// The law from 0 to 1 over a distance.
 std::vector<Segment> rise(Law law, double distance, const std::string& key_of_law) {
-  if (!has_own_shape(law) || law == Law::dwell || law == Law::scca ||
-      info(law).ends == Ends::rest_to_reversal)
+  if (!has_own_shape(law) || law == Law::dwell || law == Law::scca || reverses(info(law).ends))
     throw InputError(key_of_law, name(law), "must be a line or a law from rest to rest");
   std::vector<Segment> all = normalized(law);
   for (Segment& f : all) f.length *= distance;
