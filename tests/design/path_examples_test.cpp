@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The examples of the PMC600 manual, chapter 8, and of the HMPL manual, 8.1.6, take the times that closed forms give:
 // a move of length L from rest to rest takes L / v + v / a without, and L / v + v / a + a / j with a limit of jerk.
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -101,6 +102,47 @@ to = [-70.562711, 10.405001]
     EXPECT_EQ(check(coarse, axis.limits).ok(), axis.axis == "y") << "without limits";
     EXPECT_LE(axis.table.table.size(), coarse.size() + 40);
   }
+}
+
+/// A move whose table has the given keys.
+Input move_with_table(const std::string& keys) {
+  const std::string text = R"(
+jounce = 1
+kind = "move"
+units = { position = "mm", time = "s" }
+[move]
+profile = "s_curve"
+to = 50
+velocity = 10
+acceleration = 20
+jerk = 100
+[limits]
+velocity = 10
+acceleration = 20
+[table]
+)" + keys;
+  return inputs_of(parse_spec(text, "move.toml"), "move.toml").front();
+}
+
+TEST(Tables, OfTheFewestKnotsKeepTheLimitsOfTheirCurve) {
+  const Input fewest = move_with_table("knots = \"fewest\"\ntolerance = 0.01\n");
+  EXPECT_TRUE(check_all(fewest).ok());
+  EXPECT_LE(fewest.error->position, 0.01);
+}
+
+TEST(Tables, OfEqualIntervalsBeyondALimitAreFindings) {
+  const Input coarse = move_with_table("intervals = 7\n");
+  const Report report = check_all(coarse);
+  ASSERT_FALSE(report.ok());
+  EXPECT_TRUE(std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& f) {
+    return f.broken && f.axis == "table" && f.rule.family() == RuleFamily::limit &&
+           f.advice.find("increase intervals in [table]") != std::string::npos;
+  }));
+  const Input stepped = move_with_table("tolerance = 0.01\nposition_resolution = 0.001\n");
+  const Report of_steps = check_all(stepped);
+  EXPECT_TRUE(std::any_of(of_steps.findings.begin(), of_steps.findings.end(), [](const Finding& f) {
+    return f.broken && f.advice.find("remove its resolutions") != std::string::npos;
+  }));
 }
 
 TEST(PathExamples, OfAnOverlapTakesItsClosedForm) {
