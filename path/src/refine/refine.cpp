@@ -37,18 +37,18 @@ using path_detail::none;
 using profiles_detail::rounded_input;
 using profiles_detail::rounded_sum;
 
-constexpr std::size_t pieces_a_node = 4;    ///< on curves
-constexpr std::size_t nodes_a_stretch = 12;  ///< of the law, on all other pieces
+constexpr std::size_t pieces_a_node = 4;     ///< on curves
+constexpr std::size_t nodes_a_stretch = 12;  ///< for each stretch of the law, on all other pieces
 constexpr std::size_t least_nodes = 800;
 constexpr std::size_t most_nodes = 30000;
 /// B0 / B - 1 of the successive problems.
 constexpr double margins[] = {1.5, 1, 0.8, 0.6, 0.4, 0.3, 0.2, 0.12, 0.06, 0.03};
 constexpr double last_margin = 0.02;
-constexpr int corrections = 3;          ///< rounds in which limits are lowered
-constexpr double coarse_gap = 2e-2;     ///< share of the duration
+constexpr int corrections = 3;       ///< rounds in which limits are lowered
+constexpr double coarse_gap = 2e-2;  ///< share of the duration
 constexpr double fine_gap = 1e-3;
-constexpr double start_use = 0.9;       ///< greatest share of the limits of a start
-constexpr double least_gain = 1e-6;     ///< share of the duration of a run
+constexpr double start_use = 0.9;    ///< greatest share of the limits of a start
+constexpr double least_gain = 1e-6;  ///< share of the duration of a run
 constexpr std::size_t orders = 3;
 
 /// Squared velocities at places of a run; linear between them.
@@ -111,7 +111,6 @@ Speeds equal_times(const Speeds& speeds, std::size_t count) {
   out.b.push_back(0);
   return out;
 }
-
 
 /// Factors up to 1 of the limits of acceleration and jerk of each axis, over equal parts of a run.
 class Lowered {
@@ -211,7 +210,8 @@ class RunProblem {
     const std::size_t cells = p.cells.size();
     const PathPiece& piece = path_.pieces()[piece_index];
     std::array<Jet, max_axes> jets{};
-    path_.jets(piece_index, std::clamp(q - piece.start, 0.0, piece.length), std::span(jets).first(n_));
+    path_.jets(piece_index, std::clamp(q - piece.start, 0.0, piece.length),
+               std::span(jets).first(n_));
     const PathSettings& own = plan_.given().settings[piece.settings];
     // Coefficients of the three nodes from `first` on: of a, of j and of B.
     const std::size_t first = std::min(k > 0 ? k - 1 : 0, cells - 2);
@@ -284,11 +284,11 @@ class RunProblem {
     // The circle of the total acceleration is replaced by a polygon of sixteen sides within it.
     constexpr double inside = 0.98078528040323044913;  // cos(pi / 16)
     if (bend > 0 && limits.total_acceleration < none)
-      for (const double angle : {0.39269908169872415481, 0.78539816339744830962,
-                                 1.17809724509617246442})
+      for (const double angle :
+           {0.39269908169872415481, 0.78539816339744830962, 1.17809724509617246442})
         for (const double sign : {-1.0, 1.0})
-          row(sign * std::cos(angle), 0, std::sin(angle) * bend,
-              limits.total_acceleration * inside, 1);
+          row(sign * std::cos(angle), 0, std::sin(angle) * bend, limits.total_acceleration * inside,
+              1);
   }
 
   const Plan& plan_;
@@ -393,8 +393,8 @@ class Refinement {
     const auto stretches = plan_.law().stretches().subspan(run.begin, run.end - run.begin);
     const bool window = std::any_of(stretches.begin(), stretches.end(),
                                     [](const LawInterval& s) { return s.single_phase; });
-    return std::max(least_nodes, window ? run.pieces / pieces_a_node
-                                        : stretches.size() * nodes_a_stretch);
+    return std::max(least_nodes,
+                    window ? run.pieces / pieces_a_node : stretches.size() * nodes_a_stretch);
   }
 
   void refine(const Run& run) {
@@ -409,7 +409,7 @@ class Refinement {
       std::vector<LawInterval> next = law.law();
       const double factor = excess(run, next, law.lowered());
       const double time = (next.back().time + next.back().duration) * factor;
-        if (time < least) {
+      if (time < least) {
         least = time;
         for (LawInterval& s : next) s = slower(s, factor);
         best = std::move(next);
@@ -442,7 +442,7 @@ class Refinement {
               segment_range(segments[k], breaks[k], breaks[k + 1], static_cast<int>(order));
           const double use = (std::abs(range.peak().value) + axes.error[i][order]) / limit;
           if (!(use > 1)) continue;
-                stretch(order, use);
+          stretch(order, use);
           if (order > 1)
             lowered.lower(i, order - 1, trial.law().at(breaks[k]).position,
                           trial.law().at(breaks[k + 1]).position, 1 / use);
@@ -491,7 +491,7 @@ class Refinement {
 
   const Plan& plan_;
   std::vector<Run> runs_;
-  std::vector<std::vector<LawInterval>> laws_;  ///< of each run; empty: that of the plan
+  std::vector<std::vector<LawInterval>> laws_;  ///< one for each run; empty: that of the plan
 };
 
 }  // namespace

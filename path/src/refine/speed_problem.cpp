@@ -29,6 +29,7 @@ using profiles_detail::square;
 constexpr int most_steps = 60;
 constexpr double centering = 0.15;    ///< factor of the complementarity in each step
 constexpr double to_boundary = 0.99;  ///< share of the way to the nearest limit
+constexpr double shortest_step = 1e-6;
 
 /// A symmetric matrix with two diagonals beside the main one.
 struct Banded {
@@ -91,12 +92,13 @@ class InteriorPoint {
     for (int i = 0; i < most_steps; ++i) {
       double complementarity = 0;
       each_pair([&](const Pair& pair) { complementarity += pair.m * pair.s; });
-      if (complementarity <= gap * p_.duration(b_)) break;
-      mu = centering * complementarity / count;
+      const double residual = dual_residual();
+      const double allowed = gap * p_.duration(b_);
+      if (complementarity <= allowed && residual <= allowed) break;
+      mu = (residual > complementarity ? 1 : centering) * complementarity / count;
       assemble(mu);
       matrix_.solve(step_);
-      const double share = take(mu);
-      if (share < 1e-6) break;
+      if (take(mu) < shortest_step) break;
     }
     return b_;
   }
@@ -122,10 +124,37 @@ class InteriorPoint {
     for (std::size_t k = 0; k < b_.size(); ++k) top_[k].s = p_.most[k] - b_[k];
   }
 
+  /// Calls act(k, f') for both ends k of each cell.
+  template <class Act>
+  void each_slope(Act act) const {
+    const std::size_t last = b_.size() - 1;
+    for (std::size_t k = 0; k < last; ++k) {
+      const double u = std::sqrt(b_[k]);
+      const double w = std::sqrt(b_[k + 1]);
+      const double pull = p_.cells[k] / square(u + w);
+      if (k > 0) act(k, -pull / u);
+      if (k + 1 < last) act(k + 1, -pull / w);
+    }
+  }
+
+  /// The distance of f' + sum of m c from 0, as a time: each component times B.
+  double dual_residual() {
+    std::vector<double>& sum = step_;
+    std::fill(sum.begin(), sum.end(), 0.0);
+    each_slope([&](std::size_t k, double slope) { sum[k] += slope; });
+    for (std::size_t i = 0; i < p_.rows.size(); ++i)
+      for (std::size_t m = 0; m < 3; ++m)
+        sum[p_.rows[i].first + m] += (up_[i].m - down_[i].m) * p_.rows[i].c[m];
+    double time = 0;
+    for (std::size_t k = 1; k + 1 < b_.size(); ++k) time += std::abs(sum[k] + top_[k].m) * b_[k];
+    return time;
+  }
+
   /// The system (2); the right-hand side is in step_.
   void assemble(double mu) {
     matrix_.clear();
     std::fill(step_.begin(), step_.end(), 0.0);
+    each_slope([&](std::size_t k, double slope) { step_[k] -= slope; });
     const std::size_t last = b_.size() - 1;
     for (std::size_t k = 0; k < last; ++k) {
       const double h = p_.cells[k];
@@ -133,14 +162,9 @@ class InteriorPoint {
       const double w = std::sqrt(b_[k + 1]);
       const double sum = u + w;
       const double cube = profiles_detail::cube(sum);
-      if (k > 0) {
-        step_[k] += h / (sum * sum * u);
-        matrix_.d0[k] += h * (1 / (cube * u * u) + 0.5 / (sum * sum * u * u * u));
-      }
-      if (k + 1 < last) {
-        step_[k + 1] += h / (sum * sum * w);
+      if (k > 0) matrix_.d0[k] += h * (1 / (cube * u * u) + 0.5 / (sum * sum * u * u * u));
+      if (k + 1 < last)
         matrix_.d0[k + 1] += h * (1 / (cube * w * w) + 0.5 / (sum * sum * w * w * w));
-      }
       if (k > 0 && k + 1 < last) matrix_.d1[k] += h / (cube * u * w);
     }
     for (std::size_t i = 0; i < p_.rows.size(); ++i) {
@@ -192,9 +216,7 @@ class InteriorPoint {
     each(bound);
     for (std::size_t k = 1; k + 1 < b_.size(); ++k) limit(b_[k], step_[k]);
     share *= to_boundary;
-    each([&](Pair& pair, double ds) {
-      pair.m += share * ((mu - pair.m * ds) / pair.s - pair.m);
-    });
+    each([&](Pair& pair, double ds) { pair.m += share * ((mu - pair.m * ds) / pair.s - pair.m); });
     for (std::size_t k = 0; k < b_.size(); ++k) b_[k] += share * step_[k];
     set_slacks();
     return share;

@@ -15,8 +15,10 @@ namespace jounce {
 /// (docs/path/README.md, "Refinement"), stretched over time until the exact extrema of all axes are
 /// within their limits. So the guarantees of Plan hold. The velocity along a corner then varies.
 ///
-/// Refine a plan before an override: played(), halted() and resumed() plan a refined law again by
-/// stations, like the law of a window. Duration: about 1 s for a path of 1000 pieces. Deterministic.
+/// Other functions treat a refined law like the law of a window: halted() follows it to its next
+/// rest, and played() plans it again by stations. Runs of more than about 1250 corners or 120 000
+/// pieces of an average keep their laws. CPU time: about 1 s for a run of 2000 pieces.
+/// Deterministic.
 Plan refined(const Plan& plan);
 
 }  // namespace jounce
