@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "jounce/path/along.hpp"
@@ -41,6 +42,7 @@ constexpr std::size_t pieces_a_node = 4;     ///< on curves
 constexpr std::size_t nodes_a_stretch = 12;  ///< for each stretch of the law, on all other pieces
 constexpr std::size_t least_nodes = 800;
 constexpr std::size_t most_nodes = 30000;
+constexpr std::size_t most_nodes_of_all_runs = 400'000;
 /// B0 / B - 1 of the successive problems.
 constexpr double margins[] = {1.5, 1, 0.8, 0.6, 0.4, 0.3, 0.2, 0.12, 0.06, 0.03};
 constexpr double last_margin = 0.02;
@@ -375,10 +377,18 @@ class Refinement {
   explicit Refinement(const Plan& plan) : plan_(plan), runs_(runs_of(plan.law().stretches())) {}
 
   Plan run() {
-    for (const Run& run : runs_) {
-      laws_.emplace_back();
-      if (is_best(run)) continue;
-      refine(run);
+    laws_.resize(runs_.size());
+    std::vector<std::size_t> longest_first(runs_.size());
+    std::iota(longest_first.begin(), longest_first.end(), std::size_t{0});
+    std::stable_sort(longest_first.begin(), longest_first.end(), [&](std::size_t a, std::size_t b) {
+      return runs_[a].duration > runs_[b].duration;
+    });
+    std::size_t left = most_nodes_of_all_runs;
+    for (const std::size_t k : longest_first) {
+      const std::size_t nodes = nodes_of(runs_[k]);
+      if (is_best(runs_[k]) || nodes > std::min(left, most_nodes)) continue;
+      laws_[k] = faster(runs_[k], nodes);
+      left -= nodes;
     }
     return with(laws_);
   }
@@ -397,9 +407,8 @@ class Refinement {
                     window ? run.pieces / pieces_a_node : stretches.size() * nodes_a_stretch);
   }
 
-  void refine(const Run& run) {
-    const std::size_t nodes = nodes_of(run);
-    if (nodes > most_nodes) return;
+  /// A law that is faster than that of the plan; empty if none is found.
+  [[nodiscard]] std::vector<LawInterval> faster(const Run& run, std::size_t nodes) const {
     RunLaw law(plan_, run, nodes);
     for (const double margin : margins) law.solve(margin, coarse_gap);
     std::vector<LawInterval> best;
@@ -415,7 +424,7 @@ class Refinement {
         best = std::move(next);
       }
     }
-    laws_.back() = std::move(best);
+    return best;
   }
 
   /// The factor of the time with which a law of a run keeps all limits, by exact extrema. Lowers
