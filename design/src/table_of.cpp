@@ -30,7 +30,8 @@ double fine(const Curve<Over>& curve) {
 
 /// The table of fewest knots. Its errors have the keys of [table].
 template <class Over>
-Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& options) {
+Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& options,
+               const Limits& limits) {
   target.rule = rule_for(curve, options);
   target.tolerance = options.tolerance;
   if (!target.tolerance && !target.velocity_tolerance && !target.most)
@@ -39,7 +40,7 @@ Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& opti
   try {
     if (target.velocity_tolerance)
       require_certifiable(derivative(curve), "velocity_tolerance", *target.velocity_tolerance);
-    return reduced(curve, target);
+    return reduced(curve, target, limits);
   } catch (const InputError& error) {
     throw InputError("table." + spec_key(axis, error.key()), error.value(), error.rule());
   }
@@ -50,7 +51,7 @@ Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& opti
 template <class Over>
 Sampled table_of(const Curve<Over>& curve, const TableOptions& options, const Limits& limits) {
   if (options.tolerance) require_certifiable(curve, "table.tolerance", *options.tolerance);
-  if (options.target) return fewest(curve, *options.target, options);
+  if (options.target) return fewest(curve, *options.target, options, limits);
   const Interpolation rule = rule_for(curve, options);
   if (options.intervals) return sample(curve, rule, *options.intervals);
   return sample_within(curve, rule, options.tolerance ? *options.tolerance : fine(curve), limits);
