@@ -81,7 +81,7 @@ TEST(LawEnds, AHarmonicCombinationLeadsFromAVelocityToAReversal) {
     double lambda = 0;
     words >> v0 >> lambda;
     CamSpec spec = one(Law::harmonic_combination_gu, v0, 0, {.inflection = lambda});
-    if (v0 == 0) spec.start.geo_acceleration = 0;  // which of its two ends at rest is the reversal
+    if (v0 == 0) spec.start.geo_acceleration = 0;  // the end at rest that is the reversal
     const Cam cam = design(spec).cam;
     expect_oracle(cam, name);
     EXPECT_EQ(cam.segments().size(), 3U) << "as LCamHdl needs";
