@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "jounce/base/listed.hpp"
+
 namespace jounce {
 namespace {
 
@@ -16,11 +18,9 @@ std::string commit_text(const BuildInfo& build) {
   return build.commit + ", " + build.date + (build.changed ? ", with changes" : "");
 }
 
-std::string listed(const std::vector<std::pair<std::string, std::string>>& all,
-                   const std::string& join) {
-  std::string out;
-  for (const auto& [name, value] : all) out += (out.empty() ? "" : ", ") + name + join + value;
-  return out;
+std::string pairs_text(const std::vector<std::pair<std::string, std::string>>& all,
+                       const std::string& join) {
+  return listed(all, [&](const auto& pair) { return pair.first + join + pair.second; });
 }
 
 }  // namespace
@@ -28,8 +28,8 @@ std::string listed(const std::vector<std::pair<std::string, std::string>>& all,
 std::string build_text(const BuildInfo& build) {
   return "jounce " + build.version + "\n" + line("commit", commit_text(build)) +
          line("compiler", build.compiler) + line("build", build.build_type) +
-         line("libraries", listed(build.libraries, " ")) +
-         line("options", listed(build.options, "="));
+         line("libraries", pairs_text(build.libraries, " ")) +
+         line("options", pairs_text(build.options, "="));
 }
 
 std::string build_json(const BuildInfo& build) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "jounce/design/axes.hpp"
+#include "jounce/design/over_time.hpp"
 
 #include "cli/common/option_names.hpp"
 
@@ -16,6 +17,12 @@ std::vector<Input> axis_of(std::vector<Input> all, const std::string& path,
 }
 
 }  // namespace
+
+std::vector<Input> over(const std::string& what, std::vector<Input> all) {
+  for (Input& input : all)
+    input = with_option_names({"over"}, [&] { return over(what, std::move(input)); });
+  return all;
+}
 
 Input only_one(std::vector<Input> all, const std::string& path) {
   return with_option_names({"axis"}, [&] { return only_axis(std::move(all), path); });

@@ -23,6 +23,9 @@ Input load(const std::string& path, const std::string& axis = "", bool decimal_c
 Input load_program_axis(const std::string& path, const std::string& machine,
                         const std::string& axis);
 
+/// Calls over() of design/over_time.hpp for each input. Throws InputError for --over.
+std::vector<Input> over(const std::string& what, std::vector<Input> all);
+
 /// Returns the only one of the axes of a file. Throws InputError for --axis if there are several.
 Input only_one(std::vector<Input> all, const std::string& path);
 

@@ -27,13 +27,14 @@ auto under_option(const std::string& option, const Act& act) {
   }
 }
 
-/// The same for errors of these keys only: each gets the name of its option.
+/// The same for errors of these keys only, if they are in no document: each gets the name of its option.
 template <class Act>
 auto with_option_names(std::initializer_list<std::string_view> keys, const Act& act) {
   try {
     return act();
   } catch (const InputError& error) {
-    if (std::find(keys.begin(), keys.end(), error.key()) == keys.end()) throw;
+    const bool of_option = std::find(keys.begin(), keys.end(), error.key()) != keys.end();
+    if (!of_option || !error.document().empty()) throw;
     throw InputError(option_of(error.key()), error.value(), error.rule());
   }
 }

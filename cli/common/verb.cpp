@@ -152,6 +152,12 @@ Option Verb::axis(std::string& target) const {
       "Name of the axis in a spec with several axes, or of the cam in a file with several cams");
 }
 
+Option Verb::over(std::string& target) const {
+  return option("--over", target,
+                "Show a cam over its master, or the slave over time with the [master] of the spec")
+      .check(one_of({"master", "time"}));
+}
+
 Option Verb::machine(std::string& target) const {
   return option(
       "--machine", target,

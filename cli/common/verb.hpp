@@ -81,6 +81,8 @@ class Verb {
   Option flag(const std::string& name, bool& target, const std::string& help) const;
   /// The option --axis NAME, for specs of several axes.
   Option axis(std::string& target) const;
+  /// --over master or time, for a cam with a [master].
+  Option over(std::string& target) const;
   /// --machine SPEC, for a G-code program.
   Option machine(std::string& target) const;
 
@@ -127,6 +129,7 @@ void add_optimize(CommandLine& line);
 void add_validate(CommandLine& line);
 void add_sweep(CommandLine& line);
 void add_identify(CommandLine& line);
+void add_inverse(CommandLine& line);
 void add_contour(CommandLine& line);
 void add_plot(CommandLine& line);
 void add_map(CommandLine& line);

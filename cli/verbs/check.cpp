@@ -16,7 +16,7 @@ namespace {
 
 struct CheckArguments {
   CheckRun run;
-  std::string axis, machine;
+  std::string axis, machine, over;
   std::vector<std::string> limits;
   EngageTexts start;
   int continuity = 1;
@@ -42,7 +42,8 @@ std::vector<Report> reports_of(std::vector<Input>& axes, const CheckArguments& o
 
 /// The whole answer for one file.
 int print_answer(const CheckArguments& options) {
-  std::vector<Input> axes = load_program(options.run.file(), options.machine, options.axis);
+  std::vector<Input> axes =
+      over(options.over, load_program(options.run.file(), options.machine, options.axis));
   const FileCheck check = file_check(axes, reports_of(axes, options));
   if (options.run.json)
     print_json(file_check_json(check, axes));
@@ -53,6 +54,7 @@ int print_answer(const CheckArguments& options) {
 
 int run_check(const CheckArguments& options) {
   require_one_file(options.run, "--axis", options.axis);
+  require_one_file(options.run, "--over", options.over);
   if (options.run.files.size() == 1 && !options.limits.empty() &&
       is_without_motion(options.run.file()))
     throw InputError("--limit", options.limits.front(),
@@ -77,6 +79,7 @@ void add_check(CommandLine& line) {
       .one_each();
   verb.axis(options->axis);
   verb.machine(options->machine);
+  verb.over(options->over);
   verb.option("--continuity", options->continuity,
               "Highest derivative that must be continuous: 0 position, 1 velocity, 2 acceleration, "
               "3 jerk")

@@ -22,7 +22,7 @@ struct ContourArguments {
 
 int run_contour(const ContourArguments& options) {
   const Input input = load(options.spec);
-  if (!input.spec || !std::holds_alternative<CamSpec>(input.spec->subject))
+  if (!input.spec || !input.spec->is_cam())
     throw InputError("SPEC", options.spec, "must be a spec of kind \"cam\" with [disc]");
   const Spec& spec = *input.spec;
   const Disc disc = make_disc(spec, std::get<Cam>(*input.curve));

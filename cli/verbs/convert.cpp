@@ -8,7 +8,6 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/controllers/table_target.hpp"
-#include "jounce/io/samples_csv.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/option_names.hpp"
@@ -21,7 +20,7 @@ namespace {
 struct ConvertArguments {
   std::string input;
   std::string output = "-";
-  std::string axis;
+  std::string axis, over;
   std::string to;
   std::string rule;
   TargetTexts target;
@@ -48,37 +47,23 @@ Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
   return wanted;
 }
 
-std::string text_of(const TableFile& file, const ConvertArguments& options, const TableForm& form) {
-  if (form.format == nullptr || !options.every.empty()) require_units(file);
-  if (options.every.empty()) return form_text(form, file);
-  if (form.name != "csv" || options.output.ends_with(".json"))
-    throw InputError("every", options.every,
-                     "writes samples, which are CSV: end OUT in .csv, and leave out --to");
-  return samples_csv(file, options.every);
-}
-
-/// The extension of the file or --to must determine the format.
-void require_known_ending(const ConvertArguments& options) {
-  if (options.to.empty() && !has_known_ending(options.output))
-    throw InputError("OUT", options.output,
-                     "must end in one of " + known_endings() +
-                         "; for another ending, name the format with --to");
-}
-
 int run_convert(const ConvertArguments& options) {
   const TableForm form = table_form(options.to, options.output);
-  require_known_ending(options);
+  if (options.to.empty()) under_option("OUT", [&] { require_known_ending(options.output); });
   if (form.format != nullptr && !options.rule.empty())
     throw InputError("--rule", options.rule,
                      "applies to csv and json only: this format has its own rule");
   require_other_file(options.input, options.output, "OUT");
-  const Input input = load(options.input, options.axis, options.decimal_comma);
+  const Input input =
+      only_one(over(options.over, load_axes(options.input, options.axis, options.decimal_comma)),
+               options.input);
   const Converted made =
       with_option_names({"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step",
                          "v_step", "master_unit", "position_unit"},
                         [&] { return converted(input, conversion_of(options, form, input)); });
-  write_file(options.output, with_option_names({"every", "master_unit", "position_unit"},
-                                               [&] { return text_of(made.file, options, form); }));
+  write_file(options.output, with_option_names({"every", "master_unit", "position_unit"}, [&] {
+               return output_text(form, made.file, options.output, options.every);
+             }));
   std::FILE* out = text_stream({options.output});
   const auto lost = all_losses(input, form, made.file.table, !options.every.empty());
   if (options.json)
@@ -130,6 +115,7 @@ void add_convert(CommandLine& line) {
                   "; points: CSV of segments with types, for the PT and follow modes of Googol")
       .check(one_of(form_names()));
   verb.axis(options->axis);
+  verb.over(options->over);
   verb.option("--rule", options->rule,
               "For csv and json: linear, cubic_hermite, quintic_hermite; default: unchanged")
       .check(one_of({"linear", "cubic_hermite", "quintic_hermite"}));

@@ -16,7 +16,7 @@ namespace {
 
 struct DesignArguments {
   std::string spec;
-  std::string axis, machine;
+  std::string axis, machine, over;
   std::string output = "-";
   std::string curve;
   bool json = false;
@@ -35,7 +35,8 @@ void add_files(const Input& input, const DesignArguments& options, std::size_t a
 }
 
 int run_design(const DesignArguments& options) {
-  const std::vector<Input> inputs = load_program(options.spec, options.machine, options.axis);
+  const std::vector<Input> inputs =
+      over(options.over, load_program(options.spec, options.machine, options.axis));
   std::vector<Output> files;
   std::vector<Report> reports;
   for (const Input& input : inputs) {
@@ -73,6 +74,7 @@ void add_design(CommandLine& line) {
       .check(ends_in({".csv", ".json"}));
   verb.axis(options->axis);
   verb.machine(options->machine);
+  verb.over(options->over);
   verb.option("--curve", options->curve,
               "Also write the exact curve to this file, segment by segment (JSON)")
       .check(ends_in({".json"}));

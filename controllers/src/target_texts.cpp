@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "jounce/base/listed.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/controllers/table_target.hpp"
 #include "jounce/profiles/error.hpp"
@@ -64,10 +65,8 @@ Target target_of(const TargetTexts& texts, Domain axis, Interpolation rule, cons
                        "needs " + named("rule") + " " + name(controller->rule));
     target = target_of(*controller, units, x_step, named("x_step"));
   } else if (!texts.controller.empty()) {
-    std::string names;
-    for (const ControllerTable& each : controller_tables())
-      names += (names.empty() ? "" : ", ") + std::string(each.name);
-    throw InputError(named("controller"), texts.controller, "must be one of " + names);
+    throw InputError(named("controller"), texts.controller,
+                     "must be one of " + listed(controller_tables(), &ControllerTable::name));
   }
   const std::string rate = rate_unit(units.position, units.x, 1);
   target.rule = rule;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "jounce/base/listed.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -11,12 +12,6 @@ namespace {
 
 std::string shown_path(const std::string& path) {
   return path == "-" ? "standard input" : path;
-}
-
-std::string names_of(const std::vector<Input>& inputs) {
-  std::string names;
-  for (const Input& input : inputs) names += (names.empty() ? "" : ", ") + input.axis;
-  return names;
 }
 
 }  // namespace
@@ -34,7 +29,7 @@ std::vector<Input> axes_named(std::vector<Input> all, const std::string& axis,
   if (named == all.end())
     throw InputError("axis", axis,
                      all.size() == 1 ? name + " has only one axis, without a name: leave out --axis"
-                                     : "must be one of " + names_of(all));
+                                     : "must be one of " + listed(all, &Input::axis));
   Input one = std::move(*named);
   all.clear();
   all.push_back(std::move(one));
@@ -43,9 +38,9 @@ std::vector<Input> axes_named(std::vector<Input> all, const std::string& axis,
 
 Input only_axis(std::vector<Input> all, const std::string& path) {
   if (all.size() > 1)
-    throw InputError(
-        "axis", "",
-        "is missing: " + shown_path(path) + " has several axes. Choose one of " + names_of(all));
+    throw InputError("axis", "",
+                     "is missing: " + shown_path(path) + " has several axes. Choose one of " +
+                         listed(all, &Input::axis));
   return std::move(all.front());
 }
 

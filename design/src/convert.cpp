@@ -12,6 +12,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/controllers/table_target.hpp"
 #include "jounce/io/points_text.hpp"
+#include "jounce/io/samples_csv.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/fill.hpp"
@@ -250,6 +251,16 @@ void require_units(const TableFile& file) {
       throw InputError(key, "", "is missing: the file names no unit. Give one, such as mm or deg");
 }
 
+std::string output_text(const TableForm& form, const TableFile& file, const std::string& path,
+                        const std::string& every) {
+  if (form.format == nullptr || !every.empty()) require_units(file);
+  if (every.empty()) return form_text(form, file);
+  if (form.name != "csv" || path.ends_with(".json"))
+    throw InputError("every", every,
+                     "writes samples, which are CSV: end OUT in .csv, and leave out --to");
+  return samples_csv(file, every);
+}
+
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses) {
   std::string text = fmt::format("{} -> {}: {}, {}\n{}\n", input.name, form.name,
@@ -307,6 +318,13 @@ std::string known_endings(bool named) {
 bool has_known_ending(const std::string& path) {
   return cam_format_of_path(path) != nullptr || path == "-" || path.ends_with(".csv") ||
          path.ends_with(".json");
+}
+
+void require_known_ending(const std::string& path) {
+  if (!has_known_ending(path))
+    throw InputError("path", path,
+                     "must end in one of " + known_endings() +
+                         "; for another ending, name the format with --to");
 }
 
 }  // namespace jounce

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/file.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/report/report_text.hpp"
@@ -54,6 +55,33 @@ CutMap cut_map(Spec spec, CutLengths cuts, const CutLimits& limits, double from,
   const double per_minute = 60 / seconds_per_unit(spec);
   return {std::move(spec),    std::move(cuts), limits,   std::move(speeds),
           std::move(changes), running,         shortest, per_minute};
+}
+
+namespace {
+
+/// A positive quantity; none if its text is empty.
+std::optional<double> positive(const char* key, const std::string& text, const std::string& unit) {
+  if (text.empty()) return std::nullopt;
+  try {
+    const double value = quantity(text, unit);
+    require_positive(key, value);
+    return value;
+  } catch (const InputError& error) {
+    throw InputError(key, error.key() == key ? error.value() : text, error.rule());
+  }
+}
+
+}  // namespace
+
+CutMap cut_map(const std::string& path, const CutMapTexts& texts) {
+  Spec spec = parse_spec(read_file(path), path);
+  CutLengths cuts = cut_lengths(spec);
+  const double from = positive("from", texts.from, spec.units.x).value_or(cuts.from);
+  const double to = positive("to", texts.to, spec.units.x).value_or(cuts.to);
+  if (!(to > from)) throw InputError("to", to, "must be greater than --from, " + number(from));
+  const CutLimits limits = cut_limits(
+      spec, positive("line_speed", texts.line_speed, rate_unit(spec.units.x, spec.time_unit, 1)));
+  return cut_map(std::move(spec), std::move(cuts), limits, from, to, texts.steps);
 }
 
 std::string limit_word(const std::string& limit) {

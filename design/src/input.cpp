@@ -85,9 +85,25 @@ double rounding_of_knots(const Table& table, double largest_position, const Find
          std::pow(length, static_cast<double>(order));
 }
 
+/// The remedy for a table that exceeds a limit of its curve. Tables with a tolerance, and those with
+/// the fewest knots, get more knots where a limit requires them, unless [table] prevents this.
+const char* advice_for_table(const TableOptions& options) {
+  if (options.intervals)
+    return "the curve keeps this limit, but the table with these intervals does not: increase "
+           "intervals in [table], or replace it with tolerance, which adds knots where a limit "
+           "requires them";
+  if (options.target)
+    return "the curve keeps this limit, but the table with these knots does not: increase most in "
+           "[table], or remove its resolutions, so that knots can be added where a limit requires "
+           "them";
+  return "the curve keeps this limit: give [table] a smaller tolerance, more knots, or another "
+         "rule";
+}
+
 /// Findings for the limits that the table breaks between its knots and the curve keeps, by more
 /// than the rounding of the knots.
-Report check_table(const Table& table, const Limits& limits, const Report& of_curve) {
+Report check_table(const Table& table, const Limits& limits, const TableOptions& options,
+                   const Report& of_curve) {
   Report report = check(table, limits);
   const Ranges peaks = extrema(table);
   const double farthest = std::max(std::abs(table.start()), std::abs(table.end()));
@@ -102,8 +118,7 @@ Report check_table(const Table& table, const Limits& limits, const Report& of_cu
   for (Finding& finding : report.findings) {
     finding.axis = "table";
     finding.segment = std::nullopt;
-    finding.advice =
-        "the curve keeps this limit: give [table] a smaller tolerance, more knots, or another rule";
+    finding.advice = advice_for_table(options);
   }
   return report;
 }
@@ -149,7 +164,7 @@ Report check_curve(const Input& input, int continuity) {
   if (!input.error) return report;
   if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));
   // The table may break a limit between its knots although the curve keeps it.
-  append(report, check_table(table, input.limits, report));
+  append(report, check_table(table, input.limits, input.options, report));
   return report;
 }
 
@@ -322,8 +337,7 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
     add(spec.fill);
     add(check_sync(spec));
     add(merged(table_warnings(spec), report));
-    if (std::holds_alternative<CamSpec>(spec.subject))
-      add(check_load(spec, std::get<Cam>(*input.curve)));
+    if (spec.is_cam()) add(check_load(spec, std::get<Cam>(*input.curve)));
     if (spec.disc) add(check_disc(spec, std::get<Cam>(*input.curve)));
     if (spec.coupling) add(check_coupling(spec, std::get<Cam>(*input.curve), at));
     if (spec.compare && !spec.compare->plane && spec.compare->axis == input.axis)

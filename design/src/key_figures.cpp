@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 
+#include "jounce/base/listed.hpp"
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/cam/detail/quadrature.hpp"
@@ -263,15 +264,11 @@ std::vector<LimitMargin> margins_of(const Input& input) {
 
 [[noreturn]] void refuse(const std::string& name, const std::vector<Offer>& offers) {
   std::vector<std::string> known;
-  std::string list;
-  for (const Offer& offer : offers) {
-    known.push_back(offer.name);
-    list += (list.empty() ? "" : ", ") + offer.name;
-  }
+  for (const Offer& offer : offers) known.push_back(offer.name);
   const std::string hint = nearest(name, known);
-  throw InputError("figure", '"' + name + '"',
-                   std::string("must be one of ") + list +
-                       (hint.empty() ? "" : ": did you mean \"" + hint + "\"?"));
+  throw InputError(
+      "figure", '"' + name + '"',
+      "must be one of " + listed(known) + (hint.empty() ? "" : ": did you mean \"" + hint + "\"?"));
 }
 
 std::vector<const Offer*> chosen(const std::vector<Offer>& offers,

@@ -40,6 +40,8 @@ const char* letters(Ends ends) {
       return "R, G";
     case Ends::moving_free:
       return "U, B";
+    case Ends::moving_to_reversal:
+      return "G-U, U-G";
     case Ends::rest_to_reversal:
       break;
   }
@@ -55,7 +57,9 @@ std::string keys_of(Law law) {
   if (law == Law::scca) add("shares");
   if (law == Law::scca || law == Law::modified_constant_velocity || law == Law::sine_straight)
     add("straight");
-  if (!has_own_shape(law)) add("points");
+  if (law == Law::triple_harmonic) add("harmonics");
+  if (takes_points(law)) add("points");
+  if (law == Law::b_spline) add("control"), add("knots");
   return keys;
 }
 
@@ -104,8 +108,10 @@ or by the motion:
 | vibration | `inclined_sine`, `4567`; if the natural frequency is known, compare the results of `jounce validate` |
 | back and forth without a dwell | `simple_sine` |
 | from a dwell to a reversal, or back | `harmonic_combination` |
+| from a line to a reversal, or back | `harmonic_combination_gu` |
 | given velocities at the ends | `quintic`; any law with the ends "R, G" can also begin and end at a velocity |
 | measured points | `quintic_spline` with a `tolerance` |
+| a B-spline or Bezier curve from CAD | `b_spline` |
 | your own shape, or an optimized one | `hermite`, which `jounce optimize` writes: see [the best shape of a cam](optimize/cams.md) |
 
 The letters of VDI 2143 describe the motion at each end of a segment: R rest, G constant velocity, U reversal
@@ -115,8 +121,10 @@ because they follow from its knots. If a knot omits a value, the laws before and
 
 Some laws from rest to rest have the key `inflection`. It is the share λ of the segment before the velocity peak,
 by default 1/2. It does not change Cv. The peak acceleration becomes Ca / (2λ), and the peak deceleration
-Ca / (2(1 − λ)). For R-U laws with an inflection, Jounce computes λ from the acceleration at the knot of the
-reversal.
+Ca / (2(1 − λ)). For R-U and G-U laws with an inflection, Jounce computes λ from the acceleration at the knot of
+the reversal.
+
+The laws `septic` and `nonic` also accept a jerk at their ends: the key `geo_jerk` of the knots, by default 0.
 
 )";
 
@@ -157,9 +165,9 @@ std::vector<Law> rising_laws() {
 Characteristics characteristics(Law law) {
   // The values next to a dwell, the usual case. A law whose acceleration steps there has an
   // infinite jerk.
-  const bool reverses = info(law).ends == Ends::rest_to_reversal;
-  return characteristics(Cam(normalized(law, shown_form(law)), 0,
-                             reverses ? Extrapolation::refuse : Extrapolation::hold));
+  return characteristics(
+      Cam(normalized(law, shown_form(law)), 0,
+          reverses(info(law).ends) ? Extrapolation::refuse : Extrapolation::hold));
 }
 
 const char* ends_in_words(Ends ends) {
@@ -174,6 +182,9 @@ const char* ends_in_words(Ends ends) {
       return "any velocity, acceleration 0 (R or G)";
     case Ends::moving_free:
       return "any velocity; the law determines the acceleration (U or B)";
+    case Ends::moving_to_reversal:
+      return "any velocity with acceleration 0 at one end, reversal with an acceleration at the "
+             "other (G-U or U-G)";
     case Ends::rest_to_reversal:
       break;
   }

@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <type_traits>
 #include <utility>
 
 #include "jounce/base/units.hpp"
 #include "jounce/cam/laws/polydyne.hpp"
-#include "jounce/controllers/table_target.hpp"
-#include "jounce/optimize/least_peak.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/warnings.hpp"
@@ -19,20 +16,12 @@
 #include "design/src/motions/motion.hpp"
 #include "design/src/path/path_motion.hpp"
 #include "design/src/sync/sync_cam.hpp"
+#include "design/src/table_of.hpp"
 
 namespace jounce {
 
 CamSpec design_detail::cam_of(const Spec& spec) {
-  const auto& cam = std::get<CamSpec>(spec.subject);
-  switch (spec.boundaries) {
-    case Boundaries::minimum_jerk:
-      return filled(cam, Fill::minimum_jerk);
-    case Boundaries::minimum_peak_acceleration:
-      return filled_for_least_peak(cam).cam;
-    case Boundaries::rest:
-      break;
-  }
-  return cam;
+  return filled(std::get<CamSpec>(spec.subject), spec.boundaries);
 }
 
 namespace {
@@ -40,54 +29,11 @@ namespace {
 using profiles_detail::rounded_input;
 
 using design_detail::cam_of;
+using design_detail::table_of;
 
-constexpr double fine_table = 1e-9;     ///< share of the stroke
 constexpr double linear_table = 1e-6;   ///< share of the stroke
 constexpr double least_master = 1e-9;   ///< share of the length of a cam
 constexpr double shortest_pass = 1e-6;  ///< s
-/// True if the acceleration steps at a knot; a quintic requires a single acceleration there. Steps
-/// at the ends of a curve that does not repeat are outside the table.
-template <class Over>
-Interpolation rule_for(const Curve<Over>& curve, const TableOptions& options) {
-  if (options.rule) return *options.rule;
-  const Curve<Over> inside = repeats(curve.outside()) ? curve : with(curve, Extrapolation::refuse);
-  return check_continuity(inside, 2).ok() ? Interpolation::quintic_hermite
-                                          : Interpolation::cubic_hermite;
-}
-
-/// The default tolerance is a billionth of the stroke, below the resolution of encoders.
-template <class Over>
-double fine(const Curve<Over>& curve) {
-  const Range travel = extrema(curve, 0);
-  const double stroke = travel.max.value - travel.min.value;
-  return fine_table * (stroke > 0 ? stroke : 1);
-}
-
-/// The table of fewest knots. Its errors have the keys of [table].
-template <class Over>
-Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& options) {
-  target.rule = rule_for(curve, options);
-  target.tolerance = options.tolerance;
-  if (!target.tolerance && !target.velocity_tolerance && !target.most)
-    target.tolerance = fine(curve);
-  constexpr Domain axis = std::is_same_v<Over, OverTime> ? Domain::time : Domain::master;
-  try {
-    if (target.velocity_tolerance)
-      require_certifiable(derivative(curve), "velocity_tolerance", *target.velocity_tolerance);
-    return reduced(curve, target);
-  } catch (const InputError& error) {
-    throw InputError("table." + spec_key(axis, error.key()), error.value(), error.rule());
-  }
-}
-
-template <class Over>
-Sampled sampled(const Curve<Over>& curve, const TableOptions& options, const Limits& limits) {
-  if (options.tolerance) require_certifiable(curve, "table.tolerance", *options.tolerance);
-  if (options.target) return fewest(curve, *options.target, options);
-  const Interpolation rule = rule_for(curve, options);
-  if (options.intervals) return sample(curve, rule, *options.intervals);
-  return sample_within(curve, rule, options.tolerance ? *options.tolerance : fine(curve), limits);
-}
 
 std::string numbered(std::size_t i, const std::string& name) {
   return std::to_string(i + 1) + (name.empty() ? "" : " " + name);
@@ -113,19 +59,23 @@ double residual_of(const Spec& spec, const Cam& cam) {
   return residual_vibration(Trajectory({segments.begin(), segments.end()}), mode_over_master(spec));
 }
 
+/// The cam of a spec of kind "cam", before [polydyne].
+NamedCam output_of(const Spec& spec) {
+  if (const auto* made = std::get_if<NamedCam>(&spec.subject)) return *made;
+  return named(std::get<CamSpec>(spec.subject), spec.boundaries);
+}
+
 Made make_cam(const Spec& spec) {
-  const CamSpec cam = cam_of(spec);
-  auto [curve, origin] = design(cam);
+  auto [curve, names, error, velocity_error] = output_of(spec);
   std::vector<Residual> residuals;
   if (spec.polydyne) {
     Cam made = driven(spec, curve).cam;
     residuals.push_back({*spec.polydyne, residual_of(spec, curve), residual_of(spec, made)});
     curve = std::move(made);
   }
-  std::vector<std::string> names;
-  names.reserve(origin.size());
-  for (const std::size_t i : origin) names.push_back(numbered(i, cam.segments[i].name));
-  Sampled table = sampled(curve, spec.table, spec.limits);
+  Sampled table = table_of(curve, spec.table, spec.limits);
+  table.error.position += error;
+  table.error.velocity += velocity_error;
   return {spec.parts().front(), std::move(curve), std::move(names), std::move(table),
           std::move(residuals)};
 }
@@ -138,7 +88,7 @@ Made make_sync(const Spec& spec) {
     if (i > 0 && made.segments[i] != made.segments[i - 1]) ++number;
     names.push_back(numbered(number, made.segments[i]));
   }
-  Sampled table = sampled(made.cam, spec.table, spec.limits);
+  Sampled table = table_of(made.cam, spec.table, spec.limits);
   return {spec.parts().front(), std::move(made.cam), std::move(names), std::move(table), {},
           std::move(made.zones)};
 }
@@ -238,7 +188,7 @@ std::vector<Made> make_motions(const Spec& spec) {
   std::vector<Made> all;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     choose_rule(spec, curves[i], parts[i].table);
-    Sampled table = sampled(curves[i], parts[i].table, parts[i].limits);
+    Sampled table = table_of(curves[i], parts[i].table, parts[i].limits);
     table.error.position += fits[i][0];
     table.error.velocity += fits[i][1];
     if (!before.path.names.empty()) {
@@ -266,7 +216,7 @@ std::vector<Made> make_any(const Spec& spec) {
                      "is a drive, which has no table: use it with `jounce identify`");
   if (!spec.over_master()) return make_motions(spec);
   std::vector<Made> all;
-  all.push_back(std::holds_alternative<CamSpec>(spec.subject) ? make_cam(spec) : make_sync(spec));
+  all.push_back(spec.is_cam() ? make_cam(spec) : make_sync(spec));
   return all;
 }
 
@@ -296,6 +246,8 @@ std::pair<double, double> master_range(const Spec& spec) {
     const Cam cam = sync_cam_of(*sync).cam;
     return {cam.start(), cam.end()};
   }
+  if (const auto* made = std::get_if<NamedCam>(&spec.subject))
+    return {made->cam.start(), made->cam.end()};
   const auto& cam = std::get<CamSpec>(spec.subject);
   return {cam.start.master, cam.segments.back().end.master};
 }
@@ -329,7 +281,7 @@ Trajectory master_of(const Spec& spec) {
 
 Report table_warnings(const Spec& spec) {
   if (!spec.then.empty()) return {};
-  if (spec.polydyne) return driven(spec, design(cam_of(spec)).cam).warnings;
+  if (spec.polydyne) return driven(spec, output_of(spec).cam).warnings;
   if (const auto* table = std::get_if<TimeTableSpec>(&spec.subject)) return warnings_of(*table);
   const auto* knots = std::get_if<Table>(&spec.subject);
   if (knots == nullptr) return {};
@@ -385,6 +337,19 @@ Limits all_limits(const Spec& spec) {
   return limits;
 }
 
+/// Throws InputError for a jerk at a knot, which the optimizers do not consider.
+void require_no_jerk(const CamSpec& cam) {
+  const auto require = [](const CamKnot& knot, const std::string& key) {
+    if (knot.geo_jerk.value_or(0) != 0)
+      throw InputError(key + "geo_jerk", *knot.geo_jerk,
+                       "cannot be combined with `free`: leave it out, or optimize any numbers of "
+                       "the spec with [[optimize.parameter]]");
+  };
+  require(cam.start, "start.");
+  for (std::size_t i = 0; i < cam.segments.size(); ++i)
+    require(cam.segments[i].end, "segment[" + std::to_string(i + 1) + "].end.");
+}
+
 /// The limits of [limits.slave] for a cam whose master accelerates as stated by [master]; none
 /// without [master].
 RampedLimits ramped_limits(const Spec& spec) {
@@ -415,6 +380,7 @@ CamProblem make_problem(const Spec& spec) {
   problem.options.budget.seconds = spec.optimize.seconds;
   try {
     problem.cam = cam_of(spec);
+    require_no_jerk(problem.cam);
     problem.limits = all_limits(spec);
     problem.ramped = ramped_limits(spec);
     require_valid(problem);

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/cam/algebra/algebra.hpp"
 #include "jounce/design/reference.hpp"
 #include "jounce/design/sync_zones.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
 #include "design/src/master_check.hpp"
+#include "design/src/slave_motion.hpp"
+#include "design/src/table_of.hpp"
 
 namespace jounce {
 namespace {
@@ -54,13 +57,24 @@ std::vector<std::string> names_of(const Trajectory& slave, const Trajectory& mas
   std::vector<std::string> all;
   for (std::size_t i = 0; i < slave.segments().size(); ++i) {
     const double at = master.jet((slave.breaks()[i] + slave.breaks()[i + 1]) / 2)[0];
-    const double x = repeats(cam.outside()) ? wrapped(at, cam.start(), cam.length())
-                                            : std::clamp(at, cam.start(), cam.end());
-    const auto after = std::upper_bound(cam.breaks().begin() + 1, cam.breaks().end() - 1, x);
-    const auto segment = static_cast<std::size_t>(after - cam.breaks().begin()) - 1;
+    const std::size_t segment = segment_at(cam, at);
     all.push_back(segment < names.size() ? names[segment] : std::to_string(segment + 1));
   }
   return all;
+}
+
+/// Makes the table of the motion. The other requirements of [table] count in the unit of the
+/// master.
+void set_table(Input& slave, const Fitted<OverTime>& motion) {
+  slave.options.intervals.reset();
+  slave.options.target.reset();
+  Sampled table = design_detail::table_of(motion.curve, slave.options, slave.limits);
+  slave.table.table = std::move(table.table);
+  slave.table.units = slave.labels.units;
+  slave.error = table.error;
+  slave.error->position += motion.error[0];
+  slave.error->velocity += motion.error[1];
+  slave.binding = table.binding;
 }
 
 }  // namespace
@@ -70,18 +84,36 @@ Input over_time(const Input& input) {
   if (cam == nullptr) throw InputError("input", input.name, "is over time already");
   if (!input.spec) throw InputError("input", input.name, "is a table without a master");
   const Trajectory master = scaled(master_of(input), 1, 1 / seconds_per_unit(*input.spec));
-  Trajectory motion = motion_over_time(input);
+  const Fitted<OverTime> fitted = design_detail::slave_motion(input);
+  const Trajectory& motion = fitted.curve;
   Input slave = input;
   slave.limits = input.spec->slave;
+  slave.limits.position_min = input.spec->limits.position_min;
+  slave.limits.position_max = input.spec->limits.position_max;
   for (std::size_t k = 0; k < slave.rate_units.size(); ++k)
     slave.rate_units[k] = slave_rate_unit(*input.spec, static_cast<int>(k) + 1);
   slave.labels.units.x = input.spec->time_unit;
   slave.labels.over_master = false;
   slave.labels.segments = names_of(motion, master, *cam, input.labels.segments);
   slave.zones = passed(sync_zones(input), *cam, master);
-  slave.curve = std::move(motion);
+  set_table(slave, fitted);
+  slave.curve = motion;
+  slave.residuals.clear();
   slave.spec.reset();  // the segments of the spec are over the master
   return slave;
+}
+
+Input over(const std::string& what, Input input) {
+  const bool is_cam = input.labels.over_master;
+  if (what == "master" && !is_cam)
+    throw InputError("over", what,
+                     input.name + " is over time, without a master: leave out --over");
+  if (what != "time") return input;
+  if (!is_cam)
+    throw InputError("over", what, input.name + " is over time already: leave out --over");
+  if (!input.spec)
+    throw InputError("over", what, input.name + " is a table, which has no master: give its spec");
+  return over_time(input);
 }
 
 }  // namespace jounce

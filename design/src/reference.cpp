@@ -8,6 +8,8 @@
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "design/src/slave_motion.hpp"
+
 namespace jounce {
 namespace {
 
@@ -39,14 +41,18 @@ Reference table_reference(const Input& input) {
   return stretched(input.table.table, seconds(input)).curve<OverTime>();
 }
 
-Trajectory motion_over_time(const Input& input) {
-  const auto* cam = std::get_if<Cam>(&*input.curve);
-  if (cam == nullptr) return std::get<Trajectory>(*input.curve);
+Fitted<OverTime> design_detail::slave_motion(const Input& input) {
+  const auto* cam = &std::get<Cam>(*input.curve);
   const Trajectory master = scaled(master_of(input), 1, 1 / seconds_per_unit(*input.spec));
   double size = 0;
   for (const Segment& each : cam->segments()) size = std::max(size, magnitude(each));
   const double turns = std::abs(cam->advance() * master.jet(master.end())[0] / cam->length());
-  return composed_within(*cam, master, rounded_input * std::max(size, turns)).curve;
+  return composed_within(*cam, master, rounded_input * std::max(size, turns));
+}
+
+Trajectory motion_over_time(const Input& input) {
+  if (std::holds_alternative<Cam>(*input.curve)) return design_detail::slave_motion(input).curve;
+  return std::get<Trajectory>(*input.curve);
 }
 
 SignalView view(const Reference& reference) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "jounce/base/file.hpp"
+#include "jounce/base/listed.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
@@ -262,13 +263,11 @@ const PointColumn* Points::find(std::string_view name) const {
 
 std::vector<double> Points::in_unit(std::string_view name, const std::string& unit) const {
   const PointColumn* column = find(name);
-  if (column == nullptr) {
-    std::string names;
-    for (const PointColumn& each : columns) names += (names.empty() ? "" : ", ") + each.name;
-    throw InputError("column \"" + std::string(name) + '"', "",
-                     "is missing: the columns of the file are " + names)
+  if (column == nullptr)
+    throw InputError(
+        "column \"" + std::string(name) + '"', "",
+        "is missing: the columns of the file are " + listed(columns, &PointColumn::name))
         .at(document, 1);
-  }
   std::vector<double> values = column->values;
   if (column->unit.empty() || column->unit == unit) return values;
   try {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/base/listed.hpp"
 #include "jounce/path/arc.hpp"
 #include "jounce/path/rotary.hpp"
 #include "jounce/profiles/error.hpp"
@@ -51,9 +52,8 @@ class Records {
     for (const GcodeMachine::Axis& axis : machine_.axes) known.push_back(column_of(axis.name));
     for (const PointColumn& each : records_.columns) {
       if (std::find(known.begin(), known.end(), each.name) != known.end()) continue;
-      std::string names;
-      for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-      throw InputError(each.name, "", "is not a column of records; possible columns: " + names)
+      throw InputError(each.name, "",
+                       "is not a column of records; possible columns: " + listed(known))
           .at(records_.document, 1);
     }
   }

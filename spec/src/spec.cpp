@@ -16,6 +16,7 @@
 #include "jounce/io/table_file.hpp"
 
 #include "spec/src/axis_drive.hpp"
+#include "spec/src/cams/cam_source.hpp"
 #include "spec/src/toml/parts.hpp"
 #include "spec/src/toml/toml_syntax.hpp"
 
@@ -34,7 +35,13 @@ struct Kind {
   void (*read)(TomlReader& top, Spec& spec);
 };
 
-void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
+/// Reads the cam of `from`, which gives the default of [units].
+std::optional<spec_detail::CamSource> read_source(TomlReader& top, const Kind& kind) {
+  if (kind.name != std::string_view("cam") || !top.has("from")) return std::nullopt;
+  return spec_detail::read_cam_source(top, "from");
+}
+
+void read_own_units(TomlReader& top, Spec& spec, const Kind& kind) {
   const bool over_master = kind.runs == Kind::over_master;
   TomlReader units =
       top.table("units", over_master ? "units = { position = \"mm\", master = \"deg\" }"
@@ -49,6 +56,19 @@ void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
   units.finish();
 }
 
+void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
+  const auto source = read_source(top, kind);
+  if (source && !top.has("units")) {
+    spec.units = spec_detail::units_before_then(top, source->units);
+    spec.time_unit = source->time_unit;
+  } else {
+    read_own_units(top, spec, kind);
+  }
+  if (source)
+    spec.subject = spec_detail::in_units(*source, spec_detail::units_before_then(top, spec.units),
+                                         top, "from");
+}
+
 /// The travel of the master through the motion of the slave once.
 struct MasterRun {
   std::optional<double> length;
@@ -60,6 +80,8 @@ MasterRun master_run(TomlReader& top, const Spec& spec) {
   if (std::holds_alternative<CamSpec>(spec.subject))
     return {spec_detail::cam_length(top, spec.units),
             top.optional_flag("periodic").value_or(false)};
+  if (const auto* made = std::get_if<NamedCam>(&spec.subject))
+    return {made->cam.length(), repeats(made->cam.outside())};
   const auto period = spec.master_period();
   return {period, period.has_value()};
 }
@@ -136,9 +158,28 @@ void read_beside_cam(TomlReader& top, Spec& spec) {
   });
 }
 
-void read_cam(TomlReader& top, Spec& spec) {
+/// Reads the knots of a cam, with their changes by [[then]].
+void read_own_cam(TomlReader& top, Spec& spec) {
   top.attempt([&] { spec.master = read_master(top, spec); });
-  spec.subject = spec_detail::read_cam(top, spec.units, spec);
+  CamSpec knots = spec_detail::read_cam(top, spec.units, spec);
+  if (!top.has("then")) {
+    spec.subject = std::move(knots);
+    return;
+  }
+  if (!spec.optimize.free.empty() || !spec.optimize.shape.shapes.empty())
+    top.fail("then", "",
+             "cannot be combined with `free`: optimize the cam in a file of its own, and name it "
+             "here with from = \"FILE\"");
+  spec.subject = spec_detail::read_cam_then(top, named(knots, spec.boundaries), spec.units);
+}
+
+void read_cam(TomlReader& top, Spec& spec) {
+  if (const auto* source = std::get_if<NamedCam>(&spec.subject)) {
+    spec.subject = spec_detail::read_cam_from(top, *source, spec.units);
+    top.attempt([&] { spec.master = read_master(top, spec); });
+  } else {
+    read_own_cam(top, spec);
+  }
   top.attempt([&] { spec_detail::read_optimize(top, spec); });
   top.attempt([&] { spec.disc = spec_detail::read_disc(top, spec.units); });
   top.attempt([&] { spec.polydyne = spec_detail::read_polydyne(top); });
@@ -287,7 +328,7 @@ bool is_meant_as_spec(const Document& document) {
   return text.starts_with("jounce") || document.name.ends_with(".toml");
 }
 
-int line_of(const std::string& text, std::size_t at) {
+int line_number(const std::string& text, std::size_t at) {
   return 1 + static_cast<int>(
                  std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
@@ -297,7 +338,7 @@ void require_spec_text(const Document& document) {
   const std::string& text = document.text;
   if (const auto at = text.find('\0'); at != std::string::npos)
     throw InputError("", "", "is not a text file: it has a zero byte here")
-        .at(document.name, line_of(text, at));
+        .at(document.name, line_number(text, at));
   if (is_table(text) || cam_format_of_text(text) != nullptr)
     throw InputError("", "", "is a table: give the spec of the motion instead")
         .at(document.name, 1);
@@ -368,6 +409,10 @@ Spec::~Spec() = default;
 
 std::optional<double> Spec::master_period() const {
   if (const auto* sync = std::get_if<SyncSpec>(&subject)) return jounce::master_period(*sync);
+  if (const auto* made = std::get_if<NamedCam>(&subject)) {
+    if (!repeats(made->cam.outside())) return std::nullopt;
+    return made->cam.length();
+  }
   const auto* cam = std::get_if<CamSpec>(&subject);
   if (cam == nullptr || !cam->periodic || cam->segments.empty()) return std::nullopt;
   const double period = cam->segments.back().end.master - cam->start.master;

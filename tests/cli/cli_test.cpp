@@ -721,6 +721,36 @@ TEST_F(Cli, PlotShowsACamOverTheTimeOfItsMaster) {
   EXPECT_EQ(run("plot " + examples + "googol-move/move.toml --over time").status, 2);
 }
 
+TEST_F(Cli, ACamIsShownOverTimeByEveryVerbThatMakesATable) {
+  const std::string pusher = examples + "press-pusher/pusher.toml";
+  const Result check = run("check " + pusher + " --over time --limit jerk=1000m/s^3");
+  EXPECT_EQ(check.status, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("limit/jerk"));
+  const Result design = run("design " + pusher + " --over time -o -");
+  EXPECT_EQ(design.status, 0) << design.err;
+  EXPECT_THAT(design.out, HasSubstr("time [s]"));
+  EXPECT_EQ(run("convert " + pusher + " pt.csv --over time --rule linear --intervals 100").status, 0);
+  EXPECT_EQ(run("check pt.csv --continuity 0").status, 0);
+  EXPECT_THAT(run("design " + examples + "valve-cam/valve.toml --over time").err,
+              HasSubstr("master: is missing"));
+  EXPECT_THAT(run("check pt.csv --over time").err, HasSubstr("jounce: --over = time: "));
+  EXPECT_THAT(run("check " + pusher + " " + cam + " --over time").err,
+              HasSubstr("--over = time: applies to the whole answer for a single file"));
+}
+
+TEST_F(Cli, InverseFindsTheMasterOfASlave) {
+  const std::string pusher = examples + "cam-algebra/last-year.toml";
+  EXPECT_EQ(run("inverse " + pusher + " --slave 20mm").out,
+            "60 deg (segment 1 push)\n240 deg (segment 3 return)\n");
+  EXPECT_EQ(run("inverse " + pusher + " --slave 41").status, 1);
+  EXPECT_EQ(json::parse(run("inverse --json " + pusher).out)["branches"].size(), 2U);
+  EXPECT_EQ(run("inverse " + pusher + " --at 60 --from 1 --to 39 -o inverse.csv").status, 0);
+  EXPECT_EQ(run("inverse inverse.csv --slave 60").out.substr(0, 3), "20 ");
+  EXPECT_THAT(run("inverse " + pusher + " -o x.csv").err, HasSubstr("jounce: --at: is missing"));
+  EXPECT_THAT(run("inverse " + pusher + " --at 60 -o x.csv").err, HasSubstr("--from = 0: "));
+  EXPECT_THAT(run("inverse " + pusher + " --at 60").err, HasSubstr("--output"));
+}
+
 TEST_F(Cli, CheckNamesWhereThePmc600CamBreaksItsLimits) {
   const Result check = run("check --json " + cam);
   EXPECT_EQ(check.status, 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The examples of the PMC600 manual, chapter 8, and of the HMPL manual, 8.1.6, take the times that closed forms give:
 // a move of length L from rest to rest takes L / v + v / a without, and L / v + v / a + a / j with a limit of jerk.
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -61,6 +62,77 @@ TEST(PathExamples, OfHimcTakeTheirTimes) {
   EXPECT_GT(square, 3 * with_jerk(100) + 0.9);
 }
 
+/// Checks all axes of an example; returns the points at which its commands end.
+std::vector<Point> ends_of(const std::string& name) {
+  const std::vector<Input> all = inputs_of(read_spec(examples + name), name);
+  for (const Input& input : all) EXPECT_TRUE(check_all(input).ok()) << name << " " << input.axis;
+  const Path& path = all.front().plan->path();
+  std::vector<Point> ends;
+  for (std::size_t k = 0; k < path.pieces().size(); ++k)
+    ends.push_back(path.point(k, path.pieces()[k].length));
+  return ends;
+}
+
+void expect_near(const Point& p, double x, double y, double tolerance = 1e-9) {
+  EXPECT_NEAR(p[0], x, tolerance);
+  EXPECT_NEAR(p[1], y, tolerance);
+}
+
+TEST(PathExamples, OfHimcFramesReachThePointsOfTheManual) {
+  const double diagonal = 10 * std::sqrt(2);
+  const auto frame = ends_of("himc-path/frame.toml");  // 5-1
+  ASSERT_EQ(frame.size(), 1U);
+  expect_near(frame[0], 400, 200 + diagonal);
+  const auto work = ends_of("himc-path/work-frames.toml");  // 5-2 and 5-3
+  ASSERT_EQ(work.size(), 6U);
+  const double places[][2] = {{500, 450}, {700, 50}, {900, -350}};
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double offset = k < 3 ? 0 : -100;
+    expect_near(work[k], places[k % 3][0], places[k % 3][1] + diagonal + offset);
+  }
+}
+
+TEST(PathExamples, OfHimcArcsEndWhereTheManualSays) {
+  const auto ends = ends_of("himc-path/arc-forms.toml");
+  ASSERT_EQ(ends.size(), 7U);
+  expect_near(ends[0], 200, 300);                    // 8.2.11
+  expect_near(ends[2], 10, 10 - 10 * std::sqrt(2));  // 8.2.16
+  expect_near(ends[4], 200, 0);                      // 8.2.13
+  expect_near(ends[6], 200, 0);                      // 8.2.17
+  const auto axes = inputs_of(read_spec(examples + "himc-path/arc-forms.toml"), "");
+  const Path& path = axes.front().plan->path();
+  expect_near(path.point(4, path.pieces()[4].length / 2), 100, 100);
+  expect_near(path.point(6, path.pieces()[6].length / 2), 100, -100);
+  for (const std::size_t half : {4, 6})
+    EXPECT_NEAR(path.pieces()[half].length, 100 * std::acos(-1), 1e-9);
+}
+
+TEST(PathExamples, OfHimcTheArcHasTheSpeedOfItsAcceleration) {
+  const auto axes = inputs_of(read_spec(examples + "himc-path/arc-speed.toml"), "");
+  const Plan& plan = *axes.front().plan;
+  double fastest = 0;
+  for (const LawInterval& s : plan.law().stretches())
+    if (plan.path().pieces()[s.piece].kind == PieceKind::arc) fastest = std::max(fastest, s.peak);
+  EXPECT_NEAR(fastest, std::sqrt(100.0 * 50), 1e-4);  // 70.71
+  EXPECT_TRUE(check_along(plan).ok());
+}
+
+TEST(PathExamples, OfPmc600TheVelocityIsContinuousAcrossABlendedCorner) {
+  const auto axes = inputs_of(read_spec(examples + "pmc600-path/blended-corner.toml"), "");
+  const auto corners = axes.front().plan->corners();
+  ASSERT_EQ(corners.size(), 1U);
+  EXPECT_FALSE(corners[0].stop);
+  EXPECT_LE(corners[0].trim, 10 * (1 + 1e-12));
+  for (const Input& axis : axes) {
+    EXPECT_TRUE(check_continuity(std::get<Trajectory>(*axis.curve), 1).ok());
+    EXPECT_TRUE(check_all(axis).ok()) << axis.axis;
+  }
+}
+
+TEST(PathExamples, OfTheRefinedSquareTakesLessTime) {
+  EXPECT_LE(duration("path-square/refined.toml"), 1.003 * 4.528);
+}
+
 TEST(PathTables, KeepTheLimitsThatTheirCurvesKeep) {
   // An arc whose greatest acceleration is the limit, but for 1e-6. A table of few knots exceeds it by 0.01 %.
   const std::string text = R"(
@@ -101,6 +173,47 @@ to = [-70.562711, 10.405001]
     EXPECT_EQ(check(coarse, axis.limits).ok(), axis.axis == "y") << "without limits";
     EXPECT_LE(axis.table.table.size(), coarse.size() + 40);
   }
+}
+
+/// A move whose table has the given keys.
+Input move_with_table(const std::string& keys) {
+  const std::string text = R"(
+jounce = 1
+kind = "move"
+units = { position = "mm", time = "s" }
+[move]
+profile = "s_curve"
+to = 50
+velocity = 10
+acceleration = 20
+jerk = 100
+[limits]
+velocity = 10
+acceleration = 20
+[table]
+)" + keys;
+  return inputs_of(parse_spec(text, "move.toml"), "move.toml").front();
+}
+
+TEST(Tables, OfTheFewestKnotsKeepTheLimitsOfTheirCurve) {
+  const Input fewest = move_with_table("knots = \"fewest\"\ntolerance = 0.01\n");
+  EXPECT_TRUE(check_all(fewest).ok());
+  EXPECT_LE(fewest.error->position, 0.01);
+}
+
+TEST(Tables, OfEqualIntervalsBeyondALimitAreFindings) {
+  const Input coarse = move_with_table("intervals = 7\n");
+  const Report report = check_all(coarse);
+  ASSERT_FALSE(report.ok());
+  EXPECT_TRUE(std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& f) {
+    return f.broken && f.axis == "table" && f.rule.family() == RuleFamily::limit &&
+           f.advice.find("increase intervals in [table]") != std::string::npos;
+  }));
+  const Input stepped = move_with_table("tolerance = 0.01\nposition_resolution = 0.001\n");
+  const Report of_steps = check_all(stepped);
+  EXPECT_TRUE(std::any_of(of_steps.findings.begin(), of_steps.findings.end(), [](const Finding& f) {
+    return f.broken && f.advice.find("remove its resolutions") != std::string::npos;
+  }));
 }
 
 TEST(PathExamples, OfAnOverlapTakesItsClosedForm) {

@@ -13,6 +13,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
+#include "jounce/pvt/check.hpp"
 #include "jounce/pvt/pt.hpp"
 
 #include "cam/random_cams.hpp"
@@ -674,6 +675,36 @@ TEST(ReducedToQuadraticPieces, KeepsItsTolerancesOrSaysWhichItCan) {
   EXPECT_EQ(key({.quadratic = true, .tolerance = 1e-3, .p_step = 0.01}), "p_step");
   EXPECT_EQ(key({.rule = Interpolation::linear, .quadratic = true, .most = 9}), "rule");
   EXPECT_EQ(key({.quadratic = true, .most = 9, .spacing = 0.4}), "");
+}
+
+TEST(Reduce, KeepsTheLimitsThatTheCurveKeeps) {
+  // The curve reaches 10 u/s and 20 u/s^2 exactly, so most tables near it exceed them.
+  const Trajectory curve =
+      s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
+  const Limits limits{.velocity = 10, .acceleration = 20};
+  ASSERT_TRUE(check(curve, limits).ok());
+  const Target target{.rule = Interpolation::quintic_hermite, .tolerance = 0.01};
+  const Sampled coarse = reduced(curve, target);
+  EXPECT_FALSE(check(coarse.table, limits).ok());
+  const Sampled within = reduced(curve, target, limits);
+  EXPECT_TRUE(check(within.table, limits).ok());
+  EXPECT_LE(within.error.position, 0.01);
+  EXPECT_GT(within.table.size(), coarse.table.size());
+  EXPECT_LE(within.table.size(), coarse.table.size() + 12);
+  // A target that permits no more knots, or only at whole steps, gets the same table as before.
+  Target full = target;
+  full.most = coarse.table.size();
+  EXPECT_EQ(reduced(curve, full, limits).table.size(), coarse.table.size());
+  Target stepped = target;
+  stepped.p_step = 1e-4;
+  EXPECT_EQ(reduced(curve, stepped, limits).table.columns().x,
+            reduced(curve, stepped).table.columns().x);
+  // Knots keep their distance.
+  Target spaced = target;
+  spaced.spacing = 0.05;
+  const Sampled apart = reduced(curve, spaced, limits);
+  const auto& x = apart.table.columns().x;
+  for (std::size_t i = 1; i < x.size(); ++i) EXPECT_GE(x[i] - x[i - 1], 0.05 * (1 - 1e-12));
 }
 
 }  // namespace

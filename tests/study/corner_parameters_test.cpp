@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/study/optimum.hpp"
 #include "jounce/study/tune.hpp"
 
 namespace jounce::corner_parameters_test {
@@ -25,6 +26,38 @@ TEST(CornerParameters, AreTheNumbersOfTheCorners) {
 TEST(CornerParameters, NeedACornerWithANumber) {
   const Spec spec = read_spec(examples + "path-square/stop.toml");
   EXPECT_THROW((void)corner_parameters(spec), InputError);
+}
+
+TEST(PathOptimum, RefinesTheTimingLaw) {
+  Spec spec = read_spec(examples + "path-square/deviation.toml");
+  prepare_optimum(spec);
+  ASSERT_TRUE(spec.parameters->refine);
+  const SpecOptimum best = optimum_of(spec);
+  ASSERT_TRUE(best.spec);
+  EXPECT_NE(best.spec->find("[path]\nrefine = true\n"), std::string::npos);
+  EXPECT_NE(best.text.find("refined timing law: "), std::string::npos);
+  EXPECT_NE(best.json.find("\"refinement\""), std::string::npos);
+  EXPECT_EQ(broken_checks(parse_spec(*best.spec, "best.toml")), "");
+  // A second time, only the corners are left.
+  Spec again = parse_spec(*best.spec, "best.toml");
+  prepare_optimum(again);
+  EXPECT_FALSE(again.parameters->refine);
+}
+
+TEST(PathOptimum, WithoutCornersOnlyRefines) {
+  Spec spec = read_spec(examples + "path-square/stop.toml");
+  prepare_optimum(spec);
+  EXPECT_TRUE(spec.parameters->parameters.empty());
+  const SpecOptimum best = optimum_of(spec);
+  EXPECT_EQ(best.spec, spec.document.text) << "single lines have the fastest law";
+  EXPECT_NE(best.text.find("not faster"), std::string::npos);
+}
+
+TEST(PathOptimum, LeavesOverlapAndOverrideAlone) {
+  for (const char* name : {"path-square/overlap.toml", "pmc600-path/ratio.toml"}) {
+    Spec spec = read_spec(examples + name);
+    EXPECT_THROW(prepare_optimum(spec), InputError) << name;
+  }
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace jounce {
 namespace {
 
-constexpr Jet lost{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
+constexpr Jet no_master{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
 
 void require_names(const std::vector<MachineAxis>& axes) {
   std::set<std::string> seen;
@@ -186,7 +186,7 @@ void Machine::gather(std::size_t group, std::span<AxisImage> images) const {
   const State expected = moved_[group] ? State::synchronized_motion : State::standstill;
   Inputs& inputs = images[group].inputs;
   inputs.peers = places.size() == of.axes.size() ? Peers::together : Peers::away;
-  inputs.master = lost;
+  inputs.master = no_master;
   inputs.group_broken = false;
   for (std::size_t k = 0; k < of.axes.size(); ++k) {
     const AxisImage& axis = images[of.axes[k]];
@@ -207,7 +207,7 @@ void Machine::gather(std::size_t group, std::span<AxisImage> images) const {
 void Machine::lead(std::size_t axis, const Membership& in, std::span<AxisImage> images) const {
   const Tick& group = images[in.group].tick;
   Inputs& inputs = images[axis].inputs;
-  inputs.master = lost;
+  inputs.master = no_master;
   const bool moving = moves(group);
   if (moving || moved_[in.group]) {
     const bool rests = group.velocity == 0 && !group.frozen;
@@ -239,7 +239,7 @@ Jet Machine::master_of(std::size_t axis, std::span<const AxisImage> images,
       return {leader.position, leader.velocity, 0, 0};
     }
   }
-  return lost;
+  return no_master;
 }
 
 double Machine::master_offset_of(std::size_t axis, std::span<const AxisImage> images) const {

@@ -103,6 +103,13 @@ Segments all(const Cam& f) {
 
 }  // namespace
 
+std::size_t segment_at(const Cam& f, double master) {
+  const double at = repeats(f.outside()) ? wrapped(master, f.start(), f.length()) : master;
+  const auto breaks = f.breaks();
+  const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, at);
+  return static_cast<std::size_t>(after - breaks.begin()) - 1;
+}
+
 Cam part(const Cam& f, double from, double to) {
   require_finite("from", from);
   require_finite("to", to);

@@ -93,7 +93,8 @@ void require_motion(const Inverse& g, double slave, Side side) {
   if (!std::isfinite(g.at(slave, side).geo_velocity))
     throw InputError("slave", slave,
                      "is where the slave is at rest: the slope of the master is infinite there, "
-                     "which no polynomial can follow. Stay away from it, or use the Inverse");
+                     "which no polynomial can follow. Leave this position out; in C++, the class "
+                     "Inverse includes it");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ bool among_quintics(const CamSpec& spec, std::size_t knot) {
 bool bends_itself(const CamSpec& spec, std::size_t knot) {
   const auto own = [&](std::size_t segment) {
     const Ends ends = info(spec.segments[segment].law).ends;
-    return ends == Ends::moving_free || ends == Ends::rest_to_reversal;
+    return ends == Ends::moving_free || reverses(ends);
   };
   return (knot > 0 && own(knot - 1)) || (knot < spec.segments.size() && own(knot));
 }

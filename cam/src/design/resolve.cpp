@@ -34,10 +34,12 @@ class Resolver {
 
   std::vector<Placed> resolve() {
     for (std::size_t i = 0; i < spec_.segments.size(); ++i) demand(i);
+    for (std::size_t i = 0; i < spec_.segments.size(); ++i)
+      if (info(law(i)).ends == Ends::moving_to_reversal) demand_reversal(i);
     for (std::size_t i = 0; i < spec_.segments.size(); ++i) require_form_and_points(i);
     share_seam();
     for (std::size_t i = 0; i < spec_.segments.size(); ++i)
-      if (is_spline(law(i)) || law(i) == Law::hermite) take_open_ends(i);
+      if (is_spline(law(i)) || law(i) == Law::hermite || law(i) == Law::b_spline) take_open_ends(i);
     share_seam();
     for (CamKnot& knot : knots_) knot.geo_velocity = knot.geo_velocity.value_or(0);
     std::vector<Placed> placed;
@@ -73,6 +75,11 @@ class Resolver {
     if (outside && (!spec_.periodic || count == 1)) return std::nullopt;
     return (segment + count + static_cast<std::size_t>(step < 0 ? count - 1 : 1)) % count;
   }
+  /// True for a line or a dwell, which need no velocity of their knots.
+  [[nodiscard]] bool is_straight(std::size_t segment) const {
+    const Ends ends = info(law(segment)).ends;
+    return ends == Ends::straight || ends == Ends::standing;
+  }
   /// True if the segment has acceleration 0 at its ends.
   [[nodiscard]] bool rests(std::size_t segment) const {
     const Ends ends = info(law(segment)).ends;
@@ -82,7 +89,9 @@ class Resolver {
   void add_knot(std::size_t i);
   void require_whole_turns() const;
   void require_form_and_points(std::size_t segment) const;
+  void require_jerk_is_taken(std::size_t knot) const;
   void demand(std::size_t segment);
+  void demand_reversal(std::size_t segment);
   void demand_at(std::size_t knot, std::optional<double> CamKnot::*field, const char* name,
                  double demanded, std::size_t segment, double scale);
   [[noreturn]] void fail_step(std::size_t knot, double before, double demanded,
@@ -94,6 +103,7 @@ class Resolver {
   void find_inflection(Placed& placed, std::size_t segment) const;
   void take_own_accelerations(const Placed& placed, std::size_t segment);
   void take_open_ends(std::size_t segment);
+  void take_controlled_ends(std::size_t segment, const Jet& from, const Jet& to);
   void take_own(std::size_t knot, double own, std::size_t segment, double scale);
 
   const CamSpec& spec_;
@@ -111,12 +121,24 @@ void Resolver::add_knot(std::size_t i) {
   if (knot.geo_velocity) require_finite(key_of(i, "geo_velocity").c_str(), *knot.geo_velocity);
   if (knot.geo_acceleration)
     require_finite(key_of(i, "geo_acceleration").c_str(), *knot.geo_acceleration);
+  if (knot.geo_jerk) require_jerk_is_taken(i);
   if (i > 0 && !(knot.master > knots_.back().master))
     throw InputError(
         key_of(i, "master"), knot.master,
         "must be greater than " + number(knots_.back().master) + ", the previous knot");
   knots_.push_back(knot);
   demanded_.push_back(false);
+}
+
+void Resolver::require_jerk_is_taken(std::size_t i) const {
+  require_finite(key_of(i, "geo_jerk").c_str(), *given(i).geo_jerk);
+  const std::size_t last = spec_.segments.size();
+  const bool taken = (i > 0 && takes_jerk(law(i - 1))) || (i < last && takes_jerk(law(i))) ||
+                     (spec_.periodic && i == 0 && takes_jerk(law(last - 1))) ||
+                     (spec_.periodic && i == last && takes_jerk(law(0)));
+  if (!taken)
+    throw InputError(key_of(i, "geo_jerk"), *given(i).geo_jerk,
+                     "needs a law with a given jerk before or after this knot: septic or nonic");
 }
 
 void Resolver::require_whole_turns() const {
@@ -144,7 +166,7 @@ void Resolver::require_form_and_points(std::size_t i) const {
                      error.rule());
   }
   const std::string key = "segment[" + std::to_string(i + 1) + "].points";
-  if (has_own_shape(segment.law) && !segment.points.empty())
+  if (!takes_points(segment.law) && !segment.points.empty())
     throw InputError(
         key, static_cast<double>(segment.points.size()),
         std::string("the law `") + name(segment.law) +
@@ -172,7 +194,10 @@ void Resolver::demand_at(std::size_t knot, std::optional<double> CamKnot::*field
   if (!value && is_velocity) demanded_[knot] = true;
   if (!value) value = demanded;
   if (std::abs(*value - demanded) <= rounded_input * scale) return;
-  if (is_velocity && demanded_[knot]) fail_step(knot, *value, demanded, segment);
+  if (is_velocity && demanded_[knot]) {
+    if (spec_.velocity_steps && is_straight(segment) && knot > 0 && is_straight(knot - 1)) return;
+    fail_step(knot, *value, demanded, segment);
+  }
   throw InputError(key_of(knot, name), *value,
                    "must be " + six_digits(demanded) + ", the value of the adjacent law `" +
                        jounce::name(law(segment)) + "`: change this number or that law");
@@ -193,7 +218,9 @@ void Resolver::fail_step(std::size_t knot, double before, double demanded,
                        ", but the adjacent segment " + std::to_string(other + 1) + " (" +
                        name(law(other)) + ") has " + six_digits(others) + " there: " +
                        (others == 0 ? "use a law from rest to rest, such as modified_sine"
-                                    : "put a segment with the law quintic between the two"));
+                                    : "put a segment with the law quintic between the two, or, for "
+                                      "a controller that joins positions by straight lines, give "
+                                      "[table] rule = \"linear\""));
 }
 
 void Resolver::demand(std::size_t i) {
@@ -213,10 +240,22 @@ void Resolver::demand(std::size_t i) {
   }
 }
 
+/// A law from a constant velocity to a reversal has velocity 0 at the reversal. Without any velocity, both ends are at
+/// rest.
+void Resolver::demand_reversal(std::size_t i) {
+  const double scale = std::abs(chord(i));
+  const auto moves = [&](std::size_t knot) {
+    return std::abs(knots_[knot].geo_velocity.value_or(0)) > rounded_input * scale;
+  };
+  if (!moves(i + 1)) demand_at(i + 1, &CamKnot::geo_velocity, "geo_velocity", 0, i, scale);
+  if (!moves(i) || moves(i + 1)) demand_at(i, &CamKnot::geo_velocity, "geo_velocity", 0, i, scale);
+}
+
 /// The first and the last knot of a periodic cam are one knot: each gets the values of the other.
 void Resolver::share_seam() {
   if (!spec_.periodic) return;
-  for (const auto field : {&CamKnot::geo_velocity, &CamKnot::geo_acceleration}) {
+  for (const auto field :
+       {&CamKnot::geo_velocity, &CamKnot::geo_acceleration, &CamKnot::geo_jerk}) {
     auto& first = knots_.front().*field;
     auto& last = knots_.back().*field;
     if (!first) first = last;
@@ -225,6 +264,10 @@ void Resolver::share_seam() {
 }
 
 bool Resolver::reversal_first(std::size_t i, const std::vector<Placed>& before) const {
+  if (info(law(i)).ends == Ends::moving_to_reversal) {
+    if (*knots_[i].geo_velocity != 0) return false;
+    if (*knots_[i + 1].geo_velocity != 0) return true;
+  }
   if (given(i).geo_acceleration) return *given(i).geo_acceleration != 0;
   if (given(i + 1).geo_acceleration) return *given(i + 1).geo_acceleration == 0;
   const auto previous = beside(i, -1);
@@ -235,7 +278,7 @@ bool Resolver::reversal_first(std::size_t i, const std::vector<Placed>& before) 
   if (rest_before != rest_after) return rest_after;
   if (i == 0) return false;
   const Ends ends = info(law(i - 1)).ends;
-  return ends == Ends::moving_free || (ends == Ends::rest_to_reversal && !before[i - 1].reversed);
+  return ends == Ends::moving_free || (reverses(ends) && !before[i - 1].reversed);
 }
 
 void Resolver::require_no_rest(std::size_t i, bool reversal_first) const {
@@ -265,7 +308,16 @@ void Resolver::find_inflection(Placed& placed, std::size_t i) const {
                      "must be beyond " + six_digits(least * unit) +
                          ": a smaller value puts the inflection of the law `" +
                          name(placed.spec->law) + "` outside its segment");
-  placed.form.inflection = inflection_for(placed.spec->law, deceleration);
+  const std::size_t other = placed.reversed ? i + 1 : i;
+  const double velocity = *knots_[other].geo_velocity * placed.length() / stroke;
+  if (!(velocity < greatest_velocity(placed.spec->law)))
+    throw InputError(
+        key_of(other, "geo_velocity"), *knots_[other].geo_velocity,
+        "must be below " +
+            six_digits(greatest_velocity(placed.spec->law) * stroke / placed.length()) +
+            " if the knot of the reversal gives an acceleration: give inflection "
+            "instead, or a longer segment");
+  placed.form.inflection = inflection_for(placed.spec->law, deceleration, velocity);
   if (!(*placed.form.inflection < 1))
     throw InputError(key_of(knot, "geo_acceleration"), *wanted,
                      "is too large: the inflection of the law `" +
@@ -275,7 +327,7 @@ void Resolver::find_inflection(Placed& placed, std::size_t i) const {
 Placed Resolver::place(std::size_t i, const std::vector<Placed>& before) const {
   const CamSegment& segment = spec_.segments[i];
   Placed placed{i, &segment, segment.form, false, knots_[i], knots_[i + 1]};
-  if (info(segment.law).ends != Ends::rest_to_reversal) return placed;
+  if (!reverses(info(segment.law).ends)) return placed;
   placed.reversed = reversal_first(i, before);
   require_no_rest(i, placed.reversed);
   find_inflection(placed, i);
@@ -308,6 +360,7 @@ void Resolver::take_open_ends(std::size_t i) {
   Jet to = evaluate(segments.back(), 1);
   if (!points.empty()) from = own_at(knots_[i], points.front(), from);
   if (!points.empty()) to = own_at(knots_[i + 1], points.back(), to);
+  if (law(i) == Law::b_spline) return take_controlled_ends(i, from, to);
   const auto take = [](CamKnot& knot, const Jet& own, bool bends) {
     if (!knot.geo_velocity) knot.geo_velocity = own[1];
     if (bends && !knot.geo_acceleration) knot.geo_acceleration = own[2];
@@ -319,15 +372,27 @@ void Resolver::take_open_ends(std::size_t i) {
   share_seam();
 }
 
+/// The control values of a B-spline determine its derivatives. A velocity that another law requires must agree.
+void Resolver::take_controlled_ends(std::size_t i, const Jet& from, const Jet& to) {
+  const double slope = std::max({std::abs(chord(i)), std::abs(from[1]), std::abs(to[1])});
+  const double bend = std::max(
+      {std::abs(from[2]), std::abs(to[2]), slope / (knots_[i + 1].master - knots_[i].master)});
+  for (const auto& [knot, own] : {std::pair{i, &from}, {i + 1, &to}}) {
+    demand_at(knot, &CamKnot::geo_velocity, "geo_velocity", (*own)[1], i, slope);
+    take_own(knot, (*own)[2], i, bend);
+    share_seam();
+  }
+}
+
 void Resolver::take_own_accelerations(const Placed& placed, std::size_t i) {
   const Ends ends = info(placed.spec->law).ends;
-  if (ends != Ends::moving_free && ends != Ends::rest_to_reversal) return;
+  if (ends != Ends::moving_free && !reverses(ends)) return;
   const auto segments = built(placed);
   const double from = evaluate(segments.front(), 0)[2];
   const double to = evaluate(segments.back(), 1)[2];
   const double scale =
       std::max({std::abs(from), std::abs(to), std::abs(chord(i)) / placed.length()});
-  const bool reversal = ends == Ends::rest_to_reversal;
+  const bool reversal = reverses(ends);
   take_own(i, reversal && !placed.reversed ? 0 : from, i, scale);
   take_own(i + 1, reversal && placed.reversed ? 0 : to, i, scale);
 }

@@ -12,15 +12,20 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
+#include "cam/src/laws/added.hpp"
+
 // Every law uses one of three kinds of rise, and one method for end velocities.
 //
 // **Ramps.** In a ramp, the acceleration rises as a quarter sine, is constant, and falls as a
 // quarter cosine. From rest over the length L it ends at the velocity v and the position y, both in
 // proportion to its peak. A rise consists of a ramp up over L1, a straight part of length s, and a
 // ramp down over L2, which is the point reflection of a ramp up. The velocity V between the ramps
-// follows from the stroke of 1:
+// follows from the stroke h (1 for a rise) and from the velocities v0, v1 at the ends, onto which the ramps are put:
 //
-//     (1)  V (m1 + s + m2) = 1,   m = y / v of each ramp
+//     (1)  V (y1 + s + y2) = h - v0 (L1 - y1) - v1 (L2 - y2),   y = L m,
+//          m = position / (L velocity) of a ramp from rest
+//
+// The laws that enter and leave with ramps (G-G, G-U) are these for (h, v0, v1) = (0, 1, 0) and (0, 0, 1).
 //
 // **Polynomials** have degree 2n - 1; their derivatives up to the (n-1)-th are given at both ends.
 // The shape whose k-th derivative at 0 is 1, and whose other given derivatives are 0, is (Hermite;
@@ -50,6 +55,8 @@
 namespace jounce {
 namespace {
 
+using cam_detail::added;
+
 using profiles_detail::rounded_sum;
 
 constexpr double pi = std::numbers::pi;
@@ -76,19 +83,35 @@ Cam ramp_up(const Ramp& ramp, double length) {
   return integral(integral(Cam(std::move(acceleration))));
 }
 
-/// The rise of (1). `down` is described from its end backwards.
+/// The stroke of a law, and the velocities at its ends.
+struct RampEnds {
+  double stroke = 1, from = 0, to = 0;
+};
+
+/// The curve of (1). `down` is described from its end backwards.
 std::vector<Segment> ramped(const Ramp& up, double up_length, double straight, const Ramp& down,
-                            double down_length) {
+                            double down_length, const RampEnds& ends = {}) {
   const Cam a = ramp_up(up, up_length);
   const Cam b = ramp_up(down, down_length);
   const Jet a_end = a.jet(a.end(), Side::left);
   const Jet b_end = b.jet(b.end(), Side::left);
-  const double velocity = 1 / (a_end[0] / a_end[1] + straight + b_end[0] / b_end[1]);  // (1)
-  const Cam first = scaled(a, velocity / a_end[1]);
-  const Cam second = shifted(scaled(reversed(b), -velocity / b_end[1]), 0, 1);
+  const double y1 = a_end[0] / a_end[1];
+  const double y2 = b_end[0] / b_end[1];
+  const double rest = ends.stroke - ends.from * (up_length - y1) - ends.to * (down_length - y2);
+  const double velocity = rest / (y1 + straight + y2);  // (1)
+  const auto sloped = [](const Cam& ramp, double slope, double from) {
+    return slope == 0 ? ramp
+                      : sum(ramp, Cam({line(ramp.length(), from, from + slope * ramp.length())}));
+  };
+  const Cam first = sloped(scaled(a, (velocity - ends.from) / a_end[1]), ends.from, 0);
+  const Cam second =
+      sloped(shifted(scaled(reversed(b), -(velocity - ends.to) / b_end[1]), 0, ends.stroke),
+             ends.to, -ends.to * down_length);
   std::vector<Segment> rise(first.segments().begin(), first.segments().end());
   if (straight > 0)
-    rise.push_back(line(straight, velocity / a_end[1] * a_end[0], value(second.segments()[0], 0)));
+    rise.push_back(line(straight,
+                        (velocity - ends.from) / a_end[1] * a_end[0] + ends.from * up_length,
+                        value(second.segments()[0], 0)));
   rise.insert(rise.end(), second.segments().begin(), second.segments().end());
   return rise;
 }
@@ -103,7 +126,7 @@ double binomial(int n, int k) {
 Segment hermite_shape(int n, int k) {
   Segment f;
   f.degree = 2 * n - 1;
-  const double scale = k == 2 ? 0.5 : 1;  // 1 / k!
+  const double scale = k == 3 ? 1. / 6 : k == 2 ? 0.5 : 1;  // 1 / k!
   for (int i = 0; i < n - k; ++i)
     for (int m = 0; m <= n; ++m)
       f.c[static_cast<std::size_t>(k + i + m)] +=
@@ -111,8 +134,8 @@ Segment hermite_shape(int n, int k) {
   return f;
 }
 
-/// The polynomial law of degree 2n - 1, with the contributions of its end velocities and
-/// accelerations.
+/// The polynomial law of degree 2n - 1, with the contributions of its end velocities,
+/// accelerations and, from degree 7 on, jerks.
 LawPiece hermite(int n, bool bends) {
   const Segment none;
   const auto mirrored = [](const Segment& f, double sign) { return scaled(reversed(f), sign); };
@@ -121,6 +144,10 @@ LawPiece hermite(int n, bool bends) {
   if (bends) {
     piece.bend_in = hermite_shape(n, 2);
     piece.bend_out = mirrored(piece.bend_in, 1);
+  }
+  if (bends && n > 3) {
+    piece.jerk_in = hermite_shape(n, 3);
+    piece.jerk_out = mirrored(piece.jerk_in, -1);
   }
   return piece;
 }
@@ -139,6 +166,15 @@ Segment simple_sine() {
   f.sines = 1;
   f.sine[0] = {0.5, pi, -pi / 2};
   return f;
+}
+
+/// f'' = a1 sin 2 pi z + a2 sin 4 pi z + a3 sin 6 pi z. The stroke of 1 determines the third amplitude:
+/// a1 / 2 + a2 / 4 + a3 / 6 = pi. Source: MechDesigner, motion-law Triple-Harmonic.
+Segment triple_harmonic(const std::optional<std::array<double, 2>>& given) {
+  const auto& [a1, a2] = given.value_or(std::array{9 * pi / 4, 0.});
+  const double a3 = 6 * (pi - a1 / 2 - a2 / 4);
+  return harmonics(
+      {{1, -a1 / (4 * pi * pi)}, {2, -a2 / (16 * pi * pi)}, {3, -a3 / (36 * pi * pi)}});
 }
 
 /// ((1 - cos pi z) - (1 - cos 2 pi z) / 4) / 2
@@ -166,15 +202,22 @@ std::vector<Segment> perfect_spline() {
   return {rise.segments().begin(), rise.segments().end()};
 }
 
-/// The ramps of an R-U law; `down` is described from the reversal.
-struct Reversal {
+/// The ramps of a law whose inflection lies between them; `down` is described from its end.
+struct Ramps {
   Ramp up, down;
 };
 
-std::optional<Reversal> reversal(Law law) {
-  if (law == Law::harmonic_combination) return Reversal{{0.25, 0, 0.75}, {0, 0, 1}};
-  if (law == Law::modified_trapezoid_ru) return Reversal{{0.25, 0.5, 0.25}, {0, 0.75, 0.25}};
+std::optional<Ramps> ramps(Law law) {
+  constexpr Ramp sine{0.25, 0, 0.75};
+  if (law == Law::modified_sine_gg) return Ramps{sine, sine};
+  if (law == Law::harmonic_combination || law == Law::harmonic_combination_gu)
+    return Ramps{sine, {0, 0, 1}};
+  if (law == Law::modified_trapezoid_ru) return Ramps{{0.25, 0.5, 0.25}, {0, 0.75, 0.25}};
   return std::nullopt;
+}
+
+std::vector<Segment> ramped(const Ramps& shape, double lambda, const RampEnds& ends = {}) {
+  return ramped(shape.up, lambda, 0, shape.down, 1 - lambda, ends);
 }
 
 /// Equations (3) and (4).
@@ -245,13 +288,15 @@ std::vector<Segment> rise(Law law, const LawForm& form) {
       constexpr double m = 1125. / 1192 / (2 * pi);
       return {harmonics({{1, -m}, {3, -m / 54}, {5, -m / 1250}})};
     }
+    case Law::triple_harmonic:
+      return {triple_harmonic(form.harmonics)};
     case Law::minimum_peak_jerk:
       return perfect_spline();
+    case Law::modified_sine_gg:
     case Law::harmonic_combination:
-    case Law::modified_trapezoid_ru: {
-      const Reversal shape = *reversal(law);
-      return ramped(shape.up, lambda, 0, shape.down, 1 - lambda);
-    }
+    case Law::harmonic_combination_gu:
+    case Law::modified_trapezoid_ru:
+      return ramped(*ramps(law), lambda);
     case Law::double_harmonic:
       return {double_harmonic()};
     case Law::eighth_degree:
@@ -260,6 +305,7 @@ std::vector<Segment> rise(Law law, const LawForm& form) {
     case Law::cubic_spline:
     case Law::quintic_spline:
     case Law::hermite:
+    case Law::b_spline:
       break;
   }
   assert(false && "a law through points has no shape of its own");
@@ -285,12 +331,6 @@ int hermite_order(Law law) {
   }
 }
 
-Segment added(const Segment& f, const Segment& g) {
-  const auto total = sum(f, g);
-  assert(total && "sines of one piece have the same frequencies");
-  return *total;
-}
-
 /// Equations (5) and (6).
 std::vector<LawPiece> with_end_velocities(const std::vector<Segment>& rise) {
   const Cam ramp = integral(Cam(rise));
@@ -305,6 +345,20 @@ std::vector<LawPiece> with_end_velocities(const std::vector<Segment>& rise) {
     const Segment z = line(f.length, z0, z0 + f.length);
     all.push_back({f, added(z, added(scaled(r, -1), scaled(f, whole - 1))),
                    added(r, scaled(f, -whole)), none, none});
+  }
+  return all;
+}
+
+/// The pieces of a law that enters and leaves with ramps.
+std::vector<LawPiece> with_ramps(const Ramps& shape, double lambda) {
+  const auto rise = ramped(shape, lambda);
+  const auto enter = ramped(shape, lambda, {0, 1, 0});
+  const auto leave = ramped(shape, lambda, {0, 0, 1});
+  std::vector<LawPiece> all;
+  for (std::size_t i = 0; i < rise.size(); ++i) {
+    Segment none;
+    none.length = rise[i].length;
+    all.push_back({rise[i], enter[i], leave[i], none, none});
   }
   return all;
 }
@@ -324,6 +378,11 @@ void require_valid(Law law, const LawForm& form) {
     if (!(*form.straight >= 0 && *form.straight < 1))
       throw InputError("straight", *form.straight,
                        "must be a share of the segment: at least 0 and below 1");
+  }
+  if (form.harmonics) {
+    if (law != Law::triple_harmonic)
+      refuse("harmonics", number((*form.harmonics)[0]) + ", ...", law);
+    for (const double amplitude : *form.harmonics) require_finite("harmonics", amplitude);
   }
   if (form.shares && law != Law::scca) refuse("shares", number((*form.shares)[0]) + ", ...", law);
   if (!form.shares && law == Law::scca)
@@ -346,15 +405,15 @@ std::vector<Segment> scca(double b, double c, double d, double straight) {
 std::vector<Segment> normalized(Law law, const LawForm& form) {
   require_valid(law, form);
   const auto own = rise(law, form);
-  return form.inflection && info(law).ends != Ends::rest_to_reversal
-             ? inflected(own, *form.inflection)
-             : own;
+  return form.inflection && !ramps(law) ? inflected(own, *form.inflection) : own;
 }
 
 std::vector<LawPiece> pieces(Law law, const LawForm& form) {
   const auto shape = normalized(law, form);
   if (const int n = hermite_order(law); n > 0 && !form.inflection)
     return {hermite(n, info(law).ends == Ends::given)};
+  if (law == Law::modified_sine_gg || law == Law::harmonic_combination_gu)
+    return with_ramps(*ramps(law), form.inflection.value_or(0.5));
   if (info(law).ends == Ends::moving || info(law).ends == Ends::moving_free)
     return with_end_velocities(shape);
   std::vector<LawPiece> all;
@@ -382,22 +441,29 @@ struct RampEnd {
 
 }  // namespace
 
-// The deceleration is D = V / (x k2), with V of (1) and the ramps over lambda and x = 1 - lambda:
+// The deceleration is D = V / (x k2), with V of (1) and the ramps over lambda and x = 1 - lambda. With
+// c = v0 (1 - m1):
 //
-//     (7)  D k2 (m2 - m1) x^2 + D k2 m1 x - 1 = 0,   least at x = 1: D = 1 / (k2 m2)
-double inflection_for(Law law, double deceleration) {
-  assert(deceleration > least_deceleration(law));
-  const Reversal shape = *reversal(law);
+//     (7)  D k2 (m2 - m1) x^2 + (D k2 m1 - c) x - (1 - c) = 0,   least at x = 1: D = 1 / (k2 m2)
+double inflection_for(Law law, double deceleration, double velocity) {
+  assert(deceleration > least_deceleration(law) && velocity < greatest_velocity(law));
+  const Ramps shape = *ramps(law);
   const RampEnd up(shape.up);
   const RampEnd down(shape.down);
-  const double p = deceleration * down.k * up.m;
+  const double c = velocity * (1 - up.m);
+  const double p = deceleration * down.k * up.m - c;
   const double q = deceleration * down.k * (down.m - up.m);
-  return 1 - 2 / (p + std::sqrt(p * p + 4 * q));  // Equation (7), the root without cancellation
+  // Equation (7), the root without cancellation
+  return 1 - 2 * (1 - c) / (p + std::sqrt(p * p + 4 * q * (1 - c)));
 }
 
 double least_deceleration(Law law) {
-  const RampEnd down(reversal(law)->down);
+  const RampEnd down(ramps(law)->down);
   return 1 / (down.k * down.m);
+}
+
+double greatest_velocity(Law law) {
+  return 1 / (1 - RampEnd(ramps(law)->up).m);
 }
 
 }  // namespace jounce

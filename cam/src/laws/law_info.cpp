@@ -45,6 +45,11 @@ constexpr std::array laws{
         "`jounce optimize`; quintic pieces, or pieces of degree 7 if the points have a geo_jerk",
         "any shape, exactly; a point changes only the two pieces next to it",
         "depending on the given numbers, the jerk may step at every point"},
+    LawInfo{Law::b_spline, "b_spline", "B-spline, Bezier curve", Ends::given, false,
+            "a curve from CAD, as `control` values, with inner `knots` and a `degree`; without "
+            "knots a Bezier curve",
+            "the curve of the CAD system, exactly; a control value changes only the pieces near it",
+            "the curve passes only through the first and the last control value"},
     LawInfo{Law::cubic, "cubic", "2-3 polynomial", Ends::moving_free, false,
             "when the heat of the motor is the limit, and acceleration steps are permitted",
             "lowest rms acceleration of all laws; low peak velocity",
@@ -74,6 +79,11 @@ constexpr std::array laws{
             "low peak velocity, and the lowest torque on the master (Cm) of the smooth laws; "
             "tolerant of manufacturing errors",
             "a little more acceleration than the modified trapezoid"},
+    LawInfo{Law::modified_sine_gg, "modified_sine_gg", "Modified sine G-G", Ends::moving, true,
+            "from one constant velocity to another, as in the cam editors of controllers; between "
+            "two rests the same as modified_sine",
+            "four pieces of sines, with the velocity peak at the inflection",
+            "jerk steps at the inflection if the velocities at its ends differ"},
     LawInfo{Law::modified_trapezoid, "modified_trapezoid", "Modified acceleration trapezoid",
             Ends::moving, true, "when the peak torque of the motor is the limit",
             "lowest peak acceleration of the smooth laws",
@@ -100,6 +110,11 @@ constexpr std::array laws{
     LawInfo{Law::freudenstein135, "freudenstein_135", "Freudenstein 1-3-5", Ends::moving, true,
             "like Gutman 1-3", "three harmonics: lower acceleration than 1-3",
             "excites up to the fifth harmonic"},
+    LawInfo{Law::triple_harmonic, "triple_harmonic", "Triple harmonic", Ends::moving, true,
+            "a law of your own, with the amplitudes of two `harmonics` of the acceleration; the "
+            "third amplitude follows",
+            "only three harmonics; with the default, the jerk is 0 at both ends and in the middle",
+            "unsuitable amplitudes give high peaks, or a reversal"},
     LawInfo{Law::minimum_peak_jerk, "minimum_peak_jerk", "Minimum peak jerk (perfect spline)",
             Ends::moving, true, "when the jerk is the limit; a lower bound for comparison",
             "lowest possible peak jerk: 32", "high acceleration; the jerk steps inside"},
@@ -111,6 +126,12 @@ constexpr std::array laws{
             Ends::rest_to_reversal, true, "from a dwell to a reversal, and back (R-U, U-R)",
             "low acceleration, because there is no stop at the reversal; adjustable by "
             "`inflection`, or by the acceleration at the knot of the reversal",
+            "acceleration steps at the reversal unless the next segment begins with the same "
+            "acceleration"},
+    LawInfo{Law::harmonic_combination_gu, "harmonic_combination_gu", "Harmonic combination G-U",
+            Ends::moving_to_reversal, true,
+            "from a constant velocity to a reversal, and back (G-U, U-G)",
+            "like harmonic_combination, joined to a line",
             "acceleration steps at the reversal unless the next segment begins with the same "
             "acceleration"},
     LawInfo{Law::modified_trapezoid_ru, "modified_trapezoid_ru", "Modified trapezoid R-U",
@@ -151,8 +172,20 @@ bool is_spline(Law law) {
   return law == Law::cubic_spline || law == Law::quintic_spline;
 }
 
+bool takes_points(Law law) {
+  return law == Law::polynomial || law == Law::hermite || is_spline(law);
+}
+
 bool has_own_shape(Law law) {
-  return law != Law::polynomial && law != Law::hermite && !is_spline(law);
+  return !takes_points(law) && law != Law::b_spline;
+}
+
+bool takes_jerk(Law law) {
+  return law == Law::septic || law == Law::nonic;
+}
+
+bool reverses(Ends ends) {
+  return ends == Ends::rest_to_reversal || ends == Ends::moving_to_reversal;
 }
 
 }  // namespace jounce

@@ -9,10 +9,12 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
+#include "controllers/src/milliseconds.hpp"
+
 namespace jounce::agito {
 namespace {
 
-constexpr double ms = 1e-3;  // s
+using controllers_detail::ms;
 
 void require_rate(const char* key, double value) {
   if (!(value >= 100 && value <= 2e9))

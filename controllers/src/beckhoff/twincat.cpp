@@ -20,7 +20,8 @@ const KnotType function_point{
     .fields = {"MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc"},
     .others = {"PointIndex", "FunctionType", "PointType", "RelIndexNextPoint", "SlaveJerk"}};
 
-constexpr double rounding = 1e-9;  ///< tolerance of a slope, for digits that a program leaves out
+constexpr double omitted_digits =
+    1e-9;  ///< tolerance of a slope, for digits that a program leaves out
 
 std::string word_of(const Knot& knot, const char* field) {
   const auto found = knot.others.find(field);
@@ -36,7 +37,7 @@ bool is_line(const Knot& from, const Knot& to) {
   const auto [x0, p0, v0, a0] = from.values;
   const auto [x1, p1, v1, a1] = to.values;
   const double slope = (p1 - p0) / (x1 - x0);
-  const double near = rounding * std::max(std::abs(slope), 1.0);
+  const double near = omitted_digits * std::max(std::abs(slope), 1.0);
   return a0 == 0 && a1 == 0 && std::abs(v0 - slope) <= near && std::abs(v1 - slope) <= near;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jounce/base/csv.hpp"
+#include "jounce/base/listed.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/detail/table_parts.hpp"
@@ -217,9 +218,9 @@ std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std:
 TableFile parse_exchange(const std::string& text, const std::string& name, bool decimal_comma) {
   std::vector<ExchangeCam> cams = parse_exchange_cams(text, name, decimal_comma);
   if (cams.size() == 1) return std::move(cams.front().file);
-  std::string names;
-  for (const ExchangeCam& cam : cams) names += (names.empty() ? "" : ", ") + cam.name;
-  throw InputError("", "", "contains several cams; choose one with --axis: " + names).at(name, 1);
+  throw InputError(
+      "", "", "contains several cams; choose one with --axis: " + listed(cams, &ExchangeCam::name))
+      .at(name, 1);
 }
 
 }  // namespace jounce

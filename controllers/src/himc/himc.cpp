@@ -7,10 +7,12 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 
+#include "controllers/src/milliseconds.hpp"
+
 namespace jounce::himc {
 namespace {
 
-constexpr double ms = 1e-3;  // s
+using controllers_detail::ms;
 
 void require_valid(const AxisProfile& axis) {
   require_positive("velocity", axis.velocity);

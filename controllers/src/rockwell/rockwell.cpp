@@ -28,7 +28,7 @@
 namespace jounce::controllers_detail {
 namespace {
 
-constexpr double rounding =
+constexpr double rounded_joint =
     1e-9;  ///< tolerance at the joints of a calculated profile, as a share of the stroke
 constexpr int calculated = 2;  ///< Status of an element of a CAM_PROFILE
 constexpr const char* start_slope =
@@ -110,7 +110,7 @@ Exchanged profile_cam(const Tag& tag, const Place& place) {
   Exchanged cam{.name = tag.name, .rule = Interpolation::cubic_hermite};
   const auto [low, high] = std::minmax_element(
       pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.p < b.p; });
-  const double near = rounding * std::max(high->p - low->p, std::abs(high->p));
+  const double near = rounded_joint * std::max(high->p - low->p, std::abs(high->p));
   std::optional<double> slope;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];

@@ -25,7 +25,7 @@ struct Context {
   std::vector<Jet> error = {};  ///< greatest error of each motion that was fitted
 };
 
-using Motions = std::vector<Trajectory>;
+using Curves = std::vector<Trajectory>;
 
 /// Throws InputError for a motion that begins or ends in motion: a filter assumes rest before and
 /// after.
@@ -39,34 +39,34 @@ void require_rest_at_ends(const Trajectory& motion) {
 }
 
 template <class Filter>
-void each(Motions& motions, Filter filter) {
+void each(Curves& motions, Filter filter) {
   for (Trajectory& motion : motions) {
     require_rest_at_ends(motion);
     motion = filter(motion);
   }
 }
 
-void apply(const MovingAverageSpec& s, const Context&, Motions& motions) {
+void apply(const MovingAverageSpec& s, const Context&, Curves& motions) {
   each(motions, [&](const Trajectory& f) { return moving_average(f, s.window); });
 }
 
-void apply(ShaperSpec s, const Context& context, Motions& motions) {
+void apply(ShaperSpec s, const Context& context, Curves& motions) {
   s.mode.frequency *= context.unit;
   const std::vector<Impulse> impulses = shaper(s);
   each(motions, [&](const Trajectory& f) { return shaped(f, impulses); });
 }
 
-void apply(NotchSpec s, const Context& context, Motions& motions) {
+void apply(NotchSpec s, const Context& context, Curves& motions) {
   s.frequency *= context.unit;
   each(motions, [&](const Trajectory& f) { return notched(f, s).motion; });
 }
 
-void apply(const RetimeSpec&, const Context& context, Motions& motions) {
+void apply(const RetimeSpec&, const Context& context, Curves& motions) {
   const double k = least_stretch(motions, context.limits);
   for (Trajectory& motion : motions) motion = scaled(motion, 1, k);
 }
 
-void apply(const OverrideSpec& s, const Context& context, Motions& motions) {
+void apply(const OverrideSpec& s, const Context& context, Curves& motions) {
   motions = overridden(motions, context.limits, s).axes;
 }
 
@@ -83,7 +83,7 @@ Trajectory changed(const Trajectory& running, const ChangeSpec& c) {
   }
 }
 
-void apply(const ChangeSpec& c, const Context&, Motions& motions) {
+void apply(const ChangeSpec& c, const Context&, Curves& motions) {
   if (motions.size() > 1) throw InputError("operator", "", "works with a single axis only");
   motions.front() = changed(motions.front(), c);
 }
@@ -109,7 +109,7 @@ Compensation made_of(const CompensateSpec& s) {
   }
 }
 
-void apply(const CompensateSpec& s, Context& context, Motions& motions) {
+void apply(const CompensateSpec& s, Context& context, Curves& motions) {
   const Compensation table = made_of(s);
   const std::optional<std::size_t> only =
       motions.size() == 1 ? std::optional<std::size_t>(0) : std::nullopt;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "jounce/path/override.hpp"
+#include "jounce/path/refine.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::design_detail {
@@ -126,8 +127,10 @@ PathMotion overlapping(const PathSpec& path) {
 PathMotion motion_of(const PathSpec& path) {
   if (path.overlap) return overlapping(path);
   PathMotion made;
-  const Plan planned =
-      in_source(path, [&] { return plan(path.program, path.limits, {.joints = path.joints}); });
+  const Plan planned = in_source(path, [&] {
+    Plan motion = plan(path.program, path.limits, {.joints = path.joints});
+    return path.refine ? refined(motion) : std::move(motion);
+  });
   made.plan = std::make_shared<const Plan>(played(planned, path.override_steps));
   made.axes = to_axes(*made.plan, path.tolerance.value_or(fine(path.program)));
   for (Trajectory& curve : made.axes.curves) {

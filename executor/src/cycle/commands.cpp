@@ -18,6 +18,27 @@ std::optional<AxisCommand> axis_command_of(const ClientCommand& command) {
       command);
 }
 
+namespace {
+
+/// The positions of a modulo axis repeat in each turn: the gear engages at the one nearest to
+/// `position`, the present position of the axis.
+GearInPosSpec gear_in_pos_of(const command::GearInPos& gear, double turn, double position) {
+  GearInPosSpec spec{.numerator = gear.numerator,
+                     .denominator = gear.denominator,
+                     .master_sync_position = gear.master_sync_position,
+                     .slave_sync_position = gear.slave_sync_position,
+                     .master_start_distance = gear.master_start_distance,
+                     .slave_start = position,
+                     .avoid_reversal = gear.avoid_reversal};
+  if (turn > 0) {
+    spec.slave_period = turn;
+    spec.slave_sync_position = position + std::remainder(gear.slave_sync_position - position, turn);
+  }
+  return spec;
+}
+
+}  // namespace
+
 std::unique_ptr<Movement> gear_of(const ClientCommand& command, std::uint64_t id,
                                   const AxisConfig& config, double position) {
   const auto given = [](double number, double otherwise) {
@@ -33,14 +54,7 @@ std::unique_ptr<Movement> gear_of(const ClientCommand& command, std::uint64_t id
                        .jerk = given(dynamics.jerk, config.limits.jerk.value_or(0))});
   }
   if (const auto* const gear = std::get_if<command::GearInPos>(&command))
-    return std::make_unique<LiveGearInPos>(
-        id, GearInPosSpec{.numerator = gear->numerator,
-                          .denominator = gear->denominator,
-                          .master_sync_position = gear->master_sync_position,
-                          .slave_sync_position = gear->slave_sync_position,
-                          .master_start_distance = gear->master_start_distance,
-                          .slave_start = position,
-                          .avoid_reversal = gear->avoid_reversal});
+    return std::make_unique<LiveGearInPos>(id, gear_in_pos_of(*gear, config.modulo, position));
   return nullptr;
 }
 

@@ -36,9 +36,6 @@ namespace {
 
 using profiles_detail::rounded_sum;
 
-using Gap = FollowGap;
-using Piece = FollowPiece;
-
 // The slave slows down to rest, or to the ratio c, and speeds up again: (4), (5).
 struct Rest {
   double a;
@@ -46,7 +43,7 @@ struct Rest {
   double c;
 };
 
-Rest rest_of(const Gap& g, bool whole) {
+Rest rest_of(const FollowGap& g, bool whole) {
   const double k = (g.r0 * g.r0 + g.r1 * g.r1) / (2 * std::abs(g.travel));  // (4)
   const double a = std::abs(g.r0) / k;
   const double b = std::abs(g.r1) / k;
@@ -57,10 +54,10 @@ Rest rest_of(const Gap& g, bool whole) {
   return {p, q, (2 * g.travel - g.r0 * p - g.r1 * q) / (2 * g.length - p - q)};  // (5)
 }
 
-std::vector<Piece> resting(const Gap& g, bool whole) {
+std::vector<FollowPiece> resting(const FollowGap& g, bool whole) {
   const auto [a, b, c] = rest_of(g, whole);
   const double between = g.length - a - b;
-  std::vector<Piece> pieces;
+  std::vector<FollowPiece> pieces;
   if (a > 0) pieces.push_back({a, (g.r0 + c) / 2 * a});
   pieces.push_back({between, c * between, PtType::even});
   if (b > 0) pieces.push_back({b, (c + g.r1) / 2 * b});
@@ -80,7 +77,7 @@ int way(const FollowGap& g) {
   return forward ? 1 : (back ? -1 : 0);
 }
 
-std::vector<Piece> pieces_of(const Gap& g, bool whole) {
+std::vector<FollowPiece> pieces_of(const FollowGap& g, bool whole) {
   const double D = g.travel - (g.r0 + g.r1) * g.length / 2;
   const double scale = std::abs(g.travel) + (std::abs(g.r0) + std::abs(g.r1)) * g.length;
   if (std::abs(D) <= rounded_sum * scale) return {{g.length, g.travel}};  // (1)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/entry_key.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
@@ -13,13 +14,8 @@
 namespace jounce::gear_detail {
 namespace {
 
-using Knot = FollowKnot;
-
+using profiles_detail::entry_key;
 using profiles_detail::rounded_input;
-
-std::string key(const char* list, std::size_t i, const char* name) {
-  return std::string(list) + "[" + std::to_string(i + 1) + "]." + name;
-}
 
 bool near(double a, double b) {
   return std::abs(a - b) <= rounded_input * std::max(std::abs(a), std::abs(b));
@@ -46,33 +42,33 @@ class Knots {
     fill();
   }
 
-  [[nodiscard]] std::vector<Knot> all() && { return std::move(all_); }
+  [[nodiscard]] std::vector<FollowKnot> all() && { return std::move(all_); }
 
  private:
   void require_numbers() const {
     if (plan_.start_ratio) require_finite("start_ratio", *plan_.start_ratio);
     for (std::size_t i = 0; i < plan_.points.size(); ++i) {
       const FollowPoint& p = plan_.points[i];
-      require_finite(key("point", i, "master").c_str(), p.master);
-      require_finite(key("point", i, "slave").c_str(), p.slave);
-      require_finite(key("point", i, "ratio").c_str(), p.ratio.value_or(0));
+      require_finite(entry_key("point", i, "master").c_str(), p.master);
+      require_finite(entry_key("point", i, "slave").c_str(), p.slave);
+      require_finite(entry_key("point", i, "ratio").c_str(), p.ratio.value_or(0));
       if (i > 0 && !(p.master > plan_.points[i - 1].master))
         throw InputError(
-            key("point", i, "master"), p.master,
+            entry_key("point", i, "master"), p.master,
             "must be greater than " + number(plan_.points[i - 1].master) + ", the previous point");
     }
     for (std::size_t i = 0; i < plan_.zones.size(); ++i) {
       const FollowZone& z = plan_.zones[i];
-      require_finite(key("zone", i, "from").c_str(), z.from);
-      require_finite(key("zone", i, "to").c_str(), z.to);
-      require_finite(key("zone", i, "ratio").c_str(), z.ratio);
-      require_finite(key("zone", i, "slave").c_str(), z.slave.value_or(0));
+      require_finite(entry_key("zone", i, "from").c_str(), z.from);
+      require_finite(entry_key("zone", i, "to").c_str(), z.to);
+      require_finite(entry_key("zone", i, "ratio").c_str(), z.ratio);
+      require_finite(entry_key("zone", i, "slave").c_str(), z.slave.value_or(0));
       if (!(z.to > z.from))
-        throw InputError(key("zone", i, "to"), z.to,
+        throw InputError(entry_key("zone", i, "to"), z.to,
                          "must be greater than from = " + number(z.from));
       if (i > 0 && !(z.from >= plan_.zones[i - 1].to))
         throw InputError(
-            key("zone", i, "from"), z.from,
+            entry_key("zone", i, "from"), z.from,
             "must be at least " + number(plan_.zones[i - 1].to) + ", the end of the previous zone");
     }
   }
@@ -101,7 +97,7 @@ class Knots {
   void add_point(std::size_t i) {
     const FollowPoint& p = plan_.points[i];
     if (!(p.master > all_.back().master))
-      throw InputError(key("point", i, "master"), p.master,
+      throw InputError(entry_key("point", i, "master"), p.master,
                        "must be greater than " + number(all_.back().master) +
                            ", the place of the start, of a point or of a zone");
     all_.push_back({p.master, p.slave, p.ratio, {}});
@@ -109,10 +105,10 @@ class Knots {
 
   void add_zone(std::size_t i) {
     const FollowZone& z = plan_.zones[i];
-    Knot& before = all_.back();
+    FollowKnot& before = all_.back();
     if (z.from < before.master)
       throw InputError(
-          key("zone", i, "from"), z.from,
+          entry_key("zone", i, "from"), z.from,
           "must be at least " + number(before.master) + ", the end of the previous zone or point");
     const double slave = begin_of(i);
     if (z.from == before.master) {
@@ -125,16 +121,16 @@ class Knots {
 
   /// Joins a zone to the knot at which it begins: the start of the plan, or the end of another
   /// zone.
-  void join(std::size_t i, Knot& before, double slave) const {
+  void join(std::size_t i, FollowKnot& before, double slave) const {
     const double ratio = plan_.zones[i].ratio;
     if (!near(slave, before.slave))
-      throw InputError(key("zone", i, "slave"), slave,
+      throw InputError(entry_key("zone", i, "slave"), slave,
                        "must be " + six_digits(before.slave) +
                            ", the position that the slave has there: leave it out, or change the "
                            "previous point or zone");
     if (before.ratio && !near(*before.ratio, ratio))
       throw InputError(
-          key("zone", i, "ratio"), ratio,
+          entry_key("zone", i, "ratio"), ratio,
           "must be " + six_digits(*before.ratio) +
               ", the ratio that the slave has there: let it reach the new ratio before this zone");
     before.ratio = ratio;
@@ -150,16 +146,16 @@ class Knots {
       const double expected = p.slave - z.ratio * (p.master - z.from);
       const double scale = std::abs(p.slave) + std::abs(z.ratio * z.to);
       if (slave && std::abs(*slave - expected) > rounded_input * scale)
-        throw InputError(key("point", k, "slave"), p.slave,
+        throw InputError(entry_key("point", k, "slave"), p.slave,
                          "must be " + six_digits(*slave + z.ratio * (p.master - z.from)) +
                              ", the position of the slave in zone " + std::to_string(i + 1) +
                              " at this master: leave it out");
       if (!slave) slave = expected;
     }
     if (slave) return *slave;
-    const Knot& before = all_.back();
+    const FollowKnot& before = all_.back();
     if (!before.ratio && all_.size() > 1)
-      throw InputError(key("zone", i, "slave"), "",
+      throw InputError(entry_key("zone", i, "slave"), "",
                        "is missing: give it, a sync point within the zone, or a ratio to the point "
                        "before");
     return before.slave + (before.ratio.value_or(z.ratio) + z.ratio) / 2 * (z.from - before.master);
@@ -167,8 +163,8 @@ class Knots {
 
   /// Completes the ratios at the ends of the plan.
   void close() {
-    Knot& first = all_.front();
-    Knot& last = all_.back();
+    FollowKnot& first = all_.front();
+    FollowKnot& last = all_.back();
     if (!plan_.periodic) {
       if (!last.ratio) last.ratio = 0;
       return;
@@ -195,7 +191,7 @@ class Knots {
   }
 
   const FollowPlan& plan_;
-  std::vector<Knot> all_;
+  std::vector<FollowKnot> all_;
 };
 
 }  // namespace

@@ -18,9 +18,9 @@ namespace {
 
 using gear_detail::rounded;
 
-using Gap = gear_detail::FollowGap;
-using Knot = gear_detail::FollowKnot;
-using Piece = gear_detail::FollowPiece;
+using gear_detail::FollowGap;
+using gear_detail::FollowKnot;
+using gear_detail::FollowPiece;
 
 using profiles_detail::rounded_input;
 
@@ -31,14 +31,14 @@ FollowTable follow_table(const FollowPlan& plan) {
   FollowTable table;
   table.loops = plan.periodic ? 0 : 1;
   for (std::size_t i = 1; i < knots.size(); ++i) {
-    const Knot& to = knots[i];
+    const FollowKnot& to = knots[i];
     if (to.zone) {
       table.segments.push_back({to.master, to.slave, PtType::even});
       continue;
     }
     const auto pieces = pieces_of(gap(knots[i - 1], to), plan.whole_master);
     PtPoint at{knots[i - 1].master, knots[i - 1].slave, PtType::normal};
-    for (const Piece& piece : pieces)
+    for (const FollowPiece& piece : pieces)
       table.segments.push_back(at = {at.x + piece.length, at.position + piece.travel, piece.type});
     // The last point is exactly the given knot, without the rounding of the pieces, so a motion
     // ends exactly at rest.
@@ -60,7 +60,7 @@ CamSpec cam_spec(const FollowPlan& plan) {
   };
   const bool seam = plan.periodic && (in_step(0) || in_step(knots.size() - 1));
   const auto cam_knot = [&](std::size_t i) {
-    const Knot& k = knots[i];
+    const FollowKnot& k = knots[i];
     const bool end = i == 0 || i + 1 == knots.size();
     if (in_step(i) || (end && seam)) return CamKnot{k.master, k.slave, {}, 0.0};
     return CamKnot{k.master, k.slave, k.ratio, 0.0};
@@ -71,7 +71,7 @@ CamSpec cam_spec(const FollowPlan& plan) {
   const double travel = std::abs(knots.back().slave);
   if (plan.periodic && travel > 0) spec.slave_period = travel;
   for (std::size_t i = 1; i < knots.size(); ++i) {
-    const Knot& k = knots[i];
+    const FollowKnot& k = knots[i];
     const bool stands =
         !k.zone && k.slave == knots[i - 1].slave && *k.ratio == 0 && *knots[i - 1].ratio == 0;
     const Law law = k.zone ? Law::line : (stands ? Law::dwell : plan.law);
@@ -108,7 +108,7 @@ SyncCam smooth(const FollowPlan& plan) {
 }
 
 /// A gap as a separate cam.
-Cam gap_cam(const Gap& g, Law law) {
+Cam gap_cam(const FollowGap& g, Law law) {
   CamSpec spec;
   spec.start = {0, 0, g.r0, 0.0};
   spec.segments = {{law, {g.length, g.travel, g.r1, 0.0}}};
@@ -116,14 +116,14 @@ Cam gap_cam(const Gap& g, Law law) {
 }
 
 /// Greatest backward ratio of the slave in a gap; 0 if it does not run backwards.
-Extremum backwards_in(const Gap& g, const FollowPlan& plan) {
+Extremum backwards_in(const FollowGap& g, const FollowPlan& plan) {
   const int s = gear_detail::way(g);
   if (s == 0 || (g.travel == 0 && g.r0 == 0 && g.r1 == 0)) return {};
   if (plan.form == FollowForm::table && s * g.travel > 0) return {};
   const Cam cam = plan.form == FollowForm::smooth ? gap_cam(g, plan.law) : [&] {
     std::vector<PtPoint> points;
     PtPoint at;
-    for (const Piece& p : pieces_of(g, false))
+    for (const FollowPiece& p : pieces_of(g, false))
       points.push_back(at = {at.x + p.length, at.position + p.travel, PtType::continued});
     return pt<OverMaster>(points, g.r0);
   }();
@@ -135,20 +135,20 @@ Extremum backwards_in(const Gap& g, const FollowPlan& plan) {
 
 /// The least travel for which the gap's law does not move backwards. It lies between the given
 /// travel, which does, and that of a straight ramp, which does not.
-double least_travel(const Gap& g, const FollowPlan& plan) {
+double least_travel(const FollowGap& g, const FollowPlan& plan) {
   if (plan.form == FollowForm::table) return 0;
   double bad = g.travel;
   double good = (g.r0 + g.r1) * g.length / 2;
   for (int i = 0; i < 60; ++i) {
     const double middle = (bad + good) / 2;
-    Gap tried = g;
+    FollowGap tried = g;
     tried.travel = middle;
     (backwards_in(tried, plan).value != 0 ? bad : good) = middle;
   }
   return good;
 }
 
-std::string travel_advice(const Gap& g, const FollowPlan& plan, double from, double to) {
+std::string travel_advice(const FollowGap& g, const FollowPlan& plan, double from, double to) {
   const std::string where = "between master " + rounded(from) + " and " + rounded(to) +
                             " the slave travels " + rounded(g.travel);
   const double least = least_travel(g, plan);
@@ -196,7 +196,7 @@ Report check(const FollowPlan& plan) {
   const auto knots = gear_detail::follow_knots(plan);
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if (knots[i].zone) continue;
-    const Gap g = gap(knots[i - 1], knots[i]);
+    const FollowGap g = gap(knots[i - 1], knots[i]);
     const Extremum worst = backwards_in(g, plan);
     if (worst.value == 0) continue;
     Finding f;

@@ -6,11 +6,14 @@
 #include <string>
 #include <utility>
 
+#include "jounce/profiles/detail/entry_key.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::entry_key;
 
 /// Segments with their names. The values of each segment begin at the end value of the previous
 /// one.
@@ -34,14 +37,9 @@ struct Chain {
   }
 };
 
-std::string key(const char* list, std::size_t i, const char* field) {
-  return std::string(list) + "[" + std::to_string(i + 1) + "]." + field;
-}
-
 /// The law from 0 to 1 over a distance.
 std::vector<Segment> rise(Law law, double distance, const std::string& key_of_law) {
-  if (!has_own_shape(law) || law == Law::dwell || law == Law::scca ||
-      info(law).ends == Ends::rest_to_reversal)
+  if (!has_own_shape(law) || law == Law::dwell || law == Law::scca || reverses(info(law).ends))
     throw InputError(key_of_law, name(law), "must be a line or a law from rest to rest");
   std::vector<Segment> all = normalized(law);
   for (Segment& f : all) f.length *= distance;
@@ -61,13 +59,13 @@ void require_valid(const GearCourse& c) {
 /// Requires a finite position inside the course.
 void require_inside(const GearCourse& c, const char* list, std::size_t i, double at,
                     double distance) {
-  require_finite(key(list, i, "at").c_str(), at);
-  require_finite(key(list, i, "distance").c_str(), distance);
+  require_finite(entry_key(list, i, "at").c_str(), at);
+  require_finite(entry_key(list, i, "distance").c_str(), distance);
   if (at < c.master_start)
-    throw InputError(key(list, i, "at"), at,
+    throw InputError(entry_key(list, i, "at"), at,
                      "must not lie before the start, " + number(c.master_start));
   if (at + distance > c.master_end)
-    throw InputError(key(list, i, "distance"), distance,
+    throw InputError(entry_key(list, i, "distance"), distance,
                      "ends at " + six_digits(at + distance) + ", because it begins at " +
                          six_digits(at) + ": must end at master_end, " + number(c.master_end) +
                          ", or before");
@@ -93,14 +91,14 @@ Chain ratios(const GearCourse& c) {
   for (std::size_t i = 0; i < c.changes.size(); ++i) {
     const RatioChange& change = c.changes[i];
     require_inside(c, "change", i, change.at, change.distance);
-    require_finite(key("change", i, "ratio").c_str(), change.ratio);
-    require_not_negative(key("change", i, "distance").c_str(), change.distance);
+    require_finite(entry_key("change", i, "ratio").c_str(), change.ratio);
+    require_not_negative(entry_key("change", i, "distance").c_str(), change.distance);
     if (change.at < chain.x)
       throw InputError(
-          key("change", i, "at"), change.at,
+          entry_key("change", i, "at"), change.at,
           "must not lie before " + six_digits(chain.x) + ", the end of the previous change");
     chain.run_to(change.at, ratio, name_of(ratio));
-    if (change.distance > 0) add_clutch(chain, ratio, change, key("change", i, "law"));
+    if (change.distance > 0) add_clutch(chain, ratio, change, entry_key("change", i, "law"));
     ratio = change.ratio;
   }
   chain.run_to(c.master_end, ratio, name_of(ratio));
@@ -110,13 +108,13 @@ Chain ratios(const GearCourse& c) {
 Chain shift_of(const GearCourse& c, std::size_t i) {
   const PhaseShift& shift = c.shifts[i];
   require_inside(c, "shift", i, shift.at, shift.distance);
-  require_finite(key("shift", i, "shift").c_str(), shift.shift);
-  require_positive(key("shift", i, "distance").c_str(), shift.distance);
+  require_finite(entry_key("shift", i, "shift").c_str(), shift.shift);
+  require_positive(entry_key("shift", i, "distance").c_str(), shift.distance);
   if (shift.law == Law::line)
-    throw InputError(key("shift", i, "law"), "line", "must be a law from rest to rest");
+    throw InputError(entry_key("shift", i, "law"), "line", "must be a law from rest to rest");
   Chain chain{.x = c.master_start};
   chain.run_to(shift.at, 0, "");
-  for (const Segment& f : rise(shift.law, shift.distance, key("shift", i, "law")))
+  for (const Segment& f : rise(shift.law, shift.distance, entry_key("shift", i, "law")))
     chain.add(scaled(f, shift.shift), "phase");
   chain.run_to(c.master_end, 0, "");
   return chain;

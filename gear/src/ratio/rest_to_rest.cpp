@@ -37,8 +37,7 @@ Peaks peaks_of(Law law, const LawForm& form) {
 
 void require_rest_to_rest(const char* key, Law law, const LawForm& form) {
   const Ends ends = info(law).ends;
-  if (!has_own_shape(law) || ends == Ends::straight || ends == Ends::standing ||
-      ends == Ends::rest_to_reversal)
+  if (!has_own_shape(law) || ends == Ends::straight || ends == Ends::standing || reverses(ends))
     throw InputError(key, name(law), "must be a law that goes from rest to rest");
   require_valid(law, form);
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "jounce/base/csv.hpp"
+#include "jounce/base/listed.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/command/command_values.hpp"
 #include "jounce/profiles/error.hpp"
@@ -56,13 +57,6 @@ std::vector<Form> forms_of(const std::string& word) {
   return forms;
 }
 
-template <class Name>
-std::string joined(const std::vector<std::string>& words, Name name) {
-  std::string list;
-  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + name(word);
-  return list;
-}
-
 std::string dashed(const std::string& option) {
   return option == value_word ? option : "--" + option;
 }
@@ -100,7 +94,7 @@ Form form_of(const CommandWords& words) {
   if (forms.size() == 1) return forms.front();
   std::vector<std::string> selectors;
   for (const Form& form : forms) selectors.push_back(form.selector());
-  const std::string list = joined(selectors, dashed);
+  const std::string list = listed(selectors, dashed);
   const Form* chosen = nullptr;
   for (const Form& form : forms) {
     if (text_of(words, form.selector()).empty()) continue;
@@ -314,7 +308,7 @@ void require_taken(const CommandWords& words) {
     throw InputError(dashed(option), text,
                      "does not apply to " + words.what +
                          (taken.empty() ? ", which takes no value and no option"
-                                        : ", which has " + joined(taken, dashed)));
+                                        : ", which has " + listed(taken, dashed)));
   };
   require(value_word, words.value, !words.value.empty());
   for (const auto& [option, given] : words.flags)

@@ -51,7 +51,7 @@ SwapPlan add_input(StreamPlan& plan, const Input& input, const PlayOptions& opti
   return added;
 }
 
-std::string listed(const std::vector<std::string>& names) {
+std::string comma_separated(const std::vector<std::string>& names) {
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ",") + name;
   return list;
@@ -88,7 +88,7 @@ std::vector<Input> inputs_for(const std::vector<std::string>& executors,
     else if (axes.size() == executors.size())
       chosen.push_back(axes[i]);
     else
-      throw InputError("to", listed(executors),
+      throw InputError("to", comma_separated(executors),
                        "names " + std::to_string(executors.size()) + " axes, but " + path +
                            " has " + std::to_string(axes.size()) +
                            ": name one executor for each axis");

@@ -252,7 +252,7 @@ double exact_share(const CamDesign& made, std::size_t segment, Objective objecti
 /// True if a law has the acceleration of the knot at its end; other laws determine it themselves.
 bool takes_acceleration(Law law) {
   const Ends ends = info(law).ends;
-  return ends != Ends::moving_free && ends != Ends::rest_to_reversal;
+  return ends != Ends::moving_free && !reverses(ends);
 }
 
 }  // namespace

@@ -9,15 +9,15 @@
 namespace jounce::optimizer {
 namespace {
 
-constexpr int max_rounds = 200;
+constexpr int max_exchange_rounds = 200;
 constexpr double slow =
     1e-3;  ///< relative gain of one solution below which another method is tried
 
 /// One attempt, round by round.
-class Run {
+class ExchangeRun {
  public:
-  Run(const Subproblem& subproblem, const Point& start, int max_evaluations,
-      const std::function<bool()>& go_on)
+  ExchangeRun(const Subproblem& subproblem, const Point& start, int max_evaluations,
+              const std::function<bool()>& go_on)
       : subproblem_(subproblem),
         go_on_(go_on),
         exchange_(subproblem, start),
@@ -38,7 +38,7 @@ class Run {
       return false;
     }
     const int left = max_evaluations_ - best_.evaluations;
-    if (left <= 0 || ++round_ > max_rounds || !go_on_()) return false;
+    if (left <= 0 || ++round_ > max_exchange_rounds || !go_on_()) return false;
     const double before = now_.value;
     const Solved solved = solve(program(), z_, t(), std::min(left, patience()), go_on_);
     best_.evaluations += solved.evaluations;
@@ -115,7 +115,7 @@ class Run {
 
 LocalSolution exchange_method(const Subproblem& subproblem, const Point& start, int max_evaluations,
                               const std::function<bool()>& go_on) {
-  Run run(subproblem, start, max_evaluations, go_on);
+  ExchangeRun run(subproblem, start, max_evaluations, go_on);
   while (run.step()) {
   }
   return run.best();

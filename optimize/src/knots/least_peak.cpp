@@ -45,8 +45,8 @@ using optimizer::Form;
 constexpr double slack = 1e-6;  ///< share of the peak that may be given up for less jerk
 constexpr double met = 1e-9;    ///< relative excess of a peak that counts as rounding
 constexpr int max_exchanges = 30;
-constexpr std::array first_places{0.0,  0.067, 0.25, 0.5,
-                                  0.75, 0.933, 1.0};  ///< first places in a segment
+constexpr std::array first_peak_places{0.0,  0.067, 0.25, 0.5,
+                                       0.75, 0.933, 1.0};  ///< first places in a segment
 
 /// A place where |f''| is bounded.
 struct Place {
@@ -61,7 +61,7 @@ class Exchange {
   explicit Exchange(const AffineCam& affine, std::size_t segments) : cam_(affine) {
     for (std::size_t i = 0; i < segments; ++i) {
       if (!affine.moves(i)) continue;
-      for (const double s : first_places)
+      for (const double s : first_peak_places)
         for (const double sign : {1.0, -1.0}) places_.push_back({i, s, sign});
     }
   }

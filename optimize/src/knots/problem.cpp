@@ -25,9 +25,9 @@ bool fixes(Law law, Quantity quantity) {
   const Ends ends = info(law).ends;
   switch (quantity) {
     case Quantity::master:
-      return ends == Ends::straight || ends == Ends::rest_to_reversal;
+      return ends == Ends::straight || reverses(ends);
     case Quantity::slave:
-      return ends == Ends::straight || ends == Ends::standing || ends == Ends::rest_to_reversal;
+      return ends == Ends::straight || ends == Ends::standing || reverses(ends);
     case Quantity::geo_velocity:
       return ends != Ends::given && ends != Ends::moving && ends != Ends::moving_free;
     default:

@@ -29,7 +29,6 @@ constexpr double least_missed = 1e-8;       ///< share of the sum that is worth 
 
 constexpr int max_rounds = 80;  ///< rounds of one exchange
 constexpr int max_adjustments = 40;
-constexpr double hopeless = 1e-7;  ///< residual above which a program has no solution
 constexpr double worthwhile = 1e-9;
 constexpr double coarse = 1e-6;  ///< residual that is enough for a program that is solved again
 constexpr double fine = 1e-11;

@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 constexpr std::size_t most_quantities = 4;
 
 /// The functions of a program, at (y, t).
-struct Run {
+struct DescentRun {
   const DescentProgram& program;
   const std::function<bool()>& go_on;
   VectorXd y = {};
@@ -151,7 +151,7 @@ Descended descend(const DescentProgram& program, const VectorXd& y, int max_eval
   const VectorXd t = least_t(program, y);
   std::vector<double> x(y.begin(), y.end());
   x.insert(x.end(), t.begin(), t.end());
-  Run run{program, go_on};
+  DescentRun run{program, go_on};
   x = run_local_solver(
       {.objective = [&](auto at, auto slope) { return run.objective(at, slope); },
        .constraints = [&](auto at, auto rows, auto slope) { run.constraints(at, rows, slope); },

@@ -41,9 +41,9 @@ bool expects_more(double searches, double basins) {
   return basins * (searches - 1) / (searches - basins - 2) >= basins + 0.5;  // (1)
 }
 
-class MultiStart {
+class BasinSearch {
  public:
-  explicit MultiStart(Evaluations& evaluations)
+  explicit BasinSearch(Evaluations& evaluations)
       : evaluations_(evaluations), state_(evaluations.options().seed) {}
 
   MultiStartCounts run(double share) {
@@ -135,7 +135,7 @@ void first_evaluations(Evaluations& evaluations) {
 }
 
 MultiStartCounts multi_start(Evaluations& evaluations, double share) {
-  return MultiStart(evaluations).run(share);
+  return BasinSearch(evaluations).run(share);
 }
 
 }  // namespace jounce::optimizer

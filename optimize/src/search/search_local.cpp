@@ -22,9 +22,9 @@ namespace {
 constexpr double least_first_step = 1e-7;  ///< first step of a further attempt
 
 /// The function of a search in the form of a solver. Values and slopes of one point are computed once.
-class Run {
+class LocalSearch {
  public:
-  Run(Evaluations& evaluations, double margin, double difference)
+  LocalSearch(Evaluations& evaluations, double margin, double difference)
       : evaluations_(evaluations), margin_(margin), difference_(difference) {}
 
   /// Runs a method. `local` has its stopping criteria.
@@ -122,7 +122,7 @@ bool is_gain(const Evaluations& evaluations, const Evaluation& before, const Eva
 Evaluation run_cobyla(Evaluations& evaluations, const Choice& z, double radius, double smallest,
                       int max_evaluations) {
   const std::size_t from = evaluations.all().size();
-  Run(evaluations, 0, 0)
+  LocalSearch(evaluations, 0, 0)
       .from(z, {.method = LocalProblem::Method::cobyla,
                 .initial_step = radius,
                 .x_absolute = smallest,
@@ -132,7 +132,7 @@ Evaluation run_cobyla(Evaluations& evaluations, const Choice& z, double radius, 
 
 void run_slsqp(Evaluations& evaluations, const Choice& z, double step, int iterations) {
   const double tolerance = evaluations.options().tolerance;
-  Run(evaluations, 1e-3 * tolerance, step)
+  LocalSearch(evaluations, 1e-3 * tolerance, step)
       .from(z, {.x_absolute = 1e-2 * tolerance, .max_evaluations = iterations});
 }
 

@@ -7,7 +7,7 @@
 namespace jounce::optimize_detail {
 namespace {
 
-constexpr double same_place =
+constexpr double same_knot =
     1e-9;  // share of the run: a break of the spline this near to a knot is the knot
 
 Jet jet_at(const Trajectory& curve, double x) {
@@ -50,7 +50,7 @@ std::vector<CamPoint> points_of(const CamSpec& cam, const CamRunOf& run, std::si
   const RunKnot& to = run.knots[r + 1];
   std::vector<CamPoint> points{
       point_at(from, jet_at(curve, run, from), knot_of(cam, run.segments[r]).master, jerk)};
-  const double near = same_place * curve.length();
+  const double near = same_knot * curve.length();
   for (const double x : curve.breaks()) {
     if (x <= from.x() + near || x >= to.x() - near) continue;
     CamPoint point = point_at(jet_at(curve, x), x - to.ahead, jerk);

@@ -15,7 +15,8 @@ LinearQuantity derivative_named(const char* name, std::size_t order) {
   return q;
 }
 
-const std::array<const char*, 4> names{"slave", "geo_velocity", "geo_acceleration", "geo_jerk"};
+const std::array<const char*, 4> derivative_names{"slave", "geo_velocity", "geo_acceleration",
+                                                  "geo_jerk"};
 
 std::size_t pieces_of(const CamShapeProblem& problem, const CamRunOf& run) {
   std::size_t pieces = 0;
@@ -73,7 +74,7 @@ void add_limits(const CamShapeProblem& problem, const CamRunOf& run, double accu
   const double to = problem.cam.segments.back().end.master;
   const auto add = [&](std::size_t order, std::optional<double> low, std::optional<double> high) {
     if (!low && !high) return;
-    Corridor c{derivative_named(names[order], order), from, to, {}, {}};
+    Corridor c{derivative_named(derivative_names[order], order), from, to, {}, {}};
     const double room = order == 0 ? 0 : worth(problem, run, accuracy, order);
     if (low) c.lower = Edge{*low + room, *low + room};
     if (high) c.upper = Edge{*high - room, *high - room};
@@ -90,7 +91,7 @@ void add_limits(const CamShapeProblem& problem, const CamRunOf& run, double accu
 Corridor narrowed(Corridor c, const CamShapeProblem& problem, const CamRunOf& run,
                   double accuracy) {
   double room = 0;
-  for (std::size_t k = 1; k < names.size(); ++k)
+  for (std::size_t k = 1; k < derivative_names.size(); ++k)
     room += std::abs(c.quantity.by[k]) * worth(problem, run, accuracy, k);
   if (c.from == c.to) return c;
   if (c.lower && c.upper)
@@ -117,7 +118,7 @@ void add_monotone(const CamShapeProblem& problem, const CamRunOf& run, std::vect
 void add_knot(const RunKnot& knot, bool inside, std::vector<Corridor>& all) {
   const auto add = [&](std::size_t order, const std::optional<double>& fixed,
                        const std::optional<Bound>& bound, double auxiliary) {
-    Corridor c{derivative_named(names[order], order), knot.x(), knot.x(), {}, {}};
+    Corridor c{derivative_named(derivative_names[order], order), knot.x(), knot.x(), {}, {}};
     if (fixed && inside) c.lower = c.upper = Edge{*fixed + auxiliary, *fixed + auxiliary};
     if (bound && std::isfinite(bound->lower))
       c.lower = Edge{bound->lower + auxiliary, bound->lower + auxiliary};

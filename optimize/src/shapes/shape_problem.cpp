@@ -6,6 +6,7 @@
 
 #include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/optimize/shape.hpp"
+#include "jounce/profiles/detail/entry_key.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -14,17 +15,14 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::entry_key;
 using profiles_detail::rounded_input;
 using profiles_detail::rounded_sum;
 
 constexpr double affine_error = 1e-6;  ///< share of the figure that an affine one may be off
 
-constexpr std::array names{"value",    "geo_velocity", "geo_acceleration",
-                           "geo_jerk", "geo_jounce",   "geo_crackle"};
-
-[[nodiscard]] std::string item(const char* list, std::size_t i, const char* field) {
-  return std::string(list) + "[" + std::to_string(i + 1) + "]." + field;
-}
+constexpr std::array quantity_names{"value",    "geo_velocity", "geo_acceleration",
+                                    "geo_jerk", "geo_jounce",   "geo_crackle"};
 
 void require(bool holds, const std::string& key, double value, const char* rule) {
   if (!holds) throw InputError(key, value, rule);
@@ -112,7 +110,7 @@ void require_periodic(const ShapeProblem& p) {
   const auto to = optimizer::derivatives_of(p.to);
   for (std::size_t k = 1; p.periodic && k < to.size(); ++k)
     if (from[k] && to[k])
-      require(*from[k] == *to[k], std::string("to.") + names[k], *to[k],
+      require(*from[k] == *to[k], std::string("to.") + quantity_names[k], *to[k],
               "must equal that of from, because the shape is periodic");
 }
 
@@ -121,7 +119,7 @@ void require_end(const char* key, const ShapeEnd& end, int degree, double length
   double power = 1;
   for (std::size_t k = 0; k < given.size(); ++k, power *= length) {
     if (!given[k]) continue;
-    const std::string field = std::string(key) + "." + names[k];
+    const std::string field = std::string(key) + "." + quantity_names[k];
     require(std::isfinite(*given[k]), field, *given[k], "must be finite");
     require(static_cast<int>(k) < degree, field, *given[k],
             "can be given only if the degree is above its order");
@@ -137,23 +135,23 @@ void require_edge(const std::string& key, const std::optional<Edge>& edge) {
 }
 
 void require_corridor(std::size_t i, const Corridor& c, const ShapeProblem& p) {
-  require_quantity(item("corridors", i, "quantity"), c.quantity, p.degree);
-  require(c.from >= p.begin && c.from <= p.end, item("corridors", i, "from"), c.from,
+  require_quantity(entry_key("corridors", i, "quantity"), c.quantity, p.degree);
+  require(c.from >= p.begin && c.from <= p.end, entry_key("corridors", i, "from"), c.from,
           "must be within the shape");
   const double least = optimizer::same_knot * (p.end - p.begin) / static_cast<double>(p.pieces);
-  require(c.to >= c.from && c.to <= p.end, item("corridors", i, "to"), c.to,
+  require(c.to >= c.from && c.to <= p.end, entry_key("corridors", i, "to"), c.to,
           "must not be before from, nor beyond the end");
-  require(c.to == c.from || c.to - c.from > 2 * least, item("corridors", i, "to"), c.to,
+  require(c.to == c.from || c.to - c.from > 2 * least, entry_key("corridors", i, "to"), c.to,
           "must be from (a point), or farther from it than a 500000th of a piece");
-  require_edge(item("corridors", i, "lower"), c.lower);
-  require_edge(item("corridors", i, "upper"), c.upper);
+  require_edge(entry_key("corridors", i, "lower"), c.lower);
+  require_edge(entry_key("corridors", i, "upper"), c.upper);
   if (!c.lower && !c.upper)
-    throw InputError(item("corridors", i, "lower"), "none", "a corridor needs an edge");
+    throw InputError(entry_key("corridors", i, "lower"), "none", "a corridor needs an edge");
   if (!c.lower || !c.upper) return;
-  require(c.lower->at_from <= c.upper->at_from, item("corridors", i, "lower.at_from"),
+  require(c.lower->at_from <= c.upper->at_from, entry_key("corridors", i, "lower.at_from"),
           c.lower->at_from, "must not be above the upper edge");
-  require(c.lower->at_to <= c.upper->at_to, item("corridors", i, "lower.at_to"), c.lower->at_to,
-          "must not be above the upper edge");
+  require(c.lower->at_to <= c.upper->at_to, entry_key("corridors", i, "lower.at_to"),
+          c.lower->at_to, "must not be above the upper edge");
 }
 
 void require_given(const ShapeProblem& p) {
@@ -166,9 +164,9 @@ void require_given(const ShapeProblem& p) {
 }  // namespace
 
 LinearQuantity derivative_of_shape(int order) {
-  assert(order >= 0 && order < static_cast<int>(names.size()));
+  assert(order >= 0 && order < static_cast<int>(quantity_names.size()));
   const auto k = static_cast<std::size_t>(order);
-  LinearQuantity q{.name = names[k]};
+  LinearQuantity q{.name = quantity_names[k]};
   q.by[k] = 1;
   return q;
 }
@@ -204,20 +202,20 @@ void require_valid(const ShapeProblem& p) {
   require_periodic(p);
   if (p.minimize.empty()) throw InputError("minimize", "", "must name at least one figure");
   for (std::size_t i = 0; i < p.minimize.size(); ++i) {
-    require_figure(item("minimize", i, "figure"), p.minimize[i].figure, p);
+    require_figure(entry_key("minimize", i, "figure"), p.minimize[i].figure, p);
     const double weight = p.minimize[i].weight;
-    require(std::isfinite(weight) && weight > 0, item("minimize", i, "weight"), weight,
+    require(std::isfinite(weight) && weight > 0, entry_key("minimize", i, "weight"), weight,
             "must be finite and > 0");
   }
   for (std::size_t i = 0; i < p.minimize.size(); ++i)
-    optimizer::require_pointwise(item("minimize", i, "figure"), p.minimize[i].figure, p);
+    optimizer::require_pointwise(entry_key("minimize", i, "figure"), p.minimize[i].figure, p);
   for (std::size_t i = 0; i < p.ceilings.size(); ++i)
-    optimizer::require_pointwise(item("ceilings", i, "figure"), p.ceilings[i].figure, p);
+    optimizer::require_pointwise(entry_key("ceilings", i, "figure"), p.ceilings[i].figure, p);
   for (std::size_t i = 0; i < p.corridors.size(); ++i) require_corridor(i, p.corridors[i], p);
   for (std::size_t i = 0; i < p.ceilings.size(); ++i) {
-    require_figure(item("ceilings", i, "figure"), p.ceilings[i].figure, p);
+    require_figure(entry_key("ceilings", i, "figure"), p.ceilings[i].figure, p);
     const double most = p.ceilings[i].at_most;
-    require(std::isfinite(most) && most >= 0, item("ceilings", i, "at_most"), most,
+    require(std::isfinite(most) && most >= 0, entry_key("ceilings", i, "at_most"), most,
             "must be finite and >= 0");
   }
   require_given(p);

@@ -11,9 +11,6 @@
 namespace jounce::optimizer {
 namespace {
 
-/// Residual of an equality, or of a constraint that nothing changes, above which there is no solution.
-constexpr double hopeless = 1e-7;
-
 bool apart(const ShapeModel& model, const Coordinates& z) {
   return !(worst_equality(model, z) <= hopeless);
 }

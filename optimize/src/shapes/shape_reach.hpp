@@ -9,6 +9,10 @@
 /// The reason why no shape satisfies its limits.
 namespace jounce::optimizer {
 
+/// Residual of an equality, or of a constraint that nothing changes, above which there is no
+/// solution.
+inline constexpr double hopeless = 1e-7;
+
 /// True if no shape has the fixed values at the ends and on the corridors without width. The test
 /// starts at `z`.
 bool contradictory(const ShapeModel& model, const Coordinates& z);

@@ -10,7 +10,7 @@ namespace jounce::optimizer {
 namespace {
 
 constexpr double at_the_edge = 1e-6;  ///< share of a segment: a window has knots at both ends
-constexpr double missed =
+constexpr double missed_share =
     1e-7;  ///< share of the size of a derivative above which a difference is a step
 constexpr double left_by_a_solver =
     1e-4;                        ///< relative excess that lower_exceeded() treats as rounding
@@ -87,7 +87,7 @@ void add_missed(const ShapeProblem& problem, const ShapeModel& model,
                           double wanted) {
     const double off = std::abs(value - wanted);
     const double size = model.space.unit(knot, static_cast<int>(k));
-    if (off <= missed * size + rounding_tolerance * std::abs(wanted)) return;
+    if (off <= missed_share * size + rounding_tolerance * std::abs(wanted)) return;
     const Extremum e{value, model.space.knots()[knot], Side::right};
     const std::string quantity = derivative_of_shape(static_cast<int>(k)).name;
     findings.push_back(finding(rule + quantity, quantity, e, wanted,

@@ -13,17 +13,17 @@
 namespace jounce::optimizer {
 namespace {
 
-class Run {
+class NloptRun {
  public:
-  Run(const LocalProblem& problem, std::size_t n)
+  NloptRun(const LocalProblem& problem, std::size_t n)
       : problem_(problem),
         solver_(problem.method == LocalProblem::Method::slsqp ? nlopt::LD_SLSQP : nlopt::LN_COBYLA,
                 static_cast<unsigned>(n)) {
     if (!problem.lower.empty()) solver_.set_lower_bounds(problem.lower);
     if (!problem.upper.empty()) solver_.set_upper_bounds(problem.upper);
-    solver_.set_min_objective(&Run::objective, this);
+    solver_.set_min_objective(&NloptRun::objective, this);
     if (problem.rows > 0)
-      solver_.add_inequality_mconstraint(&Run::constraints, this,
+      solver_.add_inequality_mconstraint(&NloptRun::constraints, this,
                                          std::vector<double>(problem.rows, problem.row_tolerance));
     if (problem.initial_step > 0) solver_.set_initial_step(problem.initial_step);
     if (problem.x_relative > 0) solver_.set_xtol_rel(problem.x_relative);
@@ -63,7 +63,7 @@ class Run {
   }
 
   static double objective(unsigned n, const double* x, double* gradient, void* data) {
-    Run& run = *static_cast<Run*>(data);
+    NloptRun& run = *static_cast<NloptRun*>(data);
     double value = 0;
     run.guarded([&] {
       value =
@@ -74,7 +74,7 @@ class Run {
 
   static void constraints(unsigned rows, double* result, unsigned n, const double* x,
                           double* gradient, void* data) {
-    Run& run = *static_cast<Run*>(data);
+    NloptRun& run = *static_cast<NloptRun*>(data);
     std::fill(result, result + rows, 0.0);
     const std::size_t slopes = std::size_t{rows} * n;
     run.guarded([&] {
@@ -92,7 +92,7 @@ class Run {
 }  // namespace
 
 std::vector<double> run_local_solver(const LocalProblem& problem, std::vector<double> x) {
-  return Run(problem, x.size()).from(std::move(x));
+  return NloptRun(problem, x.size()).from(std::move(x));
 }
 
 }  // namespace jounce::optimizer

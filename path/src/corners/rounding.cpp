@@ -77,8 +77,9 @@ struct Bend {
 
 class Rounding {
  public:
+  /// `stop`: null if the motion rests at every corner.
   Rounding(const Route& route, const Lines& lines, const Program& program, const Rates& rates,
-           const std::vector<bool>& stop)
+           const std::vector<bool>* stop)
       : route_(route),
         lines_(lines),
         program_(program),
@@ -88,6 +89,27 @@ class Rounding {
         n_(rates.axes) {}
 
   Rounded run() {
+    choose_shapes();
+    for (std::size_t k = 1; k + 1 < shapes_.size(); ++k) share(k);
+    for (std::size_t k = 1; k + 1 < shapes_.size(); ++k) rest_if_faster(k);
+    const bool sharp =
+        std::none_of(shapes_.begin(), shapes_.end(), [](const Shape& s) { return s.trim > 0; });
+    reserve(sharp);
+    assemble(sharp, [&](const Unit& unit) { units_.push_back(unit); });
+    for (const std::int32_t line : route_.empty_lines)
+      joints_.push_back({0, line, JointNote::no_distance, false});
+    Rounded result{{}, std::move(units_), std::move(joints_)};
+    if (!sharp) result.path.emplace(n_, std::move(pieces_), std::move(numbers_));
+    return result;
+  }
+
+  void run_sharp(UnitSink& to) {
+    choose_shapes();
+    assemble(true, [&](const Unit& unit) { to.add(unit); });
+  }
+
+ private:
+  void choose_shapes() {
     const std::size_t count = route_.path.pieces().size();
     shapes_.resize(count + 1);
     shapes_[0].how = shapes_[count].how = How::rest;
@@ -95,12 +117,10 @@ class Rounding {
       shapes_[k] = shape(k, std::min(whole(k - 1), whole(k)));
       shapes_[k].wanted = shapes_[k].trim;
     }
-    for (std::size_t k = 1; k < count; ++k) share(k);
-    for (std::size_t k = 1; k < count; ++k) rest_if_faster(k);
-    return assembled();
   }
 
- private:
+  [[nodiscard]] bool stops(std::size_t k) const { return stop_ == nullptr || (*stop_)[k]; }
+
   [[nodiscard]] const PathPiece& piece(std::size_t k) const { return route_.path.pieces()[k]; }
   [[nodiscard]] const PathSettings& settings(std::size_t k) const {
     return program_.settings()[piece(k).settings];
@@ -166,7 +186,7 @@ class Rounding {
 
   /// True if the plan rests at the corner in any case; then sets `s` to the rest.
   [[nodiscard]] bool rests_at(std::size_t k, const Bend& bend, Shape& s) const {
-    const bool asked = settings(k).corner == Corner::stop || stop_[k];
+    const bool asked = settings(k).corner == Corner::stop || stops(k);
     const bool turns_back = !(bend.cosine > least_cosine);
     if (!asked && !turns_back) return false;
     s.how = How::rest;
@@ -186,7 +206,7 @@ class Rounding {
     Shape s;
     if (settings(k).corner == Corner::stop) {
       s.note = JointNote::steps;
-    } else if (stop_[k]) {
+    } else if (stops(k)) {
       s.how = How::rest;
     } else {
       s = blended(k, room);
@@ -455,18 +475,43 @@ class Rounding {
           .at({}, piece(k).line);
   }
 
-  Rounded assembled() {
+  /// Reserves the memory of the result.
+  void reserve(bool sharp) {
     const std::size_t count = route_.path.pieces().size();
-    const bool sharp =
-        std::none_of(shapes_.begin(), shapes_.end(), [](const Shape& s) { return s.trim > 0; });
-    units_.reserve(sharp ? count : 2 * count);
-    if (!sharp) {
-      pieces_.reserve(2 * count);
-      numbers_.reserve(5 * n_ * count);
+    std::size_t corners = 0;
+    std::size_t marks = route_.empty_lines.size();
+    std::size_t numbers = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Shape& s = shapes_[k];
+      if (k > 0 && (s.how != How::through || s.note != JointNote::none)) ++marks;
+      if (piece(k).kind == PieceKind::line) numbers += 2 * n_;
+      if (s.how == How::turn) numbers += TurnNumbers::count(n_);
+      if (s.how == How::turn || s.how == How::blend) ++corners;
     }
+    joints_.reserve(marks);
+    units_.reserve(count + corners);
+    if (sharp) return;
+    pieces_.reserve(count + corners);
+    numbers_.reserve(numbers);
+  }
+
+  /// Appends the pieces of the result, unless all corners are sharp, and calls `add` for each unit.
+  template <class Add>
+  void assemble(bool sharp, Add add) {
+    const std::size_t count = route_.path.pieces().size();
+    const auto add_unit = [&](double length, const Box& b, std::size_t joint, double entry,
+                              double dwell) {
+      add({length, b, entry, dwell, placed_, 1, static_cast<std::uint32_t>(joint)});
+    };
     for (std::size_t k = 0; k < count; ++k) {
       const Shape& here = shapes_[k];
-      if (k > 0) corner_of(k, here);
+      if (k > 0 && corner_of(k, here)) {
+        Box b;
+        b.constant = true;
+        b.velocity = here.velocity;
+        add_unit(placed_length(), b, k, none, 0);
+        ++placed_;
+      }
       double length = piece(k).length;
       if (!sharp) {
         const std::size_t before = pieces_.size();
@@ -496,11 +541,6 @@ class Rounding {
       }
       ++placed_;
     }
-    for (const std::int32_t line : route_.empty_lines)
-      joints_.push_back({0, line, JointNote::no_distance, false});
-    Rounded result{{}, std::move(units_), std::move(joints_)};
-    if (!sharp) result.path.emplace(n_, std::move(pieces_), std::move(numbers_));
-    return result;
   }
 
   /// Places the last appended piece after the previous one; returns its length.
@@ -511,12 +551,9 @@ class Rounding {
     return last.length;
   }
 
-  void add_unit(double length, const Box& b, std::size_t joint, double entry, double dwell) {
-    units_.push_back({length, b, entry, dwell, placed_, 1, static_cast<std::uint32_t>(joint)});
-  }
-
-  void corner_of(std::size_t k, const Shape& s) {
-    if (s.how != How::through || s.note != JointNote::none)
+  /// Marks a joint and appends the piece that rounds its corner; returns false if none does.
+  bool corner_of(std::size_t k, const Shape& s) {
+    if (stop_ != nullptr && (s.how != How::through || s.note != JointNote::none))
       joints_.push_back({placed_, piece(k).line, s.note, s.how == How::rest});
     if (s.how == How::turn) {
       const Point from = route_.path.point(k - 1, piece(k - 1).length - s.trim);
@@ -536,13 +573,9 @@ class Rounding {
       numbers_.push_back(least_distance(blend.segments(), corner(k), rates_.path_axes));
       numbers_.push_back(distance_from_sides(route_.path, k - 1, blend, rates_.path_axes));
     } else {
-      return;
+      return false;
     }
-    Box b;
-    b.constant = true;
-    b.velocity = s.velocity;
-    add_unit(placed_length(), b, k, none, 0);
-    ++placed_;
+    return true;
   }
 
   const Route& route_;
@@ -550,7 +583,7 @@ class Rounding {
   const Program& program_;
   const Rates& rates_;
   const Rates curved_;  ///< the same for pieces that are not lines
-  const std::vector<bool>& stop_;
+  const std::vector<bool>* stop_;
   std::size_t n_;
   std::vector<Shape> shapes_;
   std::vector<PathPiece> pieces_;  // parts of the result
@@ -582,7 +615,12 @@ Lines lines_of(const Route& route, const Program& program, const Rates& rates) {
 
 Rounded rounded(const Route& route, const Lines& lines, const Program& program, const Rates& rates,
                 const std::vector<bool>& stop) {
-  return Rounding(route, lines, program, rates, stop).run();
+  return Rounding(route, lines, program, rates, &stop).run();
+}
+
+void send_stopping_units(const Route& route, const Lines& lines, const Program& program,
+                         const Rates& rates, UnitSink& to) {
+  Rounding(route, lines, program, rates, nullptr).run_sharp(to);
 }
 
 }  // namespace jounce

@@ -31,4 +31,18 @@ struct Rounded {
 Rounded rounded(const Route& route, const Lines& lines, const Program& program, const Rates& rates,
                 const std::vector<bool>& stop);
 
+/// Receives the units of a route one after another.
+class UnitSink {
+ public:
+  virtual void add(const Unit& unit) = 0;
+
+ protected:
+  ~UnitSink() = default;
+};
+
+/// Sends the units of a motion that rests at each corner. No corner is rounded, so the path is that
+/// of the route.
+void send_stopping_units(const Route& route, const Lines& lines, const Program& program,
+                         const Rates& rates, UnitSink& to);
+
 }  // namespace jounce

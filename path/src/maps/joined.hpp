@@ -33,6 +33,8 @@ class Joined {
   [[nodiscard]] const GroupLimits& limits() const { return limits_; }
   [[nodiscard]] const Rates& rates() const { return rates_; }
 
+  /// True if the joints are fitted to the rounded path.
+  [[nodiscard]] bool fitted() const { return joints_ && joints_->map->linear() == nullptr; }
   /// The route with its linear joints as further axes.
   [[nodiscard]] Route with_linear(Route route) const;
   /// Rates that determine the shape of the corners: the rates of the tool, reduced to the rates
@@ -44,8 +46,6 @@ class Joined {
   [[nodiscard]] Jointed with_fitted(Rounded rounded, const Route& route) const;
 
  private:
-  [[nodiscard]] bool fitted() const { return joints_ && joints_->map->linear() == nullptr; }
-
   const Program& program_;
   const std::optional<JointSpace>& joints_;
   GroupLimits limits_;

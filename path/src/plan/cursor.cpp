@@ -26,6 +26,13 @@ void compose(const Path& path, std::size_t piece, double u, const Motion& q,
   path.jets(piece, std::clamp(u, 0.0, path.pieces()[piece].length),
             std::span(jet).first(out.size()));
   const double v = q.velocity;
+  if (path.pieces()[piece].kind == PieceKind::line) {
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const double slope = jet[i][1];
+      out[i] = {jet[i][0], slope * v, slope * q.acceleration + 0.0, slope * q.jerk + 0.0};
+    }
+    return;
+  }
   for (std::size_t i = 0; i < out.size(); ++i) {
     const Jet& r = jet[i];
     out[i] = {r[0], r[1] * v, r[1] * q.acceleration + r[2] * v * v,

@@ -41,23 +41,31 @@ void require_inside(const Program& program, const GroupLimits& limits) {
 }
 
 /// Marks the joints between two rests of the plan if a stop at each of them is faster; returns
-/// false if there are none.
-bool mark_slower(const Laws& plan, const Laws& stopping, std::vector<bool>& stop) {
+/// false if there are none. `stopping`: times of the motion with stops at these rests.
+bool mark_slower(std::span<const Rest> rests, std::span<const double> stopping,
+                 std::vector<bool>& stop) {
   bool any = false;
-  std::size_t s = 0;
-  for (std::size_t k = 0; k + 1 < plan.rests.size(); ++k) {
-    const Rest& from = plan.rests[k];
-    const Rest& to = plan.rests[k + 1];
-    while (stopping.rests[s].joint < from.joint) ++s;
-    const double begin = stopping.rests[s].time;
-    while (stopping.rests[s].joint < to.joint) ++s;
-    if (to.time - from.time <= (stopping.rests[s].time - begin) * (1 + rounded_sum)) continue;
-    for (std::size_t joint = from.joint + 1; joint < to.joint; ++joint) {
+  for (std::size_t k = 0; k + 1 < rests.size(); ++k) {
+    const double stops = (stopping[k + 1] - stopping[k]) * (1 + rounded_sum);
+    if (rests[k + 1].time - rests[k].time <= stops) continue;
+    for (std::size_t joint = rests[k].joint + 1; joint < rests[k + 1].joint; ++joint) {
       any = any || !stop[joint];
       stop[joint] = true;
     }
   }
   return any;
+}
+
+/// The times of the joints `at` among the rests of a law, and its duration.
+std::vector<double> times_of(std::span<const Rest> rests, std::span<const Rest> at) {
+  std::vector<double> times;
+  std::size_t s = 0;
+  for (const Rest& rest : at) {
+    while (rests[s].joint < rest.joint) ++s;
+    times.push_back(rests[s].time);
+  }
+  times.push_back(rests.back().time);
+  return times;
 }
 
 }  // namespace
@@ -80,12 +88,15 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
   };
   const Lines lines = lines_of(sharp, program, shaping);
   const std::vector<bool> everywhere(sharp.joints.size(), true);
-  Jointed stops = corners_of(sharp, lines, everywhere);
-  const Laws stopping = law_of(stops, sharp, true);
-  const double stop_duration = stopping.rests.back().time;
+  const auto stop_times_at = [&](std::span<const Rest> at) {
+    if (!joined.fitted()) return stop_times(sharp, lines, program, joined.rates(), at);
+    Jointed stops = corners_of(sharp, lines, everywhere);
+    return times_of(law_of(stops, sharp, true).rests, at);
+  };
   Jointed result;
   Laws law;
   Route* from = nullptr;  // route of the result
+  double stop_duration = 0;
   if (!options.stop_at_corners) {
     Route& route = averaged ? *averaged : sharp;
     const Lines other = averaged ? lines_of(route, program, shaping) : Lines{};
@@ -93,7 +104,11 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
     std::vector<bool> stop(route.joints.size(), false);
     result = corners_of(route, lines_there, stop);
     law = law_of(result, route);
-    if (route.joints.size() == sharp.joints.size() && mark_slower(law, stopping, stop)) {
+    const bool alike = route.joints.size() == sharp.joints.size();
+    const std::vector<double> stopping =
+        stop_times_at(alike ? std::span(law.rests) : std::span<Rest>());
+    stop_duration = stopping.back();
+    if (alike && mark_slower(law.rests, stopping, stop)) {
       result = corners_of(route, lines_there, stop);
       law = law_of(result, route);
     }
@@ -103,6 +118,7 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
     from = &sharp;
     result = corners_of(sharp, lines, everywhere);
     law = law_of(result, sharp);
+    stop_duration = law.rests.back().time;
   }
   Rounded& made = result.rounded;
   return {made.path ? std::move(*made.path) : std::move(from->path),

@@ -14,6 +14,36 @@ namespace {
 
 using profiles_detail::rounded_value;
 
+/// A ramp between two velocities: two edges with the jerk, and the part between them.
+struct RampParts {
+  double edge = 0;       ///< s
+  double flat = 0;       ///< s
+  double time = 0;       ///< s, the whole ramp: ramp_time()
+  bool reaches = false;  ///< true: the ramp reaches the limit of acceleration
+
+  RampParts(double dv, double limit, double jerk) {
+    if (std::isinf(jerk)) {
+      time = flat = dv / limit;
+      reaches = true;
+    } else if (dv * jerk > limit * limit) {
+      reaches = true;
+      edge = limit / jerk;
+      const double ramp = dv / limit;
+      flat = ramp - edge;
+      time = ramp + edge;
+    } else {
+      edge = std::sqrt(dv / jerk);
+      time = 2 * edge;
+    }
+  }
+};
+
+/// Phases without initial values: to zero them would take a tenth of the time of an evaluation.
+union PhaseBuffer {
+  std::array<LawPhase, 7> phases;
+  PhaseBuffer() {}
+};
+
 struct Builder {
   std::span<LawPhase, 7> out;
   std::size_t count = 0;
@@ -32,20 +62,14 @@ struct Builder {
 
   /// Appends a ramp to a velocity. It begins and ends without acceleration, except if the jerk is
   /// not limited.
-  void ramp(double to, double limit, double jerk) {
-    const double dv = std::abs(to - now.velocity);
+  void ramp(double to, const RampParts& parts, double limit, double jerk) {
     const double sign = to < now.velocity ? -1 : 1;
-    if (std::isinf(jerk)) {
+    add(parts.edge, sign * jerk);
+    if (parts.reaches) {
       now.acceleration = sign * limit;
-      add(dv / limit, 0);
-    } else {
-      const bool reaches = dv * jerk > limit * limit;
-      const double edge = reaches ? limit / jerk : std::sqrt(dv / jerk);
-      add(edge, sign * jerk);
-      if (reaches) now.acceleration = sign * limit;
-      if (reaches) add(dv / limit - edge, 0);
-      add(edge, -sign * jerk);
+      add(parts.flat, 0);
     }
+    add(parts.edge, -sign * jerk);
     now.velocity = to;
     now.acceleration = 0;
   }
@@ -65,6 +89,12 @@ LawPhase scaled(LawPhase phase, double factor) {
   return phase;
 }
 
+/// True for a stretch at constant velocity.
+bool cruises(const LawInterval& stretch) {
+  return stretch.v0 == stretch.peak && stretch.v1 == stretch.peak && stretch.peak > 0 &&
+         stretch.pieces > 0 && !stretch.single_phase;
+}
+
 Unscaled unscaled_phases(const LawInterval& stretch, std::span<LawPhase, 7> out) {
   Builder builder{out};
   builder.now.velocity = stretch.v0;
@@ -76,12 +106,18 @@ Unscaled unscaled_phases(const LawInterval& stretch, std::span<LawPhase, 7> out)
     out[0] = {stretch.duration, 0, stretch.v0, stretch.acceleration, stretch.jerk};
     return {1, 1};
   }
-  const double down = ramp_distance(stretch.peak, stretch.v1, stretch.deceleration, stretch.jerk);
-  builder.ramp(stretch.peak, stretch.acceleration, stretch.jerk);
+  if (cruises(stretch)) {
+    builder.add(stretch.length / stretch.peak, 0);
+    return {builder.count, stretch.length / builder.now.position};
+  }
+  const RampParts rise(stretch.peak - stretch.v0, stretch.acceleration, stretch.jerk);
+  const RampParts fall(stretch.peak - stretch.v1, stretch.deceleration, stretch.jerk);
+  builder.ramp(stretch.peak, rise, stretch.acceleration, stretch.jerk);
+  const double down = 0.5 * (stretch.peak + stretch.v1) * fall.time;
   const double cruise = stretch.length - builder.now.position - down;
   // A rest within rounding is no cruise.
   if (cruise > rounded_value * stretch.length) builder.add(cruise / stretch.peak, 0);
-  builder.ramp(stretch.v1, stretch.deceleration, stretch.jerk);
+  builder.ramp(stretch.v1, fall, stretch.deceleration, stretch.jerk);
   return {builder.count, stretch.length / builder.now.position};
 }
 
@@ -142,7 +178,13 @@ Motion motion_of(std::span<const LawPhase> phases, double t) {
 }
 
 Motion motion_in(const LawInterval& stretch, double t) {
-  std::array<LawPhase, 7> phase;
+  if (cruises(stretch)) {
+    const double whole = stretch.length / stretch.peak;
+    const double scaled_whole = whole * (stretch.length / (whole * stretch.peak));
+    return {std::clamp(t, 0.0, scaled_whole) * stretch.peak, stretch.peak, 0, 0};
+  }
+  PhaseBuffer buffer;
+  std::array<LawPhase, 7>& phase = buffer.phases;
   const auto [count, factor] = unscaled_phases(stretch, phase);
   if (count == 0) return {};
   std::size_t i = 0;
@@ -176,16 +218,6 @@ Trajectory TimingLaw::curve() const {
     for (const LawPhase& p : std::span(phase).first(phases(stretch, phase)))
       segments.push_back(scaled(segment_of(p), 1, stretch.start));
   return Trajectory(std::move(segments), 0, Extrapolation::hold);
-}
-
-double ramp_time(double dv, double acceleration, double jerk) {
-  if (std::isinf(jerk)) return dv / acceleration;
-  return dv * jerk > acceleration * acceleration ? dv / acceleration + acceleration / jerk
-                                                 : 2 * std::sqrt(dv / jerk);
-}
-
-double ramp_distance(double v0, double v1, double acceleration, double jerk) {
-  return 0.5 * (v0 + v1) * ramp_time(std::abs(v1 - v0), acceleration, jerk);
 }
 
 }  // namespace jounce

@@ -8,6 +8,43 @@
 #include "path/src/timing/window.hpp"
 
 namespace jounce {
+
+std::vector<LawInterval> stretches_of(const Path& path, std::size_t first, std::size_t count,
+                                      std::span<const LawPhase> phases) {
+  std::vector<LawInterval> law;
+  law.reserve(phases.size());
+  double time = 0;
+  std::size_t piece = first;
+  const std::size_t last = first + count - 1;
+  const double origin = path.pieces()[first].start;
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    const LawPhase& p = phases[i];
+    LawInterval s;
+    s.single_phase = true;
+    s.time = time;
+    s.duration = p.duration;
+    s.start = p.position;
+    const double h = p.duration;
+    s.length = h * (p.velocity + h * (p.acceleration / 2 + h * p.jerk / 6));
+    s.v0 = p.velocity;
+    s.v1 = s.peak = p.velocity + h * (p.acceleration + h * p.jerk / 2);
+    s.acceleration = p.acceleration;
+    s.jerk = p.jerk;
+    const auto end_of_piece = [&](std::size_t k) {
+      return path.pieces()[k].start + path.pieces()[k].length - origin;
+    };
+    while (piece < last && end_of_piece(piece) <= s.start) ++piece;
+    s.piece = static_cast<std::uint32_t>(piece);
+    std::size_t to = piece;
+    while (to < last && end_of_piece(to) < s.start + s.length) ++to;
+    s.pieces = static_cast<std::uint32_t>(to - piece + 1);
+    time += h;
+    law.push_back(s);
+  }
+  law.back().v1 = 0;  // exactly, without rounding
+  return law;
+}
+
 namespace {
 
 using path_detail::none;
@@ -69,7 +106,7 @@ class WindowLaw {
         }
       }
     if (phases.empty()) return {};
-    return stretches(averaged(phases, best_a / best_j, length_));
+    return stretches_of(path_, first_, bounds_.size(), averaged(phases, best_a / best_j, length_));
   }
 
  private:
@@ -84,41 +121,6 @@ class WindowLaw {
       caps.push_back({path_.pieces()[first_ + k].length, v});
     }
     return spread_law(caps, acceleration, acceleration / jerk);
-  }
-
-  [[nodiscard]] std::vector<LawInterval> stretches(const std::vector<LawPhase>& phases) const {
-    std::vector<LawInterval> law;
-    law.reserve(phases.size());
-    double time = 0;
-    std::size_t piece = first_;
-    const std::size_t last = first_ + bounds_.size() - 1;
-    const double origin = path_.pieces()[first_].start;
-    for (std::size_t i = 0; i < phases.size(); ++i) {
-      const LawPhase& p = phases[i];
-      LawInterval s;
-      s.single_phase = true;
-      s.time = time;
-      s.duration = p.duration;
-      s.start = p.position;
-      const double h = p.duration;
-      s.length = h * (p.velocity + h * (p.acceleration / 2 + h * p.jerk / 6));
-      s.v0 = p.velocity;
-      s.v1 = s.peak = p.velocity + h * (p.acceleration + h * p.jerk / 2);
-      s.acceleration = p.acceleration;
-      s.jerk = p.jerk;
-      const auto end_of_piece = [&](std::size_t k) {
-        return path_.pieces()[k].start + path_.pieces()[k].length - origin;
-      };
-      while (piece < last && end_of_piece(piece) <= s.start) ++piece;
-      s.piece = static_cast<std::uint32_t>(piece);
-      std::size_t to = piece;
-      while (to < last && end_of_piece(to) < s.start + s.length) ++to;
-      s.pieces = static_cast<std::uint32_t>(to - piece + 1);
-      time += h;
-      law.push_back(s);
-    }
-    law.back().v1 = 0;  // exactly, without rounding
-    return law;
   }
 
   const Path& path_;
@@ -147,6 +149,53 @@ std::vector<LawInterval> fastest(const Path& path, std::vector<Unit> run, const 
   std::vector<LawInterval> window = WindowLaw(path, run, rates, program).run();
   return end_time(window) < end_time(law) ? window : law;
 }
+
+/// Sums the durations of the runs of a motion that rests at each corner.
+class StopTimes final : public UnitSink {
+ public:
+  StopTimes(const Route& route, const Program& program, const Rates& rates,
+            std::span<const Rest> at)
+      : route_(route), program_(program), rates_(rates), at_(at) {
+    times_.reserve(at.size() + 1);
+  }
+
+  void add(const Unit& unit) override {
+    if (!(unit.entry > 0)) {
+      finish_run();
+      rest(unit.joint, unit.dwell);
+    }
+    run_.push_back(unit);
+  }
+
+  std::vector<double> times() {
+    finish_run();
+    time_ += route_.joints.back().dwell;
+    times_.resize(at_.size() + 1, time_);
+    return std::move(times_);
+  }
+
+ private:
+  void rest(std::uint32_t joint, double dwell) {
+    if (times_.size() < at_.size() && at_[times_.size()].joint == joint) times_.push_back(time_);
+    time_ += dwell;
+  }
+
+  void finish_run() {
+    if (run_.empty()) return;
+    time_ += run_.size() == 1 && !is_curved(route_.path, run_)
+                 ? stretch_of(run_.front(), 0, 0).duration
+                 : end_time(fastest(route_.path, run_, rates_, program_));
+    run_.clear();
+  }
+
+  const Route& route_;
+  const Program& program_;
+  const Rates& rates_;
+  std::span<const Rest> at_;
+  std::vector<Unit> run_;
+  std::vector<double> times_;
+  double time_ = 0;
+};
 
 /// Collects the laws of the runs, and the rests between them.
 struct Collected {
@@ -217,6 +266,13 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
             static_cast<std::uint32_t>(path.pieces().size() - 1));
   made.laws.rests.back().time = made.time;
   return std::move(made.laws);
+}
+
+std::vector<double> stop_times(const Route& route, const Lines& lines, const Program& program,
+                               const Rates& rates, std::span<const Rest> at) {
+  StopTimes sum(route, program, rates, at);
+  send_stopping_units(route, lines, program, rates, sum);
+  return sum.times();
 }
 
 }  // namespace jounce

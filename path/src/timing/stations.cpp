@@ -54,6 +54,12 @@ Ramps ramps_of(const Box& box, double v0, double peak, double v1) {
   return {up + down, 0.5 * ((v0 + peak) * up + (peak + v1) * down)};
 }
 
+/// Less than the length of ramps_of(): without a jerk limit.
+double least_ramps_length(const Box& box, double v0, double peak, double v1) {
+  return 0.5 * ((v0 + peak) * (peak - v0) / box.acceleration +
+                (peak + v1) * (peak - v1) / box.deceleration);
+}
+
 /// The greatest velocity of a law from v0 to v1 over L that does not reach the velocity limit of
 /// the box.
 double peak_of(const Box& box, double length, double v0, double v1) {
@@ -64,10 +70,7 @@ double peak_of(const Box& box, double length, double v0, double v1) {
     const double p = 2 * length / (edge + std::sqrt(edge * edge + 4 * length / box.acceleration));
     return p >= box.acceleration * edge ? p : std::cbrt(box.jerk * length * length / 4);
   }
-  if (alike)
-    return std::max(
-        least,
-        peak_velocity(length, {v0, v1, std::max(box.velocity, least)}, up(box)).value_or(least));
+  if (alike) return std::max(least, peak_velocity(length, {v0, v1}, up(box)).value_or(least));
   const auto move =
       profiles_detail::ramped(profiles_detail::JerkLaw{box.acceleration, box.jerk}, v0,
                               profiles_detail::JerkLaw{box.deceleration, box.jerk}, v1,
@@ -94,19 +97,19 @@ LawInterval stretch_of(const Unit& unit, double v0, double v1) {
     s.duration = s.length / s.peak;
     return s;
   }
-  Ramps ramps;
-  if (box.velocity > least && box.velocity < PathSettings::none) {
-    s.peak = box.velocity;
-    ramps = ramps_of(box, v0, s.peak, v1);
+  if (box.velocity > least) {
+    const double most = box.velocity;
+    const bool reached = most < PathSettings::none &&
+                         least_ramps_length(box, v0, most, v1) <= s.length * (1 + rounded_input) &&
+                         ramps_of(box, v0, most, v1).length <= s.length;
+    s.peak = reached ? most : peak_of(box, s.length, v0, v1);
   }
-  if (box.velocity == PathSettings::none || ramps.length > s.length)
-    s.peak = peak_of(box, s.length, v0, v1);
   // Ramps so small take no time worth having, and their phases are too short to be fitted on an arc.
   if (s.peak - least <= no_ramp * s.peak) s.peak = least;
   // For a ramp over a few units in the last place of the velocity, rounding changes the length by a
   // large share. The peak is rounded down until the ramps fit; the cruise takes the rest of the
   // length.
-  ramps = ramps_of(box, v0, s.peak, v1);
+  Ramps ramps = ramps_of(box, v0, s.peak, v1);
   for (double back = 2e-16; ramps.length > s.length && s.peak > least; back *= 2) {
     s.peak = std::max(least, s.peak * (1 - back));
     ramps = ramps_of(box, v0, s.peak, v1);

@@ -18,18 +18,21 @@ std::vector<double> knots(std::span<const double> breaks, const Labels& labels) 
   return all;
 }
 
-/// The segments of a cam's spec, as reports call them, and their laws.
+/// The segments of a cam's spec, as reports call them, and their laws. A cam that is made from another has no laws of
+/// its own.
 std::vector<std::vector<Shade>> strips(std::span<const double> breaks, const Input& input) {
-  if (!input.spec || !std::holds_alternative<CamSpec>(input.spec->subject)) return {};
-  const auto& segments = std::get<CamSpec>(input.spec->subject).segments;
+  if (!input.spec || !input.spec->is_cam()) return {};
+  const auto* const knots = std::get_if<CamSpec>(&input.spec->subject);
   std::vector<Shade> names;
   std::vector<Shade> laws;
   for (const auto& group : groups(breaks.size() - 1, input.labels)) {
-    if (names.size() == segments.size()) break;
-    const CamSegment& segment = segments[names.size()];
-    names.push_back({breaks[group.first], breaks[group.last + 1], group.label});
-    laws.push_back({breaks[group.first], breaks[group.last + 1], name(segment.law)});
+    if (knots != nullptr && names.size() == knots->segments.size()) break;
+    const double from = breaks[group.first];
+    const double to = breaks[group.last + 1];
+    if (knots != nullptr) laws.push_back({from, to, name(knots->segments[names.size()].law)});
+    names.push_back({from, to, group.label});
   }
+  if (knots == nullptr) return {std::move(names)};
   return {std::move(names), std::move(laws)};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "jounce/base/listed.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/design/path_cost.hpp"
 #include "jounce/path/plan.hpp"
@@ -24,14 +25,11 @@ std::size_t axis_named(const std::vector<Input>& axes, const std::string& name,
                        const std::string& plane) {
   const auto at = std::find_if(axes.begin(), axes.end(),
                                [&](const Input& input) { return input.axis == name; });
-  if (at == axes.end()) {
-    std::string names;
-    for (const Input& input : axes) names += (names.empty() ? "" : ", ") + input.axis;
+  if (at == axes.end())
     fail(plane,
          "must be the names of two axes of the path, separated by a comma, such as x,y: its axes "
          "are " +
-             names);
-  }
+             listed(axes, &Input::axis));
   return static_cast<std::size_t>(at - axes.begin());
 }
 

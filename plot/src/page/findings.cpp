@@ -15,7 +15,7 @@ namespace {
 
 constexpr double no_margin = 1e-9;  ///< share of the limit
 
-std::string margin(const Finding& f) {
+std::string margin_text(const Finding& f) {
   if (!f.has_limit) return "";
   if (f.limit == 0 && f.rule.family() == RuleFamily::continuity) return short_number(f.margin, 3);
   if (f.margin < -10)
@@ -37,7 +37,7 @@ std::vector<std::string> cells(const Finding& f, const Labels& labels) {
           short_number(f.value),
           limit(f),
           superscripts(labels.unit_of(f)),
-          margin(f),
+          margin_text(f),
           f.advice};
 }
 

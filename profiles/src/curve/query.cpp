@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/tolerances.hpp"
+
 #include "profiles/src/solver/span.hpp"
 
 // Ramps and motions between velocities: solver/span.hpp, (1) to (5).
@@ -53,9 +55,10 @@ Extent jerk_limited_stop(double v, double a, double limit, double jerk) {
   return walk.done;
 }
 
+using profiles_detail::rounded_digit;
+
 /// The fastest motion. If the distance is too short for the direct ramp only by rounding of a
 /// velocity that entry_velocity() has returned, it is this ramp.
-constexpr double rounding = 1e-15;
 std::optional<profiles_detail::Way<double>> way(double distance, const SpanEnds& ends,
                                                 const Ramp& ramp) {
   const bool possible = valid(ramp) && profiles_detail::is_magnitude(distance) && ends.entry >= 0 &&
@@ -67,9 +70,9 @@ std::optional<profiles_detail::Way<double>> way(double distance, const SpanEnds&
   const profiles_detail::Span<double> span(distance, ends.entry, ends.exit, rates);
   if (!span.mirrored) return profiles_detail::fastest(span, ends.velocity);
   const double faster = std::max(ends.entry, ends.exit);
-  const double spared = rates.ramp(std::max(span.d - rounding * faster, 0.0));
+  const double spared = rates.ramp(std::max(span.d - rounded_digit * faster, 0.0));
   const double shortest = 0.5 * (ends.entry + ends.exit) * spared;
-  if (distance < shortest * (1 - rounding)) return std::nullopt;
+  if (distance < shortest * (1 - rounded_digit)) return std::nullopt;
   return profiles_detail::Way<double>{rates.ramp(span.d), faster};
 }
 

@@ -2,17 +2,7 @@
 #include "profiles/src/moves/batch_kernel.hpp"
 
 namespace jounce::profiles_detail {
-namespace {
 
-void ways(Block& block) noexcept {
-  each_way<Vector2>(block);
-}
-void rests(Block& block) noexcept {
-  each_rest<Vector2>(block);
-}
-
-}  // namespace
-
-const Kernels kernels_anywhere{ways, rests};
+const Kernels kernels_anywhere{each_way<Vector2>, each_rest<Vector2>};
 
 }  // namespace jounce::profiles_detail

@@ -2,17 +2,7 @@
 #include "profiles/src/moves/batch_kernel.hpp"
 
 namespace jounce::profiles_detail {
-namespace {
 
-void ways(Block& block) noexcept {
-  each_way<Vector4>(block);
-}
-void rests(Block& block) noexcept {
-  each_rest<Vector4>(block);
-}
-
-}  // namespace
-
-const Kernels kernels_avx2{ways, rests};
+const Kernels kernels_avx2{each_way<Vector4>, each_rest<Vector4>};
 
 }  // namespace jounce::profiles_detail

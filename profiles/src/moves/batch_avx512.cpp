@@ -2,17 +2,7 @@
 #include "profiles/src/moves/batch_kernel.hpp"
 
 namespace jounce::profiles_detail {
-namespace {
 
-void ways(Block& block) noexcept {
-  each_way<Vector8>(block);
-}
-void rests(Block& block) noexcept {
-  each_rest<Vector8>(block);
-}
-
-}  // namespace
-
-const Kernels kernels_avx512{ways, rests};
+const Kernels kernels_avx512{each_way<Vector8>, each_rest<Vector8>};
 
 }  // namespace jounce::profiles_detail

@@ -87,11 +87,11 @@ JOUNCE_INLINE void solve_rests(Block& b, std::size_t i) {
 }
 
 template <class Real>
-JOUNCE_INLINE void each_way(Block& block) {
+void each_way(Block& block) noexcept {
   for (std::size_t i = 0; i < Block::size; i += lanes<Real>) solve_ways<Real>(block, i);
 }
 template <class Real>
-JOUNCE_INLINE void each_rest(Block& block) {
+void each_rest(Block& block) noexcept {
   for (std::size_t i = 0; i < Block::size; i += lanes<Real>) solve_rests<Real>(block, i);
 }
 

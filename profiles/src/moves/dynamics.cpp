@@ -204,7 +204,7 @@ Bounds bounds(const Dynamics& d, double direction) {
   return b;
 }
 
-Profile solved(const MoveResult& move) {
+Profile solved_change(const MoveResult& move) {
   if (!move)
     throw InputError("running", "", std::string("cannot be changed: ") + explain(move.status));
   return move.profile;
@@ -254,13 +254,13 @@ std::vector<Profile> approach(const MotionState& from, double target, const Dyna
   const double direction = heading < 0 ? -1 : 1;
   const Bounds limits = bounds(d, direction);
   const MotionState to{target, 0, 0};
-  if (d.acceleration == d.deceleration) return {solved(move_to(from, to, limits))};
-  Profile halt = solved(stop(from, limits));
+  if (d.acceleration == d.deceleration) return {solved_change(move_to(from, to, limits))};
+  Profile halt = solved_change(stop(from, limits));
   const double rest = halt.end().position;
   const double beyond = (target - rest) * direction;
   const double rounding =
       rounded_root * std::max({std::abs(from.position), std::abs(target), std::abs(rest)});
-  if (beyond > rounding) return {solved(move_to(from, to, limits))};
+  if (beyond > rounding) return {solved_change(move_to(from, to, limits))};
   if (beyond < -rounding) return {halt, point_to_point(rest, target, d)};
   halt.finish(to);
   return {halt};

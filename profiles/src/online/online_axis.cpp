@@ -64,10 +64,6 @@ bool holds_still(const Bounds& b) {
          (b.velocity_min == 0 && b.velocity_max == 0);
 }
 
-bool limits_position(const Bounds& b) {
-  return b.position_min > -Bounds::none || b.position_max < Bounds::none;
-}
-
 }  // namespace
 
 bool detours(const AxisMove& move, const Profile& plan, Judged judged) noexcept {

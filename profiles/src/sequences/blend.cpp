@@ -42,7 +42,7 @@
 namespace jounce::profiles_detail {
 namespace {
 
-constexpr double rounding = 0x1p-48;  ///< relative error of a length
+constexpr double rounded_length = 0x1p-48;  ///< relative error of a length
 /// A ramp that exceeds a length by a smaller share almost fits it.
 constexpr double little = 0x1p-10;
 
@@ -58,7 +58,7 @@ double last_that_holds(double holds, double fails, const Predicate& predicate) {
   return holds;
 }
 
-Profile solved(const MoveResult& move) {
+Profile solved_command(const MoveResult& move) {
   if (!move) throw InputError("commands", "", explain(move.status));
   return move.profile;
 }
@@ -95,7 +95,7 @@ std::vector<Profile> by_ramps(const MotionState& from, double target, double exi
   const MotionState end{target - ramp_length(u, exit, bounds), u, 0};
   const MotionState begin{end.position - rest(u), u, 0};
   Profile cruise(begin, 3);
-  if (u > 0 && rest(u) > rounding * length) cruise.add(rest(u) / u, 0);
+  if (u > 0 && rest(u) > rounded_length * length) cruise.add(rest(u) / u, 0);
   return {finished(ramp(from, u, bounds), begin.position, u), finished(cruise, end.position, u),
           finished(ramp(end, exit, bounds), target, exit)};
 }
@@ -115,7 +115,7 @@ Bounds with_swapped_acceleration(Bounds b) {
 
 /// The error of a distance by rounding of the positions at its ends.
 double position_rounding(const MotionState& from, double target) {
-  return rounding * std::max(std::abs(from.position), std::abs(target));
+  return rounded_length * std::max(std::abs(from.position), std::abs(target));
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ Profile ramp(const MotionState& from, double velocity, const Bounds& bounds) {
   Bounds free = bounds;
   free.velocity_min = -Bounds::none;
   free.velocity_max = Bounds::none;
-  return solved(move_velocity(from, velocity, free));
+  return solved_command(move_velocity(from, velocity, free));
 }
 
 Profile halt(const MotionState& from, const Dynamics& dynamics) {
@@ -174,13 +174,13 @@ std::vector<Profile> between(const MotionState& from, double target, const Exit&
   const Bounds bounds = forward(dynamics);
   const double length = target - from.position;
   const double spare = length - ramp_length(from, exit.velocity, bounds);
-  if (spare <= rounding * length && spare >= -position_rounding(from, target))
+  if (spare <= rounded_length * length && spare >= -position_rounding(from, target))
     return {finished(ramp(from, exit.velocity, bounds), target, exit.velocity)};
   const double fastest = std::max({from.velocity, natural_velocity(from, bounds), exit.velocity});
   const bool fits = spare > 0 && fastest > 0;
   if (fits && (fastest > dynamics.velocity || spare < little * length))
     return by_ramps(from, target, exit.velocity, dynamics.velocity, bounds);
-  return {solved(move_to(from, {target, exit.velocity, 0}, bounds))};
+  return {solved_command(move_to(from, {target, exit.velocity, 0}, bounds))};
 }
 
 }  // namespace jounce::profiles_detail

@@ -10,6 +10,7 @@
 #include "profiles/src/sequences/blend.hpp"
 #include "profiles/src/sequences/queue_input.hpp"
 #include "profiles/src/sequences/sequence.hpp"
+#include "profiles/src/sequences/sign.hpp"
 #include "profiles/src/solver/brake.hpp"
 
 // A batch is planned in runs: successive position moves. Let L_k be the length of move k of a run,
@@ -27,6 +28,8 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::sign;
+
 template <class T>
 const T* get(const QueuedCommand& c) {
   return std::get_if<T>(&c.command);
@@ -34,10 +37,6 @@ const T* get(const QueuedCommand& c) {
 
 bool moves_to_position(const QueuedCommand& c) {
   return get<MoveAbsolute>(c) != nullptr || get<MoveRelative>(c) != nullptr;
-}
-
-double sign(double x) {
-  return static_cast<double>((x > 0) - (x < 0));
 }
 
 MotionState times(double factor, const MotionState& s) {

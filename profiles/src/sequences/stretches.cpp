@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "profiles/src/sequences/sign.hpp"
 #include "profiles/src/solver/brake.hpp"
 
 // At an interior knot k, the velocity v and the acceleration a of axis i may differ from 0 as
@@ -39,10 +40,6 @@ namespace jounce::profiles_detail {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
-
-double sign(double x) {
-  return static_cast<double>((x > 0) - (x < 0));
-}
 
 /// The least velocity of a profile in the direction d, and its greatest magnitude.
 struct Reach {

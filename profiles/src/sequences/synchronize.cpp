@@ -13,12 +13,14 @@
 #include "profiles/src/solver/brake.hpp"
 #include "profiles/src/solver/even_rest.hpp"
 #include "profiles/src/solver/solver.hpp"
+#include "profiles/src/solver/tolerances.hpp"
 
 namespace jounce {
 namespace {
 
 using profiles_detail::AxisTask;
 using profiles_detail::rounded_sum;
+using profiles_detail::same_duration;
 
 /// The condition for the durations: at least `minimum`, and a multiple of `grid` if that is > 0.
 struct Timing {
@@ -26,8 +28,6 @@ struct Timing {
   double grid;
 };
 
-/// A duration that differs from a multiple by less than this share counts as this multiple.
-constexpr double same_duration = 1e-12;
 constexpr double rounding_of_duration = 1e-13;
 
 /// The next multiple of the grid.

@@ -9,13 +9,11 @@
 #include "profiles/src/solver/rest_to_rest.hpp"
 #include "profiles/src/solver/solver.hpp"
 #include "profiles/src/solver/span.hpp"
+#include "profiles/src/solver/tolerances.hpp"
 #include "profiles/src/solver/travel.hpp"
 
 namespace jounce::profiles_detail {
 namespace {
-
-/// Durations that differ by less than this share count as equal.
-constexpr double same_duration = 1e-12;
 
 MotionState lowered(const MotionState& s) {
   return {s.velocity, s.acceleration, 0};

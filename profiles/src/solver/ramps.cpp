@@ -2,13 +2,14 @@
 #include "jounce/profiles/detail/ramps.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 namespace jounce::profiles_detail {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// A phase of a law for a change that may be zero.
 template <class Law>

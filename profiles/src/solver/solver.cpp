@@ -16,10 +16,6 @@ MotionState of_order(const MotionState& s, int order) {
   return {s.position, order > 1 ? s.velocity : 0, order > 2 ? s.acceleration : 0};
 }
 
-bool limits_position(const Bounds& b) {
-  return b.position_min > -Bounds::none || b.position_max < Bounds::none;
-}
-
 /// True if no reversal is outside the position limits.
 bool keeps_positions(const Profile& profile, const Bounds& b) {
   if (!limits_position(b)) return true;

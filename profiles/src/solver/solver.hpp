@@ -17,6 +17,10 @@ inline int order_of(const Bounds& b) {
   return std::isfinite(b.acceleration_max) ? 2 : 1;
 }
 
+inline bool limits_position(const Bounds& b) {
+  return b.position_min > -Bounds::none || b.position_max < Bounds::none;
+}
+
 /// Returns ok if states and bounds are valid; otherwise the reason.
 MoveStatus status_of(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 

@@ -233,8 +233,9 @@ inline double largest_root(const Start<double>& start) {
 /// The motion with a velocity limit, which may be infinite. Computes one branch at a time.
 inline Way<double> fastest(const Span<double>& s, double velocity) {
   if (s.is_direct) return {s.direct, s.h};
-  const Cruise<double> cruise = cruise_way(s, velocity);
-  if (cruise.duration >= 0) return cruise.way;
+  if (velocity < __builtin_inf())
+    if (const Cruise<double> cruise = cruise_way(s, velocity); cruise.duration >= 0)
+      return cruise.way;
   const double z = greatest(s.both(), 0.0);
   if (z >= s.rates.tau) return both_way(s, z);
   return s.none() ? none_way(s, largest_root(s.none_start()))

@@ -9,5 +9,7 @@ inline constexpr double last_newton_step = 1e-9;
 inline constexpr double last_cubic_step = 1e-5;
 /// A quotient too near to the least double for its cube root.
 inline constexpr double least_cubed = 1e-290;
+/// Durations that differ by less than this share count as equal.
+inline constexpr double same_duration = 1e-12;
 
 }  // namespace jounce::profiles_detail

@@ -34,15 +34,16 @@ Segment integrated(const Segment& f, double start_value) {
 
 /// In a piece as long as the window, the rounding of f (about 1e-16 of its stroke) acts like a
 /// change of the velocity over T: the error of the acceleration is 1e-16 * stroke / T^2.
-constexpr double shortest = 1e-5;
+constexpr double shortest_window = 1e-5;
 constexpr double longest_window = 1e4;
 
 void require_window(double window, double length) {
   require_positive("window", window);
-  if (window < shortest * length)
+  if (window < shortest_window * length)
     throw InputError("window", window,
                      "must be at least 1e-5 of the curve's length, " +
-                         six_digits_up(shortest * length) + ": rounding dominates a shorter one");
+                         six_digits_up(shortest_window * length) +
+                         ": rounding dominates a shorter one");
   if (window > longest_window * length)
     throw InputError("window", window,
                      "must not be more than 10000 times the curve's length, " +

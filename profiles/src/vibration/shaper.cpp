@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "jounce/profiles/curve/between.hpp"
@@ -32,7 +33,7 @@ using profiles_detail::rounded_value;
 
 constexpr double longest_shaper =
     1e4;  // longest shaper, in lengths of the motion; above, no digits are left
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 std::vector<double> weights(const ShaperSpec& spec, double K) {
   if (spec.kind == ShaperKind::zv) return {1, 1};

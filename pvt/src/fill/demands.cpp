@@ -21,7 +21,7 @@ namespace jounce::pvt_detail {
 namespace {
 
 constexpr double demand_resolution = 1e-9;  ///< relative, of a bisection
-constexpr double rounding = 1e-13;
+constexpr double demand_slack = 1e-13;
 
 struct Corner {
   double alpha, beta;
@@ -58,7 +58,7 @@ const std::vector<HalfPlane>& region() {
 /// Adds: sign v >= -limit everywhere on the piece.
 void add_velocity(Demand& demand, double limit, double sign, double chord) {
   const double d = limit + sign * chord;
-  const double slack = rounding * limit;
+  const double slack = demand_slack * limit;
   demand.add({-sign, 0, limit + slack});
   demand.add({0, -sign, limit + slack});
   for (const HalfPlane& plane : region())
@@ -69,7 +69,7 @@ void add_velocity(Demand& demand, double limit, double sign, double chord) {
 
 /// Adds: |a v0 + b v1 - c| <= limit.
 void add_band(Demand& demand, HalfPlane center, double limit) {
-  const double slack = rounding * (limit + std::abs(center.c));
+  const double slack = demand_slack * (limit + std::abs(center.c));
   demand.add({center.a, center.b, center.c + limit + slack});
   demand.add({-center.a, -center.b, -center.c + limit + slack});
 }

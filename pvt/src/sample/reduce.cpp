@@ -12,12 +12,14 @@
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
+#include "jounce/pvt/check.hpp"
 
 #include "pvt/src/sample/best_places.hpp"
 #include "pvt/src/sample/halves.hpp"
 #include "pvt/src/sample/longest.hpp"
 #include "pvt/src/sample/stretches.hpp"
 #include "pvt/src/sample/whole_steps.hpp"
+#include "pvt/src/sample/within_limits.hpp"
 
 // The error of an interval depends only on its two knots. So a table in which each interval is as
 // long as possible has the fewest knots. By induction, its i-th knot is at or beyond the i-th knot
@@ -86,7 +88,7 @@ class Reduction {
               target.velocity_tolerance.value_or(inf)};
   }
 
-  Sampled run() {
+  Sampled run(const Limits& limits) {
     const bool any = target_.tolerance || target_.velocity_tolerance;
     const std::size_t most = most_ends();
     Attempt found = attempt(1, most);
@@ -100,7 +102,7 @@ class Reduction {
     else if (const std::size_t n = found.knots.size(); n > 2 && n <= worth_levelling)
       found = least(std::move(found), n, 0.7 * std::pow(1 - 1.0 / static_cast<double>(n), order()));
     found = better(std::move(found), most, any);
-    return made(needed(std::move(found.knots), tolerances(any ? 1 : found.scale)));
+    return within(limits, needed(std::move(found.knots), tolerances(any ? 1 : found.scale)));
   }
 
  private:
@@ -257,6 +259,21 @@ class Reduction {
     return made;
   }
 
+  /// The table of these knots, and of more where it exceeds a limit that the curve keeps, if the
+  /// target permits more.
+  [[nodiscard]] Sampled within(const Limits& limits, const std::vector<Knot>& knots) const {
+    Sampled table = made(knots);
+    const bool anywhere = target_.x_step == 0 && target_.p_step == 0 && target_.v_step == 0;
+    if (!anywhere || target_.quadratic || check(table.table, limits).ok()) return table;
+    const std::vector<Knot> all =
+        pvt_detail::knots_within_limits(f_, target_.rule, limits, knots, target_.spacing);
+    if (all.size() > most_ends()) return table;
+    Sampled more = made(all);
+    const bool keeps = more.error.position <= std::max(table.error.position, asked_.position) &&
+                       more.error.velocity <= std::max(table.error.velocity, asked_.velocity);
+    return keeps ? std::move(more) : std::move(table);
+  }
+
   [[nodiscard]] Binding binding_of(const Sampled& made) const {
     if (made.table.size() == 2) return Binding::none;
     if (!target_.tolerance && !target_.velocity_tolerance) return Binding::most;
@@ -396,10 +413,10 @@ Curve<Over> on_steps(const Curve<Over>& f, const Target& target) {
 }  // namespace
 
 template <class Over>
-Sampled reduced(const Curve<Over>& f, const Target& target) {
+Sampled reduced(const Curve<Over>& f, const Target& target, const Limits& limits) {
   require_valid(target);
   const Curve<Over> whole = on_steps(f, target);
-  return Reduction<Over>(whole, target).run();
+  return Reduction<Over>(whole, target).run(limits);
 }
 
 template <class Over>
@@ -419,8 +436,8 @@ Sampled reduced(const Fitted<Over>& f, const Target& target) {
   return made;
 }
 
-#define JOUNCE_INSTANTIATE(Over)                               \
-  template Sampled reduced(const Curve<Over>&, const Target&); \
+#define JOUNCE_INSTANTIATE(Over)                                              \
+  template Sampled reduced(const Curve<Over>&, const Target&, const Limits&); \
   template Sampled reduced(const Fitted<Over>&, const Target&);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)

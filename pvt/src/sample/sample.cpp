@@ -50,6 +50,19 @@ Columns columns_at(const Curve<Over>& f, Interpolation rule, std::vector<double>
   return columns;
 }
 
+/// The knots, and more where the table exceeds a limit that the curve keeps.
+template <class Over>
+std::vector<double> within_limits(const Curve<Over>& f, Interpolation rule, const Limits& limits,
+                                  const std::vector<double>& knots) {
+  std::vector<pvt_detail::Knot> all;
+  for (const double x : knots)
+    all.push_back(pvt_detail::knot_at(f, x, x == f.end() ? Side::left : Side::right));
+  std::vector<double> places;
+  for (const pvt_detail::Knot& knot : pvt_detail::knots_within_limits(f, rule, limits, all))
+    places.push_back(knot.x);
+  return places;
+}
+
 /// The exact error of the table: the difference is a curve of the same kind (a Hermite piece minus
 /// a segment keeps the segment's sines), so its extrema are exact too.
 template <class Over>
@@ -374,7 +387,7 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
   const ShortIntervals<Over> with(f, rule);
   Sampled sampled = certified(f, rule, with.columns(knots));
   if (!check(sampled.table, limits).ok()) {
-    knots = pvt_detail::knots_within_limits(f, rule, limits, knots);
+    knots = within_limits(f, rule, limits, knots);
     sampled = certified(f, rule, with.columns(knots));
   }
   // An interval that kept the tolerance because of its symmetry may exceed it when it is shorter.

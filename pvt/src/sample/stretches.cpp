@@ -24,12 +24,12 @@ namespace {
 using profiles_detail::rounded_sum;
 
 constexpr double least_part = 1.0 / 64;
-constexpr double rounding = 4e-15;  // share of the sum of a segment's terms
+constexpr double rounded_terms = 4e-15;  // share of the sum of a segment's terms
 
 bool is_straight(const Segment& f) {
   double bend = 0;
   for (std::size_t i = 2; i < f.c.size(); ++i) bend += std::abs(f.c[i]);
-  return f.sines == 0 && bend <= rounding * magnitude(f);
+  return f.sines == 0 && bend <= rounded_terms * magnitude(f);
 }
 
 /// Successive segments on one straight line: [first, last).
@@ -41,7 +41,7 @@ struct Run {
 
 /// True if g continues the line of f.
 bool goes_on(const Segment& f, const Segment& g) {
-  const double allowed = rounding * (magnitude(f) + magnitude(g));
+  const double allowed = rounded_terms * (magnitude(f) + magnitude(g));
   const double rate = f.c[1] / f.length - g.c[1] / g.length;
   return std::abs(value(f, 1) - value(g, 0)) <= allowed &&
          std::abs(rate) * std::min(f.length, g.length) <= allowed;
@@ -60,7 +60,7 @@ std::vector<Run> runs(const Curve<Over>& f) {
   for (Run& run : all) {
     const double from = value(segments[run.first], 0);
     const double travel = value(segments[run.last - 1], 1) - from;
-    const bool stands = std::abs(travel) <= rounding * magnitude(segments[run.first]);
+    const bool stands = std::abs(travel) <= rounded_terms * magnitude(segments[run.first]);
     run.travel = stands ? 0 : travel;
   }
   return all;

@@ -34,8 +34,8 @@ constexpr double limit_rounding = 1e-12;  ///< share of a limit that counts as r
 template <class Over>
 class WithinLimits {
  public:
-  WithinLimits(const Curve<Over>& f, Interpolation rule, const Limits& limits)
-      : f_(f), rule_(rule) {
+  WithinLimits(const Curve<Over>& f, Interpolation rule, const Limits& limits, double spacing)
+      : f_(f), rule_(rule), spacing_(spacing) {
     const Ranges taken = extrema(f);
     rounding_ = std::numeric_limits<double>::epsilon() * std::abs(taken[0].peak().value);
     const std::array rates{limits.velocity, limits.acceleration, limits.jerk};
@@ -46,8 +46,8 @@ class WithinLimits {
     }
   }
 
-  [[nodiscard]] std::vector<double> run(const std::vector<double>& knots) const {
-    std::vector<double> all{knots.front()};
+  [[nodiscard]] std::vector<Knot> run(const std::vector<Knot>& knots) const {
+    std::vector<Knot> all{knots.front()};
     for (std::size_t i = 1; i < knots.size(); ++i) {
       halve(knots[i - 1], knots[i], all);
       all.push_back(knots[i]);
@@ -73,10 +73,6 @@ class WithinLimits {
                           std::abs(taken.peak().value)});
   }
 
-  [[nodiscard]] Knot knot(double x) const {
-    return knot_at(f_, x, x == f_.end() ? Side::left : Side::right);
-  }
-
   /// The change of the k-th derivative of an interval by the rounding of its knots.
   [[nodiscard]] double rounding(std::size_t k, double length) const {
     constexpr std::array factors{2.0, 4.0, 12.0, 120.0};
@@ -84,6 +80,7 @@ class WithinLimits {
   }
 
   [[nodiscard]] bool is_too_short(double length) const {
+    if (length < spacing_) return true;
     for (std::size_t k = 0; k < permitted_.size(); ++k)
       if (permitted_[k].scale > 0 && rounding(k, length) > rounding_share * permitted_[k].scale)
         return true;
@@ -91,26 +88,41 @@ class WithinLimits {
   }
 
   /// The greatest share of a limit by which the interval exceeds it, beyond the rounding of its knots; 0: none.
-  [[nodiscard]] double excess(double a, double b) const {
-    const Segment table = between(rule_, knot(a), knot(b));
+  [[nodiscard]] double excess(const Knot& a, const Knot& b) const {
+    const Segment table = between(rule_, a, b);
     double worst = 0;
     for (std::size_t k = 0; k < permitted_.size(); ++k) {
       const Permitted& p = permitted_[k];
       if (p.scale == 0) continue;
-      const Range range = segment_range(table, a, b, static_cast<int>(k));
+      const Range range = segment_range(table, a.x, b.x, static_cast<int>(k));
       const double over = std::max(range.max.value - p.most, p.least - range.min.value);
-      const double beyond = over - rounding(k, b - a) - limit_rounding * p.scale;
+      const double beyond = over - rounding(k, b.x - a.x) - limit_rounding * p.scale;
       worst = std::max(worst, beyond / p.scale);
     }
     return worst;
   }
 
-  /// Appends the knots between a and b with which the table exceeds the limits least; returns the rest of the excess.
-  double halve(double a, double b, std::vector<double>& knots) const {
-    const double whole = excess(a, b);
-    if (whole == 0 || is_too_short((b - a) / 2)) return whole;
-    const std::size_t before = knots.size();
+  /// The place at which to divide an interval: the break of the curve nearest to its middle, because
+  /// no interval with a break inside has the derivatives of the curve; without breaks, the middle.
+  [[nodiscard]] double split(double a, double b) const {
     const double middle = a + (b - a) / 2;
+    const auto breaks = f_.breaks();
+    const auto first = std::upper_bound(breaks.begin(), breaks.end(), a);
+    const auto last = std::lower_bound(first, breaks.end(), b);
+    if (first == last) return middle;
+    const auto above = std::lower_bound(first, last, middle);
+    if (above == first) return *above;
+    if (above == last || middle - *(above - 1) < *above - middle) return *(above - 1);
+    return *above;
+  }
+
+  /// Appends the knots between a and b with which the table exceeds the limits least; returns the rest of the excess.
+  double halve(const Knot& a, const Knot& b, std::vector<Knot>& knots) const {
+    const double whole = excess(a, b);
+    if (whole == 0) return whole;
+    const Knot middle = knot_at(f_, split(a.x, b.x), Side::right);
+    if (is_too_short(std::min(middle.x - a.x, b.x - middle.x))) return whole;
+    const std::size_t before = knots.size();
     const double left = halve(a, middle, knots);
     knots.push_back(middle);
     const double halves = std::max(left, halve(middle, b, knots));
@@ -121,6 +133,7 @@ class WithinLimits {
 
   const Curve<Over>& f_;
   Interpolation rule_;
+  double spacing_;
   double rounding_ = 0;  ///< rounding of the greatest position
   std::array<Permitted, 4> permitted_{};
 };
@@ -128,14 +141,15 @@ class WithinLimits {
 }  // namespace
 
 template <class Over>
-std::vector<double> knots_within_limits(const Curve<Over>& f, Interpolation rule,
-                                        const Limits& limits, const std::vector<double>& knots) {
-  return WithinLimits<Over>(f, rule, limits).run(knots);
+std::vector<Knot> knots_within_limits(const Curve<Over>& f, Interpolation rule,
+                                      const Limits& limits, const std::vector<Knot>& knots,
+                                      double spacing) {
+  return WithinLimits<Over>(f, rule, limits, spacing).run(knots);
 }
 
-template std::vector<double> knots_within_limits(const Curve<OverTime>&, Interpolation,
-                                                 const Limits&, const std::vector<double>&);
-template std::vector<double> knots_within_limits(const Curve<OverMaster>&, Interpolation,
-                                                 const Limits&, const std::vector<double>&);
+template std::vector<Knot> knots_within_limits(const Curve<OverTime>&, Interpolation, const Limits&,
+                                               const std::vector<Knot>&, double);
+template std::vector<Knot> knots_within_limits(const Curve<OverMaster>&, Interpolation,
+                                               const Limits&, const std::vector<Knot>&, double);
 
 }  // namespace jounce::pvt_detail

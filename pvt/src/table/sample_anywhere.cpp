@@ -2,23 +2,7 @@
 #include "pvt/src/table/sample_kernel.hpp"
 
 namespace jounce::pvt_detail {
-namespace {
 
-void listed(const KnotColumns& t, Interpolation rule, Listed at, std::size_t first,
-            std::size_t last, Samples out) {
-  sample_table<profiles_detail::Vector2>(t, rule, at, first, last, out);
-}
-void uniform(const KnotColumns& t, Interpolation rule, Uniform at,
-                              std::size_t first, std::size_t last, Samples out) {
-  sample_table<profiles_detail::Vector2>(t, rule, at, first, last, out);
-}
-
-bool ascends(const double* x, std::size_t size) {
-  return all_ascend<profiles_detail::Vector2>(x, size);
-}
-
-}  // namespace
-
-const SampleKernels sample_anywhere{listed, uniform, ascends};
+const SampleKernels sample_anywhere = kernels_of<profiles_detail::Vector2>();
 
 }  // namespace jounce::pvt_detail

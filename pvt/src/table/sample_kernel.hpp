@@ -190,4 +190,14 @@ JOUNCE_INLINE void sample_table(const KnotColumns& t, Interpolation rule, const 
     sample_pieces<Real, 5>(t, at, first, last, out);
 }
 
+/// The kernels of one width. The positions are passed as copies: the results cannot overlap them.
+template <class Real>
+constexpr SampleKernels kernels_of() {
+  return {[](const KnotColumns& t, Interpolation rule, Listed at, std::size_t first,
+             std::size_t last, Samples out) { sample_table<Real>(t, rule, at, first, last, out); },
+          [](const KnotColumns& t, Interpolation rule, Uniform at, std::size_t first,
+             std::size_t last, Samples out) { sample_table<Real>(t, rule, at, first, last, out); },
+          [](const double* x, std::size_t size) { return all_ascend<Real>(x, size); }};
+}
+
 }  // namespace jounce::pvt_detail

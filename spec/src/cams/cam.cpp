@@ -95,6 +95,7 @@ CamKnot read_knot(TomlReader& knot, const CamUnits& units, const CamKnot* line_f
   if (line_from == nullptr) k.slave = knot.number("slave", units.of.position);
   k.geo_velocity = read_rate(knot, "geo_velocity", "velocity", 1, units);
   k.geo_acceleration = read_rate(knot, "geo_acceleration", "acceleration", 2, units);
+  k.geo_jerk = read_rate(knot, "geo_jerk", "jerk", 3, units);
   if (line_from != nullptr)
     k.slave = line_from->slave + *k.geo_velocity * (k.master - line_from->master);
   return k;
@@ -221,8 +222,27 @@ LawForm read_form(TomlReader& segment) {
   const std::array<std::string, 3> shares{"1", "1", "1"};
   if (const auto given = segment.numbers("shares", shares); !given.empty())
     form.shares = {given[0], given[1], given[2]};
+  const std::array<std::string, 2> amplitudes{"1", "1"};
+  if (const auto given = segment.numbers("harmonics", amplitudes); !given.empty())
+    form.harmonics = {given[0], given[1]};
   return form;
 }
+
+namespace {
+
+/// Reads the control values and the knots of the law b_spline.
+ControlShape read_control(TomlReader& segment, Law law, const Units& units) {
+  if (law != Law::b_spline)
+    for (const char* key : {"control", "knots"})
+      segment.refuse_here(key, "belongs to a segment with the law b_spline");
+  ControlShape shape{segment.number_list("control", units.position),
+                     segment.number_list("knots", units.x)};
+  if (law == Law::b_spline && shape.values.empty())
+    segment.fail("control", "", "is missing: add control = [FIRST, ..., LAST], the control values");
+  return shape;
+}
+
+}  // namespace
 
 CamSpec read_cam(TomlReader& top, const Units& of, Spec& spec) {
   const auto speed = spec.master ? std::optional(spec.master->velocity) : std::nullopt;
@@ -231,6 +251,7 @@ CamSpec read_cam(TomlReader& top, const Units& of, Spec& spec) {
   CamSpec cam;
   cam.periodic = top.optional_flag("periodic").value_or(false);
   cam.slave_period = top.optional_number("slave_period", of.position);
+  cam.velocity_steps = spec.table.rule == Interpolation::linear;
   if (const auto chosen = top.optional_choice("boundaries", boundaries))
     spec.boundaries = static_cast<Boundaries>(*chosen);
   const bool from_file = starts_with_file(top);
@@ -247,6 +268,7 @@ CamSpec read_cam(TomlReader& top, const Units& of, Spec& spec) {
     s.form = read_form(segment);
     refuse_alias(segment, "law");
     s.law = all_laws()[segment.choice("law", law_names())].law;
+    s.control = read_control(segment, s.law, of);
     const auto file = read_cam_points(segment, s.law, of);
     if (!file)
       for (TomlReader& point : segment.tables("points"))
@@ -300,6 +322,7 @@ void read_optimize(TomlReader& top, Spec& spec) {
   const auto& load = spec.optimize.shape.load = read_load(top, spec.units);
   if (load && (load->peak_torque || load->rms_torque) && !spec.master)
     top.fail("load", "", "limits a torque, which depends on the speed: add [master]");
+  if (!std::holds_alternative<CamSpec>(spec.subject)) return;  // read_parameters() reads the rest
   auto table = top.optional_table("optimize");
   const bool shapes = !spec.optimize.shape.shapes.empty();
   if (shapes && !table)

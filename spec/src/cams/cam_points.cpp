@@ -99,7 +99,7 @@ std::optional<CamPointFile> read_cam_points(TomlReader& segment, Law law, const 
                    "applies to the points of a file: give each of these points its own tolerance");
     return std::nullopt;
   }
-  if (has_own_shape(law))
+  if (!takes_points(law))
     segment.fail("points", *segment.optional_text("points"),
                  std::string("the law `") + name(law) +
                      "` takes no points: use polynomial, cubic_spline, quintic_spline or hermite");

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/base/listed.hpp"
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/spec/drive_figures.hpp"
@@ -41,12 +42,6 @@ std::vector<std::string> figure_names() {
     names.emplace_back(name);
   for (const DriveFigure figure : all_drive_figures) names.push_back(jounce::name(figure));
   return names;
-}
-
-std::string listed(std::span<const std::string> names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
 }
 
 [[noreturn]] void fail_name(TomlReader& reader, const char* key, const std::string& name,

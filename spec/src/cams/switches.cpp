@@ -9,8 +9,8 @@
 namespace jounce::spec_detail {
 namespace {
 
-const std::vector<std::string> directions{"both", "positive", "negative"};
-const std::vector<std::string> modes{"position", "time"};
+const std::vector<std::string> axis_directions{"both", "positive", "negative"};
+const std::vector<std::string> switch_modes{"position", "time"};
 const std::vector<std::string> sources{"position", "master", "actual"};
 
 int read_track(TomlReader& reader) {
@@ -25,11 +25,11 @@ CamSwitch read_switch(TomlReader& reader, const std::string& unit) {
   s.first_on_position = reader.number("first_on_position", unit);
   s.last_on_position = reader.optional_number("last_on_position", unit);
   s.duration = reader.optional_number("duration", "s");
-  s.axis_direction =
-      static_cast<AxisDirection>(reader.optional_choice("axis_direction", directions).value_or(0));
+  s.axis_direction = static_cast<AxisDirection>(
+      reader.optional_choice("axis_direction", axis_directions).value_or(0));
   // A duration implies a switch by time.
-  s.mode = static_cast<CamSwitchMode>(
-      reader.optional_choice("mode", modes).value_or(s.duration && !s.last_on_position ? 1 : 0));
+  s.mode = static_cast<CamSwitchMode>(reader.optional_choice("mode", switch_modes)
+                                          .value_or(s.duration && !s.last_on_position ? 1 : 0));
   reader.finish();
   return s;
 }

@@ -13,14 +13,14 @@
 namespace jounce::spec_detail {
 namespace {
 
-const std::array<std::string, 3> kinds{"external", "encoder", "table"};
+const std::array<std::string, 3> master_kinds{"external", "encoder", "table"};
 
 void may(TomlReader& reader, const char* key, const std::string& unit, double& value) {
   value = reader.optional_number(key, unit).value_or(value);
   if (value < 0) reader.fail(key, number(value), "must not be negative");
 }
 
-double positive(TomlReader& reader, const char* key, const std::string& unit) {
+double positive_number(TomlReader& reader, const char* key, const std::string& unit) {
   const double value = reader.number(key, unit);
   if (!(value > 0)) reader.fail(key, number(value), "must be greater than 0");
   return value;
@@ -43,8 +43,8 @@ void must_last(TomlReader& reader, const char* key, double& seconds) {
 
 TrackingSpec read_tracking(TomlReader& reader, const std::string& unit) {
   TrackingSpec tracking;
-  tracking.velocity = positive(reader, "velocity", rate_unit(unit, "s", 1));
-  tracking.acceleration = positive(reader, "acceleration", rate_unit(unit, "s", 2));
+  tracking.velocity = positive_number(reader, "velocity", rate_unit(unit, "s", 1));
+  tracking.acceleration = positive_number(reader, "acceleration", rate_unit(unit, "s", 2));
   if (const auto order = reader.optional_count("order")) {
     if (*order != 2 && *order != 3) reader.fail("order", std::to_string(*order), "must be 2 or 3");
     tracking.order = static_cast<int>(*order);
@@ -80,9 +80,10 @@ MachineMasterSpec::FromTable read_from_table(TomlReader& reader, const std::stri
   const auto folder = std::filesystem::path(reader.document().name).parent_path();
   if (const std::filesystem::path given(table.file); given.is_relative())
     table.file = (folder / given).string();
-  table.limits.velocity = positive(reader, "velocity", rate_unit(unit, "s", 1));
-  table.limits.acceleration = positive(reader, "acceleration", rate_unit(unit, "s", 2));
-  if (reader.has("jerk")) table.limits.jerk = positive(reader, "jerk", rate_unit(unit, "s", 3));
+  table.limits.velocity = positive_number(reader, "velocity", rate_unit(unit, "s", 1));
+  table.limits.acceleration = positive_number(reader, "acceleration", rate_unit(unit, "s", 2));
+  if (reader.has("jerk"))
+    table.limits.jerk = positive_number(reader, "jerk", rate_unit(unit, "s", 3));
   return table;
 }
 
@@ -90,7 +91,7 @@ MachineMasterSpec read_master(TomlReader& reader, const std::string& name) {
   MachineMasterSpec master{.name = name, .unit = {}, .what = MachineMasterSpec::External{}};
   master.key = reader.path("kind");
   master.key.erase(master.key.rfind('.'));
-  const std::size_t kind = reader.choice("kind", kinds);
+  const std::size_t kind = reader.choice("kind", master_kinds);
   master.unit = read_unit(reader, "unit", nullptr);
   if (kind == 0)
     master.what = MachineMasterSpec::External{read_tracking(reader, master.unit)};

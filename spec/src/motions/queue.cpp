@@ -9,8 +9,8 @@ namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> queue_types{"absolute", "relative", "velocity", "halt", "dwell"};
-const std::vector<std::string> modes{"aborting",          "buffered",      "blending_low",
-                                     "blending_previous", "blending_next", "blending_high"};
+const std::vector<std::string> buffer_modes{"aborting",          "buffered",      "blending_low",
+                                            "blending_previous", "blending_next", "blending_high"};
 
 void read_over(MotionFields& f, Dynamics& d) {
   f.may_positive("velocity", 1, d.velocity);
@@ -58,10 +58,10 @@ QueuedCommand read_command(TomlReader& command, const Units& units, const Dynami
     read_over(fields, c.dynamics);
     require_dynamics(fields, c);
   }
-  if (const auto mode = command.optional_choice("mode", modes))
+  if (const auto mode = command.optional_choice("mode", buffer_modes))
     c.mode = static_cast<BufferMode>(*mode);
   if (std::holds_alternative<Dwell>(c.command) && c.mode > BufferMode::buffered)
-    command.fail("mode", '"' + modes[static_cast<std::size_t>(c.mode)] + '"',
+    command.fail("mode", '"' + buffer_modes[static_cast<std::size_t>(c.mode)] + '"',
                  "does not apply to a dwell, which begins and ends at rest: use buffered");
   c.issued = fields.optional_time("issued");
   command.finish();

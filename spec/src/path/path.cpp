@@ -186,6 +186,7 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   if (auto limits = table.optional_table("limits"))
     path.limits.path = read_path_limits(std::move(*limits), axes);
   path.tolerance = table.optional_positive("tolerance", axes.unit(0));
+  path.refine = table.optional_flag("refine").value_or(false);
   if (top.has("points") && table.has("start"))
     table.fail("start", "",
                "does not apply to a path of points, which starts at the first one: leave it out");
@@ -210,6 +211,12 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
     top.fail("override", "",
              "cannot be combined with overlap, because the path of overlapping lines depends on "
              "the time: leave one of the two out");
+  if (path.refine && (path.overlap || !path.override_steps.empty()))
+    table.fail("refine", "true",
+               std::string("cannot be combined with ") +
+                   (path.overlap ? "overlap, which has no timing law along a path"
+                                 : "[[override]], which plans the timing law again") +
+                   ": leave one of the two out");
   table.finish();
   return path;
 }

@@ -5,18 +5,14 @@
 #include <charconv>
 #include <filesystem>
 
+#include "jounce/base/listed.hpp"
+
 namespace jounce::spec_detail {
 namespace {
 
 [[noreturn]] void fail(const Points& points, std::size_t point, const std::string& key,
                        const std::string& value, const std::string& rule) {
   throw InputError(key, value, rule).at(points.document, static_cast<int>(points.lines[point]));
-}
-
-std::string listed(std::span<const std::string> words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-  return all;
 }
 
 }  // namespace
@@ -31,12 +27,10 @@ std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
   const std::filesystem::path spec = owner.document().name;
   Points points = read_points((spec.parent_path() / *given).string());
   for (const PointColumn& column : points.columns)
-    if (std::find(columns.begin(), columns.end(), column.name) == columns.end()) {
-      std::string names;
-      for (const auto& name : columns) names += (names.empty() ? "" : ", ") + name;
-      throw InputError(column.name, "", "is not a column of this table; possible columns: " + names)
+    if (std::find(columns.begin(), columns.end(), column.name) == columns.end())
+      throw InputError(column.name, "",
+                       "is not a column of this table; possible columns: " + listed(columns))
           .at(points.document, 1);
-    }
   return points;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jounce/base/input_errors.hpp"
+#include "jounce/base/listed.hpp"
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
@@ -21,19 +22,13 @@ Document::Place place(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
-std::string join(std::span<const std::string> words) {
-  std::string all;
-  for (const auto& word : words) all += (all.empty() ? "" : ", ") + word;
-  return all;
-}
-
 /// A long list of words is shown only if no word is near.
 std::string rule_of_choice(std::span<const std::string> permitted, const std::string& hint) {
   constexpr std::size_t most = 8;
   const std::string meant = hint.empty() ? "" : ": did you mean \"" + hint + "\"?";
   if (permitted.size() == 1) return "must be \"" + permitted[0] + '"';
   if (permitted.size() > most && !hint.empty()) return "is unknown" + meant;
-  return "must be one of " + join(permitted) + meant;
+  return "must be one of " + listed(permitted) + meant;
 }
 
 /// "[limits]" or "[[segment]]", for a section of this name; "" for a value on the line of its key.
@@ -255,7 +250,7 @@ std::optional<std::string> TomlReader::optional_text(const char* key) {
 }
 
 std::size_t TomlReader::choice(const char* key, std::span<const std::string> permitted) {
-  require(key, std::string(key) + " = \"WORD\", where WORD is one of " + join(permitted));
+  require(key, std::string(key) + " = \"WORD\", where WORD is one of " + listed(permitted));
   const std::string given = *optional_text(key);
   for (std::size_t i = 0; i < permitted.size(); ++i)
     if (permitted[i] == given) return i;
@@ -417,7 +412,7 @@ void TomlReader::finish() {
       continue;
     }
     report(unknown(key, node,
-                   (what_.empty() ? "here" : "of " + what_) + "; possible keys: " + join(known)));
+                   (what_.empty() ? "here" : "of " + what_) + "; possible keys: " + listed(known)));
   }
 }
 

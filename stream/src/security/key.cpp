@@ -16,7 +16,7 @@
 namespace jounce {
 namespace {
 
-constexpr std::size_t digits = 64;
+constexpr std::size_t key_digits = 64;
 constexpr std::size_t most_bytes = 256;  // including white space: a key file has no more
 
 /// A file descriptor; the destructor closes it.
@@ -69,7 +69,7 @@ wire::Key read_key(const std::filesystem::path& path) {
   const bool whole =
       text.size() <= most_bytes && hex && length == key.size() && end == text.data() + text.size();
   sodium_memzero(text.data(), text.size());
-  if (!whole) refuse(path, "must hold " + std::to_string(digits) + " hexadecimal digits");
+  if (!whole) refuse(path, "must hold " + std::to_string(key_digits) + " hexadecimal digits");
   return key;
 }
 
@@ -77,9 +77,9 @@ void write_new_key(const std::filesystem::path& path) {
   if (sodium_init() < 0) throw std::system_error(EIO, std::generic_category(), "libsodium");
   wire::Key key;
   randombytes_buf(key.data(), key.size());
-  std::string text(digits + 1, '\0');
+  std::string text(key_digits + 1, '\0');
   sodium_bin2hex(text.data(), text.size(), key.data(), key.size());
-  text[digits] = '\n';
+  text[key_digits] = '\n';
   const File file(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC);
   if (file.get() < 0 && errno == EEXIST)
     refuse(path, "exists already, and a key is never overwritten: remove it first");

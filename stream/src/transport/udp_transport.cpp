@@ -22,7 +22,7 @@ namespace jounce {
 namespace {
 
 // An LCM packet: magic, number, the channel's name with a final zero, then the message.
-constexpr std::uint32_t magic = 0x4C433032;  // "LC02"
+constexpr std::uint32_t packet_magic = 0x4C433032;  // "LC02"
 constexpr std::size_t head_bytes = 8;
 [[maybe_unused]] constexpr std::size_t most_channel = 63;
 [[maybe_unused]] constexpr std::size_t most_message =
@@ -158,7 +158,7 @@ void UdpTransport::subscribe(const std::string& channel, int capacity) {
 
 void UdpTransport::send(const std::string& channel, std::span<const std::byte> bytes) {
   assert(channel.size() <= most_channel && channel.size() + 1 + bytes.size() <= most_message);
-  std::array<std::uint32_t, 2> head{htonl(magic), htonl(sent_++)};
+  std::array<std::uint32_t, 2> head{htonl(packet_magic), htonl(sent_++)};
   const std::array<iovec, 3> parts{iovec{head.data(), head_bytes},
                                    iovec{const_cast<char*>(channel.c_str()), channel.size() + 1},
                                    iovec{const_cast<std::byte*>(bytes.data()), bytes.size()}};
@@ -189,7 +189,7 @@ void UdpTransport::take_what_came() {
 
 /// Keeps a packet of a subscribed channel with free capacity; drops all others.
 void UdpTransport::take(std::span<const std::byte> datagram) {
-  if (datagram.size() <= head_bytes || big_endian(datagram) != magic) return;
+  if (datagram.size() <= head_bytes || big_endian(datagram) != packet_magic) return;
   auto packet = stream_detail::packet_of(datagram.subspan(head_bytes));
   if (!packet) return;
   const auto at =

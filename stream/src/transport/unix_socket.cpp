@@ -16,7 +16,7 @@ namespace jounce::stream_detail {
 namespace {
 
 constexpr std::string_view prefix = "jounce-";
-constexpr std::size_t digits = 16;
+constexpr std::size_t name_digits = 16;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::string unique_socket_name() {
 }
 
 bool is_socket_name(const std::string& name) {
-  return name.size() == prefix.size() + digits && name.starts_with(prefix) &&
+  return name.size() == prefix.size() + name_digits && name.starts_with(prefix) &&
          name.find_first_not_of("0123456789abcdef", prefix.size()) == std::string::npos;
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/listed.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/spec/spec.hpp"
@@ -46,9 +47,7 @@ class ShapeWords {
 
   /// Returns the segments of a run, separated by commas.
   [[nodiscard]] std::string segments(const CamRunOutcome& run) const {
-    std::string list;
-    for (const std::size_t i : run.segments) list += (list.empty() ? "" : ", ") + segment(i);
-    return list;
+    return listed(run.segments, [&](std::size_t i) { return segment(i); });
   }
 
   /// Returns a place as a master position of the cam: a run may extend beyond the end of the

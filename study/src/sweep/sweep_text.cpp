@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/base/listed.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/study/sweep_summary.hpp"
@@ -87,10 +88,9 @@ std::string spread_lines(const SweepSummary& s) {
 
 std::string front_lines(const SweepSpec& spec, const SweepResult& result, const SweepSummary& s) {
   if (spec.objectives.empty()) return "";
-  std::string wanted;
-  for (const SweepObjective& o : spec.objectives)
-    wanted +=
-        (wanted.empty() ? "" : ", ") + std::string(o.greatest ? "most " : "least ") + o.figure;
+  const std::string wanted = listed(spec.objectives, [](const SweepObjective& o) {
+    return std::string(o.greatest ? "most " : "least ") + o.figure;
+  });
   if (s.front.empty()) return "\n  no case is within all limits: " + wanted + "\n";
   std::string text = fmt::format(
       "\n  {} that no other case dominates ({}):\n",
@@ -100,12 +100,10 @@ std::string front_lines(const SweepSpec& spec, const SweepResult& result, const 
     // Spread over the whole front.
     const std::size_t k = shown > 1 ? i * (s.front.size() - 1) / (shown - 1) : 0;
     const SweepRow& row = result.rows[s.front[k]];
-    std::string values;
-    for (const SweepObjective& o : spec.objectives) {
+    const std::string values = listed(spec.objectives, [&](const SweepObjective& o) {
       const std::size_t c = column_of(spec, o.figure);
-      values +=
-          (values.empty() ? "" : ", ") + with_unit(rounded(row.figures[c]), spec.given[c].unit);
-    }
+      return with_unit(rounded(row.figures[c]), spec.given[c].unit);
+    });
     text += fmt::format("    case {}: {}  at {}\n", row.number + 1, values,
                         numbers_text(spec, row.number));
   }

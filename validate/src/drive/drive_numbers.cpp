@@ -11,7 +11,7 @@ namespace {
 
 using enum NumberRule;
 
-constexpr const char* inertia = "kg m^2";
+constexpr const char* inertia_unit = "kg m^2";
 constexpr const char* damping = "N m s/rad";
 
 /// Collects the numbers of one part after another.
@@ -39,7 +39,7 @@ class Collector {
 
 void add(Collector& all, Motor& m) {
   all.enter("motor.");
-  all.add("inertia", inertia, m.inertia, positive);
+  all.add("inertia", inertia_unit, m.inertia, positive);
   all.add(m.friction);
   all.add("torque_limit", "N m", m.torque_limit, positive);
   all.add("rated_torque", "N m", m.rated_torque);
@@ -57,7 +57,7 @@ void add(Collector& all, Mass& m, std::size_t number) {
   all.add("damping", damping, m.damping);
   all.add("backlash", "rad", m.backlash);
   all.add("efficiency", "1", m.efficiency, share);
-  all.add("inertia", inertia, m.inertia, positive);
+  all.add("inertia", inertia_unit, m.inertia, positive);
   all.add(m.friction);
   all.add("load_torque", "N m", m.load_torque, any);
   all.add("gravity_torque", "N m", m.gravity_torque, any);

@@ -6,7 +6,7 @@
 
 #include "jounce/validate/loop.hpp"
 
-#include "validate/src/drive/peak_finding.hpp"
+#include "validate/src/peak_finding.hpp"
 
 namespace jounce::validate_detail {
 namespace {
@@ -18,17 +18,6 @@ Finding saturation_of(const DriveResult& result, double limit) {
     finding.where = result.saturation.front().from;
     finding.advice = "the drive cannot follow: lower the acceleration or the inertia";
   }
-  return finding;
-}
-
-Finding integration_of(const Integration& integration) {
-  Finding finding;
-  finding.rule = "drive/integration";
-  finding.has_limit = false;
-  finding.quantity = "time";
-  finding.where = finding.value = integration.reached;
-  finding.broken = true;
-  finding.advice = integration.reason;
   return finding;
 }
 
@@ -82,7 +71,7 @@ Report drive_report(const DriveResult& result, const Drive& drive, const DriveOp
   report.findings.push_back(saturation_of(result, drive.motor.torque_limit));
   if (!result.integration.ok()) {  // a limit that holds so far may be broken later
     std::erase_if(report.findings, [](const Finding& f) { return !f.broken; });
-    report.findings.push_back(integration_of(result.integration));
+    report.findings.push_back(integration_finding("drive/integration", "time", result.integration));
   }
   if (const auto unstable = unstable_loop(drive)) report.findings.push_back(*unstable);
   sort(report);

@@ -31,10 +31,10 @@
 namespace jounce::validate_detail {
 namespace {
 
-class Run {
+class RunningDrive {
  public:
-  Run(const SignalView& reference, const Drive& drive, const DriveOptions& options,
-      const std::vector<double>& start)
+  RunningDrive(const SignalView& reference, const Drive& drive, const DriveOptions& options,
+               const std::vector<double>& start)
       : options_(options),
         origin_(reference.start()),
         end_(reference.end()),
@@ -211,7 +211,7 @@ class Run {
 
 DriveRun run(const SignalView& reference, const Drive& drive, const DriveOptions& options,
              const std::vector<double>& start) {
-  return Run(reference, drive, options, start).result();
+  return RunningDrive(reference, drive, options, start).result();
 }
 
 }  // namespace jounce::validate_detail

@@ -8,8 +8,8 @@
 namespace jounce::validate_detail {
 namespace {
 
-constexpr double rounding = 1e-12;  // a smaller step of position or velocity does not count
-constexpr double smooth = 1e-4;     // error control handles a smaller step of acceleration
+constexpr double rounded_step = 1e-12;  // a smaller step of position or velocity does not count
+constexpr double smooth = 1e-4;         // error control handles a smaller step of acceleration
 
 }  // namespace
 
@@ -18,15 +18,15 @@ double usable(double scale) {
 }
 
 double shortest_time(double from, double to) {
-  return std::max(rounding * (to - from), 16 * std::numeric_limits<double>::epsilon() *
-                                              std::max(std::abs(from), std::abs(to)));
+  return std::max(rounded_step * (to - from), 16 * std::numeric_limits<double>::epsilon() *
+                                                  std::max(std::abs(from), std::abs(to)));
 }
 
 bool steps(const Jet& before, const Jet& after, const Scales& size) {
   const auto by = [&](std::size_t k, double scale, double share) {  // true for NaN
     return !(std::abs(after[k] - before[k]) <= share * scale);
   };
-  return by(0, size.range, rounding) || by(1, size.peak[1], rounding) ||
+  return by(0, size.range, rounded_step) || by(1, size.peak[1], rounded_step) ||
          by(2, size.peak[2], smooth);
 }
 

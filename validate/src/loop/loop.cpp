@@ -26,19 +26,20 @@ constexpr double pole_at_zero = 1e-9;    ///< share of the fastest pole
 constexpr double real_crossing = 1e-6;
 constexpr double tau = 2 * std::numbers::pi;
 constexpr int per_decade = 200;
-constexpr double rounding = 1e-10;  // relative rounding of eigenvalues, to the greatest
-constexpr double most_cycles = 100;
+constexpr double rounded_growth = 1e-10;  // relative rounding of eigenvalues, to the greatest
+constexpr double most_delay_cycles = 100;
 
 bool too_late(const Controller& c) {
-  return c.cycle > 0 && c.delay > most_cycles * c.cycle;
+  return c.cycle > 0 && c.delay > most_delay_cycles * c.cycle;
 }
 
 void require_loop(const Drive& drive) {
   require_valid(drive);
   const Controller& c = drive.controller;
   if (too_late(c))
-    throw InputError("controller.delay", c.delay,
-                     "must be at most 100 cycles = " + six_digits(most_cycles * c.cycle) + " s");
+    throw InputError(
+        "controller.delay", c.delay,
+        "must be at most 100 cycles = " + six_digits(most_delay_cycles * c.cycle) + " s");
 }
 
 LoopPole pole_of(Complex s) {
@@ -172,7 +173,7 @@ bool is_stable(const std::vector<LoopPole>& poles) {
   double fastest = 0;
   for (const LoopPole& p : poles)
     fastest = std::max(fastest, std::hypot(p.growth, tau * p.frequency));
-  return poles.empty() || poles.front().growth <= rounding * fastest;
+  return poles.empty() || poles.front().growth <= rounded_growth * fastest;
 }
 
 std::vector<LoopPole> loop_poles(const Drive& drive) {

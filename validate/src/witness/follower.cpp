@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-#include "validate/src/drive/peak_finding.hpp"
+#include "validate/src/peak_finding.hpp"
 #include "validate/src/tolerances.hpp"
 #include "validate/src/witness/follower_run.hpp"
 
@@ -78,15 +78,9 @@ Report report_of(const FollowerResult& result, const FollowerLimits& limits) {
                                       result.residual, *limits.residual,
                                       "use a smoother law, or a polydyne cam"));
   if (!result.integration.ok()) {
-    Finding finding;
-    finding.rule = "follower/integration";
-    finding.has_limit = false;
-    finding.quantity = "time";
-    finding.unit = "s";
-    finding.where = finding.value = result.integration.reached;
-    finding.broken = true;
-    finding.advice = result.integration.reason;
-    report.findings.push_back(std::move(finding));
+    report.findings.push_back(
+        validate_detail::integration_finding("follower/integration", "time", result.integration));
+    report.findings.back().unit = "s";
   }
   sort(report);
   return report;

@@ -96,9 +96,10 @@ class FollowerModel {
   const SpringFollower& f_;
 };
 
-class Run {
+class RunningFollower {
  public:
-  Run(const SignalView& lift, const SpringFollower& follower, const FollowerOptions& options)
+  RunningFollower(const SignalView& lift, const SpringFollower& follower,
+                  const FollowerOptions& options)
       : follower_(follower),
         options_(options),
         origin_(lift.start()),
@@ -301,7 +302,7 @@ class Run {
 
 FollowerResult run(const SignalView& lift, const SpringFollower& follower,
                    const FollowerOptions& options) {
-  return Run(lift, follower, options).result();
+  return RunningFollower(lift, follower, options).result();
 }
 
 }  // namespace jounce::validate_detail

@@ -32,6 +32,7 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "validate/src/peak_finding.hpp"
 #include "validate/src/witness/piece.hpp"
 #include "validate/src/witness/solver.hpp"
 
@@ -226,16 +227,6 @@ Finding finding_of(const char* rule, const char* quantity, const Disagreement& w
   return finding;
 }
 
-Finding integration_of(const Integration& integration) {
-  Finding finding;
-  finding.rule = "witness/integration";
-  finding.quantity = "jerk";
-  finding.where = finding.value = integration.reached;
-  finding.broken = true;
-  finding.advice = integration.reason;
-  return finding;
-}
-
 Report report_of(const Witness& w, bool over_master) {
   const auto& names = over_master ? OverMaster::names : OverTime::names;
   Report report;
@@ -246,7 +237,9 @@ Report report_of(const Witness& w, bool over_master) {
                  "make the acceleration the derivative of the velocity, without steps"),
       finding_of("witness/acceleration", names[2], w.acceleration,
                  "make the jerk the derivative of the acceleration")};
-  if (!w.integration.ok()) report.findings.push_back(integration_of(w.integration));
+  if (!w.integration.ok())
+    report.findings.push_back(
+        validate_detail::integration_finding("witness/integration", "jerk", w.integration));
   sort(report);
   return report;
 }

@@ -77,6 +77,12 @@ std::string form_text(const TableForm& form, const TableFile& file);
 /// Throws InputError ("master_unit", "position_unit") if a unit of the table is missing.
 void require_units(const TableFile& file);
 
+/// Returns the text of a file at `path` in this form or, if `every` is not empty, samples of it as
+/// CSV at this interval (samples_csv()). Throws InputError like form_text(); like
+/// require_units(), and with key "every" if the samples would not be CSV.
+std::string output_text(const TableForm& form, const TableFile& file, const std::string& path,
+                        const std::string& every);
+
 /// Returns all parts of an input that a file in this form does not contain: the unread parts of the
 /// input file, and losses() of the format. `sampled` is true if the file has samples of the table.
 std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
@@ -90,6 +96,8 @@ std::vector<std::string> form_names();
 std::string known_endings(bool named = false);
 /// True if a path has one of the known endings, or is "-".
 bool has_known_ending(const std::string& path);
+/// Throws InputError (key "path") unless has_known_ending().
+void require_known_ending(const std::string& path);
 /// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss.
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses);

@@ -40,6 +40,17 @@ CutLimits cut_limits(const Spec& spec, const std::optional<double>& line_speed);
 CutMap cut_map(Spec spec, CutLengths cuts, const CutLimits& limits, double from, double to,
                std::size_t steps);
 
+/// The range of a map, as texts such as "100 mm"; "": chosen for the spec.
+struct CutMapTexts {
+  std::string from = {}, to = {};  ///< shortest and longest cut
+  std::string line_speed = {};     ///< see cut_limits()
+  std::size_t steps = 91;          ///< number of lengths
+};
+
+/// Returns the map of the spec in a file. Throws InputError with the names of the members of
+/// CutMapTexts.
+CutMap cut_map(const std::string& path, const CutMapTexts& texts);
+
 /// Returns the name of a limit for tables and legends; "none" for "".
 std::string limit_word(const std::string& limit);
 

@@ -37,6 +37,7 @@ struct ParametersSpec {
   bool maximize = false;                  ///< true: maximize; false: minimize
   std::vector<FigureBound> require = {};  ///< key figures with bounds
   OptimizeOptions options = {};
+  bool refine = false;  ///< true: for a path, the timing law is refined afterwards
 };
 
 }  // namespace jounce

@@ -28,6 +28,8 @@ struct PathSpec {
   std::vector<FactorRequest> override_steps = {};
   /// Options for lines that overlap in time, instead of rounded corners; omitted: rounded corners.
   std::optional<OverlapOptions> overlap = {};
+  /// True: the timing law is refined (jounce/path/refine.hpp): [path] refine.
+  bool refine = false;
   /// Greatest error of a fitted axis, in its unit. Omitted: 1e-9, or more for large coordinates.
   std::optional<double> tolerance = {};
 };

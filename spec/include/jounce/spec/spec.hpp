@@ -20,6 +20,7 @@
 #include "jounce/pvt/reduce.hpp"
 #include "jounce/spec/machine_spec.hpp"
 #include "jounce/spec/motion_spec.hpp"
+#include "jounce/spec/named_cam.hpp"
 #include "jounce/spec/parameters_spec.hpp"
 #include "jounce/spec/path_spec.hpp"
 #include "jounce/spec/shape_spec.hpp"
@@ -50,13 +51,6 @@ struct MasterSpec {
   double distance = 0;  ///< master unit
   /// Master unit / time unit^2; omitted: the (virtual) master starts at full speed.
   std::optional<double> acceleration;
-};
-
-/// Rule for derivatives that the knots of a cam omit.
-enum class Boundaries {
-  rest,                       ///< zero, unless a neighbor requires another value
-  minimum_jerk,               ///< least rms of geo_jerk: jounce/cam/design/boundaries.hpp
-  minimum_peak_acceleration,  ///< least peak of geo_acceleration: jounce/optimize/least_peak.hpp
 };
 
 /// Quantities of a cam that `jounce optimize` may change, and its objectives: the keys `free` of
@@ -176,10 +170,12 @@ struct Spec {
   Units units;        ///< units of x and the position; x is the master of a cam, otherwise the time
   std::string time_unit;    ///< unit of time; default "s"
   std::string master_unit;  ///< unit of the master that an axis follows; otherwise ""
+  /// NamedCam: a cam of kind "cam" that is made from another file (`from`), or changed by
+  /// [[then]]. The reader makes it, because the speed of the master may count its periods.
   std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, PathSpec, Table, TimeTableSpec,
-               AxisSpec, DriveAlone>
+               AxisSpec, DriveAlone, NamedCam>
       subject;
-  std::vector<Operator> then;  ///< [[then]]: operators on the motion, in order
+  std::vector<Operator> then;  ///< [[then]] of a motion over time: its operators, in order
   std::vector<AxisPart> axes;  ///< the axes of kinds "axes" and "path"; empty for other kinds
   Boundaries boundaries = Boundaries::rest;  ///< for a cam
   TableOptions table;                        ///< conversion to a table
@@ -213,9 +209,13 @@ struct Spec {
   /// Returns all axes: `axes` for the kinds "axes" and "path", otherwise the only axis.
   [[nodiscard]] std::vector<AxisPart> parts() const;
 
-  /// True for a cam (given by knots or by a synchronous slave); false for a motion over time.
+  /// True for a spec of kind "cam".
+  [[nodiscard]] bool is_cam() const {
+    return std::holds_alternative<CamSpec>(subject) || std::holds_alternative<NamedCam>(subject);
+  }
+  /// True for a cam, also that of a synchronous slave; false for a motion over time.
   [[nodiscard]] bool over_master() const {
-    return std::holds_alternative<CamSpec>(subject) || std::holds_alternative<SyncSpec>(subject);
+    return is_cam() || std::holds_alternative<SyncSpec>(subject);
   }
   /// Period of a periodic cam, in the master's unit; nullopt for any other spec.
   [[nodiscard]] std::optional<double> master_period() const;

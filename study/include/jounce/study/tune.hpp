@@ -68,5 +68,7 @@ TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going = {});
 /// spec up to this value, so no corner is larger than the spec permits. Throws InputError, with the
 /// place in the document, if the path has no corner, or more than 20.
 ParametersSpec corner_parameters(const Spec& spec);
+/// True if the path has corners that corner_parameters() can choose.
+bool has_corner_parameters(const Spec& spec);
 
 }  // namespace jounce

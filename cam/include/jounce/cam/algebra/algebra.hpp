@@ -29,6 +29,10 @@ namespace jounce {
 ///
 /// **Errors.** Each function documents when it throws InputError.
 
+/// Returns the index of the segment at a master position. Outside its interval, a periodic cam
+/// repeats its segments; any other cam has its first or last segment there.
+std::size_t segment_at(const Cam& f, double master);
+
 /// Returns the cam between two master positions, with the policy refuse. The interval may exceed
 /// the interval of `f`: a periodic cam continues with its next period, a cam that holds stays at
 /// rest. Throws InputError if from >= to, if one of them is not finite, if the interval exceeds a

@@ -19,6 +19,8 @@ struct CamKnot {
   double slave = 0;                             ///< u, slave position
   std::optional<double> geo_velocity = {};      ///< u/m
   std::optional<double> geo_acceleration = {};  ///< u/m^2
+  /// u/m^3; only beside a law with a given jerk (takes_jerk()), where it is 0 if omitted.
+  std::optional<double> geo_jerk = {};
 };
 
 /// A condition at a point inside a segment, for laws through points. Splines accept positions only.
@@ -34,6 +36,15 @@ struct CamPoint {
   double tolerance = 0;  ///< u, >= 0: permitted deviation of the slave; for quintic_spline only
 };
 
+/// The curve of the law `b_spline`, whose degree is values.size() - knots.size() - 1, from 1 to 11.
+/// Without inner knots, it is a Bezier curve.
+struct ControlShape {
+  /// u, control values; the first and the last are the slave positions of the segment's ends.
+  std::vector<double> values = {};
+  /// m, inner knots, ascending. A knot that occurs k times has k - 1 fewer continuous derivatives.
+  std::vector<double> knots = {};
+};
+
 /// One segment: its law and the knot at its end. It begins at the end of the previous segment.
 struct CamSegment {
   Law law = Law::quintic;
@@ -42,6 +53,7 @@ struct CamSegment {
   LawForm form = {};      ///< shape parameters of the law
   /// Points, for polynomial, cubic_spline, quintic_spline and hermite; masters ascend.
   std::vector<CamPoint> points = {};
+  ControlShape control = {};  ///< for b_spline
 };
 
 /// A cam as an engineer specifies it: a start knot and a list of segments.
@@ -53,6 +65,9 @@ struct CamSpec {
   /// Period of a rotary slave, u, for a periodic cam. The cam then ends a whole number of turns
   /// from its start and continues from there (Extrapolation::advance).
   std::optional<double> slave_period = {};
+  /// True: two adjoining lines may have different velocities, for a controller that joins positions
+  /// by straight lines. check_continuity() reports the step.
+  bool velocity_steps = false;
 };
 
 /// A cam made from a spec.
@@ -73,12 +88,14 @@ struct CamDesign {
 /// The first and the last knot of a periodic cam are the same knot. A law between different states
 /// (R-U: rest to reversal) has its rest at the end whose acceleration is zero. If the law accepts
 /// an inflection, and the knot of its reversal gives an acceleration, the acceleration determines
-/// the inflection.
+/// the inflection. A law from a constant velocity to a reversal (G-U) has its reversal at the end
+/// without velocity.
 ///
 /// Throws InputError if
 /// - there is no segment, a number is not finite, a position is above 1e100 in magnitude, or master
 ///   positions do not ascend;
 /// - a derivative contradicts an adjacent law (by more than 1e-9 of the slope), or a dwell moves;
+/// - a knot gives a jerk, but no adjacent law has a given jerk;
 /// - a law does not accept its form or its points, a point is outside its segment, or a reversal
 ///   meets a rest;
 /// - no inflection gives the requested acceleration;

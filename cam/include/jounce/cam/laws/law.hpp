@@ -23,6 +23,7 @@ enum class Law {
   cubic_spline,    ///< cubic pieces through points
   quintic_spline,  ///< quintic pieces through points, with the least rms jerk
   hermite,         ///< polynomial pieces through points with given derivatives
+  b_spline,        ///< control values and knots; without inner knots a Bezier curve
   cubic,           ///< 2-3 polynomial
   poly345,         ///< 3-4-5 polynomial
   poly4567,        ///< 4-5-6-7 polynomial
@@ -31,6 +32,7 @@ enum class Law {
   simple_sine,     ///< harmonic (half a cosine)
   inclined_sine,   ///< cycloid
   modified_sine,   ///< modified sine
+  modified_sine_gg,            ///< modified sine between two constant velocities, of sines only
   modified_trapezoid,          ///< modified trapezoid
   modified_constant_velocity,  ///< modified sine around a straight part
   scca,                        ///< sine, constant and cosine acceleration in given shares; see
@@ -38,9 +40,11 @@ enum class Law {
   gutman13,                    ///< Gutman: two harmonics
   freudenstein13,              ///< Freudenstein: two harmonics
   freudenstein135,             ///< Freudenstein: three harmonics
+  triple_harmonic,             ///< three harmonics of the acceleration, in given amplitudes
   minimum_peak_jerk,           ///< perfect spline: the lowest peak jerk
   sine_straight,               ///< U-U: half a cosine, with a straight line in its middle
   harmonic_combination,        ///< R-U: half a modified sine, then a quarter cosine
+  harmonic_combination_gu,     ///< G-U: the same from a constant velocity
   modified_trapezoid_ru,       ///< R-U: half a modified trapezoid, then constant deceleration
   double_harmonic,             ///< R-U: two harmonics
   eighth_degree,               ///< R-U: polynomial of degree 8
@@ -56,7 +60,11 @@ enum class Ends {
   moving_free,  ///< any velocity; the law determines the acceleration
   /// R at one end, U at the other; the law determines the acceleration at the reversal.
   rest_to_reversal,
+  moving_to_reversal,  ///< the same with any velocity, and acceleration 0, instead of R
 };
+
+/// True for a law with a reversal at one end: rest_to_reversal and moving_to_reversal.
+bool reverses(Ends ends);
 
 /// Facts about a law, for specs, the guide and error messages.
 struct LawInfo {
@@ -86,6 +94,9 @@ struct LawForm {
   /// For scca, which requires them: shares of sine, constant and cosine in each half; each >= 0,
   /// sum 1.
   std::optional<std::array<double, 3>> shares = {};
+  /// For triple_harmonic: amplitudes of the first two harmonics of the acceleration, for a stroke
+  /// and a length of 1; default [9 pi / 4, 0]. The third amplitude follows from them.
+  std::optional<std::array<double, 2>> harmonics = {};
 };
 
 /// Throws InputError if the law does not accept the form, if `inflection` or `straight` is out of
@@ -94,22 +105,25 @@ void require_valid(Law law, const LawForm& form);
 
 /// A piece of a law over z in [0, 1], as shapes that are multiplied by the values at the ends of
 /// the law. Every law is linear in these values. With the stroke h = p1 - p0, the length L, and the
-/// velocity v and acceleration a with respect to the master at both ends (0: start, 1: end),
+/// velocity v, acceleration a and jerk j with respect to the master at both ends (0: start, 1: end),
 ///
 ///     f = p0 + h rise + v0 L enter + v1 L leave + a0 L^2 bend_in + a1 L^2 bend_out
+///         + j0 L^3 jerk_in + j1 L^3 jerk_out
 ///
 /// So `rise` is the law from 0 to 1, from rest to rest. If a law does not use a value, the shape of
 /// this value is zero. The lengths of all pieces of a law have the sum 1.
 struct LawPiece {
-  Segment rise;      ///< factor of the stroke h
-  Segment enter;     ///< factor of v0 L
-  Segment leave;     ///< factor of v1 L
-  Segment bend_in;   ///< factor of a0 L^2
-  Segment bend_out;  ///< factor of a1 L^2
+  Segment rise;           ///< factor of the stroke h
+  Segment enter;          ///< factor of v0 L
+  Segment leave;          ///< factor of v1 L
+  Segment bend_in;        ///< factor of a0 L^2
+  Segment bend_out;       ///< factor of a1 L^2
+  Segment jerk_in = {};   ///< factor of j0 L^3; septic and nonic only
+  Segment jerk_out = {};  ///< factor of j1 L^3; septic and nonic only
 };
 
 /// Returns the pieces of a law. polynomial, hermite and the splines have no pieces, because their
-/// shape follows from their points. dwell is a line without stroke. An R-U law begins at rest and
+/// shape follows from their points or control values. dwell is a line without stroke. An R-U law begins at rest and
 /// ends at the reversal. Throws InputError if the law does not accept the form, or if a value is
 /// out of range.
 std::vector<LawPiece> pieces(Law law, const LawForm& form = {});
@@ -117,10 +131,11 @@ std::vector<LawPiece> pieces(Law law, const LawForm& form = {});
 /// Returns the rise of a law from 0 to 1: segments whose lengths have the sum 1.
 std::vector<Segment> normalized(Law law, const LawForm& form = {});
 
-/// False for the laws through points: polynomial, hermite and the splines. True if pieces()
-/// supports the law.
+/// False for the laws through points, and for b_spline. True if pieces() supports the law.
 bool has_own_shape(Law law);
-bool is_spline(Law law);  ///< true for cubic_spline and quintic_spline
+bool takes_points(Law law);  ///< true for polynomial, hermite, cubic_spline and quintic_spline
+bool takes_jerk(Law law);    ///< true for the laws with a given jerk at their ends: septic, nonic
+bool is_spline(Law law);     ///< true for cubic_spline and quintic_spline
 
 /// Returns the rise with sine-constant-cosine acceleration (SCCA). Each half has a quarter sine
 /// over the share b, a constant over c, and a quarter cosine over d; b + c + d = 1, each >= 0.
@@ -132,11 +147,15 @@ bool is_spline(Law law);  ///< true for cubic_spline and quintic_spline
 /// < 1. Source: R. Norton, Cam Design and Manufacturing Handbook, ch. 3.
 std::vector<Segment> scca(double b, double c, double d, double straight = 0);
 
-/// Returns the inflection lambda with which an R-U law ends with the normalized acceleration f''(1)
-/// = -`deceleration` (stroke 1, length 1). Requires an R-U law that accepts an inflection, and a
-/// deceleration above least_deceleration(law), which belongs to lambda = 0 (asserted).
-double inflection_for(Law law, double deceleration);
-/// Returns the deceleration -f''(1) of an R-U law for lambda = 0.
+/// Returns the inflection lambda with which an R-U or G-U law ends with the normalized acceleration
+/// f''(1) = -`deceleration` (stroke 1, length 1). `velocity`: the normalized velocity f'(0), below
+/// greatest_velocity(law). Requires a law that accepts an inflection, and a deceleration above
+/// least_deceleration(law), which belongs to lambda = 0 (asserted).
+double inflection_for(Law law, double deceleration, double velocity = 0);
+/// Returns the deceleration -f''(1) of an R-U or G-U law for lambda = 0, at any velocity.
 double least_deceleration(Law law);
+/// Returns the normalized velocity f'(0) of a G-U law with which it ends at 1 without a second part,
+/// for lambda = 1. With this velocity, no inflection gives a deceleration.
+double greatest_velocity(Law law);
 
 }  // namespace jounce

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/base/listed.hpp"
 #include "jounce/io/table_file.hpp"
 
 /// Parts that the CSV and the JSON format of a table share.
@@ -47,9 +48,7 @@ T choice(const std::string& text, std::span<const T, n> all, Fail fail) {
   const auto it =
       std::find_if(all.begin(), all.end(), [&](T value) { return text == name(value); });
   if (it != all.end()) return *it;
-  std::string names;
-  for (const T value : all) names += (names.empty() ? "" : ", ") + std::string(name(value));
-  fail('"' + text + '"', "must be one of " + names);
+  fail('"' + text + '"', "must be one of " + listed(all, [](T value) { return name(value); }));
   return all.front();
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "jounce/profiles/detail/entry_key.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::profiles_detail {
@@ -14,7 +15,7 @@ namespace jounce::profiles_detail {
 template <class Event>
 void require_ascending(const std::string& key, std::span<const Event> events) {
   for (std::size_t i = 0; i < events.size(); ++i) {
-    const std::string name = key + "[" + std::to_string(i + 1) + "].time";
+    const std::string name = entry_key(key, i, "time");
     require_finite(name.c_str(), events[i].time);
     if (i > 0 && !(events[i].time > events[i - 1].time))
       throw InputError(name, events[i].time,

@@ -24,4 +24,17 @@ inline Finding peak_finding(const char* rule, const char* quantity, const Peak& 
   return finding;
 }
 
+/// Returns the finding of an incomplete integration.
+inline Finding integration_finding(const char* rule, const char* quantity,
+                                   const Integration& integration) {
+  Finding finding;
+  finding.rule = rule;
+  finding.has_limit = false;
+  finding.quantity = quantity;
+  finding.where = finding.value = integration.reached;
+  finding.broken = true;
+  finding.advice = integration.reason;
+  return finding;
+}
+
 }  // namespace jounce::validate_detail

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/proof/any_figure.hpp"
+
+#include <utility>
+
+#include "jounce/design/axes.hpp"
+#include "jounce/design/over_time.hpp"
+#include "jounce/plot/input_figure.hpp"
+#include "jounce/proof/drive_figures.hpp"
+#include "jounce/proof/follower_figure.hpp"
+#include "jounce/proof/loop_figures.hpp"
+
+namespace jounce {
+namespace {
+
+bool is_of_loop(const FigureRequest& request) {
+  return request.drive == "bode" || request.drive == "nyquist";
+}
+
+/// Calls loop_figure(); errors name the member `drive`.
+Figure loop_of(const FigureRequest& request) {
+  try {
+    return loop_figure(request.file, request.axis, request.drive);
+  } catch (const InputError& error) {
+    if (error.key() != "axis") throw;
+    throw InputError("drive", error.value(), error.rule());
+  }
+}
+
+std::vector<Input> inputs_of(const FigureRequest& request) {
+  std::vector<Input> all = request.machine.empty() ? read_inputs(request.file)
+                                                   : gcode_inputs(request.file, request.machine);
+  all = axes_named(std::move(all), request.axis, request.file);
+  for (Input& input : all) input = over(request.over, std::move(input));
+  return all;
+}
+
+/// The only axis of the file `before`, or the axis with the name of `input`.
+Input before_of(const FigureRequest& request, const Input& input) {
+  std::vector<Input> all = read_inputs(request.before);
+  if (all.size() > 1) all = axes_named(std::move(all), input.axis, request.before);
+  return over(request.over, only_axis(std::move(all), request.before));
+}
+
+}  // namespace
+
+Figure any_figure(const FigureRequest& request) {
+  if (is_of_loop(request)) return loop_of(request);
+  const std::vector<Input> inputs = inputs_of(request);
+  if (!request.drive.empty()) {
+    if (inputs.size() > 1)
+      throw InputError("drive", request.drive, "shows one axis: name it with --axis");
+    return drive_figure(inputs.front(), request.drive);
+  }
+  if (request.follower)
+    return follower_figure(inputs.front());  // a spec with [follower] has one axis
+  if (request.before.empty()) return figure_of(inputs);
+  if (inputs.size() > 1)
+    throw InputError("before", request.before, "compares one axis: name it with --axis");
+  return figure_of(inputs.front(), before_of(request, inputs.front()));
+}
+
+}  // namespace jounce
