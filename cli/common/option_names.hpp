@@ -27,7 +27,8 @@ auto under_option(const std::string& option, const Act& act) {
   }
 }
 
-/// The same for errors of these keys only, if they are in no document: each gets the name of its option.
+/// The same for errors of these keys only, if they are in no document: each gets the name of its
+/// option.
 template <class Act>
 auto with_option_names(std::initializer_list<std::string_view> keys, const Act& act) {
   try {

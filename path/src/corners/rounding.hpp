@@ -40,8 +40,8 @@ class UnitSink {
   ~UnitSink() = default;
 };
 
-/// Sends the units of a motion that rests at each corner. No corner is rounded, so the path is that
-/// of the route.
+/// Sends the units of a motion that rests at each corner. No corner is rounded, so the path of the
+/// route applies.
 void send_stopping_units(const Route& route, const Lines& lines, const Program& program,
                          const Rates& rates, UnitSink& to);
 

@@ -17,12 +17,12 @@ namespace jounce::spec_detail {
 /// boundaries.
 CamSpec read_cam(TomlReader& top, const Units& units, Spec& spec);
 
-/// Reads the operators of [[then]], and applies them to a cam. `units`: those of the result.
+/// Reads the operators of [[then]], and applies them to a cam. `units`: the units of the result.
 NamedCam read_cam_then(TomlReader& top, NamedCam cam, const Units& units);
 /// The same for the cam of `from`; reads also `periodic`.
 NamedCam read_cam_from(TomlReader& top, const NamedCam& source, const Units& units);
-/// The units of the cam before [[then]], if those after it are `units`, and conversely: the operator
-/// `inverse` exchanges them.
+/// The units of the cam before [[then]], if the units after it are `units`, and conversely: the
+/// operator `inverse` exchanges them.
 Units units_before_then(TomlReader& top, const Units& units);
 
 /// The length of the knots of a cam, in the unit of the master. None if one of them is missing or wrong: read_cam()

@@ -17,8 +17,8 @@ SpecOptimum optimum_of_numbers(const Spec& spec, const OptimumProgress& keep_goi
 SpecOptimum optimum_of_path(const Spec& spec, const OptimumProgress& keep_going);
 
 /// The problem of a path without [[optimize.parameter]]: the numbers of its corners, and its timing
-/// law unless the spec already refines it, or cannot. Throws InputError like corner_parameters() if
-/// there is neither.
+/// law, unless the spec already refines it, or it cannot be refined. Throws InputError like
+/// corner_parameters() if there is neither.
 ParametersSpec path_parameters(const Spec& spec);
 
 /// Returns the callback of an optimizer that reports to `keep_going`. `step(progress)` returns the

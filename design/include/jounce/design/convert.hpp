@@ -77,8 +77,8 @@ std::string form_text(const TableForm& form, const TableFile& file);
 /// Throws InputError ("master_unit", "position_unit") if a unit of the table is missing.
 void require_units(const TableFile& file);
 
-/// Returns the text of a file at `path` in this form or, if `every` is not empty, samples of it as
-/// CSV at this interval (samples_csv()). Throws InputError like form_text(); like
+/// Returns the text of a file at `path` in this form or, if `every` is not empty, samples of the
+/// table as CSV at this interval (samples_csv()). Throws InputError like form_text(); like
 /// require_units(), and with key "every" if the samples would not be CSV.
 std::string output_text(const TableForm& form, const TableFile& file, const std::string& path,
                         const std::string& every);

@@ -28,19 +28,20 @@ struct MasterPlace {
 };
 
 /// Returns all places at which the slave has a position, such as "25 mm". Throws InputError (key
-/// "slave") for a text that is no position.
+/// "slave") for a text that is not a position.
 std::vector<MasterPlace> places_of_slave(const Input& input, const std::string& slave);
 
-/// Returns one branch of the inverse as a cam, with its table, whose error includes that of the
-/// fit. The unit of its master is that of the slave. Default: the only branch, from its start to its
-/// end, within 1e-9 of the length of the cam. Throws InputError with the names of the members of
+/// Returns one branch of the inverse as a cam, with its table. The error of the table includes the
+/// error of the fit. The master of the result has the unit of the slave of `input`, and the slave
+/// of the result the unit of its master. Default: the only branch, from its start to its end,
+/// within 1e-9 of the length of the cam. Throws InputError with the names of the members of
 /// InverseTexts, and key "from" or "to" if the slave is at rest at an end of the range.
 Input inverse_of(const Input& input, const InverseTexts& texts);
 
 /// The answer of `jounce inverse`.
 struct InverseAnswer {
   std::string text, json;
-  bool found = true;  ///< false: the slave is never at the position that was asked for
+  bool found = true;  ///< false: the slave is never at the given position
   std::optional<TableFile> table = {};
 };
 

@@ -15,7 +15,8 @@ struct NamedCam {
   /// The name of each segment in reports, such as "2 return": all pieces of one law have the same
   /// name. A segment that was made from another has the name of this other segment.
   std::vector<std::string> names;
-  /// Bounds of the errors of the position and of geo_velocity, from operators with a tolerance.
+  /// Bounds of the errors of the position (u, unit of the slave) and of geo_velocity (u/m, m: unit
+  /// of the master) that operators with a tolerance cause.
   double error = 0, velocity_error = 0;
 };
 
@@ -26,7 +27,7 @@ enum class Boundaries {
   minimum_peak_acceleration,  ///< least peak of geo_acceleration: jounce/optimize/least_peak.hpp
 };
 
-/// Returns the knots with the derivatives that they omit, by the rule.
+/// Returns the knots with every omitted derivative, chosen by the rule.
 CamSpec filled(const CamSpec& cam, Boundaries rule);
 
 /// Designs the cam of the knots. Its names are "1", "2 rise", ... Throws InputError like design().

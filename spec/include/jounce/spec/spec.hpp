@@ -213,7 +213,7 @@ struct Spec {
   [[nodiscard]] bool is_cam() const {
     return std::holds_alternative<CamSpec>(subject) || std::holds_alternative<NamedCam>(subject);
   }
-  /// True for a cam, also that of a synchronous slave; false for a motion over time.
+  /// True for a cam, including the cam of a synchronous slave; false for a motion over time.
   [[nodiscard]] bool over_master() const {
     return is_cam() || std::holds_alternative<SyncSpec>(subject);
   }

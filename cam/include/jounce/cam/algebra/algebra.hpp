@@ -29,8 +29,9 @@ namespace jounce {
 ///
 /// **Errors.** Each function documents when it throws InputError.
 
-/// Returns the index of the segment at a master position. Outside its interval, a periodic cam
-/// repeats its segments; any other cam has its first or last segment there.
+/// Returns the index of the segment at a master position. For a position outside the interval: a
+/// periodic cam repeats its segments; for any other cam, the result is the first or the last
+/// segment.
 std::size_t segment_at(const Cam& f, double master);
 
 /// Returns the cam between two master positions, with the policy refuse. The interval may exceed

@@ -19,7 +19,8 @@ struct CamKnot {
   double slave = 0;                             ///< u, slave position
   std::optional<double> geo_velocity = {};      ///< u/m
   std::optional<double> geo_acceleration = {};  ///< u/m^2
-  /// u/m^3; only beside a law with a given jerk (takes_jerk()), where it is 0 if omitted.
+  /// u/m^3; permitted only beside a law with a given jerk (takes_jerk()); omitted: 0 for such a
+  /// law.
   std::optional<double> geo_jerk = {};
 };
 
@@ -89,7 +90,7 @@ struct CamDesign {
 /// (R-U: rest to reversal) has its rest at the end whose acceleration is zero. If the law accepts
 /// an inflection, and the knot of its reversal gives an acceleration, the acceleration determines
 /// the inflection. A law from a constant velocity to a reversal (G-U) has its reversal at the end
-/// without velocity.
+/// whose velocity is zero.
 ///
 /// Throws InputError if
 /// - there is no segment, a number is not finite, a position is above 1e100 in magnitude, or master

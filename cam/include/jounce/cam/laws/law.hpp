@@ -17,8 +17,8 @@ enum class Law {
   line,            ///< straight line, constant velocity
   dwell,           ///< the slave stands still
   quintic,         ///< polynomial of degree 5 from position, velocity and acceleration at both ends
-  septic,          ///< degree 7: like quintic, with jerk 0 at both ends
-  nonic,           ///< degree 9: like quintic, with jerk and jounce 0 at both ends
+  septic,          ///< degree 7: like quintic, with a given jerk at both ends; default 0
+  nonic,           ///< degree 9: like septic, with jounce 0 at both ends
   polynomial,      ///< through points and derivatives inside the segment; up to degree 11
   cubic_spline,    ///< cubic pieces through points
   quintic_spline,  ///< quintic pieces through points, with the least rms jerk
@@ -44,7 +44,7 @@ enum class Law {
   minimum_peak_jerk,           ///< perfect spline: the lowest peak jerk
   sine_straight,               ///< U-U: half a cosine, with a straight line in its middle
   harmonic_combination,        ///< R-U: half a modified sine, then a quarter cosine
-  harmonic_combination_gu,     ///< G-U: the same from a constant velocity
+  harmonic_combination_gu,     ///< G-U: like harmonic_combination, from a constant velocity
   modified_trapezoid_ru,       ///< R-U: half a modified trapezoid, then constant deceleration
   double_harmonic,             ///< R-U: two harmonics
   eighth_degree,               ///< R-U: polynomial of degree 8
@@ -60,7 +60,8 @@ enum class Ends {
   moving_free,  ///< any velocity; the law determines the acceleration
   /// R at one end, U at the other; the law determines the acceleration at the reversal.
   rest_to_reversal,
-  moving_to_reversal,  ///< the same with any velocity, and acceleration 0, instead of R
+  /// like rest_to_reversal, with any velocity and acceleration 0 in place of R
+  moving_to_reversal,
 };
 
 /// True for a law with a reversal at one end: rest_to_reversal and moving_to_reversal.
@@ -105,7 +106,8 @@ void require_valid(Law law, const LawForm& form);
 
 /// A piece of a law over z in [0, 1], as shapes that are multiplied by the values at the ends of
 /// the law. Every law is linear in these values. With the stroke h = p1 - p0, the length L, and the
-/// velocity v, acceleration a and jerk j with respect to the master at both ends (0: start, 1: end),
+/// velocity v, acceleration a and jerk j with respect to the master at both ends (0: start, 1:
+/// end),
 ///
 ///     f = p0 + h rise + v0 L enter + v1 L leave + a0 L^2 bend_in + a1 L^2 bend_out
 ///         + j0 L^3 jerk_in + j1 L^3 jerk_out
@@ -122,10 +124,10 @@ struct LawPiece {
   Segment jerk_out = {};  ///< factor of j1 L^3; septic and nonic only
 };
 
-/// Returns the pieces of a law. polynomial, hermite and the splines have no pieces, because their
-/// shape follows from their points or control values. dwell is a line without stroke. An R-U law begins at rest and
-/// ends at the reversal. Throws InputError if the law does not accept the form, or if a value is
-/// out of range.
+/// Returns the pieces of a law. polynomial, hermite, b_spline and the splines have no pieces,
+/// because their shape follows from their points or control values. dwell is a line without stroke.
+/// An R-U law begins at rest and ends at the reversal. Throws InputError if the law does not accept
+/// the form, or if a value is out of range.
 std::vector<LawPiece> pieces(Law law, const LawForm& form = {});
 
 /// Returns the rise of a law from 0 to 1: segments whose lengths have the sum 1.
@@ -154,8 +156,8 @@ std::vector<Segment> scca(double b, double c, double d, double straight = 0);
 double inflection_for(Law law, double deceleration, double velocity = 0);
 /// Returns the deceleration -f''(1) of an R-U or G-U law for lambda = 0, at any velocity.
 double least_deceleration(Law law);
-/// Returns the normalized velocity f'(0) of a G-U law with which it ends at 1 without a second part,
-/// for lambda = 1. With this velocity, no inflection gives a deceleration.
+/// Returns the normalized velocity f'(0) of a G-U law for lambda = 1, where the law has no second
+/// part. With this velocity, no inflection gives a deceleration.
 double greatest_velocity(Law law);
 
 }  // namespace jounce
