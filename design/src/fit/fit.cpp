@@ -145,7 +145,7 @@ Measurement measurement_of(const std::string& path, const FitOptions& options) {
     throw InputError("FILE", path,
                      "is a spec: fit reads points or a table. Make its table with `jounce design`");
   Measurement m =
-      is_finished_table(text)
+      is_finished_table(text, path)
           ? from_table(table_inputs(text, path).front(), options)
           : from_points(parse_points(text, path == "-" ? "standard input" : path), options);
   if (!options.period.empty()) close(m, options.period);

@@ -102,7 +102,7 @@ constexpr std::array other_names{
     OtherNames{"position", {"pos", "p", "weg"}},
     OtherNames{"velocity", {"vel", "v", "speed", "geschwindigkeit"}},
     OtherNames{"acceleration", {"acc", "a", "accel", "beschleunigung"}},
-    OtherNames{"tolerance", {"tol", "toleranz"}},
+    OtherNames{"tolerance", {"tol"}},
     OtherNames{"type", {"typ"}}};
 
 bool names(std::string_view column, const std::string& name) {

@@ -16,7 +16,7 @@
 namespace jounce::io_detail {
 namespace {
 
-constexpr zip_uint64_t most_bytes = zip_uint64_t{1} << 28U;            ///< of one part, unpacked
+constexpr zip_uint64_t most_bytes = zip_uint64_t{1} << 28U;            ///< size of one part, unpacked
 constexpr std::uint32_t most_rows = 1'048'576, most_columns = 16'384;  ///< limits of the programs
 
 [[noreturn]] void fail(const std::string& rule) {
@@ -279,7 +279,7 @@ class Workbook {
 
   Archive archive_;
   Document workbook_;
-  std::map<std::string, std::string> paths_ = {};  ///< of the sheets, by their relations
+  std::map<std::string, std::string> paths_ = {};  ///< paths of the sheets, by their relations
   std::vector<std::string> strings_ = {};
   std::vector<bool> is_date_ = {};  ///< for each style of cells
 };

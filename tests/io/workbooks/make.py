@@ -18,7 +18,7 @@ def cam_of_a_colleague():
     sheet = book.active
     sheet.title = "Nocken 7"
     sheet["A1"] = "Kurve Station 7, Stand 12.3."
-    for column, name in enumerate(["Leitwert [°]", "Folgewert (µm)", "Toleranz / µm"], start=2):
+    for column, name in enumerate(["Leitwert [°]", "Folgewert (µm)", "tol / µm"], start=2):
         sheet.cell(3, column, name)
     rows = [(0, 0, 5), (90, 12500.25, 5), None, ("180,5", "25000", 5), (270, 12500.25, 5), (360, 0, 5)]
     for row, values in enumerate(rows, start=4):
@@ -76,6 +76,18 @@ def mistakes():
     book.close()
 
 
+def example():
+    """The points of examples/points-file/points.csv."""
+    book = openpyxl.Workbook()
+    sheet = book.active
+    sheet.title = "Points"
+    for row in (("time [ms]", "position [cm]"), (0, 0), (100, 0), (250, 0.8), (500, 2.75), (750, 5.1), (1000, 5.6),
+                (1250, 5.6)):
+        sheet.append(row)
+    book.save(os.path.join(folder, "../../../examples/points-file/points.xlsx"))
+
+
 cam_of_a_colleague()
+example()
 measured()
 mistakes()
