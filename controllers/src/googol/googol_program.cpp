@@ -44,7 +44,8 @@ struct Language {
 
 /// Segments of each FIFO: a small one by default, or a large one (GT_SetPtMemory, manual I-148;
 /// GT_SetFollowMemory, I-138).
-constexpr std::size_t small_pt_fifo = 32, small_follow_fifo = 16;
+constexpr std::size_t small_pt_fifo = 32;
+constexpr std::size_t small_follow_fifo = 16;
 
 std::string set_up(const Mode& mode, const Language& in, std::size_t segments, bool repeating) {
   const std::string loop = repeating ? "0" : "1";

@@ -17,7 +17,8 @@ namespace jounce::io_detail {
 namespace {
 
 constexpr zip_uint64_t most_bytes = zip_uint64_t{1} << 28U;  ///< size of one part, unpacked
-constexpr std::uint32_t most_rows = 1'048'576, most_columns = 16'384;  ///< limits of the programs
+constexpr std::uint32_t most_sheet_rows = 1'048'576,
+                        most_columns = 16'384;  ///< limits of the programs
 
 [[noreturn]] void fail(const std::string& rule) {
   throw InputError("", "", rule);
@@ -114,7 +115,7 @@ std::optional<Reference> reference(std::string_view text) {
     text.remove_prefix(1);
   }
   const auto row = whole<std::uint32_t>(text);
-  if (!row || *row < 1 || *row > most_rows || column < 1 || column > most_columns)
+  if (!row || *row < 1 || *row > most_sheet_rows || column < 1 || column > most_columns)
     return std::nullopt;
   return Reference{*row, static_cast<std::uint32_t>(column - 1)};
 }
@@ -242,7 +243,7 @@ class Workbook {
     each_child(node, "c", [&](const pugi::xml_node& each) {
       const std::string_view r = attribute(each, "r");
       const auto at = r.empty() ? Reference{row, next} : reference(r);
-      if (!at || at->row != row || row < 1 || row > most_rows || at->column >= most_columns)
+      if (!at || at->row != row || row < 1 || row > most_sheet_rows || at->column >= most_columns)
         throw InputError(sheet.name, std::string(r), "is not the reference of a cell in its row");
       next = at->column + 1;
       if (auto cell = cell_of(each, sheet.name + "!" + cell_name(row, at->column)))
