@@ -12,8 +12,9 @@ constexpr std::string_view little_endian = "\xFF\xFE";
 constexpr std::string_view big_endian = "\xFE\xFF";
 
 // Ranges of the Unicode standard, 3.8 and table 3-6.
-constexpr std::uint32_t first_surrogate = 0xD800, second_surrogates = 0xDC00,
-                        after_surrogates = 0xE000;
+constexpr std::uint32_t first_surrogate = 0xD800;
+constexpr std::uint32_t second_surrogates = 0xDC00;
+constexpr std::uint32_t after_surrogates = 0xE000;
 constexpr std::uint32_t first_supplementary = 0x10000;
 
 void append_utf8(std::string& text, std::uint32_t code) {
