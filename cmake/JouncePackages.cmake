@@ -88,8 +88,8 @@ With this module, the command jounce sweep distributes its cases over the
 processes of mpirun.")
 endif()
 jounce_package(dev libjounce-dev SECTION libdevel
-  DEPENDS libfmt-dev libnlopt-cxx-dev libpugixml-dev libsodium-dev libdeflate-dev libssl-dev libsundials-dev
-    libtomlplusplus-dev libudunits2-dev liblcm-bin liblcm-dev nlohmann-json3-dev DESCRIPTION
+  DEPENDS libfmt-dev libnlopt-cxx-dev libpugixml-dev libsodium-dev libdeflate-dev libssl-dev libsundials-dev libzip-dev
+    libtomlplusplus-dev libudunits2-dev libyaml-cpp-dev liblcm-bin liblcm-dev nlohmann-json3-dev DESCRIPTION
 "toolkit for motion tables and electronic cams - development files
 This package contains the headers and the static libraries of Jounce, and
 the files with which CMake and pkg-config find them. The library profiles

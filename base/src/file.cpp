@@ -22,6 +22,8 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "base/src/utf16.hpp"
+
 namespace jounce {
 namespace {
 
@@ -236,13 +238,21 @@ namespace {
 std::atomic<const KeptInputs*> kept_inputs = nullptr;
 
 /// Names what stands where text was meant.
-void require_text(const std::string& path, const std::string& bytes) {
+void require_text(const std::string& path, const std::string& bytes, Archive archive) {
   const auto fail_with = [&](const char* rule) { throw InputError("", "", rule).at(path, 1); };
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-    fail_with("is text in UTF-16: save it in UTF-8 (spreadsheets: CSV UTF-8)");
   if (bytes.starts_with("\x1F\x8B")) fail_with("is compressed by gzip: unpack it first (gunzip)");
-  if (bytes.starts_with("PK\x03\x04"))
+  if (bytes.starts_with("\xD0\xCF\x11\xE0"))
+    fail_with("is a file of an old Office program: save its table as .xlsx or as CSV");
+  if (bytes.starts_with("PK\x03\x04") && archive == Archive::rejected)
     fail_with("is a zip archive or a spreadsheet: save its table as CSV");
+}
+
+std::string utf8_of(const std::string& path, const std::string& utf16) {
+  try {
+    return base_detail::from_utf16(utf16);
+  } catch (const InputError& error) {
+    throw error.at(path, 1);
+  }
 }
 
 }  // namespace
@@ -265,14 +275,15 @@ void require_not_read(const std::string& path, const std::string& option) {
     throw InputError(option, path, "is also an input: choose another name");
 }
 
-std::string read_file(const std::string& path) {
+std::string read_file(const std::string& path, Archive archive) {
   std::string bytes = read_bytes(path);
-  require_text(path, bytes);
+  require_text(path, bytes, archive);
   const KeptInputs* const inputs = kept_inputs;
   if (const auto id = KeptInputs::Files::id_of(path); inputs != nullptr && id) {
     const std::lock_guard lock(inputs->files_->mutex);
     inputs->files_->read.insert(*id);
   }
+  if (base_detail::is_utf16(bytes)) return utf8_of(path, bytes);
   if (bytes.starts_with("\xEF\xBB\xBF"))
     bytes.erase(0, 3);  // a byte order mark has no meaning in UTF-8
   return bytes;

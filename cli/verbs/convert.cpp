@@ -30,6 +30,7 @@ struct ConvertArguments {
   std::string position_unit;
   bool periodic = false;
   bool decimal_comma = false;
+  bool allow_loss = false;
   bool json = false;
 };
 
@@ -61,16 +62,21 @@ int run_convert(const ConvertArguments& options) {
       with_option_names({"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step",
                          "v_step", "master_unit", "position_unit"},
                         [&] { return converted(input, conversion_of(options, form, input)); });
-  write_file(options.output, with_option_names({"every", "master_unit", "position_unit"}, [&] {
-               return output_text(form, made.file, options.output, options.every);
-             }));
+  const bool writes = made.within_limit() || options.allow_loss;
+  const std::string text = with_option_names({"every", "master_unit", "position_unit"}, [&] {
+    return form_text(form, made.file, options.every);
+  });
+  if (writes) write_file(options.output, text);
   std::FILE* out = text_stream({options.output});
   const auto lost = all_losses(input, form, made.file.table, !options.every.empty());
   if (options.json)
-    fmt::print(out, "{}\n", conversion_json(made, form, options.output, lost));
+    fmt::print(out, "{}\n", conversion_json(made, form, writes ? options.output : "", lost));
   else
-    fmt::print(out, "{}", conversion_text(input, made, form, lost));
-  return fine;
+    fmt::print(
+        out, "{}{}", conversion_text(input, made, form, lost),
+        writes ? ""
+               : "nothing was written: give --tolerance, or accept the error with --allow-loss\n");
+  return writes ? fine : finding;
 }
 
 /// The options for a table of fewest knots: the keys of [table].
@@ -135,6 +141,8 @@ void add_convert(CommandLine& line) {
             "position, it advances in each period");
   verb.flag("--decimal-comma", options->decimal_comma,
             "Read numbers with a decimal comma: 0,5 is 0.5");
+  verb.flag("--allow-loss", options->allow_loss,
+            "Write the file although its error exceeds the tolerance");
   verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run_convert(*options); });
 }

@@ -14,10 +14,10 @@ std::string name_of(const std::string& path) {
 
 /// One input for each cam. If there are several, each has the name of its cam as its axis.
 std::vector<Input> cams_of(const std::string& text, const std::string& name, bool decimal_comma) {
-  std::vector<ExchangeCam> cams = parse_exchange_cams(text, name, decimal_comma);
+  std::vector<ExchangeTable> cams = parse_exchange_tables(text, name, decimal_comma);
   const bool several = cams.size() > 1;
   std::vector<Input> all;
-  for (ExchangeCam& cam : cams) {
+  for (ExchangeTable& cam : cams) {
     Input input = input_of(std::move(cam.file), several ? name + " " + cam.name : name);
     if (several) input.axis = cam.name;
     input.unread = std::move(cam.unread);
@@ -30,12 +30,12 @@ std::vector<Input> cams_of(const std::string& text, const std::string& name, boo
 
 std::vector<Input> read_inputs(const std::string& path, bool decimal_comma) {
   std::string text = read_file(path);
-  if (is_finished_table(text)) return table_inputs(text, path, decimal_comma);
+  if (is_finished_table(text, path)) return table_inputs(text, path, decimal_comma);
   return inputs_of(parse_spec(std::move(text), name_of(path)), path);
 }
 
-bool is_finished_table(const std::string& text) {
-  return is_table(text) || cam_format_of_text(text) != nullptr;
+bool is_finished_table(const std::string& text, const std::string& path) {
+  return is_table(text) || exchange_format_of_text(text, path) != nullptr;
 }
 
 std::vector<Input> table_inputs(const std::string& text, const std::string& path,

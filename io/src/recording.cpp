@@ -10,6 +10,9 @@
 namespace jounce {
 namespace {
 
+const std::vector<std::string> known_columns{"time",   "command", "feedback", "velocity",
+                                             "torque", "current", "load"};
+
 void require_ascending(const Points& points, const std::vector<double>& time) {
   for (std::size_t i = 1; i < time.size(); ++i)
     if (!(time[i] > time[i - 1]))
@@ -43,7 +46,8 @@ std::vector<double> torques(const Points& points, const Drive& drive) {
 }  // namespace
 
 Recording read_recording(const std::string& path, const Drive& drive, const std::string& position) {
-  const Points points = read_points(path);
+  Points points = read_points(path);
+  points.name_columns(known_columns);
   const auto optional = [&](const char* name, const std::string& unit) {
     return points.find(name) == nullptr ? std::vector<double>{} : column(points, name, unit);
   };

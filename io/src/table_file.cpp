@@ -72,7 +72,8 @@ TableFile read_table(const std::string& path) {
 bool is_table(const std::string& text) {
   // A letter behind the brace makes it a pragma of Structured Text: {attribute 'linkalways'}.
   const bool pragma = text.size() > 1 && std::isalpha(static_cast<unsigned char>(text[1])) != 0;
-  return text.starts_with("# jounce table") || (text.starts_with('{') && !pragma);
+  const auto is_ros = [&] { return text.find("\"joint_names\"") != text.npos; };
+  return text.starts_with("# jounce table") || (text.starts_with('{') && !pragma && !is_ros());
 }
 
 std::string table_text(const std::string& path, const TableFile& file) {

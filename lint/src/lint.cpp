@@ -86,7 +86,7 @@ void lint_into(FileResult& result, const Examine& examine, const std::string& ma
     return;
   }
   std::string text = read_file(path);
-  if (is_finished_table(text)) {
+  if (is_finished_table(text, path)) {
     result.kind = "table";
     return examine_motions(table_inputs(text, path), examine, result);
   }
@@ -130,7 +130,7 @@ bool is_without_motion(const std::string& path) {
   if (!std::filesystem::is_regular_file(path, none)) return false;
   if (is_key_file(path)) return true;
   const std::string text = read_file(path);
-  if (is_finished_table(text)) return false;
+  if (is_finished_table(text, path)) return false;
   const std::string kind = spec_kind(text);
   if (kind == "path") {
     try {

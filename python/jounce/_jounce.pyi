@@ -566,7 +566,8 @@ class Conversion:
 def convert(source: Design | Table | StrPath, output: StrPath = ..., *, to: str = ..., rule: Rule | Literal[""] = ...,
             controller: str = ..., tolerance: float | str | None = ..., velocity_tolerance: float | str | None = ...,
             most: int | None = ..., intervals: int = ..., x_unit: str = ..., position_unit: str = ...,
-            periodic: bool = ...) -> Conversion: ...
+            periodic: bool = ..., x_step: float | str | None = ..., p_step: float | str | None = ...,
+            allow_loss: bool = ...) -> Conversion: ...
 def formats() -> list[tuple[str, str]]: ...
 
 class Status:

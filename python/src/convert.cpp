@@ -33,6 +33,7 @@ struct Wanted {
   std::size_t intervals = 0;
   Units units;
   bool periodic = false;
+  bool allow_loss = false;
 };
 
 /// Returns the form. Throws InputError if neither a word nor the ending of the path determines it.
@@ -62,6 +63,10 @@ Result converted_input(const Input& input, const Wanted& wanted) {
     conversion.target =
         target_of(wanted.target, input.table.table.axis(), rule, input.labels.units);
   const Converted made = converted(input, conversion);
+  if (!made.within_limit() && !wanted.allow_loss)
+    throw InputError("tolerance", *made.limit,
+                     "is less than the error of the format, " + number(made.error->position) +
+                         ": give more knots, a greater tolerance, or allow_loss = True");
   const std::vector<std::string> losses = all_losses(input, form, made.file.table);
   return {{made.file, made.error},
           form_text(form, made.file),
@@ -77,17 +82,20 @@ Result convert(const py::object& source, const std::filesystem::path& output, co
                const std::string& rule, const std::string& controller, const py::object& tolerance,
                const py::object& velocity_tolerance, const std::optional<std::size_t>& most,
                std::size_t intervals, const std::string& x_unit, const std::string& position_unit,
-               bool periodic) {
+               bool periodic, const py::object& x_step, const py::object& p_step, bool allow_loss) {
   const Input input = input_of_argument(source);
   std::error_code missing;  // a missing file is a different file
   if (py::isinstance<py::str>(source) &&
       std::filesystem::equivalent(py::cast<std::string>(source), output, missing))
     throw InputError("output", output.string(), "is also the input: choose another name");
-  Wanted wanted{output.string(), to, rule, {}, intervals, {x_unit, position_unit}, periodic};
+  Wanted wanted{output.string(),         to,       rule,      {}, intervals,
+                {x_unit, position_unit}, periodic, allow_loss};
   wanted.target.controller = controller;
   wanted.target.tolerance = quantity_text(tolerance);
   wanted.target.velocity_tolerance = quantity_text(velocity_tolerance);
   wanted.target.most = most;
+  wanted.target.x_step = quantity_text(x_step);
+  wanted.target.p_step = quantity_text(p_step);
   const py::gil_scoped_release release;
   Result result = converted_input(input, wanted);
   if (!output.empty()) write_file(output.string(), result.text);
@@ -113,7 +121,8 @@ void bind_convert(py::module_& m) {
       "convert", convert, "source"_a, "output"_a = "", py::kw_only(), "to"_a = "", "rule"_a = "",
       "controller"_a = "", "tolerance"_a = py::none(), "velocity_tolerance"_a = py::none(),
       "most"_a = py::none(), "intervals"_a = 0, "x_unit"_a = "", "position_unit"_a = "",
-      "periodic"_a = false,
+      "periodic"_a = false, "x_step"_a = py::none(), "p_step"_a = py::none(),
+      "allow_loss"_a = false,
       R"(Converts a table to a format, other knots, another interpolation or other units, and states the loss.
 
 source: a Design, a Table, or the path of a file. output: path to write; empty: none. to: "csv", "json",
@@ -123,12 +132,15 @@ tolerance,
 velocity_tolerance, most: new knots, as few as possible; a tolerance is a number (u) or a text with a unit,
 such as "1 um".
 intervals: new equal intervals. x_unit, position_unit: units of the result, or units that the file does not state.
-periodic: the motion repeats, although the file does not state it.)");
+periodic: the motion repeats, although the file does not state it. x_step, p_step: for a format in counts, the
+size of a count of the first column and of the position, such as "0.001 mm". allow_loss: also for an error
+above the tolerance (by default, a ten-thousandth of the stroke).)");
   m.def(
       "formats",
       [] {
         std::vector<std::pair<std::string, std::string>> all;
-        for (const CamFormat* format : cam_formats()) all.emplace_back(format->name, format->maker);
+        for (const ExchangeFormat* format : exchange_formats())
+          all.emplace_back(format->name, format->maker);
         return all;
       },
       "Returns the formats of controllers as a list of (name, maker).");

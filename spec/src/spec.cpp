@@ -11,7 +11,7 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/controllers/exchange/cam_format.hpp"
+#include "jounce/controllers/exchange/exchange_format.hpp"
 #include "jounce/io/points.hpp"
 #include "jounce/io/table_file.hpp"
 
@@ -339,7 +339,7 @@ void require_spec_text(const Document& document) {
   if (const auto at = text.find('\0'); at != std::string::npos)
     throw InputError("", "", "is not a text file: it has a zero byte here")
         .at(document.name, line_number(text, at));
-  if (is_table(text) || cam_format_of_text(text) != nullptr)
+  if (is_table(text) || exchange_format_of_text(text) != nullptr)
     throw InputError("", "", "is a table: give the spec of the motion instead")
         .at(document.name, 1);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)

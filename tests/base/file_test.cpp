@@ -163,14 +163,33 @@ TEST_F(Files, WhatIsReadIsNotReplacedWhileInputsAreKept) {
 
 TEST_F(Files, NameWhatIsNoText) {
   using namespace std::string_literals;
-  write_file(in("a"), "\xFF\xFEt\0i\0m\0"s);
-  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("a:1: is text in UTF-16"));
-  write_file(in("a"), "\xFE\xFF\0t\0i"s);
-  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("UTF-16"));
   write_file(in("a"), "\x1F\x8B\x08"s);
   EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("compressed by gzip"));
   write_file(in("a"), "PK\x03\x04 and so on"s);
   EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("spreadsheet"));
+  EXPECT_EQ(read_file(in("a"), Archive::returned), "PK\x03\x04 and so on"s);
+  write_file(in("a"), "\xD0\xCF\x11\xE0 and so on"s);
+  EXPECT_THAT(why([&] { (void)read_file(in("a"), Archive::returned); }), HasSubstr(".xlsx"));
+}
+
+TEST_F(Files, ReadUtf16AsSpreadsheetsWriteIt) {
+  using namespace std::string_literals;
+  const auto text_of = [&](const std::string& bytes) {
+    write_file(in("a"), bytes);
+    return read_file(in("a"));
+  };
+  EXPECT_EQ(text_of("\xFF\xFEt\0i\0m\0"s), "tim");
+  EXPECT_EQ(text_of("\xFE\xFF\0t\0i"s), "ti");
+  EXPECT_EQ(text_of("\xFF\xFE"s), "");
+  EXPECT_EQ(text_of("\xFF\xFE\xB5\0\xB0\0"s), "\u00b5\u00b0");
+  EXPECT_EQ(text_of("\xFF\xFE\xAC\x20"s), "\u20ac");
+  EXPECT_EQ(text_of("\xFE\xFF\xD8\x3D\xDE\x00"s), "\U0001F600");
+  const auto error = [&](const std::string& bytes) { return why([&] { (void)text_of(bytes); }); };
+  EXPECT_THAT(error("\xFF\xFEt\0i"s),
+              HasSubstr("a:1: is text in UTF-16 with half a character at byte 5"));
+  for (const std::string& lone :
+       {"\xFE\xFF\xD8\x3D\0t"s, "\xFE\xFF\xD8\x3D"s, "\xFE\xFF\xDE\0\0t"s})
+    EXPECT_THAT(error(lone), HasSubstr("half a surrogate pair at byte 3"));
 }
 
 TEST(InputErrors, ShortenWhatIsTooLongToRead) {

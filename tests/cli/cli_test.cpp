@@ -729,7 +729,8 @@ TEST_F(Cli, ACamIsShownOverTimeByEveryVerbThatMakesATable) {
   const Result design = run("design " + pusher + " --over time -o -");
   EXPECT_EQ(design.status, 0) << design.err;
   EXPECT_THAT(design.out, HasSubstr("time [s]"));
-  EXPECT_EQ(run("convert " + pusher + " pt.csv --over time --rule linear --intervals 100").status, 0);
+  EXPECT_EQ(run("convert " + pusher + " pt.csv --over time --rule linear --intervals 100").status,
+            0);
   EXPECT_EQ(run("check pt.csv --continuity 0").status, 0);
   EXPECT_THAT(run("design " + examples + "valve-cam/valve.toml --over time").err,
               HasSubstr("master: is missing"));
@@ -1411,6 +1412,18 @@ TEST_F(Cli, ConvertStatesItsLoss) {
   const json summary = json::parse(pairs.out);
   EXPECT_FALSE(summary["lossless"].get<bool>());
   EXPECT_NEAR(summary["error"].get<double>(), 0.0024, 1e-4);  // h^2 max|f''| / 8 = 0.0191943 / 8
+  const Result coarse = run("convert a.toml c.txt --intervals 6");
+  EXPECT_EQ(coarse.status, 1);
+  EXPECT_THAT(coarse.out, HasSubstr("nothing was written: give --tolerance"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "c.txt"));
+  EXPECT_EQ(run("convert a.toml c.txt --intervals 6 --allow-loss").status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "c.txt"));
+  EXPECT_EQ(run("convert a.toml d.txt").status, 0) << "the knots follow from the tolerance";
+  EXPECT_EQ(
+      run("convert a.toml c.bas").err,
+      "jounce: --position-resolution: is missing: the format trio has the position in counts. "
+      "Give the size of one count, such as 0.001 mm\n");
+  EXPECT_EQ(run("convert a.toml c.bas --position-resolution 1um").status, 0);
   EXPECT_EQ(run("convert a.toml b.xyva --tolerance 0.1um").status, 0);
   const Result close = run("diff a.toml b.xyva --tolerance position=0.1um");
   EXPECT_EQ(close.status, 0) << close.out;

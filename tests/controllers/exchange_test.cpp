@@ -36,7 +36,7 @@ TableFile ragged(Interpolation rule, Extrapolation outside = Extrapolation::wrap
 }
 
 std::string written(const char* format, const TableFile& file) {
-  return exchange_text(*cam_format_named(format), file);
+  return exchange_text(*exchange_format_named(format), file);
 }
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
@@ -56,10 +56,10 @@ TEST(Exchange, ReadsBackBitExact) {
   for (const char* word : {"xyva", "codesys", "twincat", "siemens", "pairs", "sew"})
     for (const Extrapolation outside : {Extrapolation::wrap, Extrapolation::hold}) {
       SCOPED_TRACE(word);
-      const CamFormat& format = *cam_format_named(word);
+      const ExchangeFormat& format = *exchange_format_named(word);
       const TableFile file = ragged(rule_of(format), outside);
       const std::string text = exchange_text(format, file);
-      EXPECT_EQ(cam_format_of_text(text), &format);
+      EXPECT_EQ(exchange_format_of_text(text), &format);
       expect_same_columns(file, parse_exchange(text, "t"));
     }
 }
@@ -67,7 +67,7 @@ TEST(Exchange, ReadsBackBitExact) {
 TEST(Exchange, KeepsUnitsPolicyAndHashWhereThereAreComments) {
   for (const char* word : {"xyva", "codesys", "twincat", "siemens"}) {
     SCOPED_TRACE(word);
-    const CamFormat& format = *cam_format_named(word);
+    const ExchangeFormat& format = *exchange_format_named(word);
     for (const Extrapolation outside :
          {Extrapolation::hold, Extrapolation::wrap, Extrapolation::advance}) {
       const TableFile file = ragged(rule_of(format), outside);
@@ -194,19 +194,20 @@ TEST(Exchange, NamesFileLineKeyValueAndRule) {
             "t:1: knots = 9: the number of knots in the file is 3: is the file complete?");
   EXPECT_EQ(complaint("# master: degrie\n" + good), "t:1: master = degrie: is not a known unit");
   EXPECT_NE(complaint("CYCLIC;YES;\nTABLE_BEGIN;;\n0;0;SPLINE\n").find("KAS"), std::string::npos);
-  EXPECT_EQ(cam_format_of_text("It reads `SMC_CAMXYVA` declarations and MC_MotionFunctionPoint.\n"),
-            nullptr);
-  EXPECT_NE(cam_format_of_text("a : ARRAY[0..2]\n  of SM3_Basic.SMC_CamXYVA;\n"), nullptr);
+  EXPECT_EQ(
+      exchange_format_of_text("It reads `SMC_CAMXYVA` declarations and MC_MotionFunctionPoint.\n"),
+      nullptr);
+  EXPECT_NE(exchange_format_of_text("a : ARRAY[0..2]\n  of SM3_Basic.SMC_CamXYVA;\n"), nullptr);
   EXPECT_NE(complaint("a : ARRAY[0..2] OF SMC_CAMXYVA := [(dX := 0), (dX := 1)];"), "");
   EXPECT_NE(complaint("a : ARRAY[0..1] OF SMC_CAMXYVA := [(dX := 0), (dZ := 1)];"), "");
 }
 
 TEST(Exchange, KnowsASpecFromATable) {
-  EXPECT_FALSE(cam_format_of_text("jounce = 1\nkind = \"cam\"\n"));
-  EXPECT_FALSE(cam_format_of_text("# 1 2 3 4\n[limits]\n"));
-  EXPECT_FALSE(cam_format_of_text(""));
-  EXPECT_FALSE(cam_format_of_text(to_csv(ragged(Interpolation::linear))));
-  EXPECT_EQ(cam_format_of_text("0 0 0 nan\n"), cam_format_named("xyva"))
+  EXPECT_FALSE(exchange_format_of_text("jounce = 1\nkind = \"cam\"\n"));
+  EXPECT_FALSE(exchange_format_of_text("# 1 2 3 4\n[limits]\n"));
+  EXPECT_FALSE(exchange_format_of_text(""));
+  EXPECT_FALSE(exchange_format_of_text(to_csv(ragged(Interpolation::linear))));
+  EXPECT_EQ(exchange_format_of_text("0 0 0 nan\n"), exchange_format_named("xyva"))
       << "so that it is refused as one";
 }
 
@@ -246,8 +247,8 @@ const std::string generated =
 
 TEST(Exchange, ReadsAllCamsOfGeneratedCode) {
   EXPECT_FALSE(is_table(generated)) << "its first sign is a brace";
-  EXPECT_EQ(cam_format_of_text(generated), cam_format_named("codesys"));
-  const auto cams = parse_exchange_cams(generated, "t");
+  EXPECT_EQ(exchange_format_of_text(generated), exchange_format_named("codesys"));
+  const auto cams = parse_exchange_tables(generated, "t");
   ASSERT_EQ(cams.size(), 2U);
   EXPECT_EQ(cams[0].name, "E");
   EXPECT_EQ(cams[0].file.table.columns().x, (std::vector<double>{0, 180, 360}));
@@ -264,7 +265,7 @@ TEST(Exchange, ReadsCamsOfOursOneAfterAnother) {
   const TableFile first = ragged(Interpolation::quintic_hermite, Extrapolation::wrap, 5);
   const TableFile second = ragged(Interpolation::quintic_hermite, Extrapolation::hold, 9);
   const auto cams =
-      parse_exchange_cams(written("codesys", first) + written("codesys", second), "t");
+      parse_exchange_tables(written("codesys", first) + written("codesys", second), "t");
   ASSERT_EQ(cams.size(), 2U);
   for (const auto& [cam, file] : {std::pair{&cams[0], &first}, {&cams[1], &second}})
     EXPECT_EQ(content_hash(cam->file.table, cam->file.units),

@@ -55,7 +55,7 @@ TEST(Convert, ATableOverTimeHasNoFormatOfAController) {
   const Input input = read_inputs(examples + "hmpl-pvt/pvt.toml").front();
   ASSERT_EQ(input.table.table.axis(), Domain::time);
   for (const char* word : {"rockwell", "siemens-points", "kollmorgen"}) {
-    const CamFormat* to = cam_format_named(word);
+    const ExchangeFormat* to = exchange_format_named(word);
     const auto make = [&] { converted(input, {.rule = rule_of(*to), .format = to}); };
     EXPECT_EQ(test::key_of(make), "format");
     EXPECT_EQ(test::rule_of(make), "is for cams, over a master; this table is over time");
@@ -102,20 +102,20 @@ TEST(Convert, LossesNameTheRestOfTheSpec) {
   const Input input = cam();
   EXPECT_THAT(losses(input, nullptr, input.table.table),
               ::testing::ElementsAre(::testing::HasSubstr("stay in the spec")));
-  EXPECT_EQ(losses(cam_table(), cam_format_named("xyva"), input.table.table).size(), 0U);
-  EXPECT_EQ(losses(cam_table(), cam_format_named("pairs"), input.table.table).size(), 3U)
+  EXPECT_EQ(losses(cam_table(), exchange_format_named("xyva"), input.table.table).size(), 0U);
+  EXPECT_EQ(losses(cam_table(), exchange_format_named("pairs"), input.table.table).size(), 3U)
       << "positions only, no units, no period";
 }
 
 TEST(Convert, TheNameOrTheEndOfThePathIsTheForm) {
   EXPECT_EQ(table_form("", "cam.json").name, "json");
   EXPECT_EQ(table_form("", "-").name, "csv");
-  EXPECT_EQ(table_form("", "cam.st").format, cam_format_named("codesys"));
+  EXPECT_EQ(table_form("", "cam.st").format, exchange_format_named("codesys"));
   EXPECT_EQ(table_form("points", "cam.st").name, "points") << "the name counts more";
   const TableFile table = cam_table().table;
   EXPECT_EQ(form_text({}, table), to_csv(table));
   EXPECT_EQ(form_text(table_form("xyva", ""), table),
-            exchange_text(*cam_format_named("xyva"), table));
+            exchange_text(*exchange_format_named("xyva"), table));
 }
 
 TEST(Convert, TheAnswerStatesTheErrorAndTheLosses) {
@@ -141,7 +141,7 @@ Input cam_e() {
 }
 
 Converted exported(const Input& input, const char* format, std::size_t intervals) {
-  const CamFormat* to = cam_format_named(format);
+  const ExchangeFormat* to = exchange_format_named(format);
   return converted(input, {.rule = rule_of(*to), .intervals = intervals, .format = to});
 }
 
@@ -179,7 +179,7 @@ TEST(Convert, AToleranceHoldsForTheSpline) {
   const Input input = cam_e();
   for (const char* word : {"rockwell", "siemens-points", "kollmorgen"}) {
     SCOPED_TRACE(word);
-    const CamFormat* to = cam_format_named(word);
+    const ExchangeFormat* to = exchange_format_named(word);
     const Converted made =
         converted(input, {.rule = rule_of(*to),
                           .target = Target{.rule = rule_of(*to), .tolerance = 0.01},

@@ -10,7 +10,7 @@
 
 #include "executor/src/cycle/commands.hpp"
 
-namespace jounce {
+namespace jounce::gear_command_test {
 namespace {
 
 /// Position in step, with the master at its sync position, of an axis that stands at `position`.
@@ -47,4 +47,4 @@ TEST(GearCommand, AddsATurnToAModuloAxisToAvoidAReversal) {
 }
 
 }  // namespace
-}  // namespace jounce
+}  // namespace jounce::gear_command_test

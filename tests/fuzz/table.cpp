@@ -28,7 +28,11 @@ void table(Input input) {
   }
   try {
     static_cast<void>(is_table(text));
-    if (cam_format_of_text(text) != nullptr) static_cast<void>(parse_exchange(text, "fuzz"));
+    if (exchange_format_of_text(text) != nullptr) static_cast<void>(parse_exchange(text, "fuzz"));
+  } catch (const InputError&) {
+  }
+  try {
+    static_cast<void>(parse_exchange_tables(text, "fuzz.trj"));  // a format of this ending only
   } catch (const InputError&) {
   }
 }

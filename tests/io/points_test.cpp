@@ -99,6 +99,57 @@ TEST(Points, AreReadAsSpreadsheetsWriteThem) {
   }
 }
 
+/// Columns of points as text: "time ms, position um".
+std::string header_of(const std::string& text) {
+  std::string all;
+  for (const PointColumn& column : parse_points(text, "p.csv").columns)
+    all += (all.empty() ? "" : ", ") + column.name + (column.unit.empty() ? "" : " " + column.unit);
+  return all;
+}
+
+TEST(Points, HaveHeadersAsOtherProgramsWriteThem) {
+  EXPECT_EQ(header_of("Zeit [ms];Weg [\u00b5m]\n0;0\n"), "zeit ms, weg um");
+  EXPECT_EQ(header_of("time (s),Position (mm),speed (mm/s\u00b2)\n0,0,0\n"),
+            "time s, position mm, speed mm/s^2");
+  EXPECT_EQ(header_of("Winkel / \u00b0;Hub in \u03bcm\n0;0\n"), "winkel deg, hub um");
+  EXPECT_EQ(header_of("Winkel [\xB0];Hub [\xB5m]\n0;0\n"), "winkel deg, hub um") << "Windows-1252";
+  EXPECT_EQ(header_of("time;position\nms;mm\n0;0\n"), "time ms, position mm") << "a line of units";
+  EXPECT_EQ(header_of("time;position\n;mm\n0;0\n"), "time, position mm");
+  EXPECT_EQ(header_of("Cam 7;;\n;;\ntime;position;\n0;0;\n"), "time, position") << "a title";
+  EXPECT_EQ(header_of("\"time, measured (s)\",position (actual)\n0,0\n"),
+            "time, measured s, position (actual)");
+}
+
+TEST(Points, HaveColumnsWithTheNamesOfOtherPrograms) {
+  const auto named = [](const std::string& header, const std::vector<std::string>& wanted) {
+    Points p = parse_points(header + "\n0;0\n", "p.csv");
+    p.name_columns(wanted);
+    return p.columns[0].name + " " + p.columns[1].name;
+  };
+  EXPECT_EQ(named("Zeit;Weg", {"time", "position"}), "time position");
+  EXPECT_EQ(named("MasterPos;SlavePos", {"master", "slave"}), "master slave");
+  EXPECT_EQ(named("leadingValue;following_value", {"master", "slave"}), "master slave");
+  EXPECT_EQ(named("X;Y", {"master", "slave"}), "master slave");
+  EXPECT_EQ(named("X;Y", {"time", "x", "y"}), "x y") << "here they are the names of axes";
+  EXPECT_EQ(named("master;x", {"master", "slave"}), "master x");
+  EXPECT_EQ(named("angle;winkel", {"master", "slave"}), "angle winkel") << "two candidates";
+}
+
+TEST(Points, HaveDecimalCommasInQuotes) {
+  const Points p = parse_points("time,position\n\"0,5\",\"-1,25\"\n1,\"2,5\"\n", "p.csv");
+  EXPECT_THAT(p.find("time")->values, ElementsAre(0.5, 1));
+  EXPECT_THAT(p.find("position")->values, ElementsAre(-1.25, 2.5));
+  EXPECT_EQ(complaint("time,position\n0,\"1.5\"\n1,\"2,5\"\n"),
+            "p.csv:3: position = 2,5: has a decimal comma where other numbers have a point");
+}
+
+TEST(Points, MayEndEachLineWithASeparator) {
+  const Points p = parse_points("time;position;\n0;1;\n1;2;;\n2;3\n", "p.csv");
+  EXPECT_THAT(p.find("position")->values, ElementsAre(1, 2, 3));
+  EXPECT_EQ(complaint("time;position;\n0;1;x\n"),
+            "p.csv:2: row = 3 values: must have 2, one for each column of the header");
+}
+
 TEST(Points, ConvertOnlyWhatMeasuresTheSame) {
   const Points p = parse_points("time [ms],position [deg]\n0,180\n", "p.csv");
   EXPECT_NEAR(p.in_unit("position", "rad")[0], std::acos(-1), 1e-15);

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "jounce/base/csv.hpp"
@@ -11,6 +14,7 @@
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/detail/table_parts.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "controllers/src/exchange/formats.hpp"
@@ -55,10 +59,10 @@ void require_whole(const controllers_detail::Exchanged& read,
                    ": the file was changed after Jounce wrote it; to accept it, remove this line");
 }
 
-Table table_of(controllers_detail::Exchanged& read, Extrapolation outside,
+Table table_of(controllers_detail::Exchanged& read, Domain axis, Extrapolation outside,
                const controllers_detail::Place& place) {
   try {
-    return Table(Domain::master, read.rule, outside, std::move(read.columns));
+    return Table(axis, read.rule, outside, std::move(read.columns));
   } catch (const InputError& error) {
     const bool of_a_knot = error.key().starts_with("knot[");
     const std::size_t knot = of_a_knot ? std::stoul(error.key().substr(5)) : 0;
@@ -66,12 +70,16 @@ Table table_of(controllers_detail::Exchanged& read, Extrapolation outside,
   }
 }
 
-ExchangeCam cam_of(controllers_detail::Exchanged& read, const controllers_detail::Place& place) {
+ExchangeTable cam_of(controllers_detail::Exchanged& read, Domain axis,
+                     const controllers_detail::Place& place) {
   Extrapolation outside = Extrapolation::hold;
+  if (read.repeats && !read.columns.p.empty())
+    outside = read.columns.p.front() == read.columns.p.back() ? Extrapolation::wrap
+                                                              : Extrapolation::advance;
   TableFile file{
-      Table(Domain::master, Interpolation::linear, outside, {{0, 1}, {0, 1}, {}, {}}), {}, {}};
+      Table(axis, Interpolation::linear, outside, {{0, 1}, {0, 1}, {}, {}}), read.units, {}};
   take_notes(read, place, file, outside);
-  file.table = table_of(read, outside, place);
+  file.table = table_of(read, axis, outside, place);
   require_whole(read, place, file);
   return {read.name, std::move(file), std::move(read.unread)};
 }
@@ -89,17 +97,41 @@ std::vector<controllers_detail::Line> own_lines(
   return own;
 }
 
-std::vector<ExchangeCam> cams_of(std::vector<controllers_detail::Exchanged> all,
-                                 const std::vector<controllers_detail::Line>& lines,
-                                 const controllers_detail::Place& place) {
+std::vector<ExchangeTable> cams_of(std::vector<controllers_detail::Exchanged> all, Domain axis,
+                                   const std::vector<controllers_detail::Line>& lines,
+                                   const controllers_detail::Place& place) {
   for (const controllers_detail::Exchanged& cam : all)
     if (cam.lines.empty())
       place.fail(lines.front().number, cam.name, "", "has no knots: is the file complete?");
   for (controllers_detail::Exchanged& cam : all)
     cam.notes = controllers_detail::notes_of(all.size() == 1 ? lines : own_lines(cam, all, lines));
-  std::vector<ExchangeCam> cams;
-  for (controllers_detail::Exchanged& cam : all) cams.push_back(cam_of(cam, place));
+  std::vector<ExchangeTable> cams;
+  for (controllers_detail::Exchanged& cam : all) cams.push_back(cam_of(cam, axis, place));
   return cams;
+}
+
+/// Controllers hold counts in 32 bits.
+void require_counts(const ExchangeFormat& format, const Columns& c) {
+  constexpr double most = std::numeric_limits<std::int32_t>::max();
+  const auto require = [&](Numbers numbers, const char* key, const std::vector<double>& column) {
+    if (numbers != Numbers::whole) return;
+    for (const double value : column)
+      if (!(std::abs(value) <= most && value == std::round(value)))
+        throw InputError(key, value, "must be a whole number of counts, of at most 32 bits");
+  };
+  require(format.x, "master", c.x);
+  require(format.p, "position", c.p);
+  require(format.p, "velocity", c.v);
+}
+
+void require_rest(const ExchangeFormat& format, const Columns& c) {
+  double peak = 0;
+  for (const double v : c.v) peak = std::max(peak, std::abs(v));
+  for (const double v : {c.v.front(), c.v.back()})
+    if (std::abs(v) > profiles_detail::rounded_input * peak)
+      throw InputError("velocity", v,
+                       std::string("must be 0 at both ends: a motion of the format ") +
+                           format.name + " begins and ends at rest");
 }
 
 }  // namespace
@@ -182,14 +214,17 @@ double Place::number(int line, const std::string& key, std::string_view text) co
 
 }  // namespace controllers_detail
 
-void require_cam(const CamFormat& format, const Table& table) {
-  if (table.axis() != Domain::master)
-    throw InputError("format", format.name, "is for cams, over a master; this table is over time");
+void require_axis(const ExchangeFormat& format, const Table& table) {
+  if (table.axis() == format.axis) return;
+  throw InputError("format", format.name,
+                   table.axis() == Domain::time
+                       ? "is for cams, over a master; this table is over time"
+                       : "is for motions over time; this table is a cam, over a master");
 }
 
-std::string exchange_text(const CamFormat& format, const TableFile& file) {
+std::string exchange_text(const ExchangeFormat& format, const TableFile& file) {
   const std::string wanted = std::string("the format ") + format.name;
-  require_cam(format, file.table);
+  require_axis(format, file.table);
   if (file.table.rule() != rule_of(format))
     throw InputError("rule", name(file.table.rule()),
                      wanted + " needs a " + name(rule_of(format)) + " table");
@@ -202,24 +237,27 @@ std::string exchange_text(const CamFormat& format, const TableFile& file) {
     throw InputError("knots", std::to_string(knots),
                      "must be at most " + std::to_string(format.most) + ": " + format.limits_from +
                          ". Give a tolerance, or fewer intervals");
+  require_counts(format, file.table.columns());
+  if (format.rests) require_rest(format, file.table.columns());
   return controllers_detail::row_of(format).write(file);
 }
 
-std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
-                                             bool decimal_comma) {
+std::vector<ExchangeTable> parse_exchange_tables(const std::string& text, const std::string& name,
+                                                 bool decimal_comma) {
   const controllers_detail::Place place(name, decimal_comma);
-  const CamFormat* const format = cam_format_of_text(text);
+  const ExchangeFormat* const format = exchange_format_of_text(text, name);
   if (format == nullptr) place.fail(1, "", "", "is not a cam table in a known format");
   const controllers_detail::FormatRow& row = controllers_detail::row_of(*format);
   if (row.read == nullptr) place.fail(1, "", "", row.unreadable);
-  return cams_of(row.read(text, place), controllers_detail::lines_of(text), place);
+  return cams_of(row.read(text, place), format->axis, controllers_detail::lines_of(text), place);
 }
 
 TableFile parse_exchange(const std::string& text, const std::string& name, bool decimal_comma) {
-  std::vector<ExchangeCam> cams = parse_exchange_cams(text, name, decimal_comma);
+  std::vector<ExchangeTable> cams = parse_exchange_tables(text, name, decimal_comma);
   if (cams.size() == 1) return std::move(cams.front().file);
   throw InputError(
-      "", "", "contains several cams; choose one with --axis: " + listed(cams, &ExchangeCam::name))
+      "", "",
+      "contains several cams; choose one with --axis: " + listed(cams, &ExchangeTable::name))
       .at(name, 1);
 }
 

@@ -40,9 +40,11 @@ std::string notes_text(const TableFile& file, const std::string& mark);
 struct Exchanged {
   std::string name = {};  ///< name of the cam; "" if the format has no names
   Interpolation rule = Interpolation::quintic_hermite;
+  Units units = {};                      ///< units that the format defines or states
   Columns columns = {};                  ///< columns of its table
   std::vector<int> lines = {};           ///< line of each knot
   Notes notes = {};                      ///< comments that Jounce wrote
+  bool repeats = false;                  ///< true if the file states that the motion repeats
   std::vector<std::string> unread = {};  ///< parts of the file other than the knots
 };
 

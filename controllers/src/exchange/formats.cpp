@@ -11,10 +11,27 @@ namespace controllers_detail {
 namespace {
 
 // In the order of their detection: files of columns last.
-constexpr std::array all_rows{
-    &codesys_format,  &twincat_format,    &siemens_format, &siemens_points_format,
-    &rockwell_format, &kollmorgen_format, &sew_format,     &pairs_format,
-    &xyva_format};
+constexpr std::array all_rows{&codesys_format,
+                              &twincat_format,
+                              &siemens_format,
+                              &siemens_points_format,
+                              &rockwell_format,
+                              &ros_format,
+                              &xps_format,
+                              &zaber_format,
+                              &galil_format,
+                              &galil_pvt_format,
+                              &trio_format,
+                              &googol_pt_format,
+                              &googol_pt_st_format,
+                              &googol_follow_format,
+                              &googol_follow_st_format,
+                              &hmpl_format,
+                              &hmpl_gear_format,
+                              &kollmorgen_format,
+                              &sew_format,
+                              &pairs_format,
+                              &xyva_format};
 
 }  // namespace
 
@@ -22,7 +39,7 @@ std::span<const FormatRow* const> format_rows() {
   return all_rows;
 }
 
-const FormatRow& row_of(const CamFormat& format) {
+const FormatRow& row_of(const ExchangeFormat& format) {
   return **std::find_if(all_rows.begin(), all_rows.end(),
                         [&](const FormatRow* row) { return &row->format == &format; });
 }
@@ -31,8 +48,17 @@ const FormatRow& row_of(const CamFormat& format) {
 
 namespace {
 
+/// True for a spec, which may mention commands of controllers in its comments.
+bool is_spec(const std::string& text) {
+  for (const controllers_detail::Line& line : controllers_detail::lines_of(text))
+    if (line.text.starts_with("jounce") &&
+        controllers_detail::trimmed(line.text.substr(6)).starts_with('='))
+      return true;
+  return false;
+}
+
 template <class Condition>
-const CamFormat* first_format(const Condition& holds) {
+const ExchangeFormat* first_format(const Condition& holds) {
   for (const controllers_detail::FormatRow* row : controllers_detail::all_rows)
     if (holds(*row)) return &row->format;
   return nullptr;
@@ -40,9 +66,9 @@ const CamFormat* first_format(const Condition& holds) {
 
 }  // namespace
 
-std::span<const CamFormat* const> cam_formats() {
+std::span<const ExchangeFormat* const> exchange_formats() {
   static const auto formats = [] {
-    std::array<const CamFormat*, controllers_detail::all_rows.size()> all{};
+    std::array<const ExchangeFormat*, controllers_detail::all_rows.size()> all{};
     std::transform(controllers_detail::all_rows.begin(), controllers_detail::all_rows.end(),
                    all.begin(), [](const auto* row) { return &row->format; });
     return all;
@@ -50,11 +76,11 @@ std::span<const CamFormat* const> cam_formats() {
   return formats;
 }
 
-const CamFormat* cam_format_named(const std::string& word) {
+const ExchangeFormat* exchange_format_named(const std::string& word) {
   return first_format([&](const auto& row) { return word == row.format.name; });
 }
 
-const CamFormat* cam_format_of_path(const std::string& path) {
+const ExchangeFormat* exchange_format_of_path(const std::string& path) {
   const std::string lower = controllers_detail::lower(path);
   return first_format([&](const auto& row) {
     const std::string extension = row.format.extension;
@@ -62,15 +88,20 @@ const CamFormat* cam_format_of_path(const std::string& path) {
   });
 }
 
-const CamFormat* cam_format_of_text(const std::string& text) {
-  if (is_table(text)) return nullptr;
-  return first_format([&](const auto& row) { return row.detects(text); });
+const ExchangeFormat* exchange_format_of_text(const std::string& text, const std::string& path) {
+  if (is_table(text) || is_spec(text)) return nullptr;
+  if (const ExchangeFormat* const format = exchange_format_of_path(path);
+      format != nullptr && controllers_detail::row_of(*format).detects(text))
+    return format;
+  return first_format([&](const auto& row) { return !row.by_ending_only && row.detects(text); });
 }
 
-Interpolation rule_of(const CamFormat& format) {
+Interpolation rule_of(const ExchangeFormat& format) {
   switch (format.join) {
     case KnotJoin::quintic:
       return Interpolation::quintic_hermite;
+    case KnotJoin::cubic:
+    case KnotJoin::quadratic:
     case KnotJoin::clamped_spline:
       return Interpolation::cubic_hermite;
     case KnotJoin::lines:

@@ -67,7 +67,9 @@ std::vector<double> tolerances_of(const Points& file, const FitOptions& options,
   return all;
 }
 
-Measurement from_points(const Points& file, const FitOptions& options) {
+Measurement from_points(Points file, const FitOptions& options) {
+  const std::vector<std::string> known{"master", "slave", "tolerance"};
+  file.name_columns(known);
   const auto named = [&](const char* column) {
     const PointColumn* found = file.find(column);
     return found == nullptr ? std::string() : found->unit;
@@ -138,12 +140,12 @@ void close(Measurement& m, const std::string& text) {
 }
 
 Measurement measurement_of(const std::string& path, const FitOptions& options) {
-  const std::string text = read_file(path);
+  const std::string text = point_file_bytes(path);
   if (!spec_kind(text).empty())
     throw InputError("FILE", path,
                      "is a spec: fit reads points or a table. Make its table with `jounce design`");
   Measurement m =
-      is_finished_table(text)
+      is_finished_table(text, path)
           ? from_table(table_inputs(text, path).front(), options)
           : from_points(parse_points(text, path == "-" ? "standard input" : path), options);
   if (!options.period.empty()) close(m, options.period);

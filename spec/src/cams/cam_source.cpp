@@ -85,7 +85,7 @@ CamSource read_cam_source(TomlReader& owner, const char* key) {
     throw owner.document().naming(owner.path(key), path, error);
   }
   if (is_table(text)) return of_table(parse_table(text, path), given, owner, key);
-  if (cam_format_of_text(text) != nullptr)
+  if (exchange_format_of_text(text) != nullptr)
     return of_table(parse_exchange(text, path), given, owner, key);
   return of_spec(parse_spec(std::move(text), path), given, owner, key);
 }

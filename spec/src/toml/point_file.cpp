@@ -26,6 +26,7 @@ std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
                std::string("cannot be combined with [[") + rows + "]]");
   const std::filesystem::path spec = owner.document().name;
   Points points = read_points((spec.parent_path() / *given).string());
+  points.name_columns(columns);
   for (const PointColumn& column : points.columns)
     if (std::find(columns.begin(), columns.end(), column.name) == columns.end())
       throw InputError(column.name, "",

@@ -7,10 +7,16 @@
 
 namespace jounce {
 
-/// Returns the whole file as bytes, without a byte order mark. "-" is standard input. Throws
-/// InputError, with the file's name as the document, for a file that cannot be read, for text in
-/// UTF-16 and for a compressed file.
-std::string read_file(const std::string& path);
+/// Selects what read_file() does with a zip archive, such as a workbook (.xlsx).
+enum class Archive {
+  rejected,  ///< throws InputError
+  returned,  ///< returns its bytes
+};
+
+/// Returns the whole file as bytes, without a byte order mark. Text in UTF-16 with a byte order
+/// mark is returned as UTF-8. "-" is standard input. Throws InputError, with the file's name as the
+/// document, for a file that cannot be read, for broken UTF-16, and for a compressed file.
+std::string read_file(const std::string& path, Archive archive = Archive::rejected);
 
 /// Records the files that read_file() reads while the object exists. write_files() then does not
 /// replace any of them, so an output never overwrites an input. At most one object exists at a
@@ -26,7 +32,7 @@ class KeptInputs {
   struct Files;
   std::unique_ptr<Files> files_;
   friend void require_not_read(const std::string& path, const std::string& option);
-  friend std::string read_file(const std::string& path);
+  friend std::string read_file(const std::string& path, Archive archive);
 };
 
 /// Throws InputError, with `option` as its key, if KeptInputs has recorded the file.

@@ -21,7 +21,7 @@ struct Conversion {
   std::size_t intervals = 0;  ///< number of equal intervals of new knots; 0: not requested
   Units units = {};  ///< units of the result, or units that the file does not give; "": unchanged
   bool periodic = false;  ///< true: the motion repeats, although the file does not define this
-  const CamFormat* format = nullptr;  ///< format of a controller; null: CSV or JSON of Jounce
+  const ExchangeFormat* format = nullptr;  ///< format of a controller; null: CSV or JSON of Jounce
 };
 
 /// A converted table, and its difference from the input.
@@ -31,19 +31,33 @@ struct Converted {
   /// does not join the knots by a spline, it is the error of the input: for a spec, the error of
   /// its table; for a table, nullopt.
   std::optional<SampleError> error;
+  /// Greatest permitted error of the position for the format of a controller, in the unit of the
+  /// input: that of the target, otherwise a ten-thousandth of the stroke.
+  std::optional<double> limit = {};
+  std::string counts = {};  ///< for a format in counts: their sizes, as a sentence; otherwise ""
+
+  /// True if the error is within the limit.
+  [[nodiscard]] bool within_limit() const { return !error || !limit || error->position <= *limit; }
 };
 
 /// Returns the table of an input with other knots, another interpolation, or other units. The knots
-/// stay, unless the rule or the target requires others. If the controller joins the knots by a
-/// spline (KnotJoin), the error and its tolerance apply to this spline, with the numbers rounded as
-/// in the file. If the end conditions of the spline are not documented, they are assumed to be
-/// natural, or periodic if the cam repeats. Throws InputError with the name of a member of Target
-/// ("tolerance", "x_step", ...), or with "master_unit" or "position_unit" for a unit that is
-/// unknown or of another quantity.
+/// stay, unless the rule or the target requires others.
+///
+/// For the format of a controller, the knots stay if the controller then plays the motion within
+/// the limit; otherwise the fewest knots within the limit replace them. If the controller cannot
+/// store so many, the error exceeds the limit (within_limit()). The units and the counts are those
+/// of the file. If the controller joins the knots by a spline (KnotJoin), the error and its
+/// tolerance apply to this spline, with the numbers rounded as in the file. If the end conditions
+/// of the spline are not documented, they are assumed to be natural, or periodic if the cam
+/// repeats. For a format in counts, target->x_step and p_step are the sizes of a count.
+///
+/// Throws InputError with the name of a member of Target ("tolerance", "x_step", ...), or with
+/// "master_unit" or "position_unit" for a unit that is unknown or of another quantity.
 Converted converted(const Input& input, const Conversion& conversion);
 
 /// Returns the parts of the input that a file in this format does not contain, one phrase for each.
-std::vector<std::string> losses(const Input& input, const CamFormat* format, const Table& made);
+std::vector<std::string> losses(const Input& input, const ExchangeFormat* format,
+                                const Table& made);
 
 /// Returns the certified error of a conversion as a sentence. If the conversion has no error, the
 /// sentence states that the numbers are unchanged, or only converted to other units.
@@ -54,7 +68,7 @@ struct TableForm {
   /// "csv", "json", "points" (CSV of segments with types), or the name of the controller's
   /// `format`.
   std::string name = "csv";
-  const CamFormat* format = nullptr;  ///< format of a controller; null for the other forms
+  const ExchangeFormat* format = nullptr;  ///< format of a controller; null for the other forms
 };
 
 /// Returns the form with this name; if the name is empty, the form for the extension of `path`, by
@@ -70,18 +84,12 @@ std::optional<Interpolation> interpolation_named(const std::string& word);
 Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wanted,
                        const std::string& controller, const Table& table);
 
-/// Returns the text of a file in this form. Throws InputError like exchange_text() and
-/// points_text().
-std::string form_text(const TableForm& form, const TableFile& file);
+/// Returns the text of a file in this form; with `every`, samples (samples_csv()), for which the
+/// form must be CSV. Throws InputError like exchange_text(), points_text() and samples_csv().
+std::string form_text(const TableForm& form, const TableFile& file, const std::string& every = "");
 
 /// Throws InputError ("master_unit", "position_unit") if a unit of the table is missing.
 void require_units(const TableFile& file);
-
-/// Returns the text of a file at `path` in this form or, if `every` is not empty, samples of the
-/// table as CSV at this interval (samples_csv()). Throws InputError like form_text(); like
-/// require_units(), and with key "every" if the samples would not be CSV.
-std::string output_text(const TableForm& form, const TableFile& file, const std::string& path,
-                        const std::string& every);
 
 /// Returns all parts of an input that a file in this form does not contain: the unread parts of the
 /// input file, and losses() of the format. `sampled` is true if the file has samples of the table.
@@ -98,7 +106,8 @@ std::string known_endings(bool named = false);
 bool has_known_ending(const std::string& path);
 /// Throws InputError (key "path") unless has_known_ending().
 void require_known_ending(const std::string& path);
-/// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss.
+/// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss. If
+/// the error exceeds the limit, the last line states the limit.
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses);
 

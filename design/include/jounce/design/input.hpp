@@ -86,8 +86,8 @@ std::vector<Input> inputs_of(const Spec& spec, const std::string& path);
 /// each cam of a file. If `decimal_comma` is true, 0,5 is read as 0.5 in a controller's table.
 /// Throws InputError with file, line, key, value and rule.
 std::vector<Input> read_inputs(const std::string& path, bool decimal_comma = false);
-/// True if the text is a table of Jounce or of a controller.
-bool is_finished_table(const std::string& text);
+/// True if the text, of the file `path`, is a table of Jounce or of a controller.
+bool is_finished_table(const std::string& text, const std::string& path = "");
 /// Like read_inputs(), for the text of a table of Jounce or of a controller.
 std::vector<Input> table_inputs(const std::string& text, const std::string& path,
                                 bool decimal_comma = false);

@@ -17,8 +17,8 @@ namespace jounce {
 ///
 /// Other functions treat a refined law like the law of a window: halted() follows it to its next
 /// rest, and played() plans it again by stations. The longest runs are refined first, within a
-/// budget for about 500 short or 13 very long runs. A run of more than about 1250 corners or 120
-/// 000 pieces of an average keeps its law. CPU time: about 1 s for a run of 2000 pieces.
+/// budget for about 500 short or 13 very long runs. A run of more than about 1250 corners or
+/// 120 000 pieces of an average keeps its law. CPU time: about 1 s for a run of 2000 pieces.
 /// Deterministic.
 Plan refined(const Plan& plan);
 

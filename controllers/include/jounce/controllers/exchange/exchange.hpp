@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/controllers/exchange/cam_format.hpp"
+#include "jounce/controllers/exchange/exchange_format.hpp"
 #include "jounce/io/table_file.hpp"
 
 namespace jounce {
@@ -12,7 +12,7 @@ namespace jounce {
 /// Cam tables in the text formats of other makers' tools.
 ///
 ///     TableFile cam = parse_exchange(read_file("cam.xyva"), "cam.xyva");
-///     write_file("cam.st", exchange_text(*cam_format_named("codesys"), cam));
+///     write_file("cam.st", exchange_text(*exchange_format_named("codesys"), cam));
 ///     cam.units = {"deg", "mm"};                         // if the file has none
 ///
 /// V is dY/dX and A is d2Y/dX2, as in a Table. Numbers are written in their shortest exact form, so
@@ -25,15 +25,18 @@ namespace jounce {
 /// file does not state whether the cam is periodic, because a controller defines this when it
 /// selects the table (MC_CamTableSelect).
 
-/// Throws InputError for a table over time, because the formats are for cams.
-void require_cam(const CamFormat& format, const Table& table);
+/// Throws InputError for a table over time if the format is for cams, and for a cam if the format
+/// is for motions over time.
+void require_axis(const ExchangeFormat& format, const Table& table);
 
-/// Returns the text of the table in the format. Throws InputError for a table over time, for
-/// another interpolation rule than the format has, and for too few or too many knots.
-std::string exchange_text(const CamFormat& format, const TableFile& file);
+/// Returns the text of the table in the format. Throws InputError for a table over time, for an
+/// interpolation rule that the format does not have, and for too few or too many knots. For a format
+/// in counts, the table must be in counts; if a motion of the format ends at rest, the table must
+/// end at rest.
+std::string exchange_text(const ExchangeFormat& format, const TableFile& file);
 
 /// One cam of a file.
-struct ExchangeCam {
+struct ExchangeTable {
   std::string name;  ///< name of the cam's reference, array or tag; "" in formats without names
   TableFile file;    ///< table of the cam, with its units and provenance
   std::vector<std::string> unread = {};  ///< one phrase for each part of the file that was not read
@@ -48,10 +51,10 @@ struct ExchangeCam {
 /// that is not a finite number (if the cause is a decimal comma, the error states this); for knots
 /// that do not ascend; for a number of knots or a hash that does not match; and for a format that
 /// cannot be read.
-std::vector<ExchangeCam> parse_exchange_cams(const std::string& text, const std::string& name,
-                                             bool decimal_comma = false);
+std::vector<ExchangeTable> parse_exchange_tables(const std::string& text, const std::string& name,
+                                                 bool decimal_comma = false);
 
-/// Reads a file that contains exactly one cam. Throws like parse_exchange_cams(), and if the file
+/// Reads a file that contains exactly one cam. Throws like parse_exchange_tables(), and if the file
 /// contains several cams.
 TableFile parse_exchange(const std::string& text, const std::string& name,
                          bool decimal_comma = false);

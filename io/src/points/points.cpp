@@ -16,25 +16,18 @@
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "io/src/points/header.hpp"
+#include "io/src/points/sheet.hpp"
+
 namespace jounce {
 
 namespace {
 
+using io_detail::trimmed;
+using io_detail::unquoted;
+
 constexpr bool is_blank(char c) {
   return c == ' ' || c == '\r' || c == '\v' || c == '\f';
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return is_blank(c) || c == '\t'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-/// A cell without the quotes around it.
-std::string_view unquoted(std::string_view cell) {
-  const bool quoted = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
-  return quoted ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
 }
 
 /// A number at the begin of [begin, end), and where its text ends; begin where it is none.
@@ -77,6 +70,7 @@ class Reader {
     if (!header_) fail("", "", "is empty: the first line must name the columns");
     first_row_ = at_;
     reserve();
+    if (next_line() && !read_units()) read_row();
     while (next_line()) read_row();
     if (points_.lines.empty()) fail("", "", "has a header but no points: add at least one row");
   }
@@ -126,35 +120,64 @@ class Reader {
                  : line.find(';') != line.npos  ? ';'
                  : line.find('\t') != line.npos ? '\t'
                                                 : ',';
-    std::string_view rest = line;
-    for (;;) {
-      const auto cut = rest.find(separator_);
-      add_column(unquoted(trimmed(rest.substr(0, cut))));
-      if (cut == rest.npos) break;
-      rest.remove_prefix(cut + 1);
+    std::vector<std::string_view> cells = cells_of(line);
+    while (cells.size() > 1 && cells.back().empty()) cells.pop_back();
+    if (cells.size() == 1 && cells_of(line).size() > 1) {
+      if (next_line()) read_header();  // the line was a title
+      return;
     }
+    for (const std::string_view cell : cells) add_column(cell);
     header_ = true;
   }
 
   void add_column(std::string_view cell) {
-    const auto bracket = cell.find('[');
-    PointColumn column;
-    for (const char c : trimmed(cell.substr(0, bracket)))
-      column.name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (column.name.empty() ||
-        number_at(column.name.data(), column.name.data() + column.name.size(), '.').end !=
-            column.name.data())
-      fail("header", cell,
-           "must be the name of a column, with or without a unit, such as position [mm]");
-    if (bracket != cell.npos) {
-      if (cell.back() != ']') fail(column.name, cell, "needs a closing bracket after its unit");
-      column.unit = trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2));
-      if (!is_unit(column.unit)) fail(column.name, column.unit, "is not a unit");
+    try {
+      PointColumn column = io_detail::column_of(cell);
+      if (points_.find(column.name) != nullptr)
+        throw InputError(column.name, "", "is the name of two columns: remove one");
+      is_words_.push_back(io_detail::has_words(column));
+      points_.columns.push_back(std::move(column));
+    } catch (const InputError& error) {
+      fail(error.key(), error.value(), error.rule());
     }
-    if (points_.find(column.name) != nullptr)
-      fail(column.name, "", "is the name of two columns: remove one");
-    is_words_.push_back(column.name == "type");
-    points_.columns.push_back(std::move(column));
+  }
+
+  /// The end of the cell that begins here: the separator, or the end of the line.
+  const char* cell_end(const char* cell, const char* end) const {
+    const char* from = cell;
+    while (from != end && is_blank(*from)) ++from;
+    if (from != end && *from == '"') {
+      const char* const quote = std::find(from + 1, end, '"');
+      if (quote != end) from = quote;
+    }
+    return std::find(from, end, separator_);
+  }
+
+  /// The cells of a line, without blanks and quotes.
+  std::vector<std::string_view> cells_of(std::string_view line) const {
+    std::vector<std::string_view> cells;
+    const char* const end = line.data() + line.size();
+    for (const char* cell = line.data();; ++cell) {
+      const char* const to = cell_end(cell, end);
+      cells.push_back(unquoted(trimmed({cell, static_cast<std::size_t>(to - cell)})));
+      if (to == end) return cells;
+      cell = to;
+    }
+  }
+
+  /// Reads a line of units under the names. False if the line is a point.
+  bool read_units() {
+    std::vector<std::string_view> cells =
+        cells_of({begin_, static_cast<std::size_t>(line_end_ - begin_)});
+    const auto& columns = points_.columns;
+    if (cells.size() < columns.size() || !io_detail::are_units(cells) ||
+        std::any_of(columns.begin(), columns.end(),
+                    [](const PointColumn& column) { return !column.unit.empty(); }))
+      return false;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      points_.columns[i].unit = io_detail::unit_of(cells[i]);
+    first_row_ = at_;
+    return true;
   }
 
   void reserve() {
@@ -187,26 +210,27 @@ class Reader {
 
   /// Reads a cell that is not a plain number: words, a decimal comma, or a mistake.
   const char* read_otherwise(const char* cell, std::size_t i) {
-    const char* to = std::find(cell, line_end_, separator_);
-    const std::string_view text = unquoted(trimmed({cell, static_cast<std::size_t>(to - cell)}));
+    const char* to = cell_end(cell, line_end_);
+    const std::string_view written = trimmed({cell, static_cast<std::size_t>(to - cell)});
+    const std::string_view text = unquoted(written);
     PointColumn& column = points_.columns[i];
-    require_length();
+    if (require_length(); i + 1 == points_.columns.size()) to = line_end_;
     if (is_words_[i]) {
       column.words.emplace_back(text);
       return to;
     }
     if (text.empty()) fail(column.name, text, "is empty: every point needs a number");
-    column.values.push_back(with_comma(column.name, text));
+    column.values.push_back(with_comma(column.name, text, text.size() < written.size()));
     return to;
   }
 
-  double with_comma(const std::string& key, std::string_view text) {
+  double with_comma(const std::string& key, std::string_view text, bool quoted) {
     const char other = point_ == '.' ? ',' : '.';
     const char* const to = text.data() + text.size();
     if (const Number plain = number_at(text.data(), to, point_);  // out of its quotes
         plain.end == to && !text.empty() && std::isfinite(plain.value))
       return plain.value;
-    if (separator_ == ',' || text.find(other) == text.npos)
+    if ((separator_ == ',' && !quoted) || text.find(other) == text.npos)
       fail(key, text, "must be a finite number");
     const char* const end = text.data() + text.size();
     const Number number = number_at(text.data(), end, other);
@@ -231,7 +255,10 @@ class Reader {
   /// Throws where the row is longer or shorter than the header.
   void require_length() {
     const std::size_t wanted = points_.columns.size();
-    const auto cells = static_cast<std::size_t>(std::count(begin_, line_end_, separator_)) + 1;
+    std::vector<std::string_view> all =
+        cells_of({begin_, static_cast<std::size_t>(line_end_ - begin_)});
+    while (all.size() > wanted && all.back().empty()) all.pop_back();
+    const std::size_t cells = all.size();
     if (cells == wanted) return;
     const bool commas = separator_ == ',' && cells == 2 * wanted;
     fail("row", std::to_string(cells) + (cells == 1 ? " value" : " values"),
@@ -280,6 +307,7 @@ std::vector<double> Points::in_unit(std::string_view name, const std::string& un
 }
 
 Points parse_points(std::string_view text, const std::string& document) {
+  if (io_detail::is_archive(text)) return io_detail::sheet_points(text, document);
   Points points;
   points.document = document;
   Reader(text, points).read();
@@ -302,8 +330,12 @@ bool begins_as_points(std::string_view text) {
          std::all_of(points.columns.begin(), points.columns.end(), is_name);
 }
 
+std::string point_file_bytes(const std::string& path) {
+  return read_file(io_detail::workbook_path(path), Archive::returned);
+}
+
 Points read_points(const std::string& path) {
-  return parse_points(read_file(path), path);
+  return parse_points(point_file_bytes(path), path);
 }
 
 }  // namespace jounce

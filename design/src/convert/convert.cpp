@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/convert.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
+
+#include "design/src/convert/for_controller.hpp"
+
+namespace jounce {
+namespace design_detail {
+
+using profiles_detail::rounded_input;
+
+TableFile in_units(TableFile file, const Conversion& wanted) {
+  const auto change = [](const char* key, std::string& unit, const std::string& to) {
+    if (!to.empty() && !is_unit(to)) throw InputError(key, to, "is not a known unit");
+    double factor = 1;
+    try {
+      if (!unit.empty() && !to.empty()) factor = conversion(unit, to);
+    } catch (const InputError&) {
+      throw InputError(key, to, "cannot be converted from the unit of the table, " + unit);
+    }
+    if (!to.empty()) unit = to;
+    return factor;
+  };
+  if (const double factor = change("master_unit", file.units.x, wanted.units.x); factor != 1)
+    file.table = stretched(file.table, factor);
+  if (const std::string& to = wanted.units.position; is_unit(to) && !is_position_unit(to))
+    throw InputError("position_unit", to,
+                     "is not a unit of position: give a length, an angle, or pulse, count or inc");
+  const double factor = change("position_unit", file.units.position, wanted.units.position);
+  Columns columns = file.table.columns();
+  if (factor != 1)
+    for (auto* column : {&columns.p, &columns.v, &columns.a})
+      for (double& value : *column) value *= factor;
+  const auto [least, most] = std::minmax_element(columns.p.begin(), columns.p.end());
+  const bool closes =
+      std::abs(columns.p.back() - columns.p.front()) <= rounded_input * (*most - *least);
+  const Extrapolation repeated = closes ? Extrapolation::wrap : Extrapolation::advance;
+  file.table = Table(file.table.axis(), file.table.rule(),
+                     wanted.periodic ? repeated : file.table.outside(), std::move(columns));
+  return file;
+}
+
+Sampled with_knots(const Input& input, const Conversion& wanted) {
+  return std::visit(
+      [&](const auto& curve) {
+        if (const auto& target = wanted.target) {
+          if (target->tolerance) require_certifiable(curve, "tolerance", *target->tolerance);
+          if (target->velocity_tolerance)
+            require_certifiable(derivative(curve), "velocity_tolerance",
+                                *target->velocity_tolerance);
+          return reduced(curve, *target);
+        }
+        return wanted.intervals > 0 ? sample(curve, wanted.rule, wanted.intervals)
+                                    : sample(curve, wanted.rule, input.table.table.columns().x);
+      },
+      *input.curve);
+}
+
+}  // namespace design_detail
+
+Converted converted(const Input& input, const Conversion& wanted) {
+  if (wanted.format != nullptr) return design_detail::for_controller(input, wanted);
+  Converted result{input.table, input.error};
+  if (wanted.rule != input.table.table.rule() || wanted.target || wanted.intervals > 0) {
+    Sampled made = design_detail::with_knots(input, wanted);
+    result = {{std::move(made.table), input.table.units, input.table.provenance}, made.error};
+  }
+  result.file = design_detail::in_units(std::move(result.file), wanted);
+  return result;
+}
+
+}  // namespace jounce

@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "design/src/convert/for_controller.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "jounce/base/units.hpp"
+#include "jounce/io/points_text.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/pvt/fill.hpp"
+
+namespace jounce::design_detail {
+namespace {
+
+using profiles_detail::rounded_input;
+using profiles_detail::rounded_sum;
+
+constexpr double share_of_stroke = 1e-4;  ///< default tolerance, as a share of the stroke
+
+bool joins_by_spline(const ExchangeFormat& format) {
+  return format.join == KnotJoin::spline || format.join == KnotJoin::clamped_spline;
+}
+
+/// The spline by which the controller joins the knots of a table. Its ends have the slopes of the
+/// table; if the ends are not documented, it is periodic if the cam repeats, otherwise natural.
+/// Numbers are rounded as in the file.
+Columns controller_spline(const ExchangeFormat& format, const Table& made) {
+  Columns columns{made.columns().x, made.columns().p, std::vector<double>(made.size()), {}};
+  if (format.single)
+    for (auto* column : {&columns.x, &columns.p})
+      for (double& value : *column) value = static_cast<double>(static_cast<float>(value));
+  const bool given = format.join == KnotJoin::clamped_spline;
+  std::vector<std::optional<double>> ends(given ? made.size() : 0);
+  if (given) ends.front() = made.columns().v.front(), ends.back() = made.columns().v.back();
+  const bool periodic = !given && repeats(made.outside());
+  columns.v = filled({.axis = Domain::master,
+                      .x = columns.x,
+                      .p = columns.p,
+                      .v = std::move(ends),
+                      .filling = periodic ? Filling::periodic : Filling::natural})
+                  .table.columns()
+                  .v;
+  return columns;
+}
+
+/// The columns in the units of the input.
+Columns in_units_of(const TableFile& input, const Units& units, Columns columns) {
+  const auto factor = [](const std::string& from, const std::string& to) {
+    return from.empty() || to.empty() ? 1.0 : conversion(from, to);
+  };
+  const double x = factor(units.x, input.units.x);
+  const double p = factor(units.position, input.units.position);
+  for (double& value : columns.x) value *= x;
+  for (double& value : columns.p) value *= p;
+  for (double& value : columns.v) value *= p / x;
+  return columns;
+}
+
+/// Sizes of the controller's steps, in the units of the input; 0: no steps.
+struct Steps {
+  double x = 0, p = 0;
+};
+
+/// Conversion of one input for one controller.
+class ForController {
+ public:
+  ForController(const Input& input, const Conversion& wanted)
+      : input_(input), wanted_(wanted), format_(*wanted.format), labels_(labels()) {
+    require_axis(format_, input.table.table);
+    if (format_.x == Numbers::of_unit)
+      file_units_.x = file_unit("master_unit", labels_.x, format_.x_unit, wanted.units.x);
+    if (format_.p == Numbers::of_unit)
+      file_units_.position = file_unit("position_unit", labels_.position, format_.position_units,
+                                       wanted.units.position);
+    steps_ = steps();
+    target_ = wanted.target.value_or(Target{});
+    target_.rule = wanted.rule;
+    target_.quadratic = format_.join == KnotJoin::quadratic;
+    target_.x_step = steps_.x;
+    target_.p_step = format_.p == Numbers::whole ? steps_.p : 0;
+    target_.v_step = 0;
+    if (format_.p == Numbers::whole && wanted.rule != Interpolation::linear)
+      target_.v_step =
+          steps_.p * (format_.x_unit[0] == '\0' ? 1 : conversion(labels_.x, format_.x_unit));
+    limit_ = target_.tolerance.value_or(default_limit());
+  }
+
+  Converted made() {
+    Converted result = played(knots());
+    // Knots that keep a tolerance with the rule of the table may not keep it with the spline: then
+    // more knots are used.
+    if (joins_by_spline(format_) && may_add_knots())
+      for (int i = 0; i < 30 && !keeps(result) && result.file.table.size() < format_.most; ++i) {
+        for (std::optional<double>* tolerance : {&target_.tolerance, &target_.velocity_tolerance})
+          if (*tolerance) **tolerance /= 2;
+        result = played(fewest_knots());
+      }
+    result.limit = limit_;
+    return result;
+  }
+
+ private:
+  /// The units of the input. For a file without units, the user states them.
+  [[nodiscard]] Units labels() const {
+    Units units = input_.table.units;
+    if (units.x.empty()) units.x = wanted_.units.x;
+    if (units.position.empty()) units.position = wanted_.units.position;
+    return units;
+  }
+
+  /// The unit in the file: the first of `possible` that the unit of the table converts to; `wanted`
+  /// if the format has no fixed units.
+  [[nodiscard]] std::string file_unit(const char* key, const std::string& of_table,
+                                      const std::string& possible,
+                                      const std::string& wanted) const {
+    if (possible.empty()) return wanted;
+    if (of_table.empty())
+      throw InputError(key, "",
+                       "is missing: the file names no unit. Give one, such as " +
+                           possible.substr(0, possible.find(' ')));
+    std::istringstream units(possible);
+    for (std::string unit; units >> unit;)
+      if (unit == wanted || (wanted.empty() && unit == of_table)) return unit;
+    units = std::istringstream(possible);
+    for (std::string unit; units >> unit;)
+      if (is_convertible(of_table, unit)) return unit;
+    throw InputError(key, of_table,
+                     std::string("is not possible in the format ") + format_.name +
+                         ", whose units are " + possible);
+  }
+
+  [[nodiscard]] Steps steps() const {
+    Steps all;
+    const Target given = wanted_.target.value_or(Target{});
+    if (format_.x_step > 0) {
+      all.x = format_.x_step * conversion(format_.x_unit, labels_.x);
+      const double multiple = given.x_step / all.x;
+      if (std::abs(multiple - std::round(multiple)) > rounded_input * multiple)
+        throw InputError("x_step", given.x_step,
+                         "must be a multiple of " + number(all.x) + " " + labels_.x +
+                             ", the step of the controller");
+      all.x = std::max(all.x, given.x_step);
+    } else {
+      all.x = given.x_step;
+    }
+    if (format_.x != Numbers::of_unit)
+      all.x = count("x_step", "first column", labels_.x, given.x_step);
+    if (format_.p != Numbers::of_unit)
+      all.p = count("p_step", "position", labels_.position, given.p_step);
+    return all;
+  }
+
+  /// Size of one count, as the user gives it, or by a unit that is a count.
+  [[nodiscard]] double count(const char* key, const char* what, const std::string& unit,
+                             double given) const {
+    if (given > 0) return given;
+    if (is_convertible("pulse", unit)) return conversion("pulse", unit);
+    throw InputError(key, "",
+                     std::string("is missing: the format ") + format_.name + " has the " + what +
+                         " in counts. Give the size of one count, such as 0.001 " +
+                         (unit.empty() ? "mm" : unit));
+  }
+
+  [[nodiscard]] double default_limit() const {
+    const Range travel =
+        std::visit([](const auto& curve) { return extrema(curve, 0); }, *input_.curve);
+    const double stroke = travel.max.value - travel.min.value;
+    const double rounding = rounded_sum * std::abs(travel.peak().value);
+    return std::max({share_of_stroke * stroke, target_.p_step, rounding,
+                     format_.single ? single_rounding * std::abs(travel.peak().value) : 0});
+  }
+  static constexpr double single_rounding =
+      0x1p-23;  ///< rounding of a REAL, as a share of its value
+
+  [[nodiscard]] bool keeps(const Converted& made) const {
+    return made.error->position <= limit_ &&
+           (!wanted_.target || !wanted_.target->velocity_tolerance ||
+            made.error->velocity <= *wanted_.target->velocity_tolerance);
+  }
+
+  /// True if the user requests neither knots nor a number of them.
+  [[nodiscard]] bool chooses_knots() const {
+    return wanted_.intervals == 0 && !target_.tolerance && !target_.velocity_tolerance &&
+           !target_.most;
+  }
+  [[nodiscard]] bool may_add_knots() const {
+    return wanted_.intervals == 0 && (target_.tolerance || target_.velocity_tolerance);
+  }
+
+  Sampled knots() {
+    if (wanted_.intervals > 0) return equal_intervals(wanted_.intervals);
+    if (format_.equal_steps) return equal_intervals(fewest_equal_intervals());
+    if (!chooses_knots()) return fewest_knots();
+    if (auto same = same_knots()) return *std::move(same);
+    target_.tolerance = limit_;
+    return fewest_knots();
+  }
+
+  /// The fewest knots for the target. A controller that cannot hold them gets its greatest number.
+  Sampled fewest_knots() {
+    Conversion conversion = wanted_;
+    conversion.target = target_;
+    Sampled made = with_knots(input_, conversion);
+    if (made.table.size() > format_.most) made = best_of_most(std::move(conversion));
+    return made.table.size() < format_.fewest ? equal_intervals(format_.fewest - 1) : made;
+  }
+
+  /// The best knots, as many as the controller can hold. If so few cannot keep the dwells of the
+  /// motion, they are at equal distances.
+  Sampled best_of_most(Conversion conversion) {
+    conversion.target->tolerance.reset();
+    conversion.target->velocity_tolerance.reset();
+    conversion.target->most = format_.most;
+    try {
+      return with_knots(input_, conversion);
+    } catch (const InputError& error) {
+      if (error.key() != "most") throw;
+      return equal_intervals(format_.most - 1);
+    }
+  }
+
+  /// The knots of the input, if they are good enough for the controller.
+  [[nodiscard]] std::optional<Sampled> same_knots() {
+    const Table& table = input_.table.table;
+    if (target_.p_step > 0 || !on_steps(table.columns().x) || table.size() > format_.most ||
+        table.size() < format_.fewest)
+      return std::nullopt;
+    if (target_.quadratic && !is_quadratic(table)) return std::nullopt;
+    Sampled made = table.rule() == wanted_.rule
+                       ? Sampled{table, input_.error.value_or(SampleError{})}
+                       : with_knots(input_, {.rule = wanted_.rule});
+    if (joins_by_spline(format_) ? !keeps(played(made)) : made.error.position > limit_)
+      return std::nullopt;
+    is_unchanged_ = table.rule() == wanted_.rule;
+    return made;
+  }
+
+  [[nodiscard]] bool on_steps(const std::vector<double>& x) const {
+    return steps_.x == 0 || std::all_of(x.begin(), x.end(), [&](double each) {
+             const double steps = each / steps_.x;
+             return std::abs(steps - std::round(steps)) <= rounded_input;
+           });
+  }
+
+  static bool is_quadratic(const Table& table) {
+    if (table.rule() != Interpolation::cubic_hermite) return false;
+    try {
+      return !points_of(table).empty();
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  /// Equal intervals, with positions in whole counts if the controller has such.
+  [[nodiscard]] Sampled equal_intervals(std::size_t n) const {
+    if (const auto counts = whole_travel(); counts && *counts % n != 0)
+      throw InputError("intervals", std::to_string(n),
+                       "must divide the travel of the first column, " + std::to_string(*counts) +
+                           " steps of the controller");
+    return std::visit(
+        [&](const auto& curve) {
+          Sampled made = sample(curve, wanted_.rule, n);
+          if (target_.p_step == 0) return made;
+          Columns columns = made.table.columns();
+          for (auto& [column, step] :
+               {std::pair{&columns.p, target_.p_step}, {&columns.v, target_.v_step}})
+            for (double& value : *column) value = step * std::round(value / step);
+          return certified(curve, wanted_.rule, std::move(columns));
+        },
+        *input_.curve);
+  }
+
+  /// Travel of the first column in steps; none if the controller has none.
+  [[nodiscard]] std::optional<std::size_t> whole_travel() const {
+    if (steps_.x == 0) return std::nullopt;
+    const Table& table = input_.table.table;
+    const double travel = (table.end() - table.start()) / steps_.x;
+    if (std::abs(travel - std::round(travel)) > rounded_input * travel)
+      throw InputError("x_step", steps_.x,
+                       "must divide the travel of the first column, " +
+                           number(table.end() - table.start()) + " " + labels_.x);
+    return static_cast<std::size_t>(std::llround(travel));
+  }
+
+  /// The least number of equal intervals within the tolerance, or the greatest possible one.
+  [[nodiscard]] std::size_t fewest_equal_intervals() const {
+    const std::size_t most = std::min(format_.most, target_.most.value_or(format_.most)) - 1;
+    std::vector<std::size_t> possible;
+    const auto counts = whole_travel();
+    for (std::size_t n = std::max<std::size_t>(format_.fewest - 1, 1); n <= most; ++n)
+      if (!counts || (*counts % n == 0 && static_cast<double>(*counts / n) <= format_.most_step))
+        possible.push_back(n);
+    if (possible.empty())
+      throw InputError("x_step", steps_.x,
+                       "leaves no possible number of equal intervals: there may be at most " +
+                           std::to_string(most) + ", of at most " + number(format_.most_step) +
+                           " counts, in a travel of " + std::to_string(*counts) + " counts");
+    if (target_.most && !target_.tolerance) return possible.back();
+    const auto fits = [&](std::size_t n) { return equal_intervals(n).error.position <= limit_; };
+    // The error falls about with the square of the number: few trials find the place.
+    std::size_t first = 0, end = 1;
+    while (end < possible.size() && !fits(possible[end - 1])) first = end, end *= 2;
+    end = std::min(end, possible.size());
+    const auto found = std::partition_point(possible.begin() + static_cast<std::ptrdiff_t>(first),
+                                            possible.begin() + static_cast<std::ptrdiff_t>(end),
+                                            [&](std::size_t n) { return !fits(n); });
+    return found == possible.end() ? possible.back() : *found;
+  }
+
+  /// The result as the controller plays it, in the units of the file.
+  [[nodiscard]] Converted played(Sampled made) const {
+    Conversion conversion = wanted_;
+    conversion.units = file_units_;
+    Units units = input_.table.units;
+    if (units.x.empty() && is_unit(labels_.x)) units.x = labels_.x;
+    if (units.position.empty() && is_unit(labels_.position)) units.position = labels_.position;
+    Converted result{{std::move(made.table), units, input_.table.provenance}, made.error};
+    if (is_unchanged_) result.error = input_.error;
+    result.file = in_units(std::move(result.file), conversion);
+    if (format_.x_rounding > 0) round_x(result);
+    if (joins_by_spline(format_)) play_spline(result);
+    if (format_.p != Numbers::of_unit) count_columns(result);
+    return result;
+  }
+
+  /// If the spline of the controller is documented, it becomes the table. Its distance from the
+  /// input is the error.
+  void play_spline(Converted& result) const {
+    Columns spline = controller_spline(format_, result.file.table);
+    result.error = std::visit(
+        [&](const auto& curve) {
+          return certified(curve, Interpolation::cubic_hermite,
+                           in_units_of(input_.table, result.file.units, spline))
+              .error;
+        },
+        *input_.curve);
+    if (format_.join == KnotJoin::clamped_spline)
+      result.file.table = Table(Domain::master, Interpolation::cubic_hermite,
+                                result.file.table.outside(), std::move(spline));
+  }
+
+  /// Rounds the first column to the digits of the file. A knot moves by half a digit at most, and
+  /// with it the motion by the way at the greatest velocity: twice this bounds the error.
+  void round_x(Converted& result) const {
+    Columns columns = result.file.table.columns();
+    const double first = columns.x.front();
+    for (double& x : columns.x)
+      x = std::round((x - first) / format_.x_rounding) * format_.x_rounding;
+    double moved = 0;
+    for (std::size_t i = 0; i < columns.x.size(); ++i)
+      moved = std::max(moved, std::abs(columns.x[i] - (result.file.table.columns().x[i] - first)));
+    if (moved > rounded_sum * (columns.x.back() - columns.x.front())) {
+      const Range velocity =
+          std::visit([](const auto& curve) { return extrema(curve, 1); }, *input_.curve);
+      if (!result.error) result.error = SampleError{};
+      result.error->position +=
+          2 * moved * conversion(format_.x_unit, labels_.x) * std::abs(velocity.peak().value);
+    }
+    result.file.table = Table(result.file.table.axis(), result.file.table.rule(),
+                              result.file.table.outside(), std::move(columns));
+  }
+
+  /// Changes the columns to counts.
+  void count_columns(Converted& result) const {
+    TableFile& file = result.file;
+    const auto size = [](double step, const std::string& unit) {
+      return "1 count is " + number(step) + (unit.empty() ? "" : " " + unit);
+    };
+    result.counts = "position: " + size(steps_.p, labels_.position);
+    if (format_.x != Numbers::of_unit)
+      result.counts = "master: " + size(steps_.x, labels_.x) + "; " + result.counts;
+    Columns columns = file.table.columns();
+    const auto divide = [](std::vector<double>& column, double step, bool whole) {
+      for (double& value : column) value = whole ? std::round(value / step) : value / step;
+    };
+    const bool whole = format_.p == Numbers::whole;
+    const double x = format_.x == Numbers::of_unit ? 1 : steps_.x;
+    divide(columns.x, x, format_.x == Numbers::whole);
+    divide(columns.p, steps_.p, whole);
+    divide(columns.v, steps_.p / x, whole);
+    divide(columns.a, steps_.p / (x * x), false);
+    file.table =
+        Table(file.table.axis(), file.table.rule(), file.table.outside(), std::move(columns));
+    file.units.position = "count";
+    if (format_.x != Numbers::of_unit) file.units.x = "count";
+  }
+
+  const Input& input_;
+  const Conversion& wanted_;
+  const ExchangeFormat& format_;
+  Units labels_;      ///< units of the input
+  Units file_units_;  ///< units of the file; "": counts, or unknown
+  Steps steps_;
+  Target target_;
+  double limit_ = 0;  ///< greatest permitted error of the position, in the unit of the input
+  bool is_unchanged_ = false;
+};
+
+}  // namespace
+
+Converted for_controller(const Input& input, const Conversion& wanted) {
+  return ForController(input, wanted).made();
+}
+
+}  // namespace jounce::design_detail

@@ -1,0 +1,520 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/base/file.hpp"
+#include "jounce/design/convert.hpp"
+
+#include "support/errors.hpp"
+
+// Each written file is played by an interpreter of the target's rule, and compared with the closed
+// form of the motion at 100 000 places. The interpreters follow the manuals of the controllers and
+// use no code of Jounce.
+namespace jounce::controller_files_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+// The two motions of the notes on formats. E: 40 mm by 3-4-5 over 0 to 120 deg, a dwell to 180, back
+// until 300, a dwell to 360. P: 40 mm by 3-4-5 in 0.4 s (from 0 to 0.5 s for Galil).
+double law_345(double s) {
+  s = std::clamp(s, 0.0, 1.0);
+  return s * s * s * (10 + s * (-15 + 6 * s));
+}
+double motion_e(double master) {
+  return 40 * (law_345(master / 120) - law_345((master - 180) / 120));
+}
+
+Input cam_e() {
+  return input_of(
+      {Table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
+             {{0, 120, 180, 300, 360}, {0, 40, 40, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}}),
+       {"deg", "mm"},
+       {}},
+      "e.csv");
+}
+
+Input move_p(double seconds) {
+  return input_of({Table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
+                         {{0, seconds}, {0, 40}, {0, 0}, {0, 0}}),
+                   {"s", "mm"},
+                   {}},
+                  "p.csv");
+}
+
+/// A polynomial between two knots, in powers of the distance from the first one.
+struct Piece {
+  double from, length;
+  std::vector<double> c;
+
+  [[nodiscard]] double at(double x) const {
+    double value = 0;
+    for (auto power = c.rbegin(); power != c.rend(); ++power) value = value * (x - from) + *power;
+    return value;
+  }
+};
+
+/// A motion as a controller plays it.
+struct Played {
+  std::vector<Piece> pieces = {};
+
+  [[nodiscard]] double end() const { return pieces.back().from + pieces.back().length; }
+  [[nodiscard]] double at(double x) const {
+    const auto next = std::partition_point(pieces.begin(), pieces.end(),
+                                           [&](const Piece& piece) { return piece.from <= x; });
+    return (next == pieces.begin() ? next : std::prev(next))->at(x);
+  }
+};
+
+struct Knot {
+  double x = 0, p = 0, v = 0, a = 0;
+};
+
+Played by_lines(const std::vector<Knot>& knots) {
+  Played played;
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const double h = knots[i].x - knots[i - 1].x;
+    played.pieces.push_back(
+        {knots[i - 1].x, h, {knots[i - 1].p, (knots[i].p - knots[i - 1].p) / h}});
+  }
+  return played;
+}
+
+Played by_cubics(const std::vector<Knot>& knots) {
+  Played played;
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const Knot &a = knots[i - 1], &b = knots[i];
+    const double h = b.x - a.x, mean = (b.p - a.p) / h;
+    played.pieces.push_back(
+        {a.x, h, {a.p, a.v, (3 * mean - 2 * a.v - b.v) / h, (a.v + b.v - 2 * mean) / (h * h)}});
+  }
+  return played;
+}
+
+/// The quintic with p = p0 + v0 u + a0 u^2 / 2 + k3 u^3 + k4 u^4 + k5 u^5, from its three conditions at
+/// the end.
+Played by_quintics(const std::vector<Knot>& knots) {
+  Played played;
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const Knot &a = knots[i - 1], &b = knots[i];
+    const double h = b.x - a.x;
+    const double p = b.p - a.p - a.v * h - a.a * h * h / 2, v = (b.v - a.v - a.a * h) * h,
+                 r = (b.a - a.a) * h * h;
+    const double k3 = 10 * p - 4 * v + r / 2, k4 = -15 * p + 7 * v - r, k5 = 6 * p - 3 * v + r / 2;
+    played.pieces.push_back(
+        {a.x,
+         h,
+         {a.p, a.v, a.a / 2, k3 / (h * h * h), k4 / (h * h * h * h), k5 / (h * h * h * h * h)}});
+  }
+  return played;
+}
+
+/// Googol's segments: the velocity is linear; a normal one begins with the velocity before.
+struct PtSegment {
+  double x = 0, p = 0;
+  int type = 0;
+};
+Played by_parabolas(const std::vector<PtSegment>& segments) {
+  Played played;
+  double x = 0, p = 0, v = 0;
+  for (const PtSegment& each : segments) {
+    const double h = each.x - x, mean = (each.p - p) / h;
+    const double from = each.type == 1 ? mean : each.type == 2 ? 2 * mean : v;
+    v = 2 * mean - from;
+    played.pieces.push_back({x, h, {p, from, (v - from) / (2 * h)}});
+    x = each.x, p = each.p;
+  }
+  return played;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The numbers after each occurrence of a word: "dX := " in "(dX := 1.5, dY := 2)".
+std::vector<double> numbers_after(const std::string& text, const std::string& word) {
+  std::vector<double> all;
+  for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+    all.push_back(std::strtod(text.c_str() + at + word.size(), nullptr));
+  return all;
+}
+
+std::vector<Knot> knots_after(const std::string& text, const std::vector<std::string>& words) {
+  std::vector<Knot> knots(numbers_after(text, words[0]).size());
+  for (std::size_t column = 0; column < words.size(); ++column) {
+    const auto values = numbers_after(text, words[column]);
+    EXPECT_EQ(values.size(), knots.size()) << words[column];
+    for (std::size_t i = 0; i < values.size(); ++i)
+      (column == 0   ? knots[i].x
+       : column == 1 ? knots[i].p
+       : column == 2 ? knots[i].v
+                     : knots[i].a) = values[i];
+  }
+  return knots;
+}
+
+Played play_pairs(const std::string& text) {
+  std::vector<Knot> knots;
+  for (const std::string& line : lines_of(text)) {
+    Knot knot;
+    if (std::sscanf(line.c_str(), "%lf%*[;\t]%lf", &knot.x, &knot.p) == 2) knots.push_back(knot);
+  }
+  return by_lines(knots);
+}
+
+Played play_xps(const std::string& text) {
+  std::vector<Knot> knots{{}};
+  for (const std::string& line : lines_of(text)) {
+    double dt = 0, dp = 0, v = 0;
+    EXPECT_EQ(std::sscanf(line.c_str(), "%lf, %lf, %lf", &dt, &dp, &v), 3) << line;
+    knots.push_back({knots.back().x + dt, knots.back().p + dp, v});
+  }
+  EXPECT_EQ(knots.back().v, 0);
+  return by_cubics(knots);
+}
+
+Played play_zaber(const std::string& text) {
+  const auto lines = lines_of(text);
+  EXPECT_EQ(lines[0], "Time (s),Axis 1 Position (mm),Axis 1 Velocity (mm/s)");
+  std::vector<Knot> knots;
+  double x = 0;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    Knot knot;
+    double dt = 0;
+    EXPECT_EQ(std::sscanf(lines[i].c_str(), "%lf,%lf,%lf", &dt, &knot.p, &knot.v), 3);
+    knot.x = x += dt;
+    knots.push_back(knot);
+  }
+  return by_cubics(knots);
+}
+
+Played play_ros(const std::string& text) {
+  std::vector<Knot> knots;
+  for (const std::string& line : lines_of(text)) {
+    Knot k;
+    long sec = 0, nanosec = 0;
+    if (std::sscanf(
+            line.c_str(),
+            "- {positions: [%lf], velocities: [%lf], accelerations: [%lf], time_from_start: "
+            "{sec: %ld, nanosec: %ld}}",
+            &k.p, &k.v, &k.a, &sec, &nanosec) != 5)
+      continue;
+    EXPECT_LT(nanosec, 1'000'000'000);
+    k.x = static_cast<double>(sec) + 1e-9 * static_cast<double>(nanosec);
+    knots.push_back(k);
+  }
+  return by_quintics(knots);
+}
+
+Played play_galil(const std::string& text) {
+  long modulus = 0, advance = 0, interval = 0;
+  std::vector<Knot> knots;
+  for (const std::string& line : lines_of(text)) {
+    long k = 0, p = 0;
+    (void)std::sscanf(line.c_str(), "EM %ld,%ld", &modulus, &advance);
+    (void)std::sscanf(line.c_str(), "EP %ld", &interval);
+    if (std::sscanf(line.c_str(), "ET[%ld]=,%ld", &k, &p) == 2)
+      knots.push_back({static_cast<double>(k * interval), static_cast<double>(p)});
+  }
+  EXPECT_LE(interval, 32767);
+  EXPECT_LE(knots.size(), 257U);
+  EXPECT_EQ(modulus, interval * static_cast<long>(knots.size() - 1));
+  EXPECT_EQ(advance, static_cast<long>(knots.back().p - knots.front().p));
+  return by_lines(knots);
+}
+
+Played play_galil_pvt(const std::string& text) {
+  std::vector<Knot> knots{{}};
+  for (const std::string& line : lines_of(text)) {
+    long p = 0, v = 0, t = 0;
+    if (std::sscanf(line.c_str(), "PVA=%ld,%ld,%ld", &p, &v, &t) != 3 || t <= 0) continue;
+    EXPECT_EQ(t % 2, 0);
+    knots.push_back({knots.back().x + static_cast<double>(t) * 976.5625e-6,
+                     knots.back().p + static_cast<double>(p), static_cast<double>(v)});
+  }
+  EXPECT_THAT(text, HasSubstr("\nPVA=0,0,0\nBTA\n"));
+  return by_cubics(knots);
+}
+
+Played play_trio(const std::string& text) {
+  std::vector<double> table;
+  long first = 0, last = 0, link = 0, options = 0;
+  double multiplier = 0, distance = 0;
+  for (const std::string& line : lines_of(text)) {
+    if (line.starts_with("TABLE(")) {
+      std::istringstream values(line.substr(6));
+      std::string cell;
+      std::getline(values, cell, ',');
+      EXPECT_EQ(std::stoul(cell), 1000 + table.size());
+      while (std::getline(values, cell, ',')) table.push_back(std::stod(cell));
+    }
+    (void)std::sscanf(line.c_str(), "CAMBOX(%ld,%ld,%lf,%lf,%ld,%ld)", &first, &last, &multiplier,
+                      &distance, &link, &options);
+  }
+  EXPECT_EQ(options, 4) << "repeats";
+  EXPECT_EQ(table.front(), 0) << "relative to the start";
+  std::vector<Knot> knots;
+  for (long i = first; i <= last; ++i)
+    knots.push_back({distance * static_cast<double>(i - first) / static_cast<double>(last - first),
+                     multiplier * table.at(static_cast<std::size_t>(i - 1000))});
+  return by_lines(knots);
+}
+
+Played play_googol(const std::string& text, const char* call, bool follows) {
+  std::vector<PtSegment> segments;
+  for (auto at = text.find(call); at != text.npos; at = text.find(call, at + 1)) {
+    double a = 0, b = 0;
+    int type = 0, fifo = 0;
+    EXPECT_EQ(std::sscanf(text.c_str() + at + std::string(call).size(), "(axis, %lf, %lf, %d, %d)",
+                          &a, &b, &type, &fifo),
+              4);
+    segments.push_back(follows ? PtSegment{a, b, type} : PtSegment{b, a, type});
+    EXPECT_EQ(segments.back().x, std::round(segments.back().x)) << "a long";
+  }
+  return by_parabolas(segments);
+}
+
+Played play_hmpl(const std::string& text) {
+  const auto array = [&](const std::string& name) {
+    const auto from = text.find('{', text.find(name)), to = text.find('}', from);
+    std::istringstream list(text.substr(from + 1, to - from - 1));
+    std::vector<double> values;
+    for (std::string cell; std::getline(list, cell, ',');) values.push_back(std::stod(cell));
+    return values;
+  };
+  const auto t = array("pvt_time"), p = array("pvt_position"), v = array("pvt_velocity");
+  EXPECT_LE(t.size(), 50U);
+  std::vector<Knot> knots;
+  for (std::size_t i = 0; i < t.size(); ++i) knots.push_back({t[i] / 1000, p.at(i), v.at(i)});
+  return by_cubics(knots);
+}
+
+/// A format with its interpreter and the sizes of the file's units.
+struct Target345 {
+  const char* format;
+  std::function<Played(const std::string&)> play;
+  double x = 1;  ///< unit of the file in s or deg
+  double p = 1;  ///< unit of the file in mm
+  double seconds = 0.4;
+  double x_count = 0, p_count = 0;  ///< sizes of a count, as the user gives them
+  double tolerance = 0;             ///< mm; 0: the default, a ten-thousandth of the stroke
+};
+
+const std::vector<Target345>& targets() {
+  static const std::vector<Target345> all{
+      {"codesys",
+       [](const auto& text) {
+         return by_quintics(knots_after(text, {"dX := ", "dY := ", "dV := ", "dA := "}));
+       }},
+      {"twincat",
+       [](const auto& text) {
+         return by_quintics(
+             knots_after(text, {"MasterPos := ", "SlavePos := ", "SlaveVelo := ", "SlaveAcc := "}));
+       }},
+      {"siemens",
+       [](const auto& text) {
+         return by_quintics(knots_after(text, {"leadingValue := ", "followingValue := ",
+                                               "velocityRatio := ", "accelerationRatio := "}));
+       }},
+      {"pairs", play_pairs},
+      {"sew", play_pairs},
+      {"xps", play_xps},
+      {"zaber", play_zaber},
+      {"ros", play_ros, 1, 1000},
+      {"galil", play_galil, 0.01, 0.001, 0, 0.01, 0.001, 0.005},
+      {"galil-pvt", play_galil_pvt, 1, 0.001, 0.5, 0, 0.001},
+      {"trio", play_trio, 1, 0.001, 0, 0, 0.001},
+      {"googol-pt", [](const auto& text) { return play_googol(text, "GT_PtData", false); }, 1e-3,
+       0.001, 0.4, 0, 0.001},
+      {"googol-pt-st", [](const auto& text) { return play_googol(text, "GT_PtData", false); }, 1e-3,
+       0.001, 0.4, 0, 0.001},
+      {"googol-follow", [](const auto& text) { return play_googol(text, "GT_FollowData", true); },
+       0.01, 0.001, 0, 0.01, 0.001},
+      {"googol-follow-st",
+       [](const auto& text) { return play_googol(text, "GT_FollowData", true); }, 0.01, 0.001, 0,
+       0.01, 0.001},
+      {"hmpl", play_hmpl}};
+  return all;
+}
+
+struct Written {
+  const ExchangeFormat& format;
+  Input input;
+  Converted made;
+  std::string text;
+};
+
+Written written(const Target345& target) {
+  const ExchangeFormat& format = *exchange_format_named(target.format);
+  Conversion wanted{.rule = rule_of(format), .format = &format};
+  if (target.p_count > 0)
+    wanted.target = Target{.x_step = target.x_count, .p_step = target.p_count};
+  if (target.tolerance > 0) wanted.target->tolerance = target.tolerance;
+  Input input = format.axis == Domain::master ? cam_e() : move_p(target.seconds);
+  Converted made = converted(input, wanted);
+  std::string text = exchange_text(format, made.file);
+  return {format, std::move(input), std::move(made), std::move(text)};
+}
+
+class ControllerFile : public ::testing::TestWithParam<Target345> {};
+
+TEST_P(ControllerFile, PlaysTheMotionWithTheStatedError) {
+  const Target345& target = GetParam();
+  const Written file = written(target);
+  const Played played = target.play(file.text);
+  const bool cam = file.format.axis == Domain::master;
+  const double end = cam ? 360 : target.seconds;
+  EXPECT_NEAR(played.end() * target.x, end, 1e-9 * end);
+  const double stated = file.made.error ? file.made.error->position : 0;
+  double greatest = 0;
+  constexpr int places = 100'000;
+  for (int i = 0; i <= places; ++i) {
+    const double x = end * i / places;
+    const double wanted = cam ? motion_e(x) : 40 * law_345(x / end);
+    greatest = std::max(greatest, std::abs(played.at(x / target.x) * target.p - wanted));
+  }
+  EXPECT_LE(greatest, stated + 1e-9);
+  EXPECT_LE(stated, target.tolerance > 0 ? target.tolerance : 4e-3);
+  if (stated > 1e-8) {
+    EXPECT_GT(greatest, 0.95 * stated) << "the stated error occurs";
+  }
+}
+
+TEST_P(ControllerFile, IsReadAgain) {
+  const Written file = written(GetParam());
+  const std::string name = std::string("f") + file.format.extension;
+  EXPECT_EQ(exchange_format_of_text(file.text, name), &file.format);
+  const auto tables = parse_exchange_tables(file.text, name);
+  ASSERT_EQ(tables.size(), 1U);
+  const Table& back = tables[0].file.table;
+  EXPECT_EQ(back.axis(), file.format.axis);
+  if (file.format.states_period || file.format.keeps_notes) {
+    EXPECT_EQ(back.outside(), file.made.file.table.outside());
+  }
+  EXPECT_EQ(back.rule(), file.made.file.table.rule());
+  ASSERT_EQ(back.size(), file.made.file.table.size());
+  const Columns &a = back.columns(), &b = file.made.file.table.columns();
+  for (std::size_t i = 0; i < a.x.size(); ++i) {
+    EXPECT_NEAR(a.x[i], b.x[i] - b.x[0], 1e-12 * b.x.back());
+    EXPECT_NEAR(a.p[i], b.p[i], 1e-9);
+    if (!a.v.empty()) {
+      EXPECT_NEAR(a.v[i], b.v[i], 1e-6);
+    }
+  }
+}
+
+/// The text without the version of the program and without the hash.
+std::string anonymous(std::string text) {
+  for (const auto& [word, end] : {std::pair{"jounce ", '\0'}, {"sha256: ", '\n'}})
+    for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+      const auto from = at + std::string(word).size();
+      const auto to = end != '\0'
+                          ? text.find(end, from)
+                          : text.find_first_not_of("0123456789.", from) -
+                                (text[text.find_first_not_of("0123456789.", from) - 1] == '.');
+      text.replace(from, to - from, "*");
+    }
+  return text;
+}
+
+TEST_P(ControllerFile, IsTheGoldenFile) {
+  const Written file = written(GetParam());
+  const std::string path =
+      std::string(JOUNCE_SOURCE_DIR "/tests/design/controller_files/") + file.format.name;
+  if (std::getenv("JOUNCE_WRITE_GOLDEN") != nullptr) write_file(path, anonymous(file.text));
+  EXPECT_EQ(anonymous(file.text), read_file(path));
+}
+
+TEST_P(ControllerFile, OfAnyTruncationIsReadOrRejected) {
+  const Written file = written(GetParam());
+  const std::string name = std::string("f") + file.format.extension;
+  std::size_t rejected = 0;
+  for (std::size_t length = 0; length < file.text.size();
+       length += 1 + (length > 2000 && length + 2000 < file.text.size() ? 97 : 0)) {
+    try {
+      (void)parse_exchange_tables(file.text.substr(0, length), name);
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.document(), name);
+      ++rejected;
+    }
+  }
+  EXPECT_GT(rejected, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ControllerFile, ::testing::ValuesIn(targets()),
+                         [](const auto& each) {
+                           std::string name = each.param.format;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(ControllerFiles, WithTooFewKnotsAreNotWithinTheLimit) {
+  const ExchangeFormat& galil = *exchange_format_named("galil");
+  Conversion wanted{.rule = Interpolation::linear,
+                    .target = Target{.x_step = 0.01, .p_step = 0.001},
+                    .intervals = 12,
+                    .format = &galil};
+  const Converted made = converted(cam_e(), wanted);
+  EXPECT_FALSE(made.within_limit());
+  EXPECT_NEAR(made.error->position, 1.44, 0.01) << "the notes on formats, 5.9";
+  EXPECT_EQ(made.counts, "master: 1 count is 0.01 deg; position: 1 count is 0.001 mm");
+  EXPECT_THAT(conversion_text(cam_e(), made, {"galil", &galil}, {}),
+              HasSubstr("the error exceeds the tolerance, 0.004 mm; the format holds at most 257"));
+}
+
+TEST(ControllerFiles, OfFourStepsLoseWhatTheNotesState) {
+  const ExchangeFormat& xps = *exchange_format_named("xps");
+  const Converted made = converted(
+      move_p(0.4), {.rule = Interpolation::cubic_hermite, .intervals = 4, .format = &xps});
+  EXPECT_NEAR(made.error->position, 0.110, 0.001) << "the notes on formats, 5.7";
+  EXPECT_EQ(exchange_text(xps, made.file).substr(0, 27), "0.1, 4.140625, 105.46875\n0.");
+}
+
+TEST(ControllerFiles, NameWhatAFormatNeeds) {
+  const auto rule = [](const Input& input, const char* name) {
+    const ExchangeFormat& format = *exchange_format_named(name);
+    return test::error_of(
+        [&] { (void)converted(input, {.rule = rule_of(format), .format = &format}); });
+  };
+  EXPECT_EQ(rule(cam_e(), "trio"),
+            "p_step: is missing: the format trio has the position in counts. Give the size of one "
+            "count, such as 0.001 mm");
+  EXPECT_THAT(rule(cam_e(), "galil"), HasSubstr("x_step: is missing"));
+  EXPECT_THAT(rule(cam_e(), "xps"), HasSubstr("is for motions over time; this table is a cam"));
+  EXPECT_THAT(rule(move_p(0.4), "trio"), HasSubstr("is for cams"));
+  Input turn = input_of(
+      {Table(Domain::time, Interpolation::linear, Extrapolation::hold, {{0, 1}, {0, 90}, {}, {}}),
+       {"s", "deg"},
+       {}},
+      "t.csv");
+  EXPECT_THAT(rule(turn, "zaber"), HasSubstr("position_unit = deg: is not possible in the format "
+                                             "zaber, whose units are mm cm"));
+  EXPECT_EQ(rule(cam_e(), "hmpl-gear"), "") << "the error decides";
+  const ExchangeFormat& gear = *exchange_format_named("hmpl-gear");
+  EXPECT_FALSE(converted(cam_e(), {.rule = Interpolation::linear, .format = &gear}).within_limit());
+}
+
+TEST(ControllerFiles, BeginAndEndAtRestWhereTheFormatDoes) {
+  const ExchangeFormat& xps = *exchange_format_named("xps");
+  const TableFile moving{Table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
+                               {{0, 1}, {0, 1}, {0, 1}, {}}),
+                         {"s", "mm"},
+                         {}};
+  EXPECT_THAT(test::error_of([&] { (void)exchange_text(xps, moving); }),
+              HasSubstr("velocity = 1: must be 0 at both ends"));
+}
+
+}  // namespace
+}  // namespace jounce::controller_files_test
