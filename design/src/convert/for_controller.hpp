@@ -7,8 +7,8 @@ namespace jounce::design_detail {
 
 /// Returns the table in the requested units, periodic if requested.
 TableFile in_units(TableFile file, const Conversion& wanted);
-/// Returns a table of the input with the requested knots: those of the target, equal intervals, or
-/// the knots of the input.
+/// Returns a table of the input with the requested knots: the knots that the target determines,
+/// equal intervals, or the knots of the input.
 Sampled with_knots(const Input& input, const Conversion& wanted);
 
 /// Returns the table that a controller plays from a file in wanted.format: with its units, its

@@ -32,9 +32,10 @@ struct Converted {
   /// its table; for a table, nullopt.
   std::optional<SampleError> error;
   /// Greatest permitted error of the position for the format of a controller, in the unit of the
-  /// input: that of the target, otherwise a ten-thousandth of the stroke.
+  /// input: the tolerance of the target; if it has none, a ten-thousandth of the stroke.
   std::optional<double> limit = {};
-  std::string counts = {};  ///< for a format in counts: their sizes, as a sentence; otherwise ""
+  /// for a format in counts: sizes of the counts, as a sentence; otherwise ""
+  std::string counts = {};
 
   /// True if the error is within the limit.
   [[nodiscard]] bool within_limit() const { return !error || !limit || error->position <= *limit; }
@@ -45,11 +46,11 @@ struct Converted {
 ///
 /// For the format of a controller, the knots stay if the controller then plays the motion within
 /// the limit; otherwise the fewest knots within the limit replace them. If the controller cannot
-/// store so many, the error exceeds the limit (within_limit()). The units and the counts are those
-/// of the file. If the controller joins the knots by a spline (KnotJoin), the error and its
-/// tolerance apply to this spline, with the numbers rounded as in the file. If the end conditions
-/// of the spline are not documented, they are assumed to be natural, or periodic if the cam
-/// repeats. For a format in counts, target->x_step and p_step are the sizes of a count.
+/// store so many knots, the error exceeds the limit (within_limit()). The table has the units and
+/// the counts of the file. If the controller joins the knots by a spline (KnotJoin), the error and
+/// its tolerance apply to this spline, with the numbers rounded as in the file. If the end
+/// conditions of the spline are not documented, they are assumed to be natural, or periodic if the
+/// cam repeats. For a format in counts, target->x_step and p_step are the sizes of a count.
 ///
 /// Throws InputError with the name of a member of Target ("tolerance", "x_step", ...), or with
 /// "master_unit" or "position_unit" for a unit that is unknown or of another quantity.

@@ -55,7 +55,7 @@ struct Points {
   [[nodiscard]] std::size_t size() const { return lines.size(); }
   /// Returns the column of this name; null if the file has no such column.
   [[nodiscard]] const PointColumn* find(std::string_view name) const;
-  /// Gives a column the wanted name if it is the only one with another known name of it: the column
+  /// Gives a column a wanted name if no other column has a known synonym of this name: the column
   /// "MasterPos" becomes "master", "Zeit" becomes "time". `wanted`: all columns that the caller
   /// reads.
   void name_columns(std::span<const std::string> wanted);

@@ -30,9 +30,9 @@ namespace jounce {
 void require_axis(const ExchangeFormat& format, const Table& table);
 
 /// Returns the text of the table in the format. Throws InputError for a table over time, for an
-/// interpolation rule that the format does not have, and for too few or too many knots. For a format
-/// in counts, the table must be in counts; if a motion of the format ends at rest, the table must
-/// end at rest.
+/// interpolation rule that the format does not have, and for too few or too many knots. For a
+/// format in counts, the table must be in counts; if the format is for motions that end at rest,
+/// the table must end at rest.
 std::string exchange_text(const ExchangeFormat& format, const TableFile& file);
 
 /// One cam of a file.

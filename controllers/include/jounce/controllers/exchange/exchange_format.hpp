@@ -45,7 +45,7 @@ struct ExchangeFormat {
   const char* position_units = "";
   Numbers x = Numbers::of_unit;  ///< numbers of the first column
   Numbers p = Numbers::of_unit;  ///< numbers of the position and its derivatives
-  /// For a first column in x_unit: the knots are at whole multiples of this step; 0: anywhere.
+  /// For a first column in x_unit: the knots are at whole multiples of this step; 0: at any value.
   double x_step = 0;
   double x_rounding = 0;  ///< size of the last digit of the first column, in x_unit; 0: all digits
   bool equal_steps = false;  ///< true if all intervals are equal
