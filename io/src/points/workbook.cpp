@@ -17,8 +17,8 @@ namespace jounce::io_detail {
 namespace {
 
 constexpr zip_uint64_t most_bytes = zip_uint64_t{1} << 28U;  ///< size of one part, unpacked
-constexpr std::uint32_t most_sheet_rows = 1'048'576,
-                        most_columns = 16'384;  ///< limits of the programs
+constexpr std::uint32_t most_sheet_rows = 1'048'576;         ///< limit of the programs
+constexpr std::uint32_t most_columns = 16'384;               ///< limit of the programs
 
 [[noreturn]] void fail(const std::string& rule) {
   throw InputError("", "", rule);
