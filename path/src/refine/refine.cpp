@@ -49,8 +49,8 @@ constexpr double last_margin = 0.02;
 constexpr int corrections = 3;       ///< rounds in which limits are lowered
 constexpr double coarse_gap = 2e-2;  ///< share of the duration
 constexpr double fine_gap = 1e-3;
-constexpr double start_use = 0.9;    ///< greatest share of the limits of a start
-constexpr double least_gain = 1e-6;  ///< share of the duration of a run
+constexpr double start_use = 0.9;      ///< greatest share of the limits of a start
+constexpr double least_saving = 1e-6;  ///< share of the duration of a run
 constexpr std::size_t orders = 3;
 
 /// Squared velocities at places of a run; linear between them.
@@ -59,21 +59,21 @@ struct Speeds {
 };
 
 /// A part of the plan from rest to rest.
-struct Run {
+struct LawRun {
   std::size_t begin = 0, end = 0;  ///< its stretches
   double start = 0, length = 0;    ///< q
   double time = 0, duration = 0;   ///< s
   std::size_t piece = 0, pieces = 0;
 };
 
-std::vector<Run> runs_of(std::span<const LawInterval> law) {
-  std::vector<Run> runs;
+std::vector<LawRun> runs_of(std::span<const LawInterval> law) {
+  std::vector<LawRun> runs;
   for (std::size_t i = 0; i < law.size();) {
     if (law[i].pieces == 0) {
       ++i;
       continue;
     }
-    Run run{i, i + 1, law[i].start, 0, law[i].time, 0, law[i].piece, 0};
+    LawRun run{i, i + 1, law[i].start, 0, law[i].time, 0, law[i].piece, 0};
     while (run.end < law.size() && law[run.end].pieces > 0 && law[run.end].v0 > 0) ++run.end;
     const LawInterval& last = law[run.end - 1];
     run.length = last.start + last.length - run.start;
@@ -117,7 +117,7 @@ Speeds equal_times(const Speeds& speeds, std::size_t count) {
 /// Factors up to 1 of the limits of acceleration and jerk of each axis, over equal parts of a run.
 class Lowered {
  public:
-  Lowered(const Run& run, std::size_t axes, std::size_t parts)
+  Lowered(const LawRun& run, std::size_t axes, std::size_t parts)
       : run_(run), parts_(parts), factors_(axes * parts * orders, 1.0), axes_(axes) {}
 
   [[nodiscard]] double at(std::size_t axis, std::size_t order, double q) const {
@@ -140,7 +140,7 @@ class Lowered {
     return (part * axes_ + axis) * orders + order;
   }
 
-  const Run& run_;
+  const LawRun& run_;
   std::size_t parts_;
   std::vector<double> factors_;
   std::size_t axes_;
@@ -149,7 +149,7 @@ class Lowered {
 /// The convex problem of a run.
 class RunProblem {
  public:
-  RunProblem(const Plan& plan, const Run& run, const Lowered& lowered)
+  RunProblem(const Plan& plan, const LawRun& run, const Lowered& lowered)
       : plan_(plan),
         path_(plan.path()),
         run_(run),
@@ -295,7 +295,7 @@ class RunProblem {
 
   const Plan& plan_;
   const Path& path_;
-  const Run& run_;
+  const LawRun& run_;
   const Lowered& lowered_;
   Rates rates_;
   std::size_t n_;
@@ -307,7 +307,7 @@ class RunProblem {
 /// Solves successive problems of one run.
 class RunLaw {
  public:
-  RunLaw(const Plan& plan, const Run& run, std::size_t count)
+  RunLaw(const Plan& plan, const LawRun& run, std::size_t count)
       : plan_(plan),
         run_(run),
         count_(count),
@@ -352,7 +352,7 @@ class RunLaw {
 
  private:
   const Plan& plan_;
-  const Run& run_;
+  const LawRun& run_;
   std::size_t count_;
   Lowered lowered_;
   RunProblem problem_;
@@ -395,11 +395,11 @@ class Refinement {
 
  private:
   /// True for a single line, whose law is the fastest one.
-  [[nodiscard]] bool is_best(const Run& run) const {
+  [[nodiscard]] bool is_best(const LawRun& run) const {
     return run.pieces == 1 && plan_.path().pieces()[run.piece].kind == PieceKind::line;
   }
 
-  [[nodiscard]] std::size_t nodes_of(const Run& run) const {
+  [[nodiscard]] std::size_t nodes_of(const LawRun& run) const {
     const auto stretches = plan_.law().stretches().subspan(run.begin, run.end - run.begin);
     const bool window = std::any_of(stretches.begin(), stretches.end(),
                                     [](const LawInterval& s) { return s.single_phase; });
@@ -408,11 +408,11 @@ class Refinement {
   }
 
   /// A law that is faster than that of the plan; empty if none is found.
-  [[nodiscard]] std::vector<LawInterval> faster(const Run& run, std::size_t nodes) const {
+  [[nodiscard]] std::vector<LawInterval> faster(const LawRun& run, std::size_t nodes) const {
     RunLaw law(plan_, run, nodes);
     for (const double margin : margins) law.solve(margin, coarse_gap);
     std::vector<LawInterval> best;
-    double least = run.duration * (1 - least_gain);
+    double least = run.duration * (1 - least_saving);
     for (int i = 0; i <= corrections; ++i) {
       law.solve(last_margin, fine_gap);
       std::vector<LawInterval> next = law.law();
@@ -429,7 +429,7 @@ class Refinement {
 
   /// The factor of the time with which a law of a run keeps all limits, by exact extrema. Lowers
   /// the limits where an axis exceeds them.
-  double excess(const Run& run, const std::vector<LawInterval>& law, Lowered& lowered) const {
+  double excess(const LawRun& run, const std::vector<LawInterval>& law, Lowered& lowered) const {
     const Plan trial = alone(run, law);
     const GroupLimits& limits = plan_.given().limits;
     double factor = 1;
@@ -466,7 +466,7 @@ class Refinement {
   }
 
   /// The plan of the run alone, on the same path.
-  [[nodiscard]] Plan alone(const Run& run, std::vector<LawInterval> law) const {
+  [[nodiscard]] Plan alone(const LawRun& run, std::vector<LawInterval> law) const {
     for (LawInterval& s : law) s.start += run.start;
     return Plan(plan_.path(), TimingLaw(std::move(law)), {}, 0, plan_.given());
   }
@@ -499,7 +499,7 @@ class Refinement {
   }
 
   const Plan& plan_;
-  std::vector<Run> runs_;
+  std::vector<LawRun> runs_;
   std::vector<std::vector<LawInterval>> laws_;  ///< one for each run; empty: that of the plan
 };
 
