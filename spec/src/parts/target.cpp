@@ -7,18 +7,11 @@
 namespace jounce::spec_detail {
 namespace {
 
-std::optional<double> optional_positive(TomlReader& table, const std::string& key,
-                                        const std::string& unit) {
-  const auto value = table.optional_number(key.c_str(), unit);
-  if (value && !(*value > 0)) table.fail(key.c_str(), number(*value), "must be greater than 0");
-  return value;
-}
-
 /// Reads the requirements of the controller. Its resolution of the first column, and its rule,
 /// apply unless the spec states others.
 Target read_controller(TomlReader& table, const Units& units, Domain axis, TableOptions& options) {
   const std::string resolution = spec_key(axis, "x_step");
-  const auto x_step = optional_positive(table, resolution, units.x);
+  const auto x_step = table.optional_positive(resolution.c_str(), units.x);
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (const ControllerTable& each : controller_tables()) all.emplace_back(each.name);
@@ -51,11 +44,11 @@ void read_target(TomlReader& table, const Units& units, Domain axis, TableOption
     wanted = wanted || table.has(key(member).c_str());
   const auto knots = table.optional_choice("knots", spacings);
   Target target = read_controller(table, units, axis, options);
-  target.velocity_tolerance = optional_positive(table, key("velocity_tolerance"), rate);
+  target.velocity_tolerance = table.optional_positive(key("velocity_tolerance").c_str(), rate);
   if (const auto most = table.optional_count("most")) target.most = *most;
-  target.spacing = optional_positive(table, "spacing", units.x).value_or(0);
-  target.p_step = optional_positive(table, key("p_step"), units.position).value_or(0);
-  target.v_step = optional_positive(table, key("v_step"), rate).value_or(0);
+  target.spacing = table.optional_positive("spacing", units.x).value_or(0);
+  target.p_step = table.optional_positive(key("p_step").c_str(), units.position).value_or(0);
+  target.v_step = table.optional_positive(key("v_step").c_str(), rate).value_or(0);
   if (!wanted && knots.value_or(0) == 0) return;
   if (knots == std::size_t{0})
     table.fail("knots", "\"even\"",
