@@ -15,14 +15,9 @@ std::optional<double> not_negative(TomlReader& table, const char* key, const cha
 FollowerLimits read_follower_limits(TomlReader& limits, const Units& units) {
   FollowerLimits found;
   found.least_force = not_negative(limits, "least_force", "N");
-  const auto positive = [&](const char* key, const std::string& unit) {
-    const std::optional<double> value = limits.optional_number(key, unit);
-    if (value && *value <= 0) limits.fail(key, number(*value), "must be greater than 0");
-    return value;
-  };
-  found.greatest_force = positive("greatest_force", "N");
-  found.impact_speed = positive("impact_speed", "m/s");
-  found.residual = positive("residual", units.position);
+  found.greatest_force = limits.optional_positive("greatest_force", "N");
+  found.impact_speed = limits.optional_positive("impact_speed", "m/s");
+  found.residual = limits.optional_positive("residual", units.position);
   limits.finish();
   return found;
 }

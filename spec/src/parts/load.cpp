@@ -125,13 +125,8 @@ void read_key(TomlReader& table, const LoadKey& key, const std::string& slave, L
 void read_load_limits(TomlReader& reader, LoadSpec& load) {
   auto table = reader.optional_table("limits");
   if (!table) return;
-  const auto positive = [&](const char* key) {
-    const auto value = table->optional_number(key, "N m");
-    if (value && !(*value > 0)) table->fail(key, number(*value), "must be greater than 0");
-    return value;
-  };
-  load.peak_torque = positive("torque");
-  load.rms_torque = positive("rms_torque");
+  load.peak_torque = table->optional_positive("torque", "N m");
+  load.rms_torque = table->optional_positive("rms_torque", "N m");
   table->finish();
 }
 
