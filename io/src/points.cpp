@@ -74,6 +74,7 @@ class Reader {
   void read() {
     read_names();
     if (!header_) fail("", "", "is empty: the first line must name the columns");
+    require_distinct_names();
     first_row_ = at_;
     reserve();
     while (next_line()) read_row();
@@ -140,6 +141,9 @@ class Reader {
     PointColumn column;
     for (const char c : trimmed(cell.substr(0, bracket)))
       column.name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (const auto equals = cell.find('='); equals != cell.npos)
+      fail("header", trimmed(cell.substr(0, cell.find('#'))),
+           "must name the columns, such as time, position [mm]: is this a spec?");
     if (column.name.empty() ||
         number_at(column.name.data(), column.name.data() + column.name.size(), '.').end !=
             column.name.data())
@@ -150,10 +154,14 @@ class Reader {
       column.unit = trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2));
       if (!is_unit(column.unit)) fail(column.name, column.unit, "is not a unit");
     }
-    if (points_.find(column.name) != nullptr)
-      fail(column.name, "", "is the name of two columns: remove one");
     is_words_.push_back(column.name == "type");
     points_.columns.push_back(std::move(column));
+  }
+
+  void require_distinct_names() {
+    for (const PointColumn& column : points_.columns)
+      if (points_.find(column.name) != &column)
+        fail(column.name, "", "is the name of two columns: remove one");
   }
 
   void reserve() {
@@ -235,7 +243,10 @@ class Reader {
     const bool commas = separator_ == ',' && cells == 2 * wanted;
     fail("row", std::to_string(cells) + (cells == 1 ? " value" : " values"),
          "must have " + std::to_string(wanted) + ", one for each column of the header" +
-             (commas ? ": decimal commas need semicolons between columns" : ""));
+             (commas ? ": decimal commas need semicolons between columns"
+              : separator_ == ',' && std::find(begin_, line_end_, '"') != line_end_
+                  ? ": a comma separates columns, also between quotes"
+                  : ""));
   }
 
   const char* at_;
