@@ -12,8 +12,8 @@ namespace {
 
 InputError empty_argument(const std::vector<std::string>& words, std::size_t i) {
   const bool named = i > 0 && looks_like_option(words[i - 1]);
-  return {named ? words[i - 1] : "argument " + std::to_string(i + 1), "",
-          "is empty: write a value, or leave it out if it is optional"};
+  return {named ? words[i - 1] : "argument " + std::to_string(i) + " of " + words.front(), "",
+          "is empty: write a value"};
 }
 
 std::string did_you_mean(const std::string& near) {
@@ -50,6 +50,7 @@ std::string wrong_option(std::span<const char* const> given,
                          const std::vector<std::string>& options, bool names_output,
                          const std::string& owner) {
   for (const std::string word : given) {
+    if (word == "--") return "`--` is not needed before a negative number: leave it out";
     const std::string name = word.substr(0, word.find('='));
     if (!looks_like_option(name) ||
         std::find(options.begin(), options.end(), name) != options.end())
@@ -76,7 +77,10 @@ std::string parser_sentence(std::string text, bool extra) {
     return text.substr(0, text.size() - required.size()) + " is missing";
   if (!extra) return text;
   const std::size_t colon = text.find(": ");
-  return "`" + text.substr(colon == std::string::npos ? 0 : colon + 2) +
+  const std::string all = text.substr(colon == std::string::npos ? 0 : colon + 2);
+  // The parser reads the words from the last one on, so the first of several is at the end.
+  const std::size_t space = all.rfind(' ');
+  return "`" + all.substr(space == std::string::npos ? 0 : space + 1) +
          "` is one argument too many";
 }
 

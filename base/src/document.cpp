@@ -25,6 +25,16 @@ InputError with_unit(const InputError& error, const std::map<std::string, std::s
   return InputError(error.key(), rounded.value() + " " + unit->second, error.rule());
 }
 
+/// The error under the key of the text, with the number of the text.
+InputError scaled(const InputError& error, const Document::Given& given) {
+  const std::string& text = error.value();
+  double value = 0;
+  const auto [end, bad] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (bad != std::errc() || end != text.data() + text.size())
+    return InputError(given.key, text, error.rule());
+  return InputError(given.key, value * given.factor, error.rule());
+}
+
 /// The error of a number that the text does not have.
 InputError missing(const std::string& key, const std::string& unit) {
   const std::string name = key.substr(key.rfind('.') + 1);
@@ -35,6 +45,8 @@ InputError missing(const std::string& key, const std::string& unit) {
 
 InputError Document::located(const InputError& unplaced) const {
   if (!unplaced.document().empty()) return unplaced;
+  if (const auto other = converted.find(unplaced.key()); other != converted.end())
+    return located(scaled(unplaced, other->second));
   const auto unit = known.find(unplaced.key());
   const bool absent = unit != known.end() && !places.contains(unplaced.key()) &&
                       unplaced.value() == "0" &&
@@ -55,7 +67,7 @@ std::string Document::given_unit(const std::string& key, const std::string& othe
 
 InputError Document::naming(const std::string& key, const std::string& file,
                             const InputError& error) const {
-  const bool unread = error.key().empty() && error.value().empty();
+  const bool unread = error.key().empty() && error.value().empty() && error.line() == 0;
   return unread ? located(InputError(key, file, error.rule())) : error;
 }
 

@@ -35,7 +35,12 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
     // "deceleration" does not mean "acceleration".
     const bool other =
         d > 1 && !word.empty() && word[0] != candidate[0] && candidate.size() <= word.size();
-    if (d < least && d < candidate.size() && !other) {
+    // Two letters of a short word must be exchanged: "jrek" means "jerk", but "spec" does not mean "sync".
+    constexpr std::size_t few = 4;
+    const bool changed =
+        d > 1 && candidate.size() <= few &&
+        !std::is_permutation(word.begin(), word.end(), candidate.begin(), candidate.end());
+    if (d < least && d < candidate.size() && !other && !changed) {
       least = d;
       best = candidate;
     }

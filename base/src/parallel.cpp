@@ -11,7 +11,7 @@
 namespace jounce {
 
 void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& body,
-                  const std::function<void(double)>& progress) {
+                  const std::function<void(double)>& progress, std::size_t threads) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr thrown;
   std::mutex mutex;
@@ -28,8 +28,9 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& bod
     }
   };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t most = threads > 0 ? threads : cores;
   std::vector<std::jthread> others;
-  for (std::size_t k = 1; k < std::min(cores, count); ++k) others.emplace_back(work, false);
+  for (std::size_t k = 1; k < std::min(most, count); ++k) others.emplace_back(work, false);
   work(true);
   others.clear();  // joins
   if (thrown) std::rethrow_exception(thrown);

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "jounce/about/command_words.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::cli {
@@ -110,6 +111,8 @@ Option Verb::option(const std::string& name, Target& target, const std::string& 
   CLI::Option* option = verb_->add_option(
       name,
       [&target, name](const CLI::results_t& words) {
+        if (name[0] == '-' && looks_like_option(words.back()))
+          throw InputError(name.substr(name.rfind(',') + 1), "", "has no value after it");
         if constexpr (is_list<Target>) {
           target = words;
         } else if (const std::string rule = put(words.front(), target); !rule.empty()) {

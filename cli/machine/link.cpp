@@ -29,12 +29,13 @@ void add_link_options(const Verb& verb, LinkOptions& options) {
 }
 
 bool is_open(const LinkOptions& options) {
-  return options.key.empty() && !is_local(options.url);
+  return options.key.empty() && !with_option_names({"url"}, [&] { return is_local(options.url); });
 }
 
 Link::Link(const LinkOptions& options)
     : link_(with_option_names({"url"}, [&] { return open_transport(options.url); })) {
-  if (!options.key.empty()) key_ = read_key(options.key);
+  if (!options.key.empty())
+    key_ = with_option_names({"key"}, [&] { return read_key(options.key); });
   if (options.inject_loss > 0)
     lossy_ = std::make_unique<LossyTransport>(
         *link_, LossSpec{.seed = options.seed, .lost = options.inject_loss}, steady_now);

@@ -30,9 +30,8 @@ struct MonitorArguments {
 
 using dashboard::Watch;
 
-int give_up(const std::string& who, const MonitorArguments& options) {
-  fmt::print(stderr, "jounce: {} has sent no message for {} s: {}\n", who, options.silence,
-             unheard_hint);
+int give_up(const std::string& who, double seconds) {
+  fmt::print(stderr, "jounce: {} has sent no message for {} s: {}\n", who, seconds, unheard_hint);
   return fault;
 }
 
@@ -44,9 +43,10 @@ int print_all(Watch& watch, const MonitorArguments& options) {
   for (const Duration duration(options.seconds); duration.goes_on();) {
     watch.run(turn, print, print);
     if (const std::string who = watch.silent(nanos(options.silence)); !who.empty())
-      return give_up(who, options);
+      return give_up(who, options.silence);
   }
-  return fine;
+  const std::string who = watch.missing();
+  return who.empty() ? fine : give_up(who, options.seconds);
 }
 
 int run_monitor(const MonitorArguments& options) {
@@ -59,7 +59,7 @@ int run_monitor(const MonitorArguments& options) {
   const Duration duration(options.seconds);
   const bool received =
       show_axes(watch, link.transport(), view, link.key(), [&] { return duration.goes_on(); });
-  return received ? fine : give_up(watch.silent(view.silence), options);
+  return received ? fine : give_up(watch.silent(view.silence), options.silence);
 }
 
 }  // namespace

@@ -104,10 +104,9 @@ void add_options(const Verb& verb, CommandWords& words) {
 ValueCheck command_word(const OrderArguments& options) {
   ValueCheck check = one_of(command_words());
   check.broken_rule = [&options, known = check.broken_rule](const std::string& what) {
-    std::string rule = known(what);
-    if (!rule.empty() && known(options.executor).empty())
-      rule = "is not a command: did you mean jounce order " + what + " " + options.executor + "?";
-    return rule;
+    const std::string rule = known(what);
+    const std::string meant = rule.empty() ? "" : meant_command(options.executor, what);
+    return meant.empty() ? rule : meant;
   };
   return check;
 }

@@ -110,11 +110,14 @@ void add_run(CommandLine& line) {
   verb.option("--record", options->run.record.log,
               "LCM log of all inputs and outputs of the axes, for `jounce replay`")
       .check(output_file());
-  verb.option("--black-box", options->run.record.black_box,
+  const Option black_box =
+      verb.option(
+              "--black-box", options->run.record.black_box,
               "LCM log in which the last cycles before a fault are written, for `jounce replay`")
-      .check(output_file());
+          .check(output_file());
   verb.option("--black-box-cycles", options->run.record.black_box_cycles,
               "With --black-box: number of cycles for each axis")
+      .needs(black_box)
       .check(whole(1, 1'000'000))
       .shown();
   verb.option("--seconds", options->run.seconds, "End after this number of seconds")

@@ -60,7 +60,7 @@ void add_stream(CommandLine& line) {
               "With --live: begin when the master passes this position");
   verb.option("--at", options->at, "Begin at this tick of the executor, or after +SECONDS");
   verb.flag("--at-next-cut", options->at_next_cut,
-            "With --live: a knife or a shear begins at its next cut, the end of the present pass");
+            "With --live: begin at the end of the present pass, a cut of a knife or a shear");
   verb.flag("--keep-velocity", options->keep_velocity,
             "With --live: if the cam ends at a nonzero velocity, keep it instead of braking");
   verb.flag("--no-wait", options->no_wait,

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/csv.hpp"
 #include "jounce/base/interrupt.hpp"
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/profiles/error.hpp"
@@ -43,13 +42,16 @@ StreamGoal goal_of(const StreamArguments& options) {
 StreamPlan plan_of(const StreamArguments& options, const std::string& executor,
                    const Input& input) {
   const PlayOptions play = play_options(options);
-  StreamPlan plan = stream_plan(executor, input, play);
+  StreamPlan plan = with_option_names({"live", "master"}, [&] {
+    StreamPlan made = stream_plan(executor, input, play);
+    for (const std::string& file : options.swaps) add_swap(made, load(file, options.axis), play);
+    return made;
+  });
   plan.await = !options.no_wait;
   if (!options.start_at.empty()) {
     plan.when = StartAt::master_position;
     plan.position = quantity_of("--start-at", options.start_at, plan.tables.front().units.x);
   }
-  for (const std::string& file : options.swaps) add_swap(plan, load(file, options.axis), play);
   plan.goal = goal_of(options);
   return plan;
 }
@@ -104,13 +106,6 @@ int stream_follow(const Input& input, const StreamArguments& options) {
   return play(plan, options,
               options.no_wait ? BankOptions::Until::accepted : BankOptions::Until::started,
               input.name, waits ? "waits for its master" : "started");
-}
-
-std::vector<std::string> names_of(const std::string& list) {
-  std::vector<std::string> names;
-  for (const auto name : csv_cells(list)) names.emplace_back(name);
-  for (const std::string& name : names) require_name_on_bus("--to", name);
-  return names;
 }
 
 int report(const std::vector<std::string>& names, const std::vector<StreamOutcome>& outcomes,
@@ -185,7 +180,8 @@ int stream_group(const StreamArguments& options) {
                      "names several axes, so the options for one axis do not apply: omit "
                      "--rolling, --bank, --swap, --start-at, "
                      "--at-next-cut, --relative and --until");
-  const std::vector<std::string> names = names_of(options.to);
+  const std::vector<std::string> names =
+      with_option_names({"to"}, [&] { return executor_names(options.to); });
   std::vector<StreamPlan> plans;
   const std::vector<Input> inputs = with_option_names({"to"}, [&] {
     return inputs_for(names, load_axes(options.file, options.axis), options.file);

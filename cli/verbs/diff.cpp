@@ -34,12 +34,11 @@ void draw(const std::string& path, const FileDifference& difference) {
 }
 
 int run_diff(const DiffArguments& options) {
-  std::vector<Input> old = load_axes(options.before, options.axis);
-  std::vector<Input> now = load_axes(options.after, options.axis);
   const FileDifference difference = with_option_names({"axis", "tolerance"}, [&] {
     return file_difference(
-        std::move(old), std::move(now), options.before, options.after,
-        [&](const Labels& labels) { return tolerance_of(options.tolerances, labels); });
+        read_inputs(options.before), read_inputs(options.after), options.before, options.after,
+        [&](const Labels& labels) { return tolerance_of(options.tolerances, labels); },
+        options.axis);
   });
   if (!options.output.empty()) draw(options.output, difference);
   std::FILE* const out = text_stream({options.output});

@@ -8,6 +8,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/security/key.hpp"
 
+#include "cli/common/option_names.hpp"
 #include "cli/common/outputs.hpp"
 #include "cli/common/templates.hpp"
 #include "cli/common/verb.hpp"
@@ -21,7 +22,7 @@ int make_key(const std::string& output) {
   if (output == "-")
     throw InputError("--output", output,
                      "must be a file, because a key is a secret: give a file name");
-  write_new_key(output);
+  under_option("--output", [&] { write_new_key(output); });
   return fine;
 }
 

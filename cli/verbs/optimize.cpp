@@ -85,7 +85,7 @@ int run_optimize(const OptimizeArguments& options) {
                      "compares one axis, but this spec has several: draw them with `jounce plot`");
   if (!options.against.empty() && (spec.parameters || spec.optimize.shape.shapes.empty()))
     throw spec.document.located(
-        InputError("optimize", "", "--against needs a cam with segments of free shape"));
+        InputError("segment", "", "--against needs a free shape: add free = { shape = 60 }"));
   return report(options, spec, optimum(options, spec));
 }
 

@@ -34,7 +34,7 @@ void require_signals_of(const ValidateArguments& options, const std::vector<Inpu
   if (inputs.size() > 1)
     throw InputError("--signals", options.signals, "is for one axis: name it with --axis");
   if (!inputs.front().drive)
-    throw InputError("drive", "", "is missing: --signals needs a [drive]").at(inputs.front().name);
+    throw InputError("drive", "", "is missing: --signals needs a [drive]").at(options.run.file());
 }
 
 /// Calls prove() with a progress line.

@@ -94,8 +94,8 @@ constexpr std::array entries{
           "The axis was moved, or its position was set, after the table was armed: move the axis "
           "to the start of the table, or arm the table again."},
     Entry{Cause::too_late, "too_late", "The requested start tick has passed.",
-          "Give a later start: the table must arrive before it. `jounce monitor NAME --json` shows "
-          "the present tick."},
+          "Give a later start: the command and its table must arrive before it. `jounce monitor "
+          "NAME --json` shows the present tick."},
     Entry{Cause::no_value, "no_value",
           "The table or the number of the command is missing or not finite.",
           "Send the command with its table, or with a finite number."},
@@ -119,7 +119,7 @@ constexpr std::array entries{
           "Repeat the command when the speed is constant."},
     Entry{Cause::no_such_move, "no_such_move",
           "No move from the present state to that target keeps the limits and the direction.",
-          "Choose a target farther away, a lower velocity, higher limits, or the other direction."},
+          "Choose the other direction, a target farther away, a lower velocity, or higher limits."},
     Entry{Cause::halting, "halting", "A halt is in progress.",
           "Send a new motion, or wait for standstill."},
     Entry{Cause::buffer_full, "buffer_full",
@@ -134,7 +134,8 @@ constexpr std::array entries{
     Entry{Cause::start_position, "start_position",
           "The table does not begin at the position of the axis.",
           "Move the axis to the start of the table (`jounce order NAME move --to POSITION`), start "
-          "the executor with --adopt-start, or send the table with --rolling --relative."},
+          "the executor with --adopt-start, or send the table with --rolling --relative. If a live "
+          "master moves, use --start-at, or start = \"ramp_in\" in [coupling]."},
     Entry{Cause::start_velocity, "start_velocity", "The table does not begin at rest.",
           "Add a ramp at the start. The permitted step of the velocity is the acceleration limit "
           "times one cycle."},
@@ -151,16 +152,18 @@ constexpr std::array entries{
     Entry{Cause::position_limit, "position_limit", "A position is outside the position range.",
           "Give a position inside the range, shift or shorten the motion, or widen position_min "
           "and position_max."},
-    Entry{Cause::velocity_limit, "velocity_limit",
-          "The motion exceeds the velocity limit of the axis.",
-          "Lower the velocity, give the motion more time, or choose a law with a lower peak "
-          "velocity."},
+    Entry{
+        Cause::velocity_limit, "velocity_limit",
+        "The motion exceeds the velocity limit of the axis.",
+        "For a command, give a velocity within the limit. For a table, give the motion more time, "
+        "or choose a law with a lower peak velocity."},
     Entry{Cause::acceleration_limit, "acceleration_limit",
           "The motion exceeds the acceleration limit of the axis.",
-          "Lower the acceleration, give the motion more time, or choose a law with a lower peak "
-          "acceleration."},
+          "For a command, give an acceleration within the limit. For a table, give the motion more "
+          "time, or choose a law with a lower peak acceleration."},
     Entry{Cause::jerk_limit, "jerk_limit", "The motion exceeds the jerk limit of the axis.",
-          "Lower the jerk, give the motion more time, or choose a law with a lower peak jerk."},
+          "For a command, give a jerk within the limit. For a table, give the motion more time, or "
+          "choose a law with a lower peak jerk."},
     Entry{Cause::position_step, "position_step", "The position of the table jumps.",
           "A cam that wraps must end where it begins. For a cam that gains a distance in each "
           "period, use outside = \"advance\"."},
@@ -268,6 +271,11 @@ std::string unit_of(Cause cause, const std::string& unit) {
   }
 }
 
+/// "tick 120000", of any number of digits.
+std::string tick_text(double tick) {
+  return "tick " + std::to_string(static_cast<std::int64_t>(tick));
+}
+
 /// The axis of a group that prevents a motion; Refusal::where is its number.
 std::string of_group_axis(const Refusal& refusal, const std::string& unit) {
   if (!(refusal.where >= 1)) return "";
@@ -303,8 +311,15 @@ std::string text(const Refusal& refusal, const std::string& unit) {
   std::string words = std::string(name(cause)) + ": " + meaning(cause);
   if (cause == Cause::axis_away || cause == Cause::axis_not_ready)
     return words + of_group_axis(refusal, unit);
-  if (!is_measured(cause)) return words;
   words.pop_back();  // the full stop: the numbers follow
+  if (cause == Cause::too_late)
+    return words + ": " + tick_text(refusal.value) + "; the axis is at " +
+           tick_text(refusal.limit) + ".";
+  if (cause == Cause::no_such_move && !std::isnan(refusal.where))
+    return words + ": " + six_digits(refusal.value) + unit_of(cause, unit) +
+           " is not in this direction from " + six_digits(refusal.limit) + unit_of(cause, unit) +
+           ".";
+  if (!is_measured(cause)) return words + ".";
   const auto shown = [&](double number) { return six_digits(number) + unit_of(cause, unit); };
   if (cause == Cause::start_position)
     return words + ": " +

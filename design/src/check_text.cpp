@@ -60,8 +60,11 @@ std::string fastest_line(const Cam& cam, const Input& input) {
   if (rates.acceleration > 0)
     line += fmt::format(" while it accelerates with {} {}", rounded(rates.acceleration),
                         master_rate_unit(*input.spec, 2));
-  return line + fmt::format(", limited by the slave's {} at {} {}\n", limit.quantity,
-                            rounded(limit.where), input.labels.units.x);
+  return line + fmt::format(", limited by the slave's {} at {} {}{}\n", limit.quantity,
+                            rounded(limit.where), input.labels.units.x,
+                            input.spec->master ? ""
+                                               : "; limits.slave is not checked, because the spec "
+                                                 "has no [master]");
 }
 
 /// The figures of a synchronous slave, one line each.

@@ -323,7 +323,11 @@ std::vector<Input> gcode_inputs(const std::string& path, const std::string& mach
   auto* const of = std::get_if<PathSpec>(&spec.subject);
   if (of == nullptr)
     throw InputError("--machine", machine, "must be a spec of kind \"path\" without commands");
-  set_gcode(*of, read_file(path), path == "-" ? "standard input" : path);
+  const std::string name = path == "-" ? "standard input" : path;
+  std::string program = read_file(path);
+  if (!spec_kind(program).empty())
+    throw InputError("", "", "is a spec, not a G-code program: leave out --machine").at(name, 1);
+  set_gcode(*of, std::move(program), name);
   spec.name = path == "-" ? "standard input" : printable(path);
   return inputs_of(spec, machine);
 }

@@ -360,14 +360,26 @@ RampedLimits ramped_limits(const Spec& spec) {
 
 }  // namespace
 
+InputError nothing_free(const Spec& spec) {
+  if (std::holds_alternative<DriveAlone>(spec.subject))
+    return spec.document.located(InputError(
+        "kind", "\"drive\"",
+        "has no motion to optimize: fit its numbers to a recording with `jounce identify`, "
+        "or optimize a cam against it with --against"));
+  if (std::holds_alternative<AxisSpec>(spec.subject))
+    return spec.document.located(InputError(
+        "kind", "\"axis\"",
+        "has no motion to optimize: give the spec of a motion, such as a cam or a move"));
+  return InputError("optimize.parameter", "",
+                    "is missing: add [optimize] with minimize or maximize, and "
+                    "[[optimize.parameter]] with key and range for each number that may change "
+                    "(free knots and shapes are for kind = \"cam\")")
+      .at(spec.document.name);
+}
+
 CamProblem make_problem(const Spec& spec) {
   const auto* cam = std::get_if<CamSpec>(&spec.subject);
-  if (cam == nullptr)
-    throw InputError(
-        "optimize.parameter", "",
-        "is missing: add [optimize] with minimize or maximize, and [[optimize.parameter]] with key "
-        "and range for each number that may change (free knots and shapes are for kind = \"cam\")")
-        .at(spec.document.name);
+  if (cam == nullptr) throw nothing_free(spec);
   if (spec.polydyne)
     throw spec.document.located(InputError(
         "polydyne", "",

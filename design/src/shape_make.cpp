@@ -102,12 +102,7 @@ CamShapeProblem problem_of(const Spec& spec, bool against_a_drive) {
 }  // namespace
 
 CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive) {
-  if (!std::holds_alternative<CamSpec>(spec.subject))
-    throw InputError(
-        "optimize.parameter", "",
-        "is missing: add [optimize] with minimize or maximize, and [[optimize.parameter]] with key "
-        "and range for each number that may change (free knots and shapes are for kind = \"cam\")")
-        .at(spec.document.name);
+  if (!std::holds_alternative<CamSpec>(spec.subject)) throw nothing_free(spec);
   try {
     return problem_of(spec, against_a_drive);
   } catch (const InputError& error) {

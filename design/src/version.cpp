@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jounce/base/printable.hpp"
+#include "jounce/design/axes.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -32,7 +33,11 @@ Version version_of(const Input& input, const std::string& path) {
 std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
                                                  std::vector<Input> after,
                                                  const std::string& before_path,
-                                                 const std::string& after_path) {
+                                                 const std::string& after_path,
+                                                 const std::string& axis) {
+  const bool mixed = (before.size() == 1) != (after.size() == 1);
+  if (!mixed || before.size() > 1) before = axes_named(std::move(before), axis, before_path);
+  if (!mixed || after.size() > 1) after = axes_named(std::move(after), axis, after_path);
   std::vector<std::pair<Input, Input>> all;
   if (before.size() == 1 && after.size() == 1) {
     all.emplace_back(std::move(before.front()), std::move(after.front()));
@@ -44,8 +49,10 @@ std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
       if (std::none_of(others->begin(), others->end(),
                        [&](const Input& other) { return other.axis == one.axis; }))
         throw InputError("axis", "",
-                         "is missing: " + *file + " has no axis " +
-                             (one.axis.empty() ? "without a name" : one.axis) +
+                         "is missing: " + *file +
+                             (others->size() == 1 && others->front().axis.empty()
+                                  ? " has only one axis, without a name"
+                                  : " has no axis " + one.axis) +
                              ". Name the axis to compare");
   for (Input& one : before) {
     const auto other = std::find_if(after.begin(), after.end(),

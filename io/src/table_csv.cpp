@@ -74,7 +74,9 @@ class Lines {
 void read_version(Lines& lines) {
   const std::string_view line = lines.next();
   if (!line.starts_with(first_line))
-    lines.fail("", "", "must begin with the line `# jounce table 1`");
+    lines.fail("", "",
+               "must begin with the line `# jounce table 1`: make the table of a spec with "
+               "`jounce design`");
   io_detail::require_version(
       std::string(line.substr(first_line.size())),
       [&](const auto& value, const auto& rule) { lines.fail("jounce table", value, rule); });

@@ -146,6 +146,7 @@ void compare_file(FileChange& change, const std::string& accepted, const Accepte
       compare_motions(change, accepted, options);
     } catch (const InputError& error) {
       if (error.document() == change.file) return;  // the check of the file reports it
+      if (error.key().starts_with("--")) throw error.at(change.file);  // an option does not fit
       Diagnostic d = diagnostic("baseline/changed", Level::broken, change.file, error.what());
       if (const std::string& place = error.document(); place == accepted)
         d.message = "the accepted version " + change.before + " cannot be compared: " +

@@ -72,6 +72,19 @@ Json played_json(const Played& played) {
   return json;
 }
 
+/// The drive over its tolerances. Errors of a tolerance get the place of [drive.tolerances].
+ToleranceResult tolerated(const Input& input, const ProofProgress& progress) {
+  const Reference reference = table_reference(input);
+  try {
+    return robustness(view(reference), *input.drive, progress);
+  } catch (const InputError& error) {
+    const std::string own = "tolerances.";
+    if (!input.spec || !error.key().starts_with(own)) throw;
+    throw input.spec->document.located(
+        InputError("drive.tolerances", "", error.key().substr(own.size()) + " " + error.rule()));
+  }
+}
+
 }  // namespace
 
 Proof prove(const Input& input, const ProofOptions& options) {
@@ -97,8 +110,7 @@ Proof prove(const Input& input, const ProofOptions& options) {
     proof.drive = driven(input, options.drive_samples > 0 ? options.drive_samples : compared);
     add_part(proof.report, proof.drive->report, "drive", "s");
     if (input.drive->tolerances) {
-      const Reference reference = table_reference(input);
-      proof.tolerances = robustness(view(reference), *input.drive, options.progress);
+      proof.tolerances = tolerated(input, options.progress);
       add_part(proof.report, proof.tolerances->report, "drive");
     }
   }

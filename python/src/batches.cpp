@@ -30,11 +30,19 @@ void Moves::set(std::size_t i, MoveStatus status, double duration) {
   durations_[i] = status == MoveStatus::ok ? duration : std::numeric_limits<double>::quiet_NaN();
 }
 
-void in_parts(std::size_t size, const std::function<void(std::size_t, std::size_t)>& body) {
+std::size_t threads_of(std::optional<py::ssize_t> threads) {
+  if (threads && *threads < 1)
+    throw InputError("threads", std::to_string(*threads),
+                     "must be at least 1, or None for one thread on each core");
+  return static_cast<std::size_t>(threads.value_or(0));
+}
+
+void in_parts(std::size_t size, std::size_t threads,
+              const std::function<void(std::size_t, std::size_t)>& body) {
   constexpr std::size_t part = 16384;
   if (size <= 2 * part) return body(0, size);
   on_all_cores((size + part - 1) / part,
-               [&](std::size_t k) { body(k * part, std::min(size, (k + 1) * part)); });
+               [&](std::size_t k) { body(k * part, std::min(size, (k + 1) * part)); }, {}, threads);
 }
 
 namespace {
@@ -67,12 +75,13 @@ class MoveInputs {
   std::optional<Reader> duration_;
 };
 
-Moves many(Broadcast& all, const MoveReaders& readers, const std::optional<Column>& duration) {
+Moves many(Broadcast& all, const MoveReaders& readers, const std::optional<Column>& duration,
+           std::size_t threads) {
   const auto wanted = duration ? std::optional(all.read(*duration)) : std::nullopt;
   const py::gil_scoped_release release;
   const auto inputs = std::make_shared<const MoveInputs>(readers, wanted, all.size());
   Moves moves(all.shape(), all.size(), [inputs](std::size_t i) { return inputs->move(i).profile; });
-  in_parts(all.size(), [&](std::size_t first, std::size_t last) {
+  in_parts(all.size(), threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const MoveResult move = inputs->move(i);
       moves.set(i, move.status, move.profile.duration());
@@ -82,10 +91,11 @@ Moves many(Broadcast& all, const MoveReaders& readers, const std::optional<Colum
 }
 
 py::object move(const StateColumns& start, const StateColumns& target, const BoundsColumns& bounds,
-                const std::optional<Column>& duration) {
+                const std::optional<Column>& duration, std::optional<py::ssize_t> threads) {
+  const std::size_t most = threads_of(threads);
   Broadcast all = broadcast_moves(start, target, bounds, duration.value_or(Column{}));
   if (!all.is_scalar())
-    return py::cast(many(all, MoveReaders(all, start, target, bounds), duration));
+    return py::cast(many(all, MoveReaders(all, start, target, bounds), duration, most));
   const MotionState from = one(start, "start"), to = one(target, "target");
   const Bounds b = bounds.one();
   const MoveResult made = duration ? move_to(from, to, b, duration->value) : move_to(from, to, b);
@@ -217,13 +227,13 @@ t is one number, or an array that is broadcast with the shape of the moves. NaN 
                      {{"shape", shape_text(moves.shape())}, {"exist", std::to_string(ok)}});
       });
   m.def("move_to", move, "start"_a, "target"_a, "bounds"_a, py::kw_only(),
-        "duration"_a = py::none(),
+        "duration"_a = py::none(), "threads"_a = py::none(),
         R"(Returns the time-optimal move between two states that keeps the bounds.
 
 start, target: State, or a position (u) at rest. With `duration` (s), the move takes exactly this time. If all
-arguments
-are numbers, the result is a Move; MoveError is raised if no move exists. If any argument is an array, the arrays are
-broadcast and the result is Moves: one loop without the GIL, on all cores if there are many.
+arguments are numbers, the result is a Move; MoveError is raised if no move exists. If any argument is an array, the
+arrays are broadcast and the result is Moves: one loop without the GIL. `threads`: greatest number of threads for many
+moves; None: one for each core.
 
 A start outside the bounds returns inside them. The target must be inside.)");
   m.def(

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cams in code: segments with motion laws.
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <pybind11/stl.h>
@@ -7,9 +9,11 @@
 #include "jounce/cam/design/characteristics.hpp"
 #include "jounce/cam/design/design.hpp"
 #include "jounce/design/law_guide.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "python/src/bind.hpp"
 #include "python/src/report.hpp"
+#include "python/src/values.hpp"
 #include "python/src/words.hpp"
 
 namespace jounce::python {
@@ -30,8 +34,23 @@ CamSegment segment(const std::string& law, double master, double slave, Number g
           .points = std::move(points)};
 }
 
+/// Throws InputError for a periodic cam that is open.
+void require_closed(const std::vector<CamSegment>& segments, const CamKnot& start) {
+  if (segments.empty()) return;  // design() reports it
+  const double end = segments.back().end.slave;
+  const double near =
+      profiles_detail::rounded_input * std::max(std::abs(end), std::abs(start.slave));
+  if (std::abs(end - start.slave) <= near) return;
+  throw InputError(
+      "segment[" + std::to_string(segments.size()) + "].end.slave", end,
+      "must be " + number(start.slave) +
+          ", the slave position at the start, because the cam is periodic; if the slave "
+          "advances in each period, give slave_period");
+}
+
 Cam designed(std::vector<CamSegment> segments, const CamKnot& start, bool periodic,
              Number slave_period) {
+  if (periodic && !slave_period) require_closed(segments, start);
   return design({start, std::move(segments), periodic, slave_period}).cam;
 }
 
@@ -45,13 +64,54 @@ std::vector<std::string> law_names() {
   return names;
 }
 
+py::tuple members_of(const CamKnot& k) {
+  return py::make_tuple(k.master, k.slave, k.geo_velocity, k.geo_acceleration);
+}
+
+CamKnot knot_of_members(const py::tuple& members) {
+  return {members[0].cast<double>(), members[1].cast<double>(), members[2].cast<Number>(),
+          members[3].cast<Number>()};
+}
+
+py::tuple members_of(const CamPoint& p) {
+  return py::make_tuple(p.master, p.slave, p.geo_velocity, p.geo_acceleration, p.geo_jerk,
+                        p.tolerance);
+}
+
+CamPoint point_of_members(const py::tuple& members) {
+  return {members[0].cast<double>(), members[1].cast<Number>(), members[2].cast<Number>(),
+          members[3].cast<Number>(), members[4].cast<Number>(), members[5].cast<double>()};
+}
+
+py::tuple members_of(const CamSegment& s) {
+  py::list points;
+  for (const CamPoint& point : s.points) points.append(members_of(point));
+  return py::make_tuple(
+      name(s.law), members_of(s.end), s.name, s.form.inflection, s.form.straight,
+      s.form.shares ? py::object(py::tuple(py::cast(*s.form.shares))) : py::object(py::none()),
+      py::tuple(points));
+}
+
+CamSegment segment_of_members(const py::tuple& members) {
+  std::vector<CamPoint> points;
+  for (const py::handle& point : members[6].cast<py::tuple>())
+    points.push_back(point_of_members(point.cast<py::tuple>()));
+  const CamKnot end = knot_of_members(members[1].cast<py::tuple>());
+  return segment(members[0].cast<std::string>(), end.master, end.slave, end.geo_velocity,
+                 end.geo_acceleration, members[2].cast<std::string>(), members[3].cast<Number>(),
+                 members[4].cast<Number>(), members[5].cast<std::optional<std::array<double, 3>>>(),
+                 std::move(points));
+}
+
 void bind_inputs(py::module_& m) {
-  py::class_<CamKnot>(m, "CamKnot", R"(The joint of two segments of a cam, or one of its ends.
+  py::class_<CamKnot> knot(m, "CamKnot", R"(The joint of two segments of a cam, or one of its ends.
 
 u is the slave's unit, m the master's. An omitted derivative follows from the adjacent laws; if they leave it
 free, it is
-zero.)")
-      .def(py::init([](double master, double slave, Number geo_velocity, Number geo_acceleration) {
+zero.)");
+  add_value(
+      knot, [](const CamKnot& k) { return members_of(k); }, knot_of_members);
+  knot.def(py::init([](double master, double slave, Number geo_velocity, Number geo_acceleration) {
              return CamKnot{master, slave, geo_velocity, geo_acceleration};
            }),
            "master"_a, "slave"_a, py::kw_only(), "geo_velocity"_a = py::none(),
@@ -63,9 +123,13 @@ zero.)")
       .def("__repr__", [](const CamKnot& k) {
         return shown("CamKnot", {{"master", shown(k.master)}, {"slave", shown(k.slave)}});
       });
-  py::class_<CamPoint>(m, "CamPoint", R"(A condition inside a segment, for the laws through points.
+  py::class_<CamPoint> point(m, "CamPoint",
+                             R"(A condition inside a segment, for the laws through points.
 
-"cubic_spline" and "quintic_spline" take positions; "polynomial" and "hermite" take derivatives as well.)")
+"cubic_spline" and "quintic_spline" take positions; "polynomial" and "hermite" take derivatives as well.)");
+  add_value(
+      point, [](const CamPoint& p) { return members_of(p); }, point_of_members);
+  point
       .def(py::init([](double master, Number slave, Number geo_velocity, Number geo_acceleration,
                        Number geo_jerk, double tolerance) {
              return CamPoint{master, slave, geo_velocity, geo_acceleration, geo_jerk, tolerance};
@@ -79,11 +143,13 @@ zero.)")
         return shown("CamPoint",
                      {{"master", shown(p.master)}, {"slave", p.slave ? shown(*p.slave) : "None"}});
       });
-  py::class_<CamSegment>(m, "CamSegment",
-                         R"(One segment of a cam: its motion law and the knot at its end.
+  py::class_<CamSegment> part(m, "CamSegment",
+                              R"(One segment of a cam: its motion law and the knot at its end.
 
-It begins at the end of the previous segment. laws() lists the laws.)")
-      .def(
+It begins at the end of the previous segment. laws() lists the laws.)");
+  add_value(
+      part, [](const CamSegment& s) { return members_of(s); }, segment_of_members);
+  part.def(
           py::init(&segment), "law"_a, "master"_a, "slave"_a, py::kw_only(),
           "geo_velocity"_a = py::none(), "geo_acceleration"_a = py::none(), "name"_a = "",
           "inflection"_a = py::none(), "straight"_a = py::none(), "shares"_a = py::none(),

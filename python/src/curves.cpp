@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <pybind11/stl.h>
@@ -18,6 +20,7 @@
 #include "python/src/bind.hpp"
 #include "python/src/numpy/column.hpp"
 #include "python/src/report.hpp"
+#include "python/src/values.hpp"
 #include "python/src/words.hpp"
 
 namespace jounce::python {
@@ -263,6 +266,44 @@ void bind_cam(py::class_<Cam>& c) {
 Exact where a polynomial of degree 11 suffices; elsewhere within `tolerance` (u), certified.)");
 }
 
+py::tuple members_of(const Segment& f) {
+  py::list c, sines;
+  for (int i = 0; i <= f.degree; ++i) c.append(f.c[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < f.sines; ++i) {
+    const SineTerm& sine = f.sine[static_cast<std::size_t>(i)];
+    sines.append(py::make_tuple(sine.amplitude, sine.angle, sine.phase));
+  }
+  return py::make_tuple(f.length, py::tuple(c), py::tuple(sines));
+}
+
+Segment segment_of(const py::tuple& members) {
+  Segment f;
+  f.length = members[0].cast<double>();
+  const auto c = members[1].cast<std::vector<double>>();
+  f.degree = static_cast<int>(c.size()) - 1;
+  std::copy_n(c.begin(), std::min(c.size(), f.c.size()), f.c.begin());
+  for (const py::handle& each : members[2].cast<py::tuple>()) {
+    const auto sine = each.cast<std::array<double, 3>>();
+    f.sine.at(static_cast<std::size_t>(f.sines++)) = {sine[0], sine[1], sine[2]};
+  }
+  return f;
+}
+
+template <class Over>
+py::tuple curve_state(const Curve<Over>& f) {
+  py::list segments;
+  for (const Segment& segment : f.segments()) segments.append(members_of(segment));
+  return py::make_tuple(f.start(), f.outside(), py::tuple(segments));
+}
+
+template <class Over>
+Curve<Over> curve_of_state(const py::tuple& state) {
+  std::vector<Segment> segments;
+  for (const py::handle& each : state[2].cast<py::tuple>())
+    segments.push_back(segment_of(each.cast<py::tuple>()));
+  return Curve<Over>(std::move(segments), state[0].cast<double>(), state[1].cast<Extrapolation>());
+}
+
 }  // namespace
 
 void bind_curves(py::module_& m) {
@@ -276,6 +317,8 @@ void bind_curves(py::module_& m) {
 
 Make one with design_cam(), load() or Table.curve. `cam(x)` is the position, `cam.at(x)` all derivatives. Both take a
 number or an array.)");
+  add_value(trajectory, curve_state<OverTime>, curve_of_state<OverTime>);
+  add_value(cam, curve_state<OverMaster>, curve_of_state<OverMaster>);
   bind_values(trajectory);
   bind_values(cam);
   bind_algebra(trajectory);

@@ -1,16 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "jounce/base/input_errors.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
+#include "python/src/advice.hpp"
 #include "python/src/bind.hpp"
 #include "python/src/numpy/column.hpp"
 
 namespace jounce::python {
 namespace {
 
-py::object exception_of(const InputError& error) {
+/// Options of the command line in messages of the library, and the arguments of Python. Longer options come before
+/// their beginnings.
+constexpr std::array arguments{
+    std::pair{"`jounce convert --decimal-comma`", "load(..., decimal_comma=True)"},
+    std::pair{"--decimal-comma", "decimal_comma=True"},
+    std::pair{"--position-resolution", "p_step"},
+    std::pair{"--velocity-resolution", "v_step"},
+    std::pair{"--resolution", "x_step"},
+    std::pair{"--velocity-tolerance", "velocity_tolerance"},
+    std::pair{"--tolerance", "tolerance"},
+    std::pair{"--position-unit", "position_unit"},
+    std::pair{"--master-unit", "x_unit"},
+    std::pair{"--machine", "machine"},
+    std::pair{"--master", "master"},
+    std::pair{"--periodic", "periodic=True"},
+    std::pair{"--patience", "timeout"},
+    std::pair{"--against", "against"},
+    std::pair{"--axis", "axis"},
+    std::pair{"--live", "live=True"}};
+
+/// The error with its key, value and rule in the words of Python.
+InputError in_python(const InputError& error) {
+  return InputError(with_arguments(error.key()), error.value(), with_arguments(error.rule()))
+      .at(error.document(), error.line(), error.column());
+}
+
+py::object exception_of(const InputError& given) {
+  const InputError error = in_python(given);
   return from_package("_errors", "InputError")(error.what(), error.document(), error.line(),
                                                error.column(), error.key(), error.value(),
                                                error.rule());
@@ -43,6 +74,16 @@ void translate(std::exception_ptr thrown) {
 }
 
 }  // namespace
+
+std::string with_arguments(std::string message) {
+  for (const auto& [option, argument] : arguments) {
+    const std::string_view wanted = option;
+    for (std::size_t at = message.find(wanted); at != std::string::npos;
+         at = message.find(wanted, at + 1))
+      message.replace(at, wanted.size(), argument);
+  }
+  return message;
+}
 
 void bind_errors(py::module_&) {
   py::register_exception_translator(translate);

@@ -33,8 +33,10 @@ PYBIND11_MODULE(_jounce, m) {
   bind_sequences(m);
   bind_online(m);
   bind_cams(m);
+  bind_gears(m);
   bind_tables(m);
   bind_designs(m);
+  bind_paths(m);
   bind_optimum(m);
   bind_proof(m);
   bind_convert(m);

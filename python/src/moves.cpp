@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/src/moves.hpp"
 
+#include <array>
+#include <cmath>
 #include <optional>
 
 #include <pybind11/stl.h>
@@ -84,19 +86,47 @@ Column negated(const Column& column) {
   return result;
 }
 
+/// Throws InputError unless `holds` is true for each number of a bound.
+template <class Holds>
+void require_each(const char* key, const Column& column, const char* rule, const Holds& holds) {
+  if (!column.is_array()) {
+    if (!holds(column.value)) throw InputError(key, column.value, rule);
+    return;
+  }
+  const double* const all = column.array->data();
+  for (py::ssize_t i = 0; i < column.array->size(); ++i)
+    if (!holds(all[i])) throw InputError(key + ("[" + std::to_string(i) + "]"), all[i], rule);
+}
+
+void require_bounds(const BoundsColumns& b) {
+  for (const auto& [key, column] : {std::pair{"velocity", &b.velocity_max},
+                                    {"acceleration", &b.acceleration_max},
+                                    {"jerk", &b.jerk_max}})
+    require_each(key, *column, "must be greater than 0", [](double x) { return x > 0; });
+  for (const auto& [key, column] : {std::pair{"velocity_min", &b.velocity_min},
+                                    {"acceleration_min", &b.acceleration_min},
+                                    {"jerk_min", &b.jerk_min}})
+    require_each(key, *column, "must be less than 0", [](double x) { return x < 0; });
+  for (const auto& [key, column] :
+       {std::pair{"position_min", &b.position_min}, {"position_max", &b.position_max}})
+    require_each(key, *column, "must be a number", [](double x) { return !std::isnan(x); });
+}
+
 BoundsColumns made_bounds(const Column& velocity, const Column& acceleration, const Column& jerk,
                           const std::optional<Column>& velocity_min,
                           const std::optional<Column>& acceleration_min,
                           const std::optional<Column>& jerk_min, const Column& position_min,
                           const Column& position_max) {
-  return {velocity_min ? *velocity_min : negated(velocity),
-          velocity,
-          acceleration_min ? *acceleration_min : negated(acceleration),
-          acceleration,
-          jerk_min ? *jerk_min : negated(jerk),
-          jerk,
-          position_min,
-          position_max};
+  BoundsColumns bounds{velocity_min ? *velocity_min : negated(velocity),
+                       velocity,
+                       acceleration_min ? *acceleration_min : negated(acceleration),
+                       acceleration,
+                       jerk_min ? *jerk_min : negated(jerk),
+                       jerk,
+                       position_min,
+                       position_max};
+  require_bounds(bounds);
+  return bounds;
 }
 
 /// The magnitude of two bounds, for limits: nothing if there is none.
@@ -139,14 +169,42 @@ std::string bounds_text(const BoundsColumns& b) {
   return shown("Bounds", members);
 }
 
+std::array<Column BoundsColumns::*, 8> bound_members() {
+  using B = BoundsColumns;
+  return {&B::velocity_min, &B::velocity_max, &B::acceleration_min, &B::acceleration_max,
+          &B::jerk_min,     &B::jerk_max,     &B::position_min,     &B::position_max};
+}
+
+bool same_bounds(const BoundsColumns& bounds, const py::object& other) {
+  if (!py::isinstance<BoundsColumns>(other)) return false;
+  const auto& second = other.cast<const BoundsColumns&>();
+  const py::object equal = py::module_::import("numpy").attr("array_equal");
+  for (const auto member : bound_members())
+    if (!equal(bounds.*member, second.*member).cast<bool>()) return false;
+  return true;
+}
+
+py::tuple bounds_state(const BoundsColumns& bounds) {
+  py::list members;
+  for (const auto member : bound_members()) members.append(bounds.*member);
+  return py::tuple(members);
+}
+
+BoundsColumns bounds_of_state(const py::tuple& state) {
+  BoundsColumns bounds;
+  std::size_t i = 0;
+  for (const auto member : bound_members()) bounds.*member = state[i++].cast<Column>();
+  return bounds;
+}
+
 void bind_bounds(py::module_& m) {
   py::class_<BoundsColumns>(m, "Bounds",
                             R"(Bounds of a move: numbers, or arrays with one value for each move.
 
 A bound of a rate is a magnitude for both directions: u/s, u/s^2, u/s^3. With `velocity_min`, `acceleration_min` and
 `jerk_min` (< 0), the negative direction has its own. An omitted bound does not apply: without a jerk, the
-acceleration
-steps; without an acceleration, the velocity steps. Positions are in u.)")
+acceleration steps; without an acceleration, the velocity steps. Positions are in u. Raises InputError for a bound of a
+rate that is not greater than 0, for a minimum that is not less than 0, and for NaN.)")
       .def(py::init(&made_bounds), "velocity"_a = Bounds::none, "acceleration"_a = Bounds::none,
            "jerk"_a = Bounds::none, py::kw_only(), "velocity_min"_a = py::none(),
            "acceleration_min"_a = py::none(), "jerk_min"_a = py::none(),
@@ -165,6 +223,9 @@ steps; without an acceleration, the velocity steps. Positions are in u.)")
           "limits", limits_of,
           "The same bounds as Limits for a check. Raises InputError for bounds that are not equal "
           "in both directions, and for arrays.")
+      .def("__eq__", same_bounds, "other"_a, "True if all members are equal.")
+      .def(py::pickle([](const BoundsColumns& b) { return bounds_state(b); },
+                      [](const py::tuple& state) { return bounds_of_state(state); }))
       .def("__repr__", bounds_text);
 }
 
@@ -288,7 +349,9 @@ void bind_move(py::module_& m) {
   py::class_<Profile>(m, "Move", R"(A move of one axis over time, with constant jerk in each phase.
 
 Outside [0, duration], the state at the nearer end applies, with jerk 0.)")
-      .def_property_readonly("duration", &Profile::duration, "Duration, s.")
+      .def_property_readonly("duration", &Profile::duration,
+                             "Duration, s: the sum of the phases. `curve.end` is rounded once for "
+                             "each joint, so it can differ in the last digit.")
       .def_property_readonly(
           "start", [](const Profile& move) { return state_of(move.start()); }, "State at 0 s.")
       .def_property_readonly(

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "jounce/profiles/moves/move.hpp"
@@ -57,8 +58,14 @@ class Moves {
   std::unique_ptr<double[]> durations_;
 };
 
-/// Calls body(first, last) for parts of `size` elements, without the GIL. Many elements are divided among all cores.
-void in_parts(std::size_t size, const std::function<void(std::size_t, std::size_t)>& body);
+/// Number of threads of a function for many elements: the argument `threads`. Throws InputError unless it is None (all
+/// cores) or at least 1; returns 0 for None.
+std::size_t threads_of(std::optional<py::ssize_t> threads);
+
+/// Calls body(first, last) for parts of `size` elements, without the GIL. Many elements are divided among the threads;
+/// 0: one for each core.
+void in_parts(std::size_t size, std::size_t threads,
+              const std::function<void(std::size_t, std::size_t)>& body);
 
 /// The word of a status: "too_short", ...
 const char* word(MoveStatus status);

@@ -5,6 +5,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "jounce/validate/integration_watch.hpp"
+
 #include "python/src/bind.hpp"
 #include "python/src/design.hpp"
 #include "python/src/numpy/column.hpp"
@@ -44,6 +46,9 @@ NamedProof validate(const py::object& source, const std::filesystem::path& log, 
   };
   try {
     const py::gil_scoped_release release;
+    const IntegrationWatch integration([&] {
+      if (!watch(0, "integration")) throw Stopped();
+    });
     return proven(input, {.log = log.string(), .drive_samples = samples, .progress = step});
   } catch (const Stopped&) {
   }
@@ -98,9 +103,9 @@ void bind_proof(py::module_& m) {
 the spec.
 
 source: a Design, a Table, or the path of a file. log: path of the tick log of an executor, to compare.
-samples: number of
-samples of the drive's signals. progress: called with (done, step) while tolerances are computed; if it returns False,
-InputError is raised. The GIL is released.)");
+samples: number of samples of the drive's signals. progress: called with (done, step), where step is "integration"
+(done is 0) or "tolerances"; if it returns False, InputError is raised. Ctrl-C ends the validation. The GIL is
+released.)");
 }
 
 }  // namespace jounce::python

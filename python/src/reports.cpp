@@ -10,6 +10,7 @@
 
 #include "python/src/bind.hpp"
 #include "python/src/report.hpp"
+#include "python/src/values.hpp"
 
 namespace jounce::python {
 
@@ -62,21 +63,32 @@ std::string limits_text(const Limits& limits) {
 }
 
 void bind_limits(py::module_& m) {
-  py::class_<Limits>(m, "Limits", R"(Limits of an axis for a check.
+  py::class_<Limits> c(m, "Limits", R"(Limits of an axis for a check.
 
 The rates are magnitudes > 0: u/s, u/s^2, u/s^3; for a cam u/m, u/m^2, u/m^3 with the master's unit m. A limit that is
-None does not apply.)")
-      .def(py::init([](std::optional<double> velocity, std::optional<double> acceleration,
-                       std::optional<double> jerk, std::optional<double> position_min,
-                       std::optional<double> position_max) {
-             const Limits limits{position_min, position_max, velocity, acceleration, jerk};
-             require_valid(limits);
-             return limits;
-           }),
-           py::kw_only(), "velocity"_a = py::none(), "acceleration"_a = py::none(),
-           "jerk"_a = py::none(), "position_min"_a = py::none(), "position_max"_a = py::none(),
-           "Raises InputError if a limit is not finite, a limit of a rate is not positive, or min "
-           "> max.")
+None does not apply.)");
+  add_value(
+      c,
+      [](const Limits& l) {
+        return py::make_tuple(l.position_min, l.position_max, l.velocity, l.acceleration, l.jerk);
+      },
+      [](const py::tuple& members) {
+        using Number = std::optional<double>;
+        return Limits{members[0].cast<Number>(), members[1].cast<Number>(),
+                      members[2].cast<Number>(), members[3].cast<Number>(),
+                      members[4].cast<Number>()};
+      });
+  c.def(py::init([](std::optional<double> velocity, std::optional<double> acceleration,
+                    std::optional<double> jerk, std::optional<double> position_min,
+                    std::optional<double> position_max) {
+          const Limits limits{position_min, position_max, velocity, acceleration, jerk};
+          require_valid(limits);
+          return limits;
+        }),
+        py::kw_only(), "velocity"_a = py::none(), "acceleration"_a = py::none(),
+        "jerk"_a = py::none(), "position_min"_a = py::none(), "position_max"_a = py::none(),
+        "Raises InputError if a limit is not finite, a limit of a rate is not positive, or min "
+        "> max.")
       .def_readonly("position_min", &Limits::position_min, "u, or None")
       .def_readonly("position_max", &Limits::position_max, "u, or None")
       .def_readonly("velocity", &Limits::velocity, "u/s (cam: u/m), or None")

@@ -15,6 +15,7 @@
 #include "python/src/moves.hpp"
 #include "python/src/readers.hpp"
 #include "python/src/report.hpp"
+#include "python/src/values.hpp"
 #include "python/src/words.hpp"
 
 namespace jounce::python {
@@ -25,14 +26,15 @@ namespace {
 
 /// Plans the groups: the last axis of the shape is that of the machine's axes.
 Moves planned_groups(const Broadcast& all, const MoveReaders& readers, Sync sync,
-                     double minimum_duration, std::vector<Synchronized>& results) {
+                     double minimum_duration, std::size_t threads,
+                     std::vector<Synchronized>& results) {
   const py::gil_scoped_release release;
   const auto axes = static_cast<std::size_t>(all.shape().back());
   const auto profiles = std::make_shared<std::vector<Profile>>(all.size());
   Moves moves(all.shape(), all.size(), [profiles](std::size_t i) { return (*profiles)[i]; });
   if (axes == 0) return moves;
   results.resize(all.size() / axes);
-  in_parts(results.size(), [&](std::size_t first, std::size_t last) {
+  in_parts(results.size(), threads, [&](std::size_t first, std::size_t last) {
     std::vector<AxisMove> group(axes);
     for (std::size_t g = first; g < last; ++g) {
       for (std::size_t k = 0; k < axes; ++k)
@@ -52,7 +54,7 @@ Moves planned_groups(const Broadcast& all, const MoveReaders& readers, Sync sync
 }
 
 Moves groups(const StateColumns& start, const StateColumns& target, const BoundsColumns& bounds,
-             Sync sync, double minimum_duration) {
+             Sync sync, double minimum_duration, std::optional<py::ssize_t> threads) {
   Broadcast all = broadcast_moves(start, target, bounds);
   if (all.is_scalar())
     throw InputError("start", "", "must be an array with one value for each axis");
@@ -60,7 +62,7 @@ Moves groups(const StateColumns& start, const StateColumns& target, const Bounds
     throw InputError("minimum_duration", minimum_duration, "must be >= 0");
   std::vector<Synchronized> results;
   const MoveReaders readers(all, start, target, bounds);
-  Moves moves = planned_groups(all, readers, sync, minimum_duration, results);
+  Moves moves = planned_groups(all, readers, sync, minimum_duration, threads_of(threads), results);
   if (moves.shape().size() == 1 && !results.empty() && results.front().status != MoveStatus::ok) {
     const Synchronized& result = results.front();
     raise_move_error(result.status,
@@ -175,14 +177,42 @@ const char* command_name(const MotionCommand& what) {
   return names[what.index()];
 }
 
+py::tuple members_of(const QueuedCommand& c) {
+  const double number = std::visit(
+      [](const auto& what) -> double {
+        using What = std::decay_t<decltype(what)>;
+        if constexpr (std::is_same_v<What, MoveAbsolute>) return what.position;
+        if constexpr (std::is_same_v<What, MoveRelative>) return what.distance;
+        if constexpr (std::is_same_v<What, MoveVelocity>) return what.direction;
+        if constexpr (std::is_same_v<What, Dwell>) return what.time;
+        return 0;
+      },
+      c.command);
+  const Dynamics& d = c.dynamics;
+  return py::make_tuple(c.command.index(), number, d.velocity, d.acceleration, d.deceleration,
+                        d.jerk, c.mode, c.issued);
+}
+
+QueuedCommand command_of(const py::tuple& members) {
+  const auto number = members[1].cast<double>();
+  const std::array<MotionCommand, 5> all{MoveAbsolute{number}, MoveRelative{number},
+                                         MoveVelocity{number < 0 ? -1 : 1}, Halt{}, Dwell{number}};
+  return command(all.at(members[0].cast<std::size_t>()), members[2].cast<double>(),
+                 members[3].cast<double>(), members[4].cast<double>(), members[5].cast<double>(),
+                 members[6].cast<BufferMode>(), members[7].cast<std::optional<double>>());
+}
+
 void bind_commands(py::module_& m) {
   const auto buffered = BufferMode::buffered;
-  py::class_<QueuedCommand>(m, "Command",
-                            R"(A command in a queue() of one axis, with its dynamics (PLCopen).
+  py::class_<QueuedCommand> bound(
+      m, "Command",
+      R"(A command in a queue() of one axis, with its dynamics (PLCopen).
 
 velocity (u/s) and acceleration (u/s^2) are > 0; deceleration 0: the same as the acceleration; jerk (u/s^3) 0: not
 limited. `mode` is "aborting", "buffered", "blending_low", "blending_previous", "blending_next" or "blending_high".
-`issued` (s) is the time of an aborting command.)")
+`issued` (s) is the time of an aborting command.)");
+  add_value(bound, members_of, command_of);
+  bound
       .def_static("move_absolute", moving<MoveAbsolute>(), "position"_a, py::kw_only(),
                   "velocity"_a, "acceleration"_a, "deceleration"_a = 0.0, "jerk"_a = 0.0,
                   "mode"_a = buffered, "issued"_a = py::none(), "A move to a position (u).")
@@ -265,19 +295,17 @@ Raises InputError for a command that is out of range; its key counts commands fr
 void bind_sequences(py::module_& m) {
   m.def(
       "synchronize", groups, "start"_a, "target"_a, "bounds"_a, py::kw_only(),
-      "sync"_a = Sync::time, "minimum_duration"_a = 0.0,
+      "sync"_a = Sync::time, "minimum_duration"_a = 0.0, "threads"_a = py::none(),
       R"(Plans moves of several axes that belong together. The last axis of the arrays is that of the machine's axes.
 
 start, target: positions at rest (u), or State, with arrays of the shape (axes,) for one group of axes, or
-(..., axes) for
-many groups, which are planned in one loop without the GIL. `sync`: "time" (all arrive at the same instant), "phase"
-(and stay on a straight line), "none", "time_if_moving" or "phase_or_time". Every duration is at least
-`minimum_duration`
-(s).
+(..., axes) for many groups, which are planned in one loop without the GIL. `sync`: "time" (all arrive at the same
+instant), "phase" (and stay on a straight line), "none", "time_if_moving" or "phase_or_time". Every duration is at least
+`minimum_duration` (s); with "time_if_moving", this does not apply to an axis whose target is at rest. `threads`:
+greatest number of threads for many groups; None: one for each core.
 
-Returns Moves of that shape. For one group, MoveError is raised if there is no common motion; for many, its
-durations are
-NaN.)");
+Returns Moves of that shape. For one group, MoveError is raised if there is no common motion; for many, its durations
+are NaN.)");
   bind_via(m);
   bind_commands(m);
   bind_queue(m);

@@ -13,6 +13,7 @@
 #include "jounce/stream/sender/operate.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
 
+#include "python/src/advice.hpp"
 #include "python/src/bind.hpp"
 #include "python/src/design.hpp"
 #include "python/src/numpy/column.hpp"
@@ -27,7 +28,8 @@ namespace {
 
 void require_ok(const CallOutcome& outcome, const std::string& axis) {
   if (outcome.ok()) return;
-  const std::string text = axis + ": " + name(outcome.error) + ": " + reason_text(outcome, axis);
+  const std::string text =
+      axis + ": " + name(outcome.error) + ": " + with_arguments(reason_text(outcome, axis));
   const bool refused = outcome.refusal != wire::Refusal::none;
   const py::object error = from_package("_errors", "AxisError")(
       text, name(outcome.error), refused ? wire::name(outcome.refusal) : "", outcome.cause);
@@ -80,7 +82,7 @@ class AxisClient {
       const auto state = [&] {
         const py::gil_scoped_release release;
         const std::lock_guard lock(mutex_);
-        client_->beat();
+        client_->beat(std::min<Nanos>(500ms, end - steady_now()));
         return await_rest(*status_link_, axis_, std::min<Nanos>(100ms, end - steady_now()), key_);
       }();
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();

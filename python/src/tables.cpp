@@ -97,6 +97,44 @@ std::string table_repr(const NamedTable& self) {
                          {"end", shown(table.end())}});
 }
 
+std::string content_of(const NamedTable& t) {
+  return hex(content_hash(t.file.table, t.file.units));
+}
+
+/// A column as an array of its own, which pickle stores as bytes.
+py::array_t<double> copied(const std::vector<double>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+py::tuple table_state(const NamedTable& t) {
+  const auto& [x, p, v, a] = t.file.table.columns();
+  const Provenance& from = t.file.provenance;
+  const auto& e = t.error;
+  return py::make_tuple(t.file.table.axis(), t.file.table.rule(), t.file.table.outside(),
+                        py::make_tuple(copied(x), copied(p), copied(v), copied(a)),
+                        py::make_tuple(t.file.units.x, t.file.units.position),
+                        py::make_tuple(from.spec, from.spec_sha256, from.made_by),
+                        e ? py::make_tuple(e->position, e->where, e->velocity) : py::tuple());
+}
+
+NamedTable table_of_state(const py::tuple& state) {
+  const auto columns = state[3].cast<std::array<std::vector<double>, 4>>();
+  const auto units = state[4].cast<std::array<std::string, 2>>();
+  const auto from = state[5].cast<std::array<std::string, 3>>();
+  NamedTable table{
+      {Table(state[0].cast<Domain>(), state[1].cast<Interpolation>(),
+             state[2].cast<Extrapolation>(), {columns[0], columns[1], columns[2], columns[3]}),
+       {units[0], units[1]},
+       {from[0], from[1], from[2]}}};
+  const auto error = state[6].cast<py::tuple>();
+  if (error.empty()) return table;
+  table.error = SampleError{};
+  table.error->position = error[0].cast<double>();
+  table.error->where = error[1].cast<double>();
+  table.error->velocity = error[2].cast<double>();
+  return table;
+}
+
 void bind_table(py::module_& m) {
   py::class_<SampleError>(m, "TableError",
                           "The certified greatest error of a table against its exact curve.")
@@ -147,14 +185,25 @@ respect to x.
       .def_property_readonly(
           "position_unit", [](const NamedTable& t) { return t.file.units.position; },
           "Unit of the position; may be empty.")
-      .def_property_readonly(
-          "hash", [](const NamedTable& t) { return hex(content_hash(t.file.table, t.file.units)); },
-          "SHA-256 of the content: the same in CSV, in JSON and on the wire.")
+      .def_property_readonly("hash", content_of,
+                             "SHA-256 of the content: the same in CSV, in JSON and on the wire.")
       .def_readonly("error", &NamedTable::error,
                     "Certified error against its curve, as a TableError; None if unknown.")
       .def_property_readonly("curve", table_curve,
                              "The same polynomials as a Trajectory or Cam, for exact checks.")
       .def("__len__", [](const NamedTable& t) { return t.file.table.size(); })
+      .def(
+          "__eq__",
+          [](const NamedTable& t, const py::object& other) {
+            return py::isinstance<NamedTable>(other) &&
+                   content_of(t) == content_of(other.cast<const NamedTable&>());
+          },
+          "other"_a, "True if the tables have the same hash.")
+      .def(
+          "__hash__", [](const NamedTable& t) { return py::hash(py::str(content_of(t))); },
+          "Returns the hash of the content.")
+      .def(py::pickle([](const NamedTable& t) { return table_state(t); },
+                      [](const py::tuple& state) { return table_of_state(state); }))
       .def(
           "__call__",
           [](const NamedTable& t, const Column& x) -> py::object {

@@ -54,6 +54,9 @@ std::string verdict(const Finding& finding) {
                        finding.broken ? "below" : "above", limit);
   if (finding.margin < -10)
     return fmt::format("is {:.3g} times the limit {}", 1 - finding.margin, limit);
+  if (finding.broken && finding.value < finding.limit &&
+      std::abs(finding.value) < std::abs(finding.limit))
+    return fmt::format("is {} below the lower limit {}", percent(finding.margin), limit);
   if (finding.broken)
     return fmt::format("exceeds the limit {} by {}", limit, percent(finding.margin));
   if (std::abs(finding.margin) < just_met) return fmt::format("just meets the limit {}", limit);

@@ -349,18 +349,29 @@ void require_spec_text(const Document& document) {
 
 }  // namespace
 
+namespace {
+
+/// The error of a file of points in place of a spec or a table.
+InputError points_alone(const Document& document) {
+  const Points points = parse_points(document.text, document.name);  // throws: a column is twice
+  const bool over_time = points.find("time") != nullptr;
+  return InputError(
+             "", "",
+             "has points only, without the header of a Jounce table: write a spec of kind \"" +
+                 std::string(over_time ? "pvt" : "cam") + "\" with points = \"" + document.name +
+                 '"' + (over_time ? "" : ", or fit a cam to the points with `jounce fit`"))
+      .at(document.name, 1);
+}
+
+}  // namespace
+
 toml::table spec_detail::parse_toml(const Document& document) {
   require_shallow_keys(document);
   require_spec_text(document);
   try {
     return toml::parse(std::string_view(document.text), std::string_view(document.name));
   } catch (const toml::parse_error& error) {
-    if (begins_as_points(document.text))
-      throw InputError("", "",
-                       "has points only, without the header of a Jounce table: write a spec with "
-                       "points = \"" +
-                           document.name + "\" (kind = \"pvt\" for points over time)")
-          .at(document.name, 1);
+    if (begins_as_points(document.text)) throw points_alone(document);
     if (begins_as_gcode(document.text))
       throw InputError("", "",
                        "is a G-code program: name its machine, a spec of kind \"path\", with "

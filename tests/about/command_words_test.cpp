@@ -28,11 +28,16 @@ TEST(CommandWords, AreReadAsTheyAreMeant) {
   EXPECT_EQ(test::error_of([] {
               meant_words(Words{"run", "--log", ""});
             }),
-            "--log: is empty: write a value, or leave it out if it is optional");
+            "--log: is empty: write a value");
   EXPECT_EQ(test::error_of([] {
               meant_words(Words{"run", ""});
             }),
-            "argument 2: is empty: write a value, or leave it out if it is optional");
+            "argument 1 of run: is empty: write a value");
+}
+
+TEST(CommandWords, ANegativeNumberNeedsNoDashes) {
+  EXPECT_EQ(wrong_option(Words{"feeder", "jog", "--", "-20"}, {"--to"}, false, "this verb"),
+            "`--` is not needed before a negative number: leave it out");
 }
 
 TEST(CommandWords, NameTheNearestVerb) {

@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "axis/bench.hpp"
 #include "axis/live.hpp"
 #include "axis/tables.hpp"
 
@@ -118,6 +119,22 @@ TEST(LiveGear, ALostMasterBreaksIt) {
   EXPECT_THROW(LiveGear(1, {}), InputError) << "no acceleration: PMC600 error 676";
 }
 
+TEST(LiveGear, IsRejectedIfTheSlaveWouldExceedItsVelocityLimit) {
+  for (const auto& [numerator, permitted] :
+       {std::pair{9, false}, {-6, false}, {5, true}, {-5, true}}) {
+    Bench axis(AxisConfig{.limits = limits(500, 5000)});
+    axis.send(Kind::enable);
+    LiveGear gear(1, {.numerator = numerator, .acceleration = 5000});
+    const Tick tick = axis.step({command::Couple{.movement = &gear}}, at_master(0, 100));
+    ASSERT_EQ(tick.dropped.has_value(), !permitted) << numerator;
+    if (permitted) continue;
+    EXPECT_EQ(tick.dropped->cause, Cause::velocity_limit);
+    EXPECT_EQ(tick.dropped->value, 100 * std::abs(numerator));
+    EXPECT_EQ(tick.dropped->limit, 500);
+    EXPECT_EQ(axis.step({}, at_master(0.1, 100)).state, State::standstill) << "and it stays so";
+  }
+}
+
 GearInPosSpec example_6_2() {
   return {.numerator = 1,
           .denominator = 2,
@@ -169,7 +186,8 @@ TEST(LiveGearInPos, RefusesAnAxisThatDoesNotStandAtItsStart) {
   const Moment now{0, 0, {0, 0, 0, 0}};
   EXPECT_EQ(gear.begin({0, 0, 0}, now), Cause::none);
   EXPECT_EQ(gear.begin({1, 0, 0}, now), Cause::start_position);
-  EXPECT_EQ(gear.begin({0, 1, 0}, now), Cause::start_velocity);
+  EXPECT_EQ(gear.begin({0, 1, 0}, now), Cause::in_motion);
+  EXPECT_EQ(gear.begin({1, 1, 0}, now), Cause::in_motion) << "the motion is the reason";
   EXPECT_EQ(gear.begin({0, 0, 0}, {0, 0, {NAN, 0, 0, 0}}), Cause::no_master_input);
   GearInPosSpec passed = example_6_2();
   passed.master_position = 2000;

@@ -24,6 +24,7 @@ TEST(Nearest, TakesNoWordForAnotherThatOnlyEndsAlike) {
   EXPECT_EQ(meant("deceleration", {"acceleration"}), "");
   EXPECT_EQ(meant("lathe", {"path"}), "");
   EXPECT_EQ(meant("xath", {"path"}), "path");
+  EXPECT_EQ(meant("spec", {"sync"}), "");
 }
 
 }  // namespace

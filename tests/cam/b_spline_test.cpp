@@ -153,7 +153,7 @@ TEST(BSpline, NamesWhatItRefuses) {
   EXPECT_EQ(complaint([] {
               return interpolating_b_spline({{0, 0}, {1, 1}}, 2);
             }),
-            "points = 2 points: must be at least 3");
+            "points = 2: must be at least 3");
   EXPECT_EQ(complaint([] {
               return interpolating_b_spline({{0, 0}, {1, 1}}, 8);
             }),

@@ -229,6 +229,12 @@ TEST(LawForms, NameWhatALawDoesNotTake) {
             "shares = 0.5 + 0.5 + 0.5: must add up to 1, not 1.5");
 }
 
+TEST(Scca, RefusesAStraightShareThatLeavesNoRamp) {
+  EXPECT_EQ(test::error_of([] { (void)scca(0.25, 0.5, 0.25, 1); }),
+            "straight = 1: must be less than 1: no share is left for the ramps");
+  EXPECT_NO_THROW((void)scca(0.25, 0.5, 0.25, 0.99));
+}
+
 TEST(Scca, OneCodePathYieldsTheWholeFamily) {
   const auto peak = [](double b, double c, double d, int order) {
     return extrema(Cam(scca(b, c, d)), order).max.value;

@@ -188,7 +188,7 @@ std::string complaint(const SplineSpec& spec) {
 }
 
 TEST(SmoothingSpline, NamesWhatItRefuses) {
-  EXPECT_EQ(complaint({.points = {{0, 0}, {1, 1}}}), "points = 2 points: must be at least 3");
+  EXPECT_EQ(complaint({.points = {{0, 0}, {1, 1}}}), "points = 2: must be at least 3");
   EXPECT_EQ(complaint({.points = {{0, 0}, {1, 1, -1}, {2, 0}}}),
             "points[2].tolerance = -1: must not be negative");
   EXPECT_EQ(complaint({.points = {{0, 0}, {1, 1}, {2, 0}}, .ends = SplineEnds::not_a_knot}),

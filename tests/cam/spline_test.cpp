@@ -319,7 +319,7 @@ std::string complaint(const Maker& make, const SplineSpec& spec) {
 }
 
 TEST(Spline, NamesWhatItRefuses) {
-  EXPECT_EQ(complaint(cubic_spline, {.points = {{0, 0}}}), "points = 1 points: must be at least 2");
+  EXPECT_EQ(complaint(cubic_spline, {.points = {{0, 0}}}), "points = 1: must be at least 2");
   EXPECT_EQ(complaint(cubic_spline, {.points = {{0, 0}, {1, 1}, {1, 2}}}),
             "points[3].master = 1: must be greater than 1, the previous point");
   EXPECT_EQ(complaint(quintic_spline, {.points = {{0, 0}, {1, NAN}}}),

@@ -9,6 +9,8 @@
 
 #include <gmock/gmock.h>
 
+#include "jounce/command/refusal_text.hpp"
+
 namespace jounce::causes_test {
 namespace {
 
@@ -42,6 +44,18 @@ TEST(Causes, EachHasASentenceAndARemedy) {
     EXPECT_THAT(one.remedy, EndsWith(".")) << one.name;
     EXPECT_STREQ(meaning(one.cause), one.meaning);
   }
+}
+
+TEST(Causes, TextsHaveTheNumbersOfTheRejection) {
+  EXPECT_EQ(
+      text(Refusal{Cause::too_late, 5, 123456789}, "mm"),
+      "too_late: The requested start tick has passed: tick 5; the axis is at tick 123456789.");
+  EXPECT_EQ(text(Refusal{Cause::no_such_move, 5, 20, 0}, "mm"),
+            "no_such_move: No move from the present state to that target keeps the limits and the "
+            "direction: 5 mm is not in this direction from 20 mm.");
+  EXPECT_EQ(text(Refusal{Cause::no_such_move, 5}, "mm"),
+            "no_such_move: No move from the present state to that target keeps the limits and the "
+            "direction.");
 }
 
 }  // namespace

@@ -174,7 +174,8 @@ TEST(Exchange, ReadsDecimalCommasOnlyWhereTheyAreMeant) {
   EXPECT_EQ(parse_exchange("2\n0;0\n1,5;0,5\n", "t", true).table.columns().x[1], 1.5);
   EXPECT_EQ(complaint("0,0 0,0 0,0 0,0\n", false).substr(0, 11), "t:1: X = \"0");
   EXPECT_EQ(complaint("x,y,v,a\n0,0,0,0\n1,0,2,5,0,0,0,0\n"),
-            "t:3: row = 8 values: must have 4: if these are decimal commas, use --decimal-comma");
+            "t:3: row = 8 values: must have 4: if these are decimal commas, convert the file with "
+            "`jounce convert --decimal-comma`");
 }
 
 TEST(Exchange, NamesFileLineKeyValueAndRule) {
@@ -184,7 +185,8 @@ TEST(Exchange, NamesFileLineKeyValueAndRule) {
             "t:3: Y = \"nan\": must be a finite number");
   EXPECT_EQ(complaint(replaced(good, "1\t2", "0\t2")),
             "t:3: knot[2].master = 0: must be greater than 0, the previous knot");
-  EXPECT_EQ(complaint(replaced(good, "2\t3\t0\t0", "2\t3\t0")), "t:4: row = 3 values: must have 4");
+  EXPECT_EQ(complaint(replaced(good, "2\t3\t0\t0", "2\t3\t0")),
+            "t:4: row = 3 values: must have 4, one for each column of the header");
   EXPECT_EQ(complaint(replaced(good, "X\tY\tV\tA", "X\tY\tA\tV")).substr(0, 13), "t:1: columns ");
   EXPECT_EQ(
       complaint("5\n0;0\n1;1\n"),

@@ -43,6 +43,16 @@ TEST(Axes, OfTwoFilesArePairedByName) {
               paired_axes({named("x")}, {named("x"), named("y")}, "a", "b");
             }),
             "is missing: a has no axis y. Name the axis to compare");
+  EXPECT_EQ(test::rule_of([] {
+              paired_axes({named("x"), named("y")}, {named("")}, "a", "b");
+            }),
+            "is missing: b has only one axis, without a name. Name the axis to compare");
+  const auto mixed = paired_axes({named("x"), named("y")}, {named("")}, "a", "b", "y");
+  ASSERT_EQ(mixed.size(), 1U);
+  EXPECT_EQ(mixed[0].first.axis, "y");
+  EXPECT_EQ(mixed[0].second.axis, "");
+  EXPECT_EQ(test::rule_of([] { paired_axes({named("x")}, {named("z")}, "a", "b", "q"); }),
+            "a has only one axis, without a name: leave out --axis");
 }
 
 TEST(Axes, HaveAFileEach) {

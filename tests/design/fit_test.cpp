@@ -145,6 +145,17 @@ TEST_F(FitFile, APeriodMayCloseTheFile) {
   EXPECT_THAT(laws_of(made.fit.spec), ::testing::ElementsAre("simple_sine", "simple_sine"));
 }
 
+TEST_F(FitFile, APeriodOfAnAdvancingSlaveNeedsItsLastPoint) {
+  std::string points = "master [deg];slave [mm]\n";
+  for (int i = 0; i < 360; i += 5)
+    points += std::to_string(i) + ";" + number(0.3 * i + std::sin(i * std::acos(-1) / 180)) + "\n";
+  EXPECT_THAT(complaint(points, {.tolerance = "1um", .period = "1 rev"}),
+              HasSubstr("period = 1 rev: needs a point at 360 deg, the end of the period"));
+  const FittedCam made = fit(points + "360;108\n", {.tolerance = "10um", .period = "1 rev"});
+  EXPECT_TRUE(made.fit.spec.periodic);
+  EXPECT_NEAR(made.fit.spec.segments.back().end.slave, 108, 1e-9);
+}
+
 TEST_F(FitFile, ACamBeyondTheToleranceOfAPointIsBroken) {
   const std::string zigzag =
       "master [deg],slave [mm]\n0,0\n60,0.1\n120,0\n180,0.1\n240,0\n300,0.1\n360,0.01\n";

@@ -54,6 +54,13 @@ TEST(Gcode, ReadsLinesWithTheirFeedCornerAndSourceLine) {
   EXPECT_EQ(program.settings()[program.commands()[2].settings].corner, Corner::stop);
 }
 
+TEST(Gcode, EndsAtASecondPercentSign) {
+  EXPECT_EQ(parsed("%\nG1 X10 F100\n%\nX99\n").program.position()[0], 10);
+  EXPECT_EQ(parsed("G1 X10 F100\n%\nX99\n").program.position()[0], 10);
+  EXPECT_EQ(parsed("\n(title)\n%\nG1 X10 F100\n").program.position()[0], 10);
+  EXPECT_NE(complaint("%\nG1 X10 F100\n% X99\n"), "none");
+}
+
 TEST(Gcode, StopsAtTangentJointsByG61Point1Only) {
   const Program program =
       parsed("G61 G1 X1 F60\nX2\nG61.1 X3\nX4\nG61 X5\nG61.1 X6\nG64 P0.1 X7\n").program;

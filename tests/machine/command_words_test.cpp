@@ -75,5 +75,15 @@ TEST(CommandWords, EachOptionIsListedOnce) {
   for (const auto& [name, times] : count) EXPECT_EQ(times, 1) << name;
 }
 
+TEST(CommandWords, WordsOfAnotherVerbAreNamed) {
+  EXPECT_EQ(meant_command("feeder", "stop"),
+            "is a verb of its own: did you mean jounce stop feeder?");
+  EXPECT_EQ(meant_command("feeder", "abort"),
+            "is an option of a verb: did you mean jounce stop feeder --abort?");
+  EXPECT_EQ(meant_command("enable", "feeder"),
+            "is not a command: did you mean jounce order feeder enable?");
+  EXPECT_EQ(meant_command("feeder", "jump"), "");
+}
+
 }  // namespace
 }  // namespace jounce::command_words_test

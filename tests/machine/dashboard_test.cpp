@@ -268,7 +268,9 @@ TEST(Dashboard, ShowsTheMasterOfTheChosenAxis) {
   };
   EXPECT_THAT(text(), HasSubstr("line 1234.5 mm, 500 mm/s, measured 1.3 ms ago"));
   take(axes, "knife", wire::MasterStatus{7, "line", "mm", 11, true});
-  EXPECT_THAT(text(), HasSubstr("line is lost, never measured"));
+  EXPECT_THAT(text(), HasSubstr("line, no valid sample yet"));
+  take(axes, "knife", wire::MasterStatus{7, "line", "mm", 11, true, NAN, NAN, NAN, 0, 3100});
+  EXPECT_THAT(text(), HasSubstr("3100 samples rejected (must be in mm"));
   EXPECT_EQ(axes[0].masters.size(), 1U);
   for (int i = 0; i < 1000; ++i)
     take(axes, "knife", wire::MasterStatus{7, "m" + std::to_string(i), "mm", 12 + i, true});

@@ -51,6 +51,17 @@ TEST_F(MachineParts, HaveTheNumbersOfTheirSpecsInSeconds) {
   EXPECT_TRUE(parts.masters.empty());
 }
 
+TEST_F(MachineParts, RejectAHomingThatNoDriveCanDo) {
+  const std::string homing = "[homing]\nmethod = 24\nsearch_velocity = 60\nacceleration = 3600\n";
+  EXPECT_THAT(
+      test::error_of([&] { machine_parts({.files = {axis("feeder", homing)}}); }),
+      testing::HasSubstr("homing.method = 24: needs a switch or an index, but this axis has "
+                         "no drive that reports one"));
+  EXPECT_EQ(test::error_of(
+                [&] { machine_parts({.files = {axis("feeder", "[homing]\nmethod = 35\n")}}); }),
+            "");
+}
+
 TEST_F(MachineParts, FollowEachOtherByName) {
   const std::string leader = axis("line"), slave = axis("knife", "[follow]\naxis = \"line\"\n");
   const auto parts = machine_parts({.files = {slave, leader}});

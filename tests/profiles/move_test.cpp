@@ -195,6 +195,12 @@ TEST(Move, TheLeastDurationIsThatOfTheMotionWhereLittleIsLeft) {
   EXPECT_TRUE(move_to(from, to, axis, motion));
 }
 
+TEST(Move, NoDurationIsPossibleWhereThereIsNoMove) {
+  const Durations none = durations({0, 0, 0}, {1, 5, 0}, within(2, 2, 20));
+  ASSERT_EQ(none.status, MoveStatus::target_outside);
+  for (const double t : {0.0, 1.0, 1e3}) EXPECT_FALSE(none.allows(t)) << t;
+}
+
 TEST(Move, AMovingTargetBlocksDurations) {
   // At the present velocity the move takes 0.1 s; a little longer is possible, but a stop is not:
   // then the axis is past the target and has to come back.

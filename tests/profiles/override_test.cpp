@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/between.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
@@ -238,6 +239,16 @@ TEST(Override, SaysWhatThePlanBreaks) {
 TEST(Override, RefusesWhatItCannotPlay) {
   EXPECT_THROW(play({.factor = -0.1}), InputError);
   EXPECT_THROW(play({.factor = 0}), InputError) << "nothing sets it going";
+  try {
+    const std::array moving{between(plan(), 1, 5.7)};
+    (void)overridden(moving, std::span(&limits, 1), {.factor = 0.5});
+    FAIL() << "the velocity would step from 10 to 5";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "factor = 0.5: must be 1, because axis[1] begins in motion, at velocity 10, and any "
+        "other factor steps it");
+  }
   EXPECT_THROW(play({.requests = {{2, 0}, {1, 1}}}), InputError);
   EXPECT_THROW(play({.requests = {{-1, 0}}}), InputError);
   const std::array axes{plan()};

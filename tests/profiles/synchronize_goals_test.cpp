@@ -232,6 +232,18 @@ TEST(SynchronizeGoals, OnlyMovingTargetsWaitForEachOtherWhereThatIsAskedFor) {
   }
 }
 
+TEST(SynchronizeGoals, WhereAllTargetsRestTheDurationIsThatOfTheSlowestAxis) {
+  const Bounds bounds = within(1, 2, 10);
+  const std::array<AxisMove, 2> axes{AxisMove{{0, 0, 0}, {1, 0, 0}, bounds},
+                                     AxisMove{{0, 0, 0}, {3, 0, 0}, bounds}};
+  std::array<Profile, 2> out;
+  const Synchronized s = synchronize(axes, Sync::time_if_moving, out, 60);
+  ASSERT_EQ(s.status, MoveStatus::ok);
+  EXPECT_EQ(s.duration, out[1].duration()) << "not the minimum of 60 s, which no axis has";
+  EXPECT_LT(out[0].duration(), out[1].duration());
+  EXPECT_LT(out[1].duration(), 60);
+}
+
 TEST(SynchronizeGoals, InPhaseWhereTheStatesAllowItOtherwiseInTime) {
   std::array<AxisMove, 2> axes{AxisMove{{0, 0, 0}, {1, 0, 0}, within(1, 1, 1)},
                                AxisMove{{0, 0, 0}, {-2, 0, 0}, within(1, 1, 1)}};

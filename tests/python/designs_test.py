@@ -53,6 +53,34 @@ class Cams(unittest.TestCase):
             jounce.design_cam([jounce.CamSegment("quintic", 10, 1), jounce.CamSegment("quintic", 5, 0)])
         self.assertEqual(caught.exception.key, "segment[2].end.master")
 
+    def test_a_periodic_cam_is_closed(self) -> None:
+        open_cam = [jounce.CamSegment("345", 180, 50), jounce.CamSegment("345", 360, 10)]
+        with self.assertRaises(jounce.InputError) as caught:
+            jounce.design_cam(open_cam, periodic=True)
+        self.assertEqual((caught.exception.key, caught.exception.value), ("segment[2].end.slave", "10"))
+        self.assertIn("must be 0", caught.exception.rule)
+        self.assertEqual(jounce.design_cam(open_cam, periodic=True, slave_period=10).advance, 10)
+        self.assertEqual(jounce.design_cam(open_cam).outside, "hold")
+
+    def test_gears(self) -> None:
+        cam = jounce.gear([jounce.GearChange(0, 0.5, 100)], master_end=1000)
+        self.assertEqual(cam(100), 25)  # a straight clutch moves the slave by d (r0 + r1) / 2
+        self.assertEqual(cam.at(500).geo_velocity, 0.5)
+        shifted = jounce.gear([jounce.GearChange(0, 1)], master_end=360, ratio=1, shifts=[jounce.GearShift(90, 5, 90)])
+        self.assertAlmostEqual(shifted(360), 365, delta=1e-12)
+        with self.assertRaises(jounce.InputError) as caught:
+            jounce.gear([jounce.GearChange(0, 1, 100), jounce.GearChange(50, 2)], master_end=1000)
+        self.assertEqual(caught.exception.key, "change[2].at")
+        # PMC600 manual, example 6.2: the master at 8000, the slave at 2000, over 4000, by 1 : 2.
+        engaged = jounce.gear_in_pos(1, 2, master_sync=8000, slave_sync=2000, start_distance=4000, master_start=0,
+                                     master_end=10000)
+        self.assertEqual((engaged(4000), engaged(8000)), (0, 2000))
+        self.assertAlmostEqual(engaged(9000), 2500, delta=1e-9)
+        with self.assertRaises(jounce.InputError) as caught:
+            jounce.gear_in_pos(1, 1, master_sync=8000, slave_sync=-2000, start_distance=4000, master_start=0,
+                               master_end=10000, avoid_reversal=True)
+        self.assertEqual(caught.exception.key, "start_distance")
+
     def test_a_slave_behind_its_master(self) -> None:
         cam = rise_and_return()
         master = jounce.trapezoid(0, 360, velocity=400, acceleration=2000).curve
@@ -145,6 +173,18 @@ class Designs(unittest.TestCase):
         with self.assertRaises(jounce.InputError):
             jounce.load("no such file.toml")
 
+    def test_errors_name_the_arguments_of_python(self) -> None:
+        with self.assertRaises(jounce.InputError) as caught:
+            jounce.load(ROOT / "examples/gcode-part/plate.ngc")
+        self.assertIn("with machine,", caught.exception.rule)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "comma.txt"
+            file.write_text("0;0,5\n1;1,5\n2;2,5\n")
+            with self.assertRaises(jounce.InputError) as caught:
+                jounce.load(file)
+            self.assertIn("load(..., decimal_comma=True)", caught.exception.rule)
+            self.assertNotIn("--", str(caught.exception))
+
     def test_files_of_several_axes(self) -> None:
         path = ROOT / "examples/gcode-part/plate.toml"
         axes = jounce.load_axes(path)
@@ -152,6 +192,74 @@ class Designs(unittest.TestCase):
         self.assertEqual(jounce.load(path, axis=axes[0].axis).axis, axes[0].axis)
         with self.assertRaises(jounce.InputError):
             jounce.load(path)
+
+
+class Paths(unittest.TestCase):
+    SPEC = ROOT / "examples/himc-path/arc-corners.toml"
+
+    def test_arrays_have_a_column_for_each_axis(self) -> None:
+        path = jounce.plan_path(self.SPEC)
+        axes = jounce.load_axes(self.SPEC)
+        self.assertEqual(path.axes, [axis.axis for axis in axes])
+        self.assertEqual(len(path), len(axes))
+        self.assertEqual(path.duration, axes[0].curve.end)
+        t, motion = path.sample(0.01)
+        self.assertEqual(motion.velocity.shape, (len(t), len(path)))
+        for k, axis in enumerate(axes):
+            np.testing.assert_array_equal(motion.position[:-1, k], axis.curve(t[:-1]))
+        np.testing.assert_array_equal(path.at(t).acceleration, motion.acceleration)
+        self.assertEqual(path.at(0.5).position.shape, (len(path),))
+        self.assertTrue(np.isnan(path.at(np.nan).position).all())
+        self.assertEqual(path.ok, all(path.reports))
+        self.assertAlmostEqual(path.data["path"]["duration"], path.duration, delta=1e-9)
+
+    def test_programs_and_errors(self) -> None:
+        folder = ROOT / "examples/gcode-part"
+        path = jounce.plan_path(folder / "plate.ngc", machine=folder / "machine.toml")
+        self.assertGreater(path.duration, 0)
+        with self.assertRaises(jounce.InputError) as caught:
+            jounce.plan_path(CAM)
+        self.assertIn("kind \"path\"", caught.exception.rule)
+        same = jounce.parse_path(self.SPEC.read_text())
+        self.assertEqual(same.duration, jounce.plan_path(self.SPEC).duration)
+
+
+class Values(unittest.TestCase):
+    def test_equal_members_make_equal_values(self) -> None:
+        point = jounce.CamPoint(5, 3, tolerance=0.1)
+        pairs = [(jounce.Limits(velocity=2, position_min=-1), jounce.Limits(velocity=3, position_min=-1)),
+                 (jounce.CamKnot(1, 2, geo_velocity=3), jounce.CamKnot(1, 2)),
+                 (point, jounce.CamPoint(5, 3)),
+                 (jounce.CamSegment("cubic_spline", 10, 0, name="a", points=[point]), jounce.CamSegment("345", 10, 0)),
+                 (jounce.CamSegment("scca", 10, 0, shares=(0.25, 0.5, 0.25)), jounce.CamSegment("345", 10, 0)),
+                 (jounce.Command.move_absolute(5, velocity=1, acceleration=2), jounce.Command.dwell(5)),
+                 (jounce.GearChange(0, 0.5, 100), jounce.GearChange(0, 0.5, 90)),
+                 (jounce.GearShift(0, 5, 90), jounce.GearShift(0, 5, 80)),
+                 (rise_and_return(), rise_and_return().shifted(1)),
+                 (jounce.s_curve(0, 5, velocity=1, acceleration=2, jerk=9).curve,
+                  jounce.s_curve(0, 6, velocity=1, acceleration=2, jerk=9).curve),
+                 (rise_and_return().table(tolerance=0.01), rise_and_return().table(tolerance=0.1))]
+        for value, other in pairs:
+            with self.subTest(type(value).__name__):
+                copied = pickle.loads(pickle.dumps(value))
+                self.assertEqual(copied, value)
+                self.assertEqual(hash(copied), hash(value))
+                self.assertEqual(repr(copied), repr(value))
+                self.assertNotEqual(value, other)
+                self.assertNotEqual(value, 5)
+
+    def test_bounds_have_arrays(self) -> None:
+        bounds = jounce.Bounds([2, 3], 10, 100, position_max=5)
+        self.assertEqual(pickle.loads(pickle.dumps(bounds)), bounds)
+        self.assertNotEqual(jounce.Bounds([2, 4], 10, 100, position_max=5), bounds)
+        self.assertNotEqual(jounce.Bounds(2, 10, 100, position_max=5), bounds)
+
+    def test_a_table_keeps_its_error(self) -> None:
+        table = rise_and_return().table(tolerance=0.01)
+        assert table.error is not None
+        copied = pickle.loads(pickle.dumps(table))
+        self.assertEqual((copied.error.position, copied.error.where), (table.error.position, table.error.where))
+        self.assertEqual(copied.hash, table.hash)
 
 
 class LongWork(unittest.TestCase):
@@ -185,6 +293,20 @@ class LongWork(unittest.TestCase):
 
         with self.assertRaises(KeyboardInterrupt):
             jounce.optimize(CAM, progress=press)
+
+    def test_interrupt_of_a_validation(self) -> None:
+        steps: list[str] = []
+
+        def press(done: float, step: str) -> None:
+            steps.append(step)
+            signal.raise_signal(signal.SIGINT)
+
+        with self.assertRaises(KeyboardInterrupt):
+            jounce.validate(CAM, progress=press)
+        self.assertEqual(steps, ["integration"])
+        with self.assertRaises(jounce.InputError) as caught:
+            jounce.validate(CAM, progress=lambda done, step: False)
+        self.assertEqual(caught.exception.key, "progress")
 
     def test_other_threads_run_meanwhile(self) -> None:
         counted, done = [0], threading.Event()

@@ -27,6 +27,21 @@ def seven_phases(distance: float, v: float, a: float, j: float) -> float:
     return 4 * (distance / (2 * j)) ** (1 / 3)
 
 
+class TheBounds(unittest.TestCase):
+    def test_wrong_ones_are_rejected_at_once(self) -> None:
+        nan = float("nan")
+        for key, rule, arguments in (("velocity", "greater than 0", {"velocity": -1.0}),
+                                     ("velocity", "greater than 0", {"velocity": 0.0}),
+                                     ("acceleration", "greater than 0", {"acceleration": nan}),
+                                     ("jerk[1]", "greater than 0", {"jerk": [5, -1]}),
+                                     ("jerk_min", "less than 0", {"jerk": 5, "jerk_min": 5}),
+                                     ("position_max", "a number", {"position_max": nan})):
+            with self.assertRaises(jounce.InputError) as caught:
+                jounce.Bounds(**arguments)  # type: ignore[arg-type]
+            self.assertEqual(caught.exception.key, key)
+            self.assertIn(rule, caught.exception.rule)
+
+
 class OneMove(unittest.TestCase):
     def test_the_duration_is_that_of_the_closed_form(self) -> None:
         for distance in (1e-3, 0.01, 0.05, 0.3, 0.6, 1, 7, 1e4):

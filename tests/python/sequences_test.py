@@ -106,7 +106,7 @@ class Online(unittest.TestCase):
         with self.assertRaises(jounce.InputError):
             generator.set_target([1, 2, 3])
         with self.assertRaises(jounce.MoveError) as caught:
-            generator.set_bounds(jounce.Bounds([1, -1], 1, 1))
+            generator.set_bounds(jounce.Bounds([1, 1e60], 1, 1))
         self.assertIn("axis 1", str(caught.exception))
         with self.assertRaises(jounce.InputError):
             generator.step(-1)

@@ -60,6 +60,13 @@ class Stream(unittest.TestCase):
                 axis.move_absolute(float("nan"))
             self.assertTrue(np.isfinite(axis.status().position))
 
+    def test_a_wait_ends_at_its_timeout(self) -> None:
+        # The patience of the client is longer than the time limit of this test.
+        axis = jounce.Client("absent", url=self.url, patience=500)
+        with self.assertRaises(jounce.AxisError) as caught:
+            axis.wait_for_rest(0.2)
+        self.assertEqual(caught.exception.error, "out_of_time")
+
     def test_no_answer(self) -> None:
         with self.assertRaises(jounce.AxisError) as caught:
             jounce.Client("absent", url=self.url, patience=0.3).enable()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The stub file has the names and the arguments of the compiled module, and every name has a docstring."""
+"""The stub file has the names, arguments and defaults of the compiled module, and every name has a docstring."""
 import ast
 import inspect
 import pathlib
@@ -11,7 +11,7 @@ import jounce
 import jounce._jounce as module
 
 STUB = ast.parse((pathlib.Path(module.__file__).parent / "_jounce.pyi").read_text())
-Argument = tuple[str, bool]  # its name, with * before those after it; true if it has a default
+Argument = tuple[str, str]  # its name, with * before those after it; its default, or ""
 
 
 def split(text: str) -> list[str]:
@@ -33,17 +33,24 @@ def of_module(name: str, function: Any, method: bool) -> list[list[Argument]]:
         if match := re.match(rf"\s*(?:\d+\. )?{re.escape(name)}\((.*)\) -> ", line):
             arguments = split(match[1])[1 if method else 0:]
             if not any(a.startswith("*args") for a in arguments):
-                found.append([(a.split(":")[0], " = " in a) for a in arguments])
+                found.append([(a.split(":")[0], default_of(a)) for a in arguments])
     return found
+
+
+def default_of(argument: str) -> str:
+    """The default in a docstring, as in the stub."""
+    default = argument.rpartition(" = ")[2] if " = " in argument else ""
+    return default.replace("inf", "math.inf")
 
 
 def of_stub(function: ast.FunctionDef) -> list[Argument]:
     a = function.args
     names = [x.arg for x in a.args]
-    found = [(n, i >= len(names) - len(a.defaults)) for i, n in enumerate(names) if n != "self"]
+    defaults = [""] * (len(names) - len(a.defaults)) + [ast.unparse(d) for d in a.defaults]
+    found = [(n, d) for n, d in zip(names, defaults) if n != "self"]
     if a.kwonlyargs:
-        found.append(("*", False))
-    return found + [(x.arg, d is not None) for x, d in zip(a.kwonlyargs, a.kw_defaults)]
+        found.append(("*", ""))
+    return found + [(x.arg, "" if d is None else ast.unparse(d)) for x, d in zip(a.kwonlyargs, a.kw_defaults)]
 
 
 class Stub(unittest.TestCase):

@@ -49,6 +49,12 @@ TEST(CiFormats, TheStatusIsTheWorstLevel) {
             "4 files: 2 good, 1 with 1 broken rule, 1 wrong (1 error); 1 warning");
 }
 
+TEST(CiFormats, TheSummaryOfAFileWithoutAMotionStatesIt) {
+  EXPECT_EQ(summary_line({"check", {{"d.toml", "drive", {}}}}),
+            "1 file: 1 good: its keys are valid; the kind drive has no motion to examine");
+  EXPECT_EQ(summary_line({"check", {{"c.toml", "cam", {}}}}), "1 file: 1 good");
+}
+
 TEST(CiFormats, TextIsWhatCompilersPrint) {
   EXPECT_EQ(to_text(run()),
             "a,b.toml:2:3: warning: 50 % more:\nslow [warning/reversal]\n"

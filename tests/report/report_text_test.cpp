@@ -29,6 +29,24 @@ TEST(ReportText, SaysWhereByHowMuchAndInWhichUnit) {
             "2 findings; the worst: " + sentence(report.findings[0], labels));
 }
 
+TEST(ReportText, AValueUnderALowerLimitIsBelowIt) {
+  Finding f;
+  f.rule = "limit/slave";
+  f.quantity = "slave";
+  f.where = 280;
+  f.value = 63.5;
+  f.limit = 70;
+  f.margin = -0.0929;
+  f.broken = true;
+  const Labels labels{{"deg", "mm"}, true, {}};
+  EXPECT_TRUE(sentence(f, labels).ends_with("is 9.29 % below the lower limit 70"))
+      << sentence(f, labels);
+  f.value = -80;
+  f.limit = -70;
+  EXPECT_TRUE(sentence(f, labels).ends_with("exceeds the limit -70 by 9.29 %"))
+      << sentence(f, labels);
+}
+
 TEST(ReportText, JsonHasEveryNumberInFull) {
   const auto [report, labels] = fig_6_14();
   const std::string json = to_json(report, labels);

@@ -42,7 +42,7 @@ TEST(SpecCompare, NamesWhatIsWrong) {
               ::testing::HasSubstr("compare.point: is missing"));
   EXPECT_THAT(
       complaint("[compare]\nmode = \"equal\"\nposition = 1\naxis = \"x\"\n"),
-      ::testing::HasSubstr("compare.axis = \"x\": must be the name of an axis of this spec"));
+      ::testing::HasSubstr("compare.axis = \"x\": this spec has a single axis: leave axis out"));
   EXPECT_THAT(complaint("[compare]\nmode = \"equal\"\nposition = 1\npulse = 1\n"),
               ::testing::HasSubstr("compare.pulse"));
   EXPECT_EQ(

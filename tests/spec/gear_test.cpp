@@ -34,6 +34,14 @@ TEST(GearSpec, MakesALineThatGoesOnFromWhereItEnds) {
   ASSERT_EQ(made.zones.size(), 1U);
 }
 
+TEST(GearSpec, RejectsARatioThatNeverMovesTheSlave) {
+  EXPECT_THAT(
+      test::error_of(
+          [] { (void)parse_spec(spec("[gear]\nnumerator = 0\nmaster_period = 360\n"), "g"); }),
+      ::testing::HasSubstr("gear.numerator = 0: must not be 0, because the slave would never "
+                           "move"));
+}
+
 TEST(GearSpec, EngagesOverADistanceOfItsMaster) {
   const Made made = make(parse_spec(
       spec("[gear]\nengage = \"distance\"\nnumerator = 1\ndenominator = 2\ndistance = 100\n"

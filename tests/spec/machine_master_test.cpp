@@ -93,7 +93,7 @@ TEST(MachineMaster, SaysWhatIsWrongAndWhere) {
               HasSubstr("must have 1 to 23 characters, each a letter"));
   EXPECT_THAT(complaint("[master.a]\nkind = \"encoder\"\nunit = \"mm\"\nvelocity = 1\n"
                         "acceleration = 2\n"),
-              HasSubstr("axis: must be given, or drive, but not both"));
+              HasSubstr("axis: is missing: add axis = \"NAME\", or [drive] of the master"));
   EXPECT_THAT(complaint("[master]\nline = 3\n"),
               HasSubstr("is not a master: begin a section [master.NAME]"));
 }

@@ -82,7 +82,7 @@ TEST(PathSpecFile, ReadsZones) {
   EXPECT_THAT(complaint(zones("[\"x\", \"y\"]", "pulse = 0.01\npoint = [{ output = 1 }]\n")),
               HasSubstr("at: is missing"));
   EXPECT_THAT(complaint(path + "[compare]\naxis = \"z\"\nmode = \"equal\"\nposition = 1\n"),
-              HasSubstr("or \"path\""));
+              HasSubstr("must be one of the axes of this spec: x, y, c or path"));
 }
 
 TEST(PathSpecFile, ReadsCommandsWithTheirLines) {

@@ -360,7 +360,7 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
             "[\"rms torque\"]\ncorridor = [{ from = 1, to = 2, lower = 3, upper = 2 }]",
             "must not be above the upper bound"},
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\ncorridor = [{ at = 300, lower = 3 }]",
-            "optimize.corridor[1].from = 300: lies outside all segments with a free shape"},
+            "optimize.corridor[1].at = 300 deg: must lie in a segment with a free shape: 0 to 240"},
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\nbudget = \"-1 s\"",
             "optimize.budget = -1 s: must be greater than 0"},
         Bad{"winding_loss = 0.8\n[optimize]\nminimize = [\"rms torque\"]",

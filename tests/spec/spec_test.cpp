@@ -208,12 +208,34 @@ INSTANTIATE_TEST_SUITE_P(
             "rule "
             "at the top, such as velocities = \"clamped\""},
         Bad{pvt, "[[knot]]\ntime = 0", "[[knots]]\ntime = 0",
-            "a.toml: knots = 1: must be at least 2"}));
+            "a.toml:6:3: [[knots]]: is not a section here: did you mean knot?"}));
 
 TEST(BadSpecs, EmptyFilesSaySo) {
   EXPECT_EQ(complaint(""), "a.toml:1: the file is empty: `jounce new` writes a spec to start with");
   EXPECT_EQ(complaint(" \n\t\n"),
             "a.toml:1: the file is empty: `jounce new` writes a spec to start with");
+}
+
+TEST(BadSpecs, PointsInPlaceOfASpecAreNamed) {
+  EXPECT_EQ(complaint("master,slave\n0,0\n1,5\n2,3\n"),
+            "a.toml:1: has points only, without the header of a Jounce table: write a spec of kind "
+            "\"cam\" with points = \"a.toml\", or fit a cam to the points with `jounce fit`");
+  EXPECT_EQ(complaint("time,position\n0,0\n1,5\n"),
+            "a.toml:1: has points only, without the header of a Jounce table: write a spec of kind "
+            "\"pvt\" with points = \"a.toml\"");
+  EXPECT_EQ(complaint("time,position [mm],position [mm]\n0,0,1\n"),
+            "a.toml:1: position: is the name of two columns: remove one");
+}
+
+TEST(BadSpecs, AVersionInQuotesIsNamed) {
+  EXPECT_EQ(complaint("jounce = \"1\"\nkind = \"move\"\n"),
+            "a.toml:1:10: jounce = \"1\": must be a whole number, without quotes");
+}
+
+TEST(BadSpecs, AFileThatCannotBeReadHasThePlaceThatNamesIt) {
+  EXPECT_EQ(complaint("jounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\n"
+                      "points = \"nothere.csv\"\n"),
+            "a.toml:4:10: points = nothere.csv: cannot be read: No such file or directory");
 }
 
 // It overran the stack.

@@ -218,7 +218,8 @@ TEST_F(UnixTransportTest, RefusesAFolderThatAllMayWriteAndNamesThatDoNotFit) {
   EXPECT_THAT(why([&] { UnixTransport link(""); }), HasSubstr("must name a folder"));
   EXPECT_THAT(why([&] { UnixTransport link("/" + std::string(75, 'a')); }), HasSubstr("75 bytes"));
   EXPECT_THAT(why([&] { UnixTransport link("/nowhere/at/all"); }), HasSubstr("No such file"));
-  EXPECT_THAT(why([&] { UnixTransport link("/dev/null"); }), HasSubstr("must be a folder"));
+  EXPECT_THAT(why([&] { UnixTransport link("/dev/null"); }),
+              HasSubstr("url = unix:///dev/null: is a file: name a folder"));
 }
 
 TEST_F(UnixTransportTest, TakesTheLongestNameThatItAllows) {

@@ -403,11 +403,9 @@ TEST_F(Sweeps, RefuseWhatMakesNoSense) {
   EXPECT_EQ(refused(""),
             "sweep.toml: parameter: is missing: add [[parameter]] with key and values for each "
             "number to vary");
-  EXPECT_EQ(
-      refused("[[parameter]]\nkey = \"move.velocty\"\nvalues = [1]\n"),
-      "sweep.toml:5:7: parameter[1].key = \"move.velocty\": names no number in this file: did you "
-      "mean move.velocity? (" +
-          path("move.toml") + ")");
+  EXPECT_EQ(refused("[[parameter]]\nkey = \"move.velocty\"\nvalues = [1]\n"),
+            "sweep.toml:5:7: parameter[1].key = \"move.velocty\": names no number in " +
+                path("move.toml") + ": did you mean move.velocity?");
   EXPECT_THAT(refused(one),
               HasSubstr("needs exactly one of the keys values, from (with to and count)"));
   EXPECT_THAT(refused(one + "values = []\n"), HasSubstr("is empty: give at least one value"));

@@ -16,6 +16,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/pvt/sample.hpp"
+#include "jounce/validate/integration_watch.hpp"
 
 #include "support/errors.hpp"
 #include "validate/references.hpp"
@@ -269,6 +270,21 @@ TEST(Witness, RefusesBadOptionsAndBreaks) {
   const auto zero = [](double, Side) { return Jet{}; };
   EXPECT_THROW(static_cast<void>(witness(MadeUp{zero, {0}})), InputError);
   EXPECT_THROW(static_cast<void>(witness(MadeUp{zero, {0, 2, 1, 3}})), InputError);
+}
+
+TEST(Witness, EndsWithTheExceptionOfAWatch) {
+  const Trajectory move =
+      s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
+  int steps = 0;
+  {
+    const IntegrationWatch watch([&] {
+      if (++steps == 3) throw std::domain_error("enough");
+    });
+    EXPECT_THROW(static_cast<void>(witness(move)), std::domain_error);
+    EXPECT_EQ(steps, 3);
+  }
+  EXPECT_TRUE(witness(move).report.ok());
+  EXPECT_EQ(steps, 3) << "the watch has ended";
 }
 
 }  // namespace

@@ -79,8 +79,8 @@ Cause LiveGearInPos::begin(const MotionState& axis, const Moment& now) noexcept 
   if (!axis_detail::usable(now.master) || !usable(axis)) return Cause::no_master_input;
   const double stroke = std::abs(gear_.slave_sync - gear_.slave_start);
   const double near = rounded_input * stroke + rounded_sum * std::abs(gear_.slave_start);
+  if (axis.velocity != 0) return Cause::in_motion;
   if (!(std::abs(axis.position - gear_.slave_start) <= near)) return Cause::start_position;
-  if (axis.velocity != 0) return Cause::start_velocity;
   state_ = {};
   reversed_ = false;
   progress_ = Progress::waiting;

@@ -4,6 +4,7 @@
 
 #include "jounce/axis/axis.hpp"
 #include "jounce/cam/coupling/passing.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // The slots of an axis: it arms a movement, accepts its start, and begins it when it is due.
 
@@ -194,6 +195,14 @@ std::optional<Refusal> MotionAxis::against_switch(const Movement& path) const {
                  : std::nullopt;
 }
 
+/// The refusal of a gear whose slave would exceed the velocity limit.
+std::optional<Refusal> MotionAxis::too_fast(double master_velocity) const {
+  const auto& most = config_.limits.velocity;
+  const double velocity = std::abs(armed_->ratio() * master_velocity);
+  if (!most || velocity <= *most * (1 + profiles_detail::rounded_input)) return std::nullopt;
+  return Refusal{Cause::velocity_limit, velocity, *most};
+}
+
 void MotionAxis::begin_pending(const Moment& at) {
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
   if (const auto refusal = against_axes()) return drop(*refusal);
@@ -208,6 +217,7 @@ void MotionAxis::begin_pending(const Moment& at) {
   const Moment begin = live && armed_.when() != StartAt::tick ? at : moment();
   no = armed_->begin(*state, begin);
   if (no != Cause::none) return drop(begin_refusal(no, *state));
+  if (const auto refusal = too_fast(begin.master[1])) return drop(*refusal);
   const ArmedMotion begun = std::exchange(armed_, {});
   const bool was_moving = moving();
   drop_movement();

@@ -40,7 +40,7 @@ std::optional<Refusal> goal_of(const command::MoveAbsolute& what, const MotionSt
   MoveDynamics dynamics = what.dynamics;
   if (const auto no = fill(dynamics, rules.config)) return no;
   const auto target = target_of(what.position, what.direction, from, dynamics, rules.config);
-  if (!target) return Refusal{Cause::no_such_move, what.position, 0};
+  if (!target) return Refusal{Cause::no_such_move, what.position, from.position, 0};
   goal = {Goal::Kind::position, *target, dynamics};
   return forbidden(*target, from.position, rules);
 }

@@ -50,7 +50,7 @@ void require_point(const HermitePoint& p, const std::string& key) {
 
 void require_valid(std::span<const HermitePoint> points) {
   if (points.size() < 2)
-    throw InputError("points", std::to_string(points.size()) + " points", "must be at least 2");
+    throw InputError("points", std::to_string(points.size()), "must be at least 2");
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string key = "points[" + std::to_string(i + 1) + "].";
     require_point(points[i], key);

@@ -395,6 +395,8 @@ std::vector<Segment> scca(double b, double c, double d, double straight) {
   require_not_negative("shares[2]", c);
   require_not_negative("shares[3]", d);
   require_not_negative("straight", straight);
+  if (!(straight < 1))
+    throw InputError("straight", straight, "must be less than 1: no share is left for the ramps");
   if (std::abs(b + c + d - 1) > rounded_sum)
     throw InputError("shares", six_digits(b) + " + " + six_digits(c) + " + " + six_digits(d),
                      "must add up to 1, not " + six_digits(b + c + d));

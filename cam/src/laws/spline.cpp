@@ -66,7 +66,7 @@ std::vector<Segment> not_a_knot(const SplineSpec& spec, int degree) {
 void cam_detail::require_points(const std::vector<SplinePoint>& points, std::size_t least,
                                 bool tolerances) {
   if (points.size() < least)
-    throw InputError("points", std::to_string(points.size()) + " points",
+    throw InputError("points", std::to_string(points.size()),
                      "must be at least " + std::to_string(least));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SplinePoint& p = points[i];

@@ -63,7 +63,9 @@ void require_range(const CamSwitch& s, const Entry& at, double hysteresis, doubl
                 "that is on outside the range");
   if (!(width > 0) || (period > 0 && width > period))
     at.fail("last_on_position", last,
-            period > 0 ? "must lie within one period of first_on_position, and not on it"
+            period > 0 ? "must be from " + number(s.first_on_position - period) + " to " +
+                             number(s.first_on_position + period) +
+                             ", within one period of first_on_position, and not equal to it"
                        : "must be above first_on_position = " + number(s.first_on_position));
   if (!(hysteresis < width))
     at.fail("last_on_position", last,

@@ -57,7 +57,10 @@ class Rows {
     read_.rule = columns == 2 ? Interpolation::linear : Interpolation::quintic_hermite;
   }
 
-  void header(const std::vector<std::string>& names) { columns_ = names.size(); }
+  void header(const std::vector<std::string>& names) {
+    columns_ = names.size();
+    headed_ = true;
+  }
 
   void row(const Line& line) {
     auto cells = column_cells(without_comment(line.text));
@@ -65,10 +68,7 @@ class Rows {
     if (has_type() && read_.lines.empty() && cells.size() == columns_ - 1) cells.emplace_back("-");
     if (cells.size() != columns_)
       place_.fail(line.number, "row", std::to_string(cells.size()) + " values",
-                  "must have " + std::to_string(columns_) +
-                      (cells.size() == 2 * columns_ && line.text.find(',') != std::string_view::npos
-                           ? ": if these are decimal commas, use --decimal-comma"
-                           : ""));
+                  wanted_length(line, cells.size()));
     const std::array<std::vector<double>*, 4> all{&read_.columns.x, &read_.columns.p,
                                                   &read_.columns.v, &read_.columns.a};
     for (std::size_t i = 0;
@@ -81,6 +81,18 @@ class Rows {
   Exchanged finish() { return std::move(read_); }
 
  private:
+  /// The rule of a row with a wrong number of values.
+  [[nodiscard]] std::string wanted_length(const Line& line, std::size_t given) const {
+    const bool commas = line.text.find(',') != std::string_view::npos;
+    if (given == 2 * columns_ && commas)
+      return "must have " + std::to_string(columns_) +
+             ": if these are decimal commas, convert the file with `jounce convert "
+             "--decimal-comma`";
+    if (!headed_ && read_.lines.empty()) return "must have 4 (X Y V A) or 2 (X Y)";
+    return "must have " + std::to_string(columns_) +
+           (headed_ ? ", one for each column of the header" : ", as the rows before it");
+  }
+
   [[nodiscard]] bool has_type() const { return columns_ == editor_columns.size(); }
 
   void require_quintic(const Line& line, const std::string& type) {
@@ -90,6 +102,7 @@ class Rows {
 
   const Place& place_;
   std::size_t columns_;
+  bool headed_ = false;
   Exchanged read_;
 };
 

@@ -40,8 +40,8 @@ void add_losses(std::vector<std::string>& all, const ExchangeFormat& format, con
         "controller's splines are not documented");
   if (format.join == KnotJoin::clamped_spline)
     all.push_back(
-        fmt::format("positions and the slopes at both ends, {} and {}: the error is that "
-                    "of the cubic spline through them",
+        fmt::format("the file has positions, and slopes only at its two ends, {} and {}: the error "
+                    "is that of the cubic spline that the controller lays through them",
                     rounded(table.columns().v.front()), rounded(table.columns().v.back())));
   if (format.single) all.emplace_back("numbers are rounded to REAL, 24 bits");
   if (!format.keeps_notes)

@@ -25,9 +25,10 @@ bool FileDifference::equal() const {
 
 FileDifference file_difference(std::vector<Input> before, std::vector<Input> after,
                                const std::string& before_path, const std::string& after_path,
-                               const std::function<Tolerance(const Labels&)>& tolerance) {
+                               const std::function<Tolerance(const Labels&)>& tolerance,
+                               const std::string& axis) {
   FileDifference all;
-  all.axes = paired_axes(std::move(before), std::move(after), before_path, after_path);
+  all.axes = paired_axes(std::move(before), std::move(after), before_path, after_path, axis);
   for (const auto& [old, now] : all.axes)
     all.comparisons.push_back(
         compare(version_of(old, before_path), version_of(now, after_path), tolerance(now.labels)));

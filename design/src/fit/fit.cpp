@@ -120,6 +120,28 @@ Measurement from_table(const Input& input, const FitOptions& options) {
   return m;
 }
 
+/// Throws InputError if the way back to the first point, in the rest of the period, would be much steeper than the
+/// motion in the file: the slave probably advances in each period.
+void require_return(const Measurement& m, double end, const std::string& period) {
+  constexpr double much = 4;  // times the greatest slope between two points
+  const auto& points = m.cam.points;
+  const auto slope = [](const SplinePoint& a, double slave, double master) {
+    return std::abs(slave - a.slave) / (master - a.master);
+  };
+  double greatest = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    greatest = std::max(greatest, slope(points[i - 1], points[i].slave, points[i].master));
+  const double back = slope(points.back(), points.front().slave, end);
+  if (back <= much * greatest) return;
+  throw InputError("period", period,
+                   "needs a point at " + number(end) + " " + m.units.x +
+                       ", the end of the period: the slave would have to return from " +
+                       rounded(points.back().slave) + " to " + rounded(points.front().slave) + " " +
+                       m.units.position +
+                       " in the rest of it. Add this point; a slave that "
+                       "advances in each period has another position there");
+}
+
 /// Makes the points those of one period.
 void close(Measurement& m, const std::string& text) {
   const double period = option("period", text, m.units.x);
@@ -132,6 +154,7 @@ void close(Measurement& m, const std::string& text) {
                          " " + m.units.x + ", the travel of the master in the file");
   m.cam.periodic = true;
   if (points.back().master >= end - same_place * period) return;
+  require_return(m, end, text);
   points.push_back({end, points.front().slave, points.front().tolerance});
   m.columns.x.push_back(end);
   m.columns.p.push_back(m.columns.p.front());

@@ -66,8 +66,21 @@ Trajectory without_slivers(const Trajectory& curve) {
   return Trajectory(std::move(segments), 0, Extrapolation::hold);
 }
 
+/// The rule of a missing acceleration, with the names of the axes that have none.
+std::string without_acceleration(const PathSpec& path) {
+  std::string names;
+  for (std::size_t i = 0; i < path.limits.axes.size(); ++i)
+    if (!path.limits.axes[i].acceleration)
+      names += (names.empty() ? "" : ", ") + path.machine.axes[i].name;
+  return "is missing: no axis that moves here has one. Add acceleration to the limits of " + names +
+         ", or to [path.limits]";
+}
+
 /// Adds the name and the unit of the axis to an error: to[3] -> to[3] (z).
-InputError named(const InputError& error, const GcodeMachine& machine) {
+InputError named(const InputError& error, const PathSpec& path) {
+  const GcodeMachine& machine = path.machine;
+  if (error.key() == "acceleration" && error.rule().starts_with("is missing"))
+    return {"acceleration", "", without_acceleration(path)};
   for (std::size_t i = 0; i < machine.axes.size(); ++i) {
     const std::string key = "to[" + std::to_string(i + 1) + "]";
     if (error.key() == key)
@@ -88,8 +101,9 @@ auto in_source(const PathSpec& path, const Make& make) {
   try {
     return make();
   } catch (const InputError& error) {
+    if (error.key() == "start") throw InputError("path.start", error.value(), error.rule());
     if (error.line() == 0) throw;
-    throw named(error, path.machine).at(path.source, error.line());
+    throw named(error, path).at(path.source, error.line());
   }
 }
 

@@ -183,7 +183,10 @@ std::string path_text(const Spec& spec, const PathSummary& s) {
                                     [](const CornerRecord& c) { return !c.stop && c.trim > 0; });
   const auto stops = std::count_if(s.corners.begin(), s.corners.end(),
                                    [](const CornerRecord& c) { return c.stop; });
-  text += fmt::format("\n{} corners: {} rounded, {} stops\n", s.corners.size(), moving, stops);
+  const auto straight = static_cast<std::ptrdiff_t>(s.corners.size()) - moving - stops;
+  text += fmt::format("\n{}: {} rounded, {}{}\n", counted(s.corners.size(), "corner"), moving,
+                      counted(static_cast<std::size_t>(stops), "stop"),
+                      straight > 0 ? fmt::format(", {} straight on", straight) : "");
   text += notes_text(s, units);
   if (s.fit) text += fit_text(*s.fit, units);
   if (!s.events.empty())

@@ -32,9 +32,12 @@ InputError in_document(const InputError& error) {
 /// The error of an engagement in which the slave must reverse, with the change that avoids it.
 InputError must_reverse(const GearInPosSpec& spec, GearInPosStatus status) {
   const EngageWindow window = engage_window(spec);
-  const std::string remedy = window.exists ? "use " + six_digits_up(window.least) + " to " +
-                                                 six_digits_down(window.greatest)
-                                           : "move slave_start behind slave_sync_position";
+  const bool forward = spec.numerator > 0;  // the denominator is
+  const std::string remedy =
+      window.exists
+          ? "use " + six_digits_up(window.least) + " to " + six_digits_down(window.greatest)
+          : std::string("slave_start must be ") + (forward ? "below" : "above") +
+                " slave_sync_position = " + number(spec.slave_sync_position);
   return {"master_start_distance", spec.master_start_distance,
           std::string("makes the slave reverse") +
               (spec.slave_period ? ", even with five more turns" : "") + ": " + remedy +

@@ -89,6 +89,18 @@ std::optional<Refusal> AxisServer::unfit(const ArmRequested& arm) const {
   return std::nullopt;
 }
 
+/// Rejects tables whose units differ from those of the axis, with all units.
+void AxisServer::refuse_units(const ArmRequested& arm) {
+  const auto of = [](const Units& units) {
+    return units.position + (units.x.empty() ? "" : " over " + units.x);
+  };
+  std::string words = text({.cause = Cause::wrong_unit}, "");
+  words.pop_back();  // the full stop: the units follow
+  words += ": the table is in " + of(arm.slave.units) + ", the axis in " + of(options_.units) + ".";
+  receiver_.refuse(arm.session, arm.command, words, static_cast<std::int32_t>(Cause::wrong_unit));
+  notify("refused: " + words);
+}
+
 /// The position of the axis at the end of its present motion.
 double AxisServer::next_rest() const {
   const auto playing = movements_.find(last_.job);
@@ -98,8 +110,10 @@ double AxisServer::next_rest() const {
 
 void AxisServer::handle(const ArmRequested& arm) {
   if (crowded(arm.session, arm.command)) return;
-  if (const auto refusal = unfit(arm))
+  if (const auto refusal = unfit(arm)) {
+    if (refusal->cause == Cause::wrong_unit) return refuse_units(arm);
     return answer({arm.session, arm.command, Kind::arm}, refusal);
+  }
   if (builder_.busy())
     builder_.wait(arm);  // replaces a waiting one: the receiver answers only the newest command
   else

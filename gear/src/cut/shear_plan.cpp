@@ -210,6 +210,15 @@ std::string or_slower(const FlyingShear& spec, const char* key) {
                      : "";
 }
 
+/// Advice: the longest sync for which the stroke is sufficient.
+std::string or_shorter(const Worked& shear, const Cycle& cycle) {
+  const FlyingShear& spec = shear.spec;
+  const double sync = cycle.sync - (cycle.stroke - *spec.stroke) / shear.ratio;
+  if (longest_sync(spec) || !(sync > 0)) return "";
+  return spec.sync_time ? ", or sync_time at most " + six_digits_down(sync / spec.line_speed)
+                        : ", or sync_length at most " + six_digits_down(sync);
+}
+
 [[noreturn]] void refuse_length(const FlyingShear& spec, const std::string& quantity) {
   const ShearBound least = least_cut_length(spec);
   const bool by_limit = quantity.starts_with("return ") && quantity != "return length";
@@ -246,7 +255,8 @@ std::string or_slower(const FlyingShear& spec, const char* key) {
                      (longest_sync(spec) ? "must be greater than " + six_digits(ramps)
                                          : "must be at least " + six_digits_up(cycle.stroke)) +
                          " at this line_speed" + or_slower(spec, "stroke") +
-                         ": run-up and braking alone take " + six_digits(ramps));
+                         or_shorter(shear, cycle) + ": run-up and braking alone take " +
+                         six_digits(ramps));
   }
   if (!std::isfinite(cycle.back.value))
     throw InputError("return_law", name(spec.return_law),

@@ -154,9 +154,10 @@ std::string travel_advice(const FollowGap& g, const FollowPlan& plan, double fro
   const double least = least_travel(g, plan);
   if (plan.form == FollowForm::table || gear_detail::way(g) * g.travel <= 0)
     return where +
-           ", against its ratios there: give it the other sign, or add a point where it reverses";
-  return where + "; from " + rounded(least) +
-         " on it does not turn back: move a point, or let form = \"table\" stand in between";
+           ", but the ratios at both ends move it the other way: change the slave position "
+           "of one of the two points, or add a point where it reverses";
+  return where + ": let it travel at least " + rounded(least) +
+         " there, or use form = \"table\", whose slave can wait between two zones";
 }
 
 /// Adds a finding for each segment whose end should be on a whole master unit and is not.

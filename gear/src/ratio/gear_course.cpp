@@ -66,9 +66,9 @@ void require_inside(const GearCourse& c, const char* list, std::size_t i, double
                      "must not lie before the start, " + number(c.master_start));
   if (at + distance > c.master_end)
     throw InputError(entry_key(list, i, "distance"), distance,
-                     "ends at " + six_digits(at + distance) + ", because it begins at " +
-                         six_digits(at) + ": must end at master_end, " + number(c.master_end) +
-                         ", or before");
+                     "must be at most " + number(c.master_end - at) + ": it begins at " +
+                         six_digits(at) +
+                         " and must end at or before master_end = " + number(c.master_end));
 }
 
 const char* name_of(double ratio) {

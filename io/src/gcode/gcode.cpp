@@ -29,10 +29,15 @@ GcodeProgram parse_gcode(std::string_view text, const std::string& document,
                          const GcodeMachine& machine) {
   io_detail::GcodeInterpreter interpreter(machine);
   bool runs = true;
+  bool begun = false;  // a % after this ends the program
   for (int line = 1; runs && !text.empty(); ++line) {
     const std::size_t end = text.find('\n');
+    const std::size_t first = text.find_first_not_of(" \t");
+    const bool percent = first < end && text[first] == '%';
     try {
-      runs = interpreter.execute(io_detail::read_block(text.substr(0, end), line));
+      const io_detail::GcodeBlock block = io_detail::read_block(text.substr(0, end), line);
+      runs = !(percent && begun) && interpreter.execute(block);
+      begun = begun || percent || !block.words.empty();
     } catch (const InputError& error) {
       throw InputError(error.key(), error.value(), error.rule())
           .at(document, line, std::max(error.column(), 1));

@@ -68,6 +68,7 @@ class Reader {
   void read() {
     read_names();
     if (!header_) fail("", "", "is empty: the first line must name the columns");
+    require_distinct_names();
     first_row_ = at_;
     reserve();
     if (next_line() && !read_units()) read_row();
@@ -133,8 +134,6 @@ class Reader {
   void add_column(std::string_view cell) {
     try {
       PointColumn column = io_detail::column_of(cell);
-      if (points_.find(column.name) != nullptr)
-        throw InputError(column.name, "", "is the name of two columns: remove one");
       is_words_.push_back(io_detail::has_words(column));
       points_.columns.push_back(std::move(column));
     } catch (const InputError& error) {
@@ -178,6 +177,12 @@ class Reader {
       points_.columns[i].unit = io_detail::unit_of(cells[i]);
     first_row_ = at_;
     return true;
+  }
+
+  void require_distinct_names() {
+    for (const PointColumn& column : points_.columns)
+      if (points_.find(column.name) != &column)
+        fail(column.name, "", "is the name of two columns: remove one");
   }
 
   void reserve() {
@@ -263,7 +268,10 @@ class Reader {
     const bool commas = separator_ == ',' && cells == 2 * wanted;
     fail("row", std::to_string(cells) + (cells == 1 ? " value" : " values"),
          "must have " + std::to_string(wanted) + ", one for each column of the header" +
-             (commas ? ": decimal commas need semicolons between columns" : ""));
+             (commas ? ": decimal commas need semicolons between columns"
+              : separator_ == ',' && std::find(begin_, line_end_, '"') != line_end_
+                  ? ": a comma separates columns, also between quotes"
+                  : ""));
   }
 
   const char* at_;

@@ -275,6 +275,16 @@ const std::vector<std::string>& command_words() {
   return words;
 }
 
+std::string meant_command(const std::string& name, const std::string& word) {
+  const std::vector<std::string>& words = command_words();
+  if (std::find(words.begin(), words.end(), name) != words.end())
+    return "is not a command: did you mean jounce order " + word + " " + name + "?";
+  if (word == "stop") return "is a verb of its own: did you mean jounce stop " + name + "?";
+  if (word == "abort")
+    return "is an option of a verb: did you mean jounce stop " + name + " --abort?";
+  return "";
+}
+
 std::vector<CommandOption> command_options() {
   std::vector<std::string> words = command_words();
   // Those of move come first: the other words share them.
@@ -335,6 +345,10 @@ ClientCommand command_of(const CommandWords& words, const Units& units) {
   }
   if (const std::string rule = contradiction(kind, values); !rule.empty())
     throw InputError(words.what, words.value, "the " + rule);
+  if (const std::string distance = text_of(words, "start-distance");
+      !distance.empty() && quantity(distance, units.x) == 0)
+    throw InputError("--start-distance", distance,
+                     "must not be 0: the slave needs a distance to reach the ratio");
   return jounce::command_of(kind, values);
 }
 

@@ -75,16 +75,19 @@ std::string unwritten_files(std::uint8_t files) {
 
 std::string master_text(const wire::MasterStatus& master, bool ascii) {
   const std::string unit = machine_detail::harmless(master.unit, ascii);
-  const std::string age = std::isnan(master.age_s) ? std::string("never measured")
+  const std::string age = std::isnan(master.age_s) ? std::string("no valid sample yet")
                           : master.age_s == 0
                               ? std::string("computed")
                               : fmt::format("measured {:.3g} ms ago", 1e3 * master.age_s);
   // Samples of a sender that the executor rejects; its terminal prints the reason.
-  const std::string refused = master.refused > 0
-                                  ? fmt::format(", {} refused (old epoch, unit or repeated)",
-                                                counted(master.refused, "sample"))
-                                  : "";
-  if (master.lost) return fmt::format("{} is lost, {}{}", master.master, age, refused);
+  const std::string rejected =
+      master.refused > 0
+          ? fmt::format(", {} rejected (must be in {}; see the terminal of the executor)",
+                        counted(master.refused, "sample"), unit)
+          : "";
+  if (master.lost)
+    return fmt::format("{}{}, {}{}", master.master, std::isnan(master.age_s) ? "" : " is lost", age,
+                       rejected);
   return fmt::format("{} {}, {}, {}", master.master, machine_detail::valued(master.position, unit),
                      machine_detail::valued(master.velocity, unit + "/s"), age);
 }

@@ -87,6 +87,12 @@ std::string Watch::silent(Nanos patience) const {
   return now - last > patience ? "every executor" : "";
 }
 
+std::string Watch::missing() const {
+  for (const Watched& axis : axes_)
+    if (!options_.names.empty() && !axis.status) return axis.name;
+  return has_received() ? "" : "every executor";
+}
+
 bool Watch::has_received() const {
   return std::any_of(axes_.begin(), axes_.end(),
                      [](const Watched& axis) { return axis.status.has_value(); });

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "jounce/axis/homing.hpp"
 #include "jounce/axis/machine.hpp"
 #include "jounce/base/nearest.hpp"
 #include "jounce/design/make.hpp"
@@ -81,6 +82,16 @@ std::function<void(const std::string&)> notice_of(const MachineOptions& options,
   return [whose, notify = options.notify](const std::string& notice) { notify(whose + notice); };
 }
 
+/// Throws InputError for a homing method that needs a switch or an index, if no drive has one.
+void require_sensors(const HomingSpec& homing, const std::optional<AxisDriveSpec>& drive) {
+  const auto method = homing_method(homing.method);
+  const bool ideal = !drive || (drive->type == AxisDriveSpec::Type::null && !drive->machine);
+  if (!method || !ideal || has_sensors(*method, {})) return;
+  throw InputError("homing.method", std::to_string(homing.method),
+                   "needs a switch or an index, but this axis has no drive that reports one: add "
+                   "[drive] with [drive.machine], or use method 35 or 37");
+}
+
 ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std::size_t axes) {
   ExecutorOptions executor;
   executor.axis = config_of(spec);
@@ -104,7 +115,9 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   executor.build_apart = 2000;  // knots: about a millisecond
   if (!options.log.empty()) executor.log = log_of(options.log, spec.name, axes);
   (void)resolved(executor.axis);
-  if (const auto drive = axis_drive(spec)) executor.drive = make_drive(*drive, executor.axis);
+  const auto drive = axis_drive(spec);
+  require_sensors(executor.axis.homing, drive);
+  if (drive) executor.drive = make_drive(*drive, executor.axis);
   return executor;
 }
 

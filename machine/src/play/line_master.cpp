@@ -107,9 +107,13 @@ LineMasterResult send_line_master(Transport& link, const LineMaster& line,
 }
 
 std::string line_master_text(const LineMaster& line, const LineMasterResult& result) {
-  return fmt::format("{}: {} in {:.3f} s, {} left out; at {:.9g} {}\n", line.name,
-                     counted(result.samples, "sample"), result.seconds,
-                     counted(result.late, "instant"), result.position, line.motion.units.position);
+  const std::string late =
+      result.late > 0
+          ? fmt::format(", {} skipped because the program was late", counted(result.late, "sample"))
+          : "";
+  return fmt::format("{}: {} sent in {:.3f} s{}; the master is at {:.9g} {}\n", line.name,
+                     counted(result.samples, "sample"), result.seconds, late, result.position,
+                     line.motion.units.position);
 }
 
 std::string line_master_json(const LineMaster& line, const LineMasterResult& result) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/base/csv.hpp"
 #include "jounce/design/executor_tables.hpp"
 #include "jounce/design/sync_check.hpp"
 #include "jounce/machine/play_plan.hpp"
@@ -20,7 +21,26 @@ void begin_at_cut(const Table& table, CouplingSpec& coupling) {
   if (turns && !coupling.slave_period) coupling.slave_period = std::abs(stroke);
 }
 
+/// Throws InputError ("live", "master") for tables that do not suit the options.
+void require_fit(const Input& input, const PlayOptions& options) {
+  const bool is_cam = input.table.table.axis() == Domain::master;
+  if (options.live && !is_cam)
+    throw InputError("live", "",
+                     input.name + " is over time, but only a cam follows a live master");
+  if (!options.master) return;
+  const Units& master = options.master->units;
+  if (!is_cam)
+    throw InputError("master", "", "applies to a cam, but " + input.name + " is over time");
+  if (options.master->table.axis() != Domain::time)
+    throw InputError("master", "", "must be a table over time: the motion of the master");
+  if (master.position != input.table.units.x)
+    throw InputError(
+        "master", "",
+        "is in " + master.position + ", but " + input.name + " is over " + input.table.units.x);
+}
+
 ExecutorTables tables_of(const Input& input, const PlayOptions& options) {
+  require_fit(input, options);
   if (options.live) return {input.table, std::nullopt};
   if (!options.master) return executor_tables(input);
   return {input.table, options.master};
@@ -73,6 +93,19 @@ StreamPlan stream_plan(const std::string& executor, const Input& input,
 
 void add_swap(StreamPlan& plan, const Input& input, const PlayOptions& options) {
   plan.swaps.push_back(add_input(plan, input, options));
+}
+
+std::vector<std::string> executor_names(const std::string& list) {
+  std::vector<std::string> names;
+  for (const auto name : csv_cells(list)) names.emplace_back(name);
+  if (std::find(names.begin(), names.end(), "") != names.end())
+    throw InputError("to", list, "lacks a name before or after a comma");
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (!wire::is_executor_name(*name)) throw InputError("to", *name, wire::executor_name_rule);
+    if (std::find(names.begin(), name, *name) != name)
+      throw InputError("to", list, "names " + *name + " twice: name each axis once");
+  }
+  return names;
 }
 
 std::vector<Input> inputs_for(const std::vector<std::string>& executors,

@@ -110,8 +110,13 @@ void require_corridors(const CamShapeProblem& problem) {
       throw InputError(key + ".from", c.from, "must be at most to = " + number(c.to));
     const bool met = std::any_of(runs.begin(), runs.end(),
                                  [&](const auto& run) { return optimize_detail::meets(c, run); });
-    if (!met)
-      throw InputError(key + ".from", c.from, "lies outside all segments with a free shape");
+    if (met) continue;
+    std::string ranges;
+    for (const auto& run : runs)
+      ranges += (ranges.empty() ? "" : ", ") + number(run.knots.front().master) + " to " +
+                number(run.knots.back().master);
+    throw InputError(key + (c.from == c.to ? ".at" : ".from"), c.from,
+                     "must lie in a segment with a free shape: " + ranges);
   }
 }
 

@@ -338,8 +338,10 @@ class ShapeSearch {
       return answer(Status::optimal,
                     "no spline over these knots is better by more than the relative tolerance " +
                         brief(problem_.options.tolerance));
-    answer(Status::converged,
-           "at most " + brief(100 * gap) + " % could still be saved by a spline over these knots");
+    answer(Status::converged, out_.bound
+                                  ? "at most " + brief(100 * gap) +
+                                        " % could still be saved by a spline over these knots"
+                                  : "the search finds no better shape; no lower bound is known");
   }
 
   const ShapeProblem& problem_;

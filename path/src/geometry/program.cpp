@@ -69,8 +69,12 @@ void Program::arc(const Arc& arc, int line) {
         .at({}, line);
   for (std::size_t i = path_axes_; i < max_axes; ++i)
     if (arc.e1[i] != 0 || arc.e2[i] != 0)
-      throw InputError("plane", std::to_string(i),
-                       "must be of path axes, the first " + std::to_string(path_axes_))
+      throw InputError("plane", "",
+                       path_axes_ < 2
+                           ? "needs two axes, but this path has only one: all other axes "
+                             "are followers"
+                           : "must not contain a follower: name two of the first " +
+                                 std::to_string(path_axes_) + " axes")
           .at({}, line);
   commands_.push_back(
       {arcs_.size(), line, static_cast<std::uint32_t>(settings_.size() - 1), Kind::arc});

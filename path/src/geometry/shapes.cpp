@@ -118,15 +118,16 @@ void measure(PathCurve& curve) {
 
 PathCurve spline_through(std::span<const Point> points, std::size_t axes,
                          const SplineDirections& ends) {
-  if (points.size() < 2 || axes < 1 || axes > max_axes)
+  if (axes < 1 || axes > max_axes) throw InputError("axes", std::to_string(axes), "must be 1 to 9");
+  if (points.size() < 2)
     throw InputError("points", std::to_string(points.size()),
-                     "a spline needs two points or more, of 1 to 9 axes");
+                     "must be at least 2: a start and an end");
   std::vector<double> at{0};
   for (std::size_t k = 1; k < points.size(); ++k) {
     const double chord = vec::distance(points[k], points[k - 1], axes);
     if (!(chord > 0) || !std::isfinite(chord))
-      throw InputError("points[" + std::to_string(k + 1) + "]", chord,
-                       "must be at a distance from the point before");
+      throw InputError("points[" + std::to_string(k + 1) + "]", "",
+                       "coincides with the point before it, or is not finite: remove it");
     at.push_back(at.back() + chord);
   }
   PathCurve curve;

@@ -149,13 +149,14 @@ class Fitting {
     static_cast<void>(state_at(part, s, point, joint));
     const std::string where =
         ", at " + nine_digits(part.start + s * part.length) + " along the path";
+    const bool at_start = !(part.start + s * part.length > 0);
     throw InputError(
-        "to", text_of(point, map_.axes()),
+        at_start ? "start" : "to", text_of(point, map_.axes()),
         state == MapState::out_of_reach
             ? "is out of reach of the joints" + where + ": move the path or the machine"
             : "is a singular position of the joints" + where +
                   ": their velocities have no bound there; keep the path away from it")
-        .at({}, path_.pieces()[tool_units_[unit_].piece].line);
+        .at({}, at_start ? 0 : path_.pieces()[tool_units_[unit_].piece].line);
   }
 
   /// Reports that the map is defined at `good` and not at `bad`.

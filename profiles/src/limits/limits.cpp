@@ -83,9 +83,16 @@ const char* advice_at(const profiles_detail::Ends& extent, double where, std::si
                ? "the motion repeats: let it end at its first position, or, if it gains a distance "
                  "in each period, set slave_period in a cam, or outside = \"advance\" otherwise"
                : "the motion repeats: let it end as it begins";
-  if (where == extent.end) return "the motion stops here: let it end at rest";
-  if (where == extent.start) return "the motion starts here: let it begin at rest";
-  return "make both sides of the joint agree";
+  constexpr std::array ends{"", "the motion stops here: let it end at velocity 0",
+                            "the motion stops here: let it end at acceleration 0",
+                            "the motion stops here: let it end at jerk 0"};
+  constexpr std::array starts{"", "the motion starts here: let it begin at velocity 0",
+                              "the motion starts here: let it begin at acceleration 0",
+                              "the motion starts here: let it begin at jerk 0"};
+  if (where == extent.end) return ends[k];
+  if (where == extent.start) return starts[k];
+  return k == 3 ? "use a law or a table rule whose jerk is continuous"
+                : "make both sides of the joint agree";
 }
 
 /// A peak at a break belongs to both adjacent segments; the finding names the first.

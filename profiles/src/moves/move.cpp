@@ -245,7 +245,7 @@ MoveResult move_velocity(const MotionState& from, double velocity, const Bounds&
 }
 
 bool Durations::allows(double duration) const noexcept {
-  return at_least(duration) <= duration * (1 + forgiven);
+  return status == MoveStatus::ok && at_least(duration) <= duration * (1 + forgiven);
 }
 
 double Durations::at_least(double duration) const noexcept {

@@ -53,6 +53,16 @@ void require_kept(const std::string& key, const Trajectory& axis, const Limits& 
                        " at " + six_digits(worst.where));
 }
 
+/// Throws for a first factor that would step the velocity.
+void require_no_step(const std::string& key, const Trajectory& axis, double factor) {
+  const double velocity = axis.jet(axis.start())[1];
+  if (factor == 1 || std::abs(velocity) <= rounded_sum * std::abs(extrema(axis, 1).peak().value))
+    return;
+  throw InputError("factor", factor,
+                   "must be 1, because " + key + " begins in motion, at velocity " +
+                       six_digits(velocity) + ", and any other factor steps it");
+}
+
 /// The plan; it must keep its limits unchanged and at the first factor.
 Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, double factor) {
   if (axes.empty()) throw InputError("axes", "", "are missing: a motion needs at least one axis");
@@ -67,6 +77,7 @@ Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, d
     if (!limits[i].velocity || !limits[i].acceleration || !limits[i].jerk)
       throw InputError(key + ".limits", "", "need a velocity, an acceleration and a jerk");
     require_kept(key, axes[i], limits[i]);
+    require_no_step(key, axes[i], factor);
     path.axes.push_back(with(axes[i], Extrapolation::hold));
     const double v = std::abs(extrema(axes[i], 1).peak().value);
     path.acceleration = std::min(path.acceleration, *limits[i].acceleration / v);

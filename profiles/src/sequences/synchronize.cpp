@@ -215,6 +215,10 @@ Synchronized in_time(std::span<const AxisMove> axes, std::span<Profile> out, con
   Agreement all = if_moving ? Agreement{each(axes, out, {0, timing.grid}, tasks)}
                             : in_least_time(axes, out, timing, tasks);
   if (all.common.status != MoveStatus::ok) return all.common;
+  const bool all_rest =
+      if_moving && std::all_of(axes.begin(), axes.end(),
+                               [](const AxisMove& axis) { return !axis.enabled || rests(axis); });
+  if (all_rest) return all.common;  // each keeps its shortest motion
   double& t = all.common.duration;
   t = on_grid(std::max(t, timing.minimum), timing.grid);
   for (std::size_t i = all.next; all.agreed < axes.size();

@@ -14,8 +14,13 @@ FollowerResult followed(const Input& input, std::size_t samples) {
         .at(input.name);
   const FollowerSpec& f = *input.spec->follower;
   const Reference reference = table_reference(input);
-  return follow(view(reference), f.follower,
-                {.settle = f.settle, .samples = samples, .limits = f.limits});
+  try {
+    return follow(view(reference), f.follower,
+                  {.settle = f.settle, .samples = samples, .limits = f.limits});
+  } catch (const InputError& error) {  // the follower names its own numbers
+    throw input.spec->document.located(
+        InputError("follower." + error.key(), error.value(), error.rule()));
+  }
 }
 
 Figure follower_figure(const FollowerResult& run, const FollowerSpec& spec,

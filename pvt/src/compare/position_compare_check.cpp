@@ -54,10 +54,11 @@ Finding missed(std::size_t fired, std::size_t points, const std::string& next,
           .margin = broken ? static_cast<double>(fired) / static_cast<double>(points) - 1 : 0,
           .broken = broken,
           .segment = {},
-          .advice =
-              broken ? point(fired) + " at " + next +
-                           " is not passed after the previous one, and blocks all following points"
-                     : "",
+          .advice = broken ? point(fired) + " at " + next +
+                                 (fired == 0 ? " is never passed"
+                                             : " is not passed after " + point(fired - 1)) +
+                                 (fired + 1 < points ? ", and blocks the following points" : "")
+                           : "",
           .unit = "1"};
 }
 

@@ -320,6 +320,10 @@ class Reduction {
   }
 
   [[noreturn]] void refuse(const Attempt& failed) const {
+    const double length = f_.end() - f_.start();
+    if (target_.spacing > length)
+      throw InputError("spacing", target_.spacing,
+                       "must be at most " + number(length) + ", the length of the motion");
     const std::string table =
         std::string("a ") + (target_.quadratic ? "quadratic" : name(target_.rule)) + " table";
     const std::string where = " at " + number(failed.knots.back().x);
@@ -351,7 +355,9 @@ class Reduction {
         "cannot be kept by " + table + where +
             (scale > 0 ? ", where the curve steps or the spacing and resolution permit no knot; " +
                              tolerances_times(scale) + " can"
-                       : ": the curve steps there"));
+             : target_.spacing > 0 || target_.x_step > 0
+                 ? ", where the curve steps or the spacing and resolution permit no knot"
+                 : ": the curve steps there"));
   }
 
   const Curve<Over>& f_;
@@ -363,9 +369,9 @@ class Reduction {
 
 void require_valid(const Target& target) {
   if (!target.tolerance && !target.velocity_tolerance && !target.most)
-    throw InputError(
-        "tolerance", "",
-        "is missing: a target has a tolerance, a velocity_tolerance or a number of knots");
+    throw InputError("tolerance", "",
+                     "is missing: new knots need a tolerance, a tolerance of the velocity, or "
+                     "their greatest number (most)");
   if (target.tolerance) require_positive("tolerance", *target.tolerance);
   if (target.velocity_tolerance) require_positive("velocity_tolerance", *target.velocity_tolerance);
   if (target.most && *target.most < 2)

@@ -17,6 +17,16 @@ std::string counted(std::size_t n, const char* one, const char* several) {
   return fmt::format("{} {}", n, n == 1 ? one : several);
 }
 
+/// The summary of one valid file that has no motion; "" for all other runs.
+std::string without_motion(const RunResult& run) {
+  if (run.files.size() != 1 || !run.files.front().diagnostics.empty()) return "";
+  const std::string& kind = run.files.front().kind;
+  for (const char* each : {"axis", "drive", "machine", "sweep"})
+    if (kind == each)
+      return "1 file: 1 good: its keys are valid; the kind " + kind + " has no motion to examine";
+  return "";
+}
+
 }  // namespace
 
 std::string to_text(const RunResult& run, bool quiet) {
@@ -39,6 +49,7 @@ std::string summary_line(const RunResult& run) {
     const Level worst = file.worst();
     (worst == Level::error ? wrong : worst == Level::broken ? broken : good) += 1;
   }
+  if (const std::string only = without_motion(run); !only.empty()) return only;
   std::string text = counted(run.files.size(), "file", "files") + fmt::format(": {} good", good);
   if (broken > 0)
     text += fmt::format(", {} with {}", broken,

@@ -46,7 +46,9 @@ std::optional<double> read_rate(TomlReader& table, const char* geo, const char* 
   const auto by_master = table.optional_number(geo, units.by_master(order));
   const auto timed = table.optional_number(key, units.over_time(order));
   if (!timed) return by_master;
-  return *timed / rate_over_time(table, geo, key, order, units);
+  const double rate = rate_over_time(table, geo, key, order, units);
+  table.convert(geo, key, rate);
+  return *timed / rate;
 }
 
 std::optional<Bound> read_bound(TomlReader& free, const char* key, const std::string& unit) {
@@ -138,6 +140,8 @@ CamPoint read_point(TomlReader& point, const CamUnits& units) {
   p.geo_acceleration = read_rate(point, "geo_acceleration", "acceleration", 2, units);
   p.geo_jerk = read_rate(point, "geo_jerk", "jerk", 3, units);
   p.tolerance = point.optional_number("tolerance", units.of.position).value_or(0);
+  if (!p.slave && !p.geo_velocity && !p.geo_acceleration && !p.geo_jerk)
+    point.fail("slave", "", "is missing: a point needs a position, or a derivative");
   point.finish();
   return p;
 }

@@ -27,6 +27,10 @@ Ratio read_ratio(TomlReader& reader) {
 
 GearSpec read_for_ever(TomlReader& gear, const Units& units) {
   const Ratio ratio = read_ratio(gear);
+  if (ratio.numerator == 0)
+    gear.fail("numerator", "0",
+              "must not be 0, because the slave would never move; 0 is possible with engage = "
+              "\"distance\" and in [[gear.change]]");
   GearSpec spec{ratio.numerator, ratio.denominator, gear.number("master_period", units.x)};
   if (!(spec.master_period > 0))
     gear.fail("master_period", number(spec.master_period), "must be greater than 0");

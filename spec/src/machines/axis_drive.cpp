@@ -15,13 +15,7 @@ Drive read_model_file(TomlReader& table, const Units& units) {
   const std::filesystem::path given(table.text("spec", "FILE.toml"));
   const auto folder = std::filesystem::path(table.document().name).parent_path();
   const std::string path = (given.is_relative() ? folder / given : given).string();
-  const Spec spec = [&] {
-    try {
-      return read_spec(path);
-    } catch (const InputError& error) {
-      throw table.document().naming(table.path("spec"), path, error);
-    }
-  }();
+  const Spec spec = table.file_of("spec", path, [&] { return read_spec(path); });
   if (!std::holds_alternative<DriveAlone>(spec.subject))
     table.fail("spec", given.string(), "must be a spec of kind \"drive\": see `jounce new drive`");
   if (spec.units.position != units.position)

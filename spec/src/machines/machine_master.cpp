@@ -62,8 +62,12 @@ TrackingSpec read_tracking(TomlReader& reader, const std::string& unit) {
 MachineMasterSpec::Encoder read_encoder(TomlReader& reader, const std::string& unit) {
   MachineMasterSpec::Encoder encoder{.tracking = read_tracking(reader, unit)};
   if (reader.has("axis") == reader.has("drive"))
-    reader.fail("axis", "",
-                "must be given, or drive, but not both: name the one that has the encoder");
+    reader.fail(
+        "axis", "",
+        reader.has("axis")
+            ? "cannot be combined with drive: give only the one that has the encoder"
+            : "is missing: add axis = \"NAME\", or [drive] of the master, whichever has the "
+              "encoder");
   if (reader.has("axis")) encoder.axis = reader.text("axis");
   if (auto drive = reader.optional_table("drive")) {
     encoder.drive = read_shared(*drive, {.x = "s", .position = unit});

@@ -150,7 +150,11 @@ AxisPart read_axis_part(TomlReader& axis, const Units& units, std::set<std::stri
 AxesSpec read_axes(TomlReader& top, Spec& spec) {
   AxesSpec axes;
   const bool through_points = top.has("point");
-  if (through_points) axes.shortest_times = wants_shortest_times(top);
+  if (through_points) {
+    axes.shortest_times = wants_shortest_times(top);
+    for (const char* key : {"sync", "duration"})
+      top.refuse_here(key, "does not apply to a motion through [[point]]: leave it out");
+  }
   if (!through_points) {
     if (const auto sync = top.optional_choice("sync", syncs)) axes.sync = static_cast<Sync>(*sync);
     axes.duration = top.optional_number("duration", spec.units.x).value_or(0);
@@ -161,6 +165,10 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
     spec.axes.push_back(read_axis_part(axis, spec.units, taken));
     MotionFields fields(axis, spec.axes.back().units);
     axes.axes.push_back(read_axis_move(fields, through_points));
+    if (through_points)
+      for (const char* key :
+           {"from", "to", "from_velocity", "from_acceleration", "to_velocity", "to_acceleration"})
+        axis.refuse_here(key, "does not apply to a motion through [[point]]: leave it out");
     axis.finish();
   });
   if (axes.axes.empty()) top.fail("axis", "", "is missing: add [[axis]] for each axis");

@@ -97,10 +97,14 @@ Units compared_units(TomlReader& compare, const Spec& spec, const std::string& a
   for (const AxisPart& part : spec.parts())
     if (part.name == axis) return part.units;
   const bool path = std::holds_alternative<PathSpec>(spec.subject);
-  if (!path || axis != "path")
-    compare.fail("axis", '"' + axis + '"',
-                 path ? "must be the name of an axis of this spec, or \"path\""
-                      : "must be the name of an axis of this spec");
+  if (path && axis == "path") return spec.units;
+  std::string names;
+  for (const AxisPart& part : spec.parts()) names += (names.empty() ? "" : ", ") + part.name;
+  if (names.empty())
+    compare.fail("axis", '"' + axis + '"', "this spec has a single axis: leave axis out");
+  if (path) names += " or path";
+  if (axis.empty()) compare.fail("axis", "", "is missing: add axis = \"NAME\", one of " + names);
+  compare.fail("axis", '"' + axis + '"', "must be one of the axes of this spec: " + names);
   return spec.units;
 }
 

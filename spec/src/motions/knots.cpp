@@ -32,6 +32,11 @@ std::optional<double> derivative_of(TomlReader& knot, const char* key, const std
 }
 
 void read_rows(TomlReader& top, const Units& units, FillSpec& fill, bool may_be_missing) {
+  if (top.tables("knot").size() < 2) top.refuse_misspelt("knot");
+  if (top.tables("knot").empty())
+    top.fail("knot", "",
+             "is missing: add [[knot]] with time and position for each knot, or points = "
+             "\"FILE.csv\"");
   for (TomlReader& knot : top.tables("knot")) {
     fill.x.push_back(knot.number("time", units.x));
     fill.p.push_back(knot.number("position", units.position));
@@ -41,6 +46,11 @@ void read_rows(TomlReader& top, const Units& units, FillSpec& fill, bool may_be_
     if (fill.rule == Interpolation::quintic_hermite)
       fill.a.push_back(derivative_of(knot, "acceleration", rate_unit(units.position, units.x, 2),
                                      may_be_missing));
+    if (fill.rule != Interpolation::quintic_hermite)
+      for (const char* key : {"velocity", "acceleration"})
+        if (fill.rule == Interpolation::linear || key[0] == 'a')
+          knot.refuse_here(key, std::string("does not apply to rule = \"") + name(fill.rule) +
+                                    "\": leave it out, or change the rule");
     knot.finish();
   }
 }

@@ -137,7 +137,9 @@ Operator read_compensation(MotionFields& f, std::span<const AxisPart> parts) {
     reference.finish();
   }
   if (s.references.empty())
-    then.fail("reference", "", "is missing: a grid has one to three reference axes");
+    then.fail("reference", "",
+              "is missing: add [[then.reference]] with base, interval and count for each axis that "
+              "the correction depends on, one to three");
   s.table.values = then.numbers("values", std::vector<std::string>(points, unit));
   return s;
 }

@@ -120,6 +120,9 @@ std::vector<Point> read_curve_points(TomlReader& command, const PathAxes& axes, 
     points.push_back(read_end(point, axes, points.back(), origin));
     point.finish();
   }
+  if (points.size() == 1)
+    command.fail("point", "",
+                 "is missing: add point = [{ to = [NUMBER, ...] }], with at least one point");
   return points;
 }
 
@@ -172,6 +175,18 @@ void read_movement(TomlReader& command, const PathAxes& axes, std::size_t type, 
 
 }  // namespace
 
+namespace {
+
+/// The key of the spec for that of the library, which counts the start of a curve as points[1].
+std::string key_of(const std::string& key) {
+  const std::string points = "points[";
+  if (!key.starts_with(points)) return key;
+  const int number = std::stoi(key.substr(points.size()));
+  return number < 2 ? "point" : "point[" + std::to_string(number - 1) + "]";
+}
+
+}  // namespace
+
 void read_path_command(TomlReader& command, const PathAxes& axes, PathSettings& settings,
                        Program& program) {
   const std::size_t type = command.variant("type", command_types);
@@ -186,7 +201,7 @@ void read_path_command(TomlReader& command, const PathAxes& axes, PathSettings& 
     } catch (
         const InputError& error) {  // an arc names its own fields, which are keys of the command
       if (!error.document().empty()) throw;
-      throw InputError(command.path(error.key()), error.value(), error.rule());
+      throw InputError(command.path(key_of(error.key())), error.value(), error.rule());
     }
   }
   command.finish();

@@ -74,6 +74,9 @@ PathLimits read_path_limits(TomlReader limits, const PathAxes& axes) {
 /// Reads corner = "stop", or a table with the one key that limits the corner.
 void read_corner(TomlReader& owner, const PathAxes& axes, PathSettings& settings) {
   if (owner.is_text("corner")) {
+    if (const auto word = owner.optional_text("corner"); word != corners.front())
+      owner.fail("corner", '"' + *word + '"',
+                 "must be \"stop\", or a table such as { deviation = 0.05 }");
     (void)owner.choice("corner", corners);
     settings.corner = Corner::stop;
     settings.value = 0;

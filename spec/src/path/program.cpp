@@ -85,8 +85,9 @@ void read_records(TomlReader records, const PathAxes& axes, PathSpec& path) {
     path.machine.settings.value = 2 / *diameter;
   }
   records.finish();
-  const Points points =
-      read_points((std::filesystem::path(records.document().name).parent_path() / file).string());
+  const std::string full =
+      (std::filesystem::path(records.document().name).parent_path() / file).string();
+  const Points points = records.file_of("file", full, [&] { return read_points(full); });
   path.source = points.document;
   path.program = record_program(points, path.machine, {axes.unit(1), axes.unit(2)});
 }
@@ -129,7 +130,8 @@ void read_commands(TomlReader& top, const PathAxes& axes, PathSettings settings,
 
 void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, PathSpec& path) {
   if (const std::string file = read_gcode_table(top, axes, path.machine); !file.empty()) {
-    set_gcode(path, read_file(file), file);
+    const TomlReader gcode = top.table("gcode");
+    set_gcode(path, gcode.file_of("file", file, [&] { return read_file(file); }), file);
   } else if (auto records = top.optional_table("records")) {
     for (const char* other : {"command", "points"})
       if (top.has(other)) top.fail("records", "", std::string("cannot be combined with ") + other);

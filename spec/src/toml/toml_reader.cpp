@@ -22,6 +22,25 @@ Document::Place place(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
+/// The only permitted word that a longer word contains: "absolute" for "move_absolute"; "" if there is none.
+std::string contained(const std::string& given, std::span<const std::string> permitted) {
+  constexpr std::size_t least = 4;
+  std::string only;
+  for (const std::string& word : permitted) {
+    if (word.size() < least || given.find(word) == std::string::npos) continue;
+    if (!only.empty()) return "";
+    only = word;
+  }
+  return only;
+}
+
+/// End of the rule of a number or a flag that is written as another type.
+const char* without_quotes(const toml::node& node) {
+  const auto real = node.value_exact<double>();
+  if (real && *real == std::floor(*real)) return ", without a decimal point or an exponent";
+  return node.is_string() ? ", without quotes" : "";
+}
+
 /// A long list of words is shown only if no word is near.
 std::string rule_of_choice(std::span<const std::string> permitted, const std::string& hint) {
   constexpr std::size_t most = 8;
@@ -203,7 +222,9 @@ std::optional<std::size_t> TomlReader::optional_count(const char* key) {
   if (node == nullptr) return std::nullopt;
   return or_else(std::size_t{1}, [&] {
     const auto value = node->value_exact<std::int64_t>();
-    if (!value || *value < 1) fail(key, shown(*node), "must be a whole number of at least 1");
+    if (!value || *value < 1)
+      fail(key, shown(*node),
+           std::string("must be a whole number of at least 1") + without_quotes(*node));
     return static_cast<std::size_t>(*value);
   });
 }
@@ -213,7 +234,8 @@ std::optional<std::int64_t> TomlReader::optional_whole(const char* key) {
   if (node == nullptr) return std::nullopt;
   return or_else(std::int64_t{1}, [&] {
     const auto value = node->value_exact<std::int64_t>();
-    if (!value) fail(key, shown(*node), "must be a whole number");
+    if (!value)
+      fail(key, shown(*node), std::string("must be a whole number") + without_quotes(*node));
     return *value;
   });
 }
@@ -229,7 +251,8 @@ std::optional<bool> TomlReader::optional_flag(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
   return or_else(false, [&] {
-    if (!node->is_boolean()) fail(key, shown(*node), "must be true or false");
+    if (!node->is_boolean())
+      fail(key, shown(*node), std::string("must be true or false") + without_quotes(*node));
     return *node->value<bool>();
   });
 }
@@ -254,8 +277,9 @@ std::size_t TomlReader::choice(const char* key, std::span<const std::string> per
   const std::string given = *optional_text(key);
   for (std::size_t i = 0; i < permitted.size(); ++i)
     if (permitted[i] == given) return i;
-  const std::string hint = nearest(given, permitted);
-  fail(key, '"' + given + '"', rule_of_choice(permitted, hint));
+  const std::string near = nearest(given, permitted);
+  fail(key, '"' + given + '"',
+       rule_of_choice(permitted, near.empty() ? contained(given, permitted) : near));
 }
 
 std::optional<std::size_t> TomlReader::optional_choice(const char* key,
@@ -412,7 +436,8 @@ void TomlReader::finish() {
       continue;
     }
     report(unknown(key, node,
-                   (what_.empty() ? "here" : "of " + what_) + "; possible keys: " + listed(known)));
+                   (what_.empty() ? "here" : "of " + what_) + "; possible keys" +
+                       (path_.empty() ? " and sections: " : ": ") + listed(known)));
   }
 }
 

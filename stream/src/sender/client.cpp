@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/stream/sender/client.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "jounce/command/command_table.hpp"
@@ -34,13 +35,14 @@ Client::Client(Transport& link, std::string executor, ClientOptions options, Clo
 }
 
 /// Sends one command under the next number, repeated until its outcome.
-CallOutcome Client::ask(const wire::Body& body) {
+CallOutcome Client::ask(const wire::Body& body, Nanos patience) {
   wire::Message message{executor_, session_, {}, challenge_};
   slot_.issue(body);
-  const auto reply =
-      jounce::ask(link_, message, slot_,
-                  {.key = options_.key, .patience = options_.patience, .repeat = options_.repeat},
-                  clock_, rejects_);
+  const auto reply = jounce::ask(link_, message, slot_,
+                                 {.key = options_.key,
+                                  .patience = std::min(patience, options_.patience),
+                                  .repeat = options_.repeat},
+                                 clock_, rejects_);
   challenge_ = message.challenge;
   if (!reply) {
     const bool foreign = rejects_[wire::Reject::not_authentic] > 0;
@@ -68,23 +70,23 @@ std::optional<wire::Message> Client::receive(Nanos timeout) {
   return ours ? std::move(message) : std::nullopt;
 }
 
-CallOutcome Client::open() {
+CallOutcome Client::open(Nanos patience) {
   session_ = random_id();
   challenge_ = boot_ = 0;
   slot_ = CommandSlot();
-  CallOutcome outcome = ask(wire::Heartbeat{});
+  CallOutcome outcome = ask(wire::Heartbeat{}, patience);
   if (!outcome.ok()) session_ = 0;
   return outcome;
 }
 
 /// Uses the present session, or a new one.
-CallOutcome Client::request(wire::Body body) {
+CallOutcome Client::request(wire::Body body, Nanos patience) {
   if (session_ != 0) {
-    CallOutcome outcome = ask(body);
+    CallOutcome outcome = ask(body, patience);
     if (outcome.error != StreamError::refused || !is_over(outcome.refusal)) return outcome;
   }
-  if (CallOutcome outcome = open(); !outcome.ok()) return outcome;
-  return ask(body);
+  if (CallOutcome outcome = open(patience); !outcome.ok()) return outcome;
+  return ask(body, patience);
 }
 
 CallOutcome Client::command(const ClientCommand& command, std::int64_t at) {

@@ -23,7 +23,7 @@ std::vector<StreamPlan> checked(std::vector<StreamPlan> plans) {
   std::set<std::string> names;
   for (StreamPlan& plan : plans) {
     if (!names.insert(plan.executor).second)
-      throw InputError("axes", plan.executor, "names an axis twice");
+      throw InputError("to", plan.executor, "is named twice: name each axis once");
     if (!plan.swaps.empty())
       throw InputError("swaps", plan.executor, "work with a single axis only");
     plan.goal = StreamGoal::arm;

@@ -274,7 +274,11 @@ void Sender::refused(wire::Refusal refusal, const std::string& reason, std::int3
   outcome_.cause = cause;
   if (refusal == wire::Refusal::session_ended && outcome_.started)
     return fail(StreamError::stopped, stream_detail::session_ended_reason);
-  fail(StreamError::refused, std::string(name(refusal)) + (reason.empty() ? "" : ": ") + reason);
+  const std::string swap = leg_ == 0 ? ""
+                                     : " This concerns the table of swap " + std::to_string(leg_) +
+                                           "; the motion before it is played to its end.";
+  fail(StreamError::refused,
+       std::string(name(refusal)) + (reason.empty() ? "" : ": ") + reason + swap);
 }
 
 // ---- next goal ----------------------------------------------------------------------------------

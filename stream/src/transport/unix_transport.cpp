@@ -20,17 +20,18 @@ namespace jounce {
 namespace {
 
 [[noreturn]] void refuse_folder(const std::string& folder, const std::string& rule) {
-  throw InputError("unix", folder, rule);
+  throw InputError("url", "unix://" + folder, rule);
 }
 
 std::string usable(const std::string& folder) {
   if (folder.empty() || folder.size() > stream_detail::longest_folder)
-    refuse_folder(folder, fmt::format("must name a folder, in at most {} bytes",
-                                      stream_detail::longest_folder));
+    refuse_folder(folder,
+                  fmt::format("must name a folder, such as unix:///run/jounce, in at most {} bytes",
+                              stream_detail::longest_folder));
   struct stat about {};
   if ((mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) || stat(folder.c_str(), &about) != 0)
     throw TransportError(fmt::format("cannot use the folder {}: {}", folder, std::strerror(errno)));
-  if (!S_ISDIR(about.st_mode)) refuse_folder(folder, "must be a folder");
+  if (!S_ISDIR(about.st_mode)) refuse_folder(folder, "is a file: name a folder");
   if ((about.st_mode & S_IWOTH) != 0)
     refuse_folder(
         folder,

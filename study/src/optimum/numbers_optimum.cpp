@@ -46,7 +46,10 @@ std::string tune_text(const TuneOutcome& outcome, const Spec& spec) {
   if (!outcome.usable()) {
     const Labels labels{spec.units, spec.over_master(), {}};
     if (search.answer.possible)
-      text += fmt::format("least violated:\n{}", full_text(outcome.report, labels));
+      text += fmt::format("{}:\n{}",
+                          outcome.report.ok() ? "a requirement above is broken; the limits there"
+                                              : "least violated",
+                          full_text(outcome.report, labels));
     return text;
   }
   if (outcome.active.empty()) text += fmt::format("  - no limit and no bound is reached\n");

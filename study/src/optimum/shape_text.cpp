@@ -57,7 +57,7 @@ std::string active_text(const CamRunOutcome& run, const ShapeWords& words) {
 }
 
 std::string run_text(const CamRunOutcome& run, const ShapeWords& words) {
-  std::string text = fmt::format("  {:<24} {:>12} {:>12} {:>12} {:>10}   segments {}\n", "",
+  std::string text = fmt::format("  {:<24} {:>12} {:>12} {:>12} {:>12}   segments {}\n", "",
                                  "given", "reached", "bound", "could save", words.segments(run));
   for (const PrintedFigure& t : printed_figures(run, words))
     text +=

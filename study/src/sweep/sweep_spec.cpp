@@ -98,7 +98,13 @@ SweepParameter read_parameter(TomlReader& table, const SpecNumbers& base) {
     given = base.value(p.key);
     p.unit = base.unit(p.key);
   } catch (const InputError& error) {
-    table.fail("key", '"' + p.key + '"', error.rule() + " (" + base.document().name + ")");
+    const std::string here = "this file";
+    std::string rule = error.rule();
+    if (const auto at = rule.find(here); at != std::string::npos)
+      rule.replace(at, here.size(), base.document().name);
+    else
+      rule += " in " + base.document().name;
+    table.fail("key", '"' + p.key + '"', rule);
   }
   constexpr std::array ways{"values", "from", "tolerance", "uniform", "normal"};
   std::vector<const char*> named;
@@ -306,19 +312,20 @@ SweepSpec read_sweep(const std::string& path) {
   const std::string file = top.text("spec", "FILE.toml");
   const std::string base =
       (std::filesystem::path(path == "-" ? "." : path).parent_path() / file).string();
-  SweepSpec spec{{},
-                 std::move(name),
-                 SpecNumbers({base, read_file(base), {}, {}}),
-                 {},
-                 1,
-                 1,
-                 {},
-                 false,
-                 0,
-                 {},
-                 false,
-                 {},
-                 {}};
+  SweepSpec spec{
+      {},
+      std::move(name),
+      SpecNumbers({base, top.file_of("spec", base, [&] { return read_file(base); }), {}, {}}),
+      {},
+      1,
+      1,
+      {},
+      false,
+      0,
+      {},
+      false,
+      {},
+      {}};
   spec.optima = read_optima(top, spec.base);
   read_parameters(top, spec);
   read_monte_carlo(top, spec);

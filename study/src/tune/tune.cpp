@@ -254,11 +254,7 @@ std::vector<TunedFigure> given_figures(Tuned& tuned) {
 }  // namespace
 
 TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going) {
-  if (!spec.parameters)
-    throw InputError(
-        "optimize.parameter", "",
-        "is missing: add [[optimize.parameter]] with key and range for each number that may change")
-        .at(spec.document.name);
+  if (!spec.parameters) throw nothing_free(spec);
   Tuned tuned(spec);
   const std::vector<TunedFigure> given = given_figures(tuned);
   TuneOutcome outcome;

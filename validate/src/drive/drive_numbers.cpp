@@ -93,9 +93,14 @@ void require(const DriveNumber& number) {
       return require_not_negative(key, *number.value);
     case positive:
       return require_positive(key, *number.value);
-    case share:
-      if (!(*number.value > 0 && *number.value <= 1))
-        throw InputError(number.key, *number.value, "must be greater than 0 and at most 1");
+    case share: {
+      const bool whole = number.key != "pendulum.share";  // not the whole of a mass may swing
+      const bool good = *number.value > 0 && (whole ? *number.value <= 1 : *number.value < 1);
+      if (!good)
+        throw InputError(
+            number.key, *number.value,
+            std::string("must be greater than 0 and ") + (whole ? "at most 1" : "less than 1"));
+    }
   }
 }
 
@@ -151,8 +156,6 @@ void require_valid(const Drive& drive) {
   if (drive.pendulum && drive.train.empty())
     throw InputError("pendulum.share", drive.pendulum->share,
                      "needs a mass from which the pendulum hangs");
-  if (drive.pendulum && drive.pendulum->share == 1)
-    throw InputError("pendulum.share", 1, "must be less than 1");
   if (drive.controller.encoder_counts != 0 && drive.controller.cycle == 0)
     throw InputError("controller.encoder_counts", drive.controller.encoder_counts,
                      "needs a cycle: only a sampled controller has encoder counts");

@@ -122,9 +122,10 @@ void note(const IdentifySpec& spec, Identification& answer) {
   const double after = answer.drive.controller.torque_feed_forward;
   if (before != after)
     answer.notes.push_back(
-        fmt::format("controller.torque_feed_forward is {:.4g} of the fitted inertia: the setting "
-                    "of the controller, {:.4g} of {:.4g} kg m^2, has not changed",
-                    after, before, before == 0 ? 0 : inertia(spec.drive)));
+        fmt::format("the torque feed-forward of the controller still uses the given inertia, "
+                    "{:.4g} x {:.4g} kg m^2: controller.torque_feed_forward = {:.4g} times the "
+                    "fitted inertia is the same torque",
+                    before, before == 0 ? 0 : inertia(spec.drive), after));
 }
 
 std::string not_determined(const std::string& unknown, const Identification& answer) {

@@ -147,7 +147,9 @@ class RunningFollower {
     const double e = model_.rest(model_.lift(before_)[0]);
     if (!(e > 0))
       throw InputError("preload", follower_.preload,
-                       "must press the follower on the cam at the start of the lift");
+                       "must be greater than " +
+                           number(0 - follower_.spring_stiffness * model_.lift(before_)[0]) +
+                           ", so that it presses the follower on the cam at the start of the lift");
     return {e, 0, 0};
   }
 

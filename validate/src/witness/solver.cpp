@@ -11,6 +11,26 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/validate/integration_watch.hpp"
+
+namespace jounce {
+namespace {
+
+/// The function of the IntegrationWatch of this thread; null: there is none.
+thread_local const std::function<void()>* watching = nullptr;
+
+}  // namespace
+
+IntegrationWatch::IntegrationWatch(std::function<void()> each_step)
+    : each_step_(std::move(each_step)) {
+  watching = &each_step_;
+}
+
+IntegrationWatch::~IntegrationWatch() {
+  watching = nullptr;
+}
+
+}  // namespace jounce
 
 namespace jounce::validate_detail {
 namespace {
@@ -171,6 +191,7 @@ double OdeSolver::next_step() const {
 }
 
 Step OdeSolver::step(double stop) {
+  if (watching != nullptr) (*watching)();
   before_ = time_;
   if (stop - time_ <= options_.closest) return Step::stop;
   if (integration_.steps >= options_.max_steps) {

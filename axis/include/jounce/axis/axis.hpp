@@ -256,6 +256,7 @@ class MotionAxis {
   void begin_due();
   [[nodiscard]] std::optional<Moment> begins_at();
   [[nodiscard]] std::optional<Moment> crossing() const;
+  [[nodiscard]] std::optional<Refusal> too_fast(double master_velocity) const;
   [[nodiscard]] Refusal begin_refusal(Cause no, const MotionState& state) const;
   [[nodiscard]] std::optional<Refusal> against_switch(const Movement& path) const;
   void begin_pending(const Moment& at);

@@ -29,6 +29,7 @@ class LiveGear final : public Movement {
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
   [[nodiscard]] Cause cause() const noexcept override;
   [[nodiscard]] bool absolute() const noexcept override { return false; }
+  [[nodiscard]] double ratio() const noexcept override { return gear_.ratio; }
   [[nodiscard]] Peaks peaks() const noexcept override;
   /// Returns a refusal, acceleration_limit or jerk_limit, if the ramp would exceed the limits of
   /// the axis.
@@ -55,10 +56,11 @@ class LiveGearInPos final : public Movement {
   /// key "master_start_distance" if the gear cannot engage.
   LiveGearInPos(std::uint64_t id, const GearInPosSpec& spec);
 
-  /// Returns none, no_master_input, start_position or start_velocity. The last two mean that the
-  /// axis does not stand at slave_start.
+  /// Returns none, no_master_input, in_motion if the axis moves, or start_position if it does not
+  /// stand at slave_start.
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;
   Setpoint at(const Moment& now) noexcept override;
+  [[nodiscard]] double ratio() const noexcept override { return gear_.ratio; }
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
   [[nodiscard]] Cause cause() const noexcept override;
   /// True if the master moved backwards in this cycle, while the gear was engaging.

@@ -133,6 +133,10 @@ class Movement {
   [[nodiscard]] virtual double place() const noexcept {
     return std::numeric_limits<double>::quiet_NaN();
   }
+  /// For a gear: the velocity of the slave divided by that of the master, when it is engaged, u/m;
+  /// for any other movement 0. The axis rejects the start of a gear that would exceed its velocity
+  /// limit at the present velocity of the master.
+  [[nodiscard]] virtual double ratio() const noexcept { return 0; }
   /// For a live movement: true if the axis keeps its velocity when the movement ends; false if it
   /// comes to rest.
   [[nodiscard]] virtual bool keeps_velocity() const noexcept { return false; }

@@ -28,6 +28,15 @@ struct Document {
   /// Unit of each number that a reader has looked for, by key, even if the text does not have it.
   std::map<std::string, std::string> known = {};
 
+  /// A number that the text gives under another key, in another unit.
+  struct Given {
+    std::string key;    ///< key in the text
+    double factor = 1;  ///< factor to the number in the text
+  };
+  /// Numbers under another key, by the key that an error uses: a derivative by the master that the
+  /// text gives over time.
+  std::map<std::string, Given> converted = {};
+
   /// Returns the unit that the text gives for the number under `key`. For a number without a unit,
   /// and for a missing number, returns `otherwise`.
   [[nodiscard]] std::string given_unit(const std::string& key, const std::string& otherwise) const;

@@ -64,6 +64,9 @@ double seconds_per_unit(const Spec& spec);
 /// InputError (`limits.slave.velocity`, ...) if the spec has such a limit but no [master].
 Limits slave_limits_by_master(const Spec& spec);
 
+/// Returns the error of a spec in which nothing is free: what to add, or that this kind has no motion.
+InputError nothing_free(const Spec& spec);
+
 /// Returns the optimization problem of a cam spec, with [limits], and with [limits.slave] at full
 /// speed. Throws InputError, with the place in the document, unless the problem is valid.
 CamProblem make_problem(const Spec& spec);

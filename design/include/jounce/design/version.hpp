@@ -15,11 +15,13 @@ namespace jounce {
 Version version_of(const Input& input, const std::string& path);
 
 /// Pairs the axes of two files: axes of the same name or, if each file has only one axis, these
-/// two. Throws InputError (key "axis") if an axis has no partner. `before_path` and `after_path`
-/// are the names of the files in messages.
+/// two. With `axis`, only the axis of this name; a file with a single axis is then compared as it
+/// is, if the other file has several. Throws InputError (key "axis") if an axis has no partner.
+/// `before_path` and `after_path` are the names of the files in messages.
 std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
                                                  std::vector<Input> after,
                                                  const std::string& before_path,
-                                                 const std::string& after_path);
+                                                 const std::string& after_path,
+                                                 const std::string& axis = "");
 
 }  // namespace jounce

@@ -99,6 +99,7 @@ class AxisServer {
   void decline(const CommandRequested& requested, const std::string& reason);
   bool crowded(std::int64_t session, std::int32_t command);
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
+  void refuse_units(const ArmRequested& arm);
   [[nodiscard]] double next_rest() const;
   [[nodiscard]] ArmRequested on_axis(ArmRequested arm) const;
   void build(const ArmRequested& arm);

@@ -28,6 +28,10 @@ struct CommandWords {
 
 /// Returns the words of all commands: "enable", "move", ...
 const std::vector<std::string>& command_words();
+/// Returns the rule for a word that is no command, if another order of the words or another verb is
+/// probably meant: "is a verb of its own: did you mean jounce stop feeder?". Otherwise returns "".
+/// `name`: the name of the executor, as given.
+std::string meant_command(const std::string& name, const std::string& word);
 
 /// An option of `jounce order`, which is a field of one or more commands.
 struct CommandOption {

@@ -27,7 +27,8 @@ struct PlayOptions {
   bool keep_velocity = false;
 };
 
-/// Returns the plan that plays this input on the axis `executor`.
+/// Returns the plan that plays this input on the axis `executor`. Throws InputError (key "live" or
+/// "master") for a table that does not suit the options.
 StreamPlan stream_plan(const std::string& executor, const Input& input, const PlayOptions& options);
 
 /// Adds an input to the plan. Its motion takes over at the end of the previous one, without a stop.
@@ -67,6 +68,9 @@ bool is_path(const std::vector<Input>& axes);
 /// that overlap in time.
 StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes);
 
+/// Returns the names of a list "x,y,z" of executors. Throws InputError (key "to") for a name that is
+/// missing, not possible, or there twice.
+std::vector<std::string> executor_names(const std::string& list);
 /// Returns the input for each of these executors, from the axes of a file. If the file has one
 /// axis, every executor gets it. Otherwise each executor gets the axis of its name or, if the
 /// numbers of executors and axes are equal, the axis at its place in the list. `path` is the name

@@ -72,6 +72,9 @@ class Watch {
   /// names in the options, returns "every executor" if no axis has sent a status for `patience`.
   /// Otherwise returns "". The time counts from the constructor on.
   [[nodiscard]] std::string silent(Nanos patience) const;
+  /// Returns the name of an axis in the options that has sent no status at all. Without names in
+  /// the options, returns "every executor" if no status has arrived. Otherwise returns "".
+  [[nodiscard]] std::string missing() const;
   /// True if a status of an axis has arrived.
   [[nodiscard]] bool has_received() const;
   /// The axes, sorted by name.

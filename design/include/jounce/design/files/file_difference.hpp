@@ -20,11 +20,12 @@ struct FileDifference {
 };
 
 /// Compares the axes of two files; the paths are the names of the files. `tolerance` returns the
-/// tolerance for the numbers of an axis with the given labels. Throws InputError like paired_axes()
-/// and compare().
+/// tolerance for the numbers of an axis with the given labels. With `axis`, only this axis. Throws
+/// InputError like paired_axes() and compare().
 FileDifference file_difference(std::vector<Input> before, std::vector<Input> after,
                                const std::string& before_path, const std::string& after_path,
-                               const std::function<Tolerance(const Labels&)>& tolerance);
+                               const std::function<Tolerance(const Labels&)>& tolerance,
+                               const std::string& axis = "");
 
 /// Returns the answer of `jounce diff`: for two paths their durations and lengths, then each
 /// comparison.

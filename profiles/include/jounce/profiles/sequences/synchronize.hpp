@@ -44,7 +44,7 @@ struct Synchronized {
   MoveStatus status = MoveStatus::ok;  ///< ok, or why there is no common motion
   std::size_t axis = 0;                ///< the axis that causes the status, if it is not ok
   /// s, the common duration: the longest of an axis, and at least the minimum; 0 if the status is
-  /// not ok.
+  /// not ok. With Sync::time_if_moving, if all targets are at rest: the longest of an axis.
   double duration = 0;
 };
 

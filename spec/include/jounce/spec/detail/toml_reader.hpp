@@ -128,6 +128,21 @@ class TomlReader {
   /// Line of the table in the document.
   [[nodiscard]] int line() const { return static_cast<int>(table_->source().begin.line); }
   [[nodiscard]] bool has(const char* key) const { return table_->contains(key); }
+  /// Records that an error of the number `key` concerns the number `given` of the text, which is
+  /// `factor` times as great.
+  void convert(const char* key, const char* given, double factor) {
+    document_->converted[path(key)] = {path(given), factor};
+  }
+  /// Calls `read`, which reads the file `file` that `key` names. If the file cannot be read, the
+  /// error gets the place of the key.
+  template <class Read>
+  auto file_of(const char* key, const std::string& file, Read read) const {
+    try {
+      return read();
+    } catch (const InputError& error) {
+      throw document_->naming(path(key), file, error);
+    }
+  }
   /// Names a key that is possible here, whether or not it is read: finish() lists it.
   void may_have(const char* key) { known_.insert(key); }
   [[nodiscard]] bool is_text(const char* key) const;

@@ -70,8 +70,8 @@ class Client {
   /// Like move_velocity(), but as a hold-to-run jog: the axis stops when this session ends, or when
   /// this client sends no message for 0.2 s. beat() keeps the jog running.
   CallOutcome jog(double velocity, const MoveDynamics& dynamics = {});
-  /// Sends a heartbeat.
-  CallOutcome beat() { return request(wire::Heartbeat{}); }
+  /// Sends a heartbeat. `patience`: see request().
+  CallOutcome beat(Nanos patience = Nanos::max()) { return request(wire::Heartbeat{}, patience); }
   /// Sends dynamics.deceleration and dynamics.jerk only.
   CallOutcome halt(const MoveDynamics& dynamics = {});
   /// Stops the axis and ends its motion.
@@ -90,8 +90,9 @@ class Client {
   CallOutcome command(const ClientCommand& command, std::int64_t at = -1);
 
   /// Sends any message of a client, in the present session or in a new one. Use a Heartbeat to keep
-  /// the session alive.
-  CallOutcome request(wire::Body body);
+  /// the session alive. Each message waits for its answer for `patience`, but not longer than the
+  /// patience of the options.
+  CallOutcome request(wire::Body body, Nanos patience = Nanos::max());
 
   /// Ends the session. A motion continues.
   CallOutcome release();
@@ -102,10 +103,10 @@ class Client {
  private:
   friend class StaticQueue;
 
-  CallOutcome open();
+  CallOutcome open(Nanos patience = Nanos::max());
   void send(wire::Body body);
   [[nodiscard]] std::optional<wire::Message> receive(Nanos timeout);
-  CallOutcome ask(const wire::Body& body);
+  CallOutcome ask(const wire::Body& body, Nanos patience = Nanos::max());
 
   Transport& link_;
   std::string executor_;
