@@ -12,6 +12,10 @@ namespace jounce {
 /// UTF-16 and for a compressed file.
 std::string read_file(const std::string& path);
 
+/// Like read_file(), for a file that the program edits: KeptInputs does not record it, so the program
+/// can replace it.
+std::string read_edited_file(const std::string& path);
+
 /// Records the files that read_file() reads as long as the object exists. write_files() then does
 /// not replace any of them, so an output never overwrites an input. At most one object exists at a
 /// time.
