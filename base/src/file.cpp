@@ -275,17 +275,22 @@ void require_not_read(const std::string& path, const std::string& option) {
     throw InputError(option, path, "is also an input: choose another name");
 }
 
-std::string read_file(const std::string& path, Archive archive) {
+std::string read_edited_file(const std::string& path, Archive archive) {
   std::string bytes = read_bytes(path);
   require_text(path, bytes, archive);
+  if (base_detail::is_utf16(bytes)) return utf8_of(path, bytes);
+  if (bytes.starts_with("\xEF\xBB\xBF"))
+    bytes.erase(0, 3);  // a byte order mark has no meaning in UTF-8
+  return bytes;
+}
+
+std::string read_file(const std::string& path, Archive archive) {
+  std::string bytes = read_edited_file(path, archive);
   const KeptInputs* const inputs = kept_inputs;
   if (const auto id = KeptInputs::Files::id_of(path); inputs != nullptr && id) {
     const std::lock_guard lock(inputs->files_->mutex);
     inputs->files_->read.insert(*id);
   }
-  if (base_detail::is_utf16(bytes)) return utf8_of(path, bytes);
-  if (bytes.starts_with("\xEF\xBB\xBF"))
-    bytes.erase(0, 3);  // a byte order mark has no meaning in UTF-8
   return bytes;
 }
 

@@ -135,6 +135,7 @@ void add_plot(CommandLine& line);
 void add_map(CommandLine& line);
 void add_events(CommandLine& line);
 void add_report(CommandLine& line);
+void add_edit(CommandLine& line);
 void add_stream(CommandLine& line);
 void add_master(CommandLine& line);
 void add_stop(CommandLine& line);

@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/progress_line.hpp"
 #include "jounce/machine/line_master.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
 #include "cli/common/option_names.hpp"
-#include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/machine/link.hpp"
 

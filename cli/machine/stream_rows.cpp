@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/progress_line.hpp"
 #include "jounce/design/executor_tables.hpp"
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 #include "cli/common/input.hpp"
-#include "cli/common/progress.hpp"
 #include "cli/machine/outcome.hpp"
 #include "cli/machine/streaming.hpp"
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "jounce/base/interrupt.hpp"
+#include "jounce/base/progress_line.hpp"
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/group.hpp"
@@ -16,7 +17,6 @@
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
 #include "cli/common/option_names.hpp"
-#include "cli/common/progress.hpp"
 #include "cli/machine/outcome.hpp"
 #include "cli/machine/streaming.hpp"
 
@@ -157,7 +157,7 @@ int stream_table(const StreamArguments& options) {
   plan.start_tick = tick_of(options, link, options.to);
   const Interrupt interrupt;
   StreamOptions stream = stream_options(options, link, interrupt);
-  Progress progress("streaming to " + options.to);
+  ProgressLine progress("streaming to " + options.to);
   stream.progress = [&](const StreamProgress& p) {
     progress.show(
         p.chunks == 0 ? 0 : static_cast<double>(p.arrived) / static_cast<double>(p.chunks),

@@ -5,13 +5,13 @@
 
 #include "jounce/base/input_errors.hpp"
 #include "jounce/base/printable.hpp"
+#include "jounce/base/progress_line.hpp"
 #include "jounce/lint/find_files.hpp"
 #include "jounce/lint/run.hpp"
 #include "jounce/report/ci_formats.hpp"
 #include "jounce/report/comparison.hpp"
 
 #include "cli/common/option_names.hpp"
-#include "cli/common/progress.hpp"
 
 namespace jounce::cli {
 bool CheckRun::is_one_answer() const {
@@ -60,7 +60,7 @@ int check_files(const std::string& verb, const CheckRun& run, const Examine& exa
                 const std::string& machine) {
   LintedFiles all;
   {
-    Progress line(verb);
+    ProgressLine line(verb);
     all = lint_run(verb, run.files, examine,
                    {.machine = machine,
                     .baseline = run.baseline,

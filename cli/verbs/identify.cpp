@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/base/progress_line.hpp"
 #include "jounce/io/recording.hpp"
 #include "jounce/proof/identification.hpp"
 
 #include "cli/common/json.hpp"
 #include "cli/common/outputs.hpp"
-#include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {

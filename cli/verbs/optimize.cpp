@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/base/progress_line.hpp"
 #include "jounce/design/input.hpp"
 #include "jounce/plot/optimum_figure.hpp"
 #include "jounce/study/optimum.hpp"
@@ -13,7 +14,6 @@
 #include "cli/common/json.hpp"
 #include "cli/common/option_names.hpp"
 #include "cli/common/outputs.hpp"
-#include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {

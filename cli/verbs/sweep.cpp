@@ -9,6 +9,7 @@
 
 #include "jounce/base/hash.hpp"
 #include "jounce/base/interrupt.hpp"
+#include "jounce/base/progress_line.hpp"
 #include "jounce/plot/sweep_figure.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/study/mpi_world.hpp"
@@ -16,7 +17,6 @@
 #include "jounce/study/sweep_summary.hpp"
 
 #include "cli/common/outputs.hpp"
-#include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {
@@ -32,7 +32,7 @@ struct SweepArguments {
 
 SweepResult worked_through(const SweepSpec& spec, const SweepArguments& options, const Farm& farm) {
   const Interrupt interrupt;
-  Progress progress("sweep");
+  ProgressLine progress("sweep");
   SweepClock clock;
   return run_sweep(spec, {.farm = farm,
                           .journal = options.files.journal(),

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/base/progress_line.hpp"
 #include "jounce/proof/drive_signals.hpp"
 #include "jounce/proof/proof.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
 #include "cli/common/outputs.hpp"
-#include "cli/common/progress.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/verbs/check_run.hpp"
 
@@ -39,7 +39,7 @@ void require_signals_of(const ValidateArguments& options, const std::vector<Inpu
 
 /// Calls prove() with a progress line.
 Proof proven(const Input& input, const ValidateArguments& options) {
-  std::optional<Progress> line;
+  std::optional<ProgressLine> line;
   const auto progress = [&](double share) {
     if (!line) line.emplace("tolerances");
     line->show(share);

@@ -74,6 +74,24 @@ void examine_motions(std::vector<Input> inputs, const Examine& examine, FileResu
   }
 }
 
+void lint_text_into(FileResult& result, std::string text, const Examine& examine) {
+  const std::string& path = result.file;
+  if (is_finished_table(text, path)) {
+    result.kind = "table";
+    return examine_motions(table_inputs(text, path), examine, result);
+  }
+  result.kind = spec_kind(text);
+  const std::string name = path == "-" ? "standard input" : path;
+  if (result.kind == "sweep") {
+    (void)parse_sweep(std::move(text), path);
+  } else if (const auto axes = parse_machine(text, name)) {
+    require_axes(*axes);
+  } else {
+    const Spec spec = parse_spec(std::move(text), name);
+    if (!lint_without_motion(spec, result)) examine_motions(inputs_of(spec, path), examine, result);
+  }
+}
+
 void lint_into(FileResult& result, const Examine& examine, const std::string& machine) {
   const std::string& path = result.file;
   if (!machine.empty() && !is_jounce_file(path)) {
@@ -85,34 +103,31 @@ void lint_into(FileResult& result, const Examine& examine, const std::string& ma
     (void)read_key(path);
     return;
   }
-  std::string text = read_file(path);
-  if (is_finished_table(text, path)) {
-    result.kind = "table";
-    return examine_motions(table_inputs(text, path), examine, result);
-  }
-  result.kind = spec_kind(text);
-  const std::string name = path == "-" ? "standard input" : path;
-  if (result.kind == "sweep") {
-    (void)read_sweep(path);
-  } else if (const auto axes = parse_machine(text, name)) {
-    require_axes(*axes);
-  } else {
-    const Spec spec = parse_spec(std::move(text), name);
-    if (!lint_without_motion(spec, result)) examine_motions(inputs_of(spec, path), examine, result);
-  }
+  lint_text_into(result, read_file(path), examine);
 }
 
-}  // namespace
-
-FileResult lint_file(const std::string& path, const Examine& examine, const std::string& machine) {
+/// The result of `lint`, which adds the findings of a file to it.
+template <class Lint>
+FileResult result_of(const std::string& path, const Lint& lint) {
   FileResult result{path};
   try {
-    lint_into(result, examine, machine);
+    lint(result);
   } catch (const InputError& error) {
     result.diagnostics = diagnostics_of(error, path);
   }
   sort(result.diagnostics);
   return result;
+}
+
+}  // namespace
+
+FileResult lint_file(const std::string& path, const Examine& examine, const std::string& machine) {
+  return result_of(path, [&](FileResult& result) { lint_into(result, examine, machine); });
+}
+
+FileResult lint_text(const std::string& path, std::string text, const Examine& examine) {
+  return result_of(path,
+                   [&](FileResult& result) { lint_text_into(result, std::move(text), examine); });
 }
 
 std::vector<FileResult> lint_files(const std::vector<std::string>& paths, const Examine& examine,

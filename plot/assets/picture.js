@@ -79,8 +79,8 @@ function yRange(panel, values, withLimits) {
 }
 
 /// Draws `view` from `from` to `to` into the element `root`, `width` px wide. Returns the scales of the drawing.
-/// `piece` is a range [from, to] to highlight, or null.
-function draw(root, view, {from, to, difference, piece}, width) {
+/// `piece` is a range [from, to] to highlight, or null. `ranges` are ranges [low, high] that the y axes show at least.
+function draw(root, view, {from, to, difference, piece, ranges}, width) {
   const right = width - look.right;
   const inside = (x) => x >= from && x <= to;
   const curves = difference ? [view.difference] : view.curves;
@@ -90,7 +90,8 @@ function draw(root, view, {from, to, difference, piece}, width) {
     const inUnit = (list) => panel.size === 1 ? list : list.map((value) => value / panel.size);
     const values = points.map(({y}) => inUnit(y[k]));
     const least = points.map((one) => one.low ? inUnit(one.low[k]) : []);  // lower edges of bands
-    const [low, high] = yRange(panel, [...values, ...least], !difference);
+    let [low, high] = yRange(panel, [...values, ...least], !difference);
+    if (ranges) [low, high] = [Math.min(low, ranges[k][0]), Math.max(high, ranges[k][1])];
     return {panel, values, least, low, high, yTicks: ticks(low, high, 6)};
   });
   const left = Math.max(look.left, ...panels.flatMap(({yTicks}) => yTicks.map(([, words]) => widthOf(words) + 10)));

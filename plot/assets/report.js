@@ -57,10 +57,8 @@ const segmentAt = (view, x) => (view.segments.find(([a, b]) => x >= a && x < b) 
 class Report {
   constructor(figure, data, id) {
     this.figure = figure;
-    this.views = data.views.map(prepared);
-    this.name = data.name;
     this.build(id);
-    this.show(0);
+    this.replace(data);
     this.render();
     this.box.hidden = false;
     figure.classList.add('live');  // only now: after an error, the still figure stays
@@ -69,10 +67,10 @@ class Report {
 
   build(id) {
     const button = (text, title, act) => html('button', {type: 'button', textContent: text, title, onclick: act});
-    this.switchers = this.views.map((view, i) => html('button', {type: 'button', textContent: `over ${view.axis.replace(/ \[.*/, '')}`, onclick: () => this.show(i)}));
+    this.switchers = [];
     this.differing = html('button', {type: 'button', textContent: 'difference', title: 'Draws the motion minus the motion before (d)', onclick: () => this.toggleDifference()});
     this.tools = html('div', {className: 'tools', role: 'toolbar', 'aria-label': 'Picture'},
-      ...(this.views.length > 1 ? this.switchers : []), this.differing,
+      this.differing,
       button('−', 'Zoom out (−)', () => this.zoom(2)), button('+', 'Zoom in (+)', () => this.zoom(0.5)), button('whole', 'Shows the whole motion (0)', () => this.whole()));
     this.svg = svg('svg', {class: 'jf', id: `picture-${id}`, 'aria-hidden': 'true'});
     this.plot = html('div', {className: 'plot', tabIndex: 0, role: 'slider', 'aria-describedby': `keys-${id}`}, this.svg);
@@ -90,6 +88,20 @@ class Report {
   }
 
   get view() { return this.views[this.index]; }
+
+  /// Shows other data. If it has the same axis, the cursor and a part that is zoomed stay.
+  replace(data) {
+    const old = this.views?.[this.index], {from, to, x} = this;
+    this.name = data.name;
+    this.views = data.views.map(prepared);
+    for (const button of this.switchers) button.remove();
+    this.switchers = this.views.map((view, i) => html('button', {type: 'button', textContent: `over ${view.axis.replace(/ \[.*/, '')}`, onclick: () => this.show(i)}));
+    if (this.views.length > 1) this.tools.prepend(...this.switchers);
+    this.show(old && this.views[this.index]?.axis === old.axis ? this.index : 0);
+    if (old?.axis !== this.view.axis) return;
+    this.x = clamped(x, this.view.start, this.view.end);
+    if (from !== old.start || to !== old.end) this.window(from, to);
+  }
 
   show(index) {
     this.index = index;
@@ -134,6 +146,7 @@ class Report {
       const width = Math.max(300, this.plot.clientWidth || 860);
       this.differing.setAttribute('aria-pressed', Boolean(this.difference));
       this.drawing = draw(this.svg, this.view, this, width);
+      this.decorate();
       this.scale = width;
       this.redraw = false;
     }
@@ -149,6 +162,9 @@ class Report {
     this.plot.setAttribute('aria-valuenow', this.x);
     this.plot.setAttribute('aria-valuetext', `${place}: ${values.map((row) => `${row.quantity} ${row.value} ${row.unit}`).join(', ')}`);
   }
+
+  /// Adds to a new drawing; for pages that extend this class.
+  decorate() {}
 
   /// Shows [from, to], within the motion and not narrower than rounding permits.
   window(from, to) {

@@ -59,11 +59,12 @@ class Browser:
             time.sleep(0.1)
         raise AssertionError(f"never true: {script}; the page: {self.run('document.body.innerText')}")
 
-    def picture(self, file, dark=False):
+    def picture(self, file, dark=False, height=None):
+        """The page as PNG: all of it, or its first `height` pixels."""
         scheme = "dark" if dark else "light"
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
         time.sleep(0.3)  # another event comes, and is drawn in these colors
-        height = self.run("document.documentElement.scrollHeight")
+        height = height or self.run("document.documentElement.scrollHeight")
         width = self.run("innerWidth")
         data = self.call("Page.captureScreenshot", captureBeyondViewport=True,
                          clip={"x": 0, "y": 0, "width": width, "height": height, "scale": 1})["data"]

@@ -29,15 +29,16 @@ using testing::Not;
 const std::string token = "0123456789abcdef";
 
 Site site() {
-  return {page("Jounce <1>"),
-          std::string(script()),
-          style(),
-          [](std::int64_t& seen) { return std::to_string(++seen); },
-          [](const std::string& body) {
-            if (body == "slow") std::this_thread::sleep_for(300ms);
-            return Answer{200, "\"" + body + "\""};
-          },
-          [](const std::string& body) { return body == "stop"; }};
+  return {.files = files_of(page("Jounce <1>")),
+          .commands = {"POST /order"},
+          .event = [](std::int64_t& seen) { return std::to_string(++seen); },
+          .obey =
+              [](const Request& request) {
+                if (request.body == "slow") std::this_thread::sleep_for(300ms);
+                return Answer{200, "\"" + request.body + "\""};
+              },
+          .urgent = [](const Request& request) { return request.body == "stop"; },
+          .freshness = 300ms};
 }
 
 struct Served {
@@ -227,9 +228,9 @@ TEST(Server, AnOrderThatWaitedForOthersIsNotCarriedOut) {
   std::atomic<int> begun{0};
   std::atomic<int> quick{0};
   Site slow = site();
-  slow.obey = [&](const std::string& body) {
-    if (body == "quick") ++quick;
-    if (body != "quick") {
+  slow.obey = [&](const Request& request) {
+    if (request.body == "quick") ++quick;
+    if (request.body != "quick") {
       ++begun;
       std::this_thread::sleep_for(2s);
     }

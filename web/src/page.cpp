@@ -52,4 +52,10 @@ std::string style() {
   return page_style() + std::string(web_files::page_rules);
 }
 
+std::vector<SiteFile> files_of(const std::string& page) {
+  return {{"/", "text/html; charset=utf-8", page},
+          {"/panel.js", "text/javascript; charset=utf-8", std::string(script())},
+          {"/panel.css", "text/css; charset=utf-8", style()}};
+}
+
 }  // namespace jounce::web

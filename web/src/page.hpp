@@ -3,6 +3,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "jounce/web/server.hpp"
 
 namespace jounce::web {
 
@@ -14,5 +17,8 @@ std::string page(const std::string& title, const std::string& warning = {});
 std::string_view script();
 /// Returns the CSS of the live page, which extends the CSS of the report page.
 std::string style();
+
+/// The files of a live page.
+std::vector<SiteFile> files_of(const std::string& page);
 
 }  // namespace jounce::web

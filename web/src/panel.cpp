@@ -22,6 +22,7 @@ namespace {
 
 constexpr int waiting_statuses =
     64;  // a link keeps the oldest: they are read faster than they arrive
+constexpr auto freshness = std::chrono::milliseconds(300);  // limit for a command that waited for others
 constexpr Nanos turn = std::chrono::milliseconds(50);
 constexpr Nanos again = std::chrono::seconds(1);  // interval of attempts to open a lost link again
 
@@ -40,9 +41,12 @@ struct Panel::Impl {
         board(options.axes) {
     open_ears();
     server.emplace(std::move(listening), options.token,
-                   Site{page(options.title, options.warning), std::string(script()), style(),
-                        [this](std::int64_t& seen) { return event(seen); },
-                        [this](const std::string& body) { return obey(body); }, is_stop});
+                   Site{.files = files_of(page(options.title, options.warning)),
+                        .commands = {"POST /order"},
+                        .event = [this](std::int64_t& seen) { return event(seen); },
+                        .obey = [this](const Request& request) { return obey(request.body); },
+                        .urgent = [](const Request& request) { return is_stop(request.body); },
+                        .freshness = freshness});
     listener = std::thread([this] { listen(); });
   }
 

@@ -36,11 +36,10 @@ using namespace std::chrono_literals;
 
 constexpr auto period = 50ms;  // interval of events
 constexpr std::size_t most_head = 8192;
-constexpr std::size_t most_body = 1024;
+constexpr std::size_t most_read = 65536;  // bytes of a body that are read at once
 constexpr std::chrono::seconds patience{Server::request_seconds};
 constexpr std::size_t most_drained = std::size_t{1} << 20U;  // unread bytes, before a close
 constexpr auto drain_time = 1s;
-constexpr auto freshness = 300ms;  // limit for a command that waited for others
 
 using Response = http::response<http::string_body>;
 
@@ -133,61 +132,75 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
     if (const std::string no = objection(origin, server_.port); !no.empty())
       return answer(403, no + "\n");
     trusted_ = same(header(request, "X-Jounce-Token"), server_.token);
-    const std::string_view path(request.target().data(), request.target().size());
-    const bool get = request.method() == http::verb::get;
-    const Site& files = server_.site;
-    if (get && path == "/") return answer(200, files.page, "text/html; charset=utf-8");
-    if (get && path == "/panel.js")
-      return answer(200, files.script, "text/javascript; charset=utf-8");
-    if (get && path == "/panel.css") return answer(200, files.style, "text/css; charset=utf-8");
-    if (get && path == "/events") return events();
-    if (request.method() == http::verb::post && path == "/order") return take_command();
+    const std::string target(request.target().data(), request.target().size());
+    const auto question = std::min(target.find('?'), target.size());
+    request_.is_get = request.method() == http::verb::get;
+    request_.path = target.substr(0, question);
+    request_.query = target.substr(std::min(question + 1, target.size()));
+    if (request_.is_get) {
+      for (const SiteFile& file : server_.site.files)
+        if (target == file.path) return answer(200, file.text, file.type);
+      if (target == "/events") return events();
+    }
+    const auto& commands = server_.site.commands;
+    const std::string command = std::string(request.method_string()) + ' ' + request_.path;
+    if (std::find(commands.begin(), commands.end(), command) != commands.end())
+      return request_.is_get ? take_question() : take_command();
     answer(404, "there is no such page\n");
   }
 
   // ---- a command -------------------------------------------------------------------------------
 
+  /// A command without a body.
+  void take_question() {
+    if (!trusted_) return answer(403, "to read this, open the address that jounce printed\n");
+    hand_on();
+  }
+
   void take_command() {
+    const std::size_t most_body = server_.site.most_body;
     if (!trusted_) return answer(403, "to send commands, open the address that jounce printed\n");
     if (!parser_.content_length()) return answer(411, "a command needs a Content-Length\n");
     if (*parser_.content_length() > most_body)
-      return answer(413, "a command must not exceed 1 KB\n");
+      return answer(413, "a command must not exceed " + std::to_string(most_body / 1024) + " KB\n");
     body_.emplace(std::move(parser_));
     body_->body_limit(most_body);
     http::async_read(stream_, buffer_, *body_,
                      [self = shared_from_this()](error_code error, std::size_t /*size*/) {
-                       if (!error) self->hand_on();
+                       if (error) return;
+                       self->request_.body = std::move(self->body_->get().body());
+                       self->hand_on();
                      });
   }
 
   void hand_on() {
-    std::string body = body_->get().body();
-    const bool at_once = server_.site.urgent(body);
+    const bool at_once = server_.site.urgent && server_.site.urgent(request_);
     if (!at_once && server_.commands >= Server::most_commands)
       return answer(503, "too many commands wait for an axis\n");
     if (!at_once) ++server_.commands;
     stream_.expires_never();  // the axis has its own timeout
-    asio::post(at_once ? server_.urgent : server_.others, [self = shared_from_this(),
-                                                           body = std::move(body), at_once,
-                                                           came =
-                                                               std::chrono::steady_clock::now()] {
+    const auto came = std::chrono::steady_clock::now();
+    asio::post(at_once ? server_.urgent : server_.others, [self = shared_from_this(), at_once,
+                                                           came] {
       // The sender may be gone: an old command causes no motion.
-      const bool late = !at_once && std::chrono::steady_clock::now() - came > freshness;
-      const Answer said =
+      const auto& freshness = self->server_.site.freshness;
+      const bool late =
+          !at_once && freshness && std::chrono::steady_clock::now() - came > *freshness;
+      Answer said =
           late
               ? Answer{503,
                        R"({"ok":false,"reason":"the command waited too long for an axis: repeat it"})"}
-              : self->obeyed(body);
-      asio::post(self->server_.io, [self, said, at_once] {
+              : self->obeyed();
+      asio::post(self->server_.io, [self, said = std::move(said), at_once] {
         if (!at_once) --self->server_.commands;
-        self->answer(said.status, said.json, "application/json");
+        self->answer(said.status, said.body, said.type);
       });
     });
   }
 
-  [[nodiscard]] Answer obeyed(const std::string& body) const {
+  [[nodiscard]] Answer obeyed() const {
     try {
-      return server_.site.obey(body);
+      return server_.site.obey(request_);
     } catch (const std::exception&) {
       return {500, R"({"ok":false,"reason":"the page has failed"})"};
     }
@@ -195,7 +208,8 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
 
   // ---- answers ----------------------------------------------------------------------------------
 
-  void answer(int status, const std::string& text, const char* type = "text/plain; charset=utf-8") {
+  void answer(int status, const std::string& text,
+              const std::string& type = "text/plain; charset=utf-8") {
     response_.result(static_cast<unsigned>(status));
     response_.version(11);
     guard(response_);
@@ -227,6 +241,8 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
   // ---- events -----------------------------------------------------------------------------------
 
   void events() {
+    if (server_.site.events_need_token && !trusted_)
+      return answer(403, "to read this, open the address that jounce printed\n");
     if (!server_.make_room_for_reader(trusted_))
       return answer(503, "eight pages are open already\n");
     reads_events_ = true;
@@ -243,7 +259,9 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
     timer_.expires_after(period);
     timer_.async_wait([self = shared_from_this()](error_code error) {
       if (error || !self->stream_.socket().is_open()) return;
-      beast::ostream(self->out_) << "data: " << self->server_.site.event(self->seen_) << "\n\n";
+      const std::string event = self->server_.site.event(self->seen_);
+      if (event.empty()) return self->tick();
+      beast::ostream(self->out_) << "data: " << event << "\n\n";
       self->write();
     });
   }
@@ -268,9 +286,10 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
   beast::tcp_stream stream_;
   Impl& server_;
   asio::steady_timer timer_{stream_.get_executor()};
-  beast::flat_buffer buffer_{most_head + most_body};
+  beast::flat_buffer buffer_{most_head + most_read};
   http::request_parser<http::empty_body> parser_;
   std::optional<http::request_parser<http::string_body>> body_;
+  Request request_;
   Response response_;
   beast::flat_buffer out_;
   std::array<char, 4096> dropped_{};

@@ -212,6 +212,14 @@ std::string page_style() {
       color_variables(false), color_variables(true), page_rules);
 }
 
+std::string_view report_script() {
+  return plot_files::report_script;
+}
+
+std::string report_style() {
+  return inlined_figure_style() + std::string(plot_files::report_rules);
+}
+
 std::string html(const Page& page) {
   std::string out = head(page) + "<body>\n<main>\n<header>\n";
   out += fmt::format("<h1>{}</h1>\n", escaped(page.title));

@@ -298,7 +298,11 @@ Sha256 SweepSpec::identity() const {
 }
 
 SweepSpec read_sweep(const std::string& path) {
-  Document document{path == "-" ? "standard input" : path, read_file(path), {}, {}};
+  return parse_sweep(read_file(path), path);
+}
+
+SweepSpec parse_sweep(std::string text, const std::string& path) {
+  Document document{path == "-" ? "standard input" : path, std::move(text), {}, {}};
   document.hash = sha256(document.text);
   const toml::table root = spec_detail::parse_toml(document);
   TomlReader top(root, "", document);

@@ -18,6 +18,10 @@ enum class Archive {
 /// document, for a file that cannot be read, for broken UTF-16, and for a compressed file.
 std::string read_file(const std::string& path, Archive archive = Archive::rejected);
 
+/// Like read_file(), for a file that the program edits: KeptInputs does not record it, so the
+/// program can replace it.
+std::string read_edited_file(const std::string& path, Archive archive = Archive::rejected);
+
 /// Records the files that read_file() reads while the object exists. write_files() then does not
 /// replace any of them, so an output never overwrites an input. At most one object exists at a
 /// time.

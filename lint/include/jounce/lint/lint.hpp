@@ -30,6 +30,10 @@ using Examine = std::function<std::vector<Report>(std::vector<Input>& axes)>;
 FileResult lint_file(const std::string& path, const Examine& examine,
                      const std::string& machine = "");
 
+/// Like lint_file(), for a text that is not, or not yet, in the file `path`. Other files that the
+/// text names are read from the disk.
+FileResult lint_text(const std::string& path, std::string text, const Examine& examine);
+
 /// Examines many files, on all cores. The results have the order of the files. `progress` receives
 /// the share that is done, 0 to 1.
 std::vector<FileResult> lint_files(const std::vector<std::string>& paths, const Examine& examine,

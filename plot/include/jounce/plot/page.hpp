@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -85,5 +86,10 @@ std::string html(const Page& page);
 /// (--paper, --ink, --soft, --grid, --frame, --limit, --one to --four), light or dark as the reader
 /// prefers, and the styles of text and tables.
 std::string page_style();
+
+/// Return the script of a page whose chart has data (plot/assets), and the CSS of its elements and
+/// of figures, to follow page_style(). For other pages that draw chart_data().
+std::string_view report_script();
+std::string report_style();
 
 }  // namespace jounce

@@ -119,5 +119,7 @@ struct SweepSpec {
 /// like read_spec(), for a spec from which no motion can be made, and for a key, figure or unit
 /// that the spec does not have.
 SweepSpec read_sweep(const std::string& path);
+/// Like read_sweep(), for the text of a file.
+SweepSpec parse_sweep(std::string text, const std::string& path);
 
 }  // namespace jounce

@@ -1,30 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace jounce::web {
 
+/// A command to a server: a request that needs the token.
+struct Request {
+  bool is_get = false;  ///< GET, without a body; otherwise POST
+  std::string path{};   ///< "/order"
+  std::string query{};  ///< the part of the address behind the ?
+  std::string body{};
+};
+
 /// The answer to a command.
 struct Answer {
-  int status = 200;    ///< HTTP status
-  std::string json{};  ///< body of the answer
+  int status = 200;  ///< HTTP status
+  std::string body{};
+  std::string type = "application/json";  ///< media type of the body
+};
+
+/// A file of a site, which everybody on this computer can read.
+struct SiteFile {
+  std::string path{};  ///< "/panel.js"
+  std::string type{};  ///< media type: "text/javascript; charset=utf-8"
+  std::string text{};
 };
 
 /// The content of a server. Several threads call its functions at the same time.
 struct Site {
-  std::string page{};    ///< HTML, at /
-  std::string script{};  ///< JavaScript, at /panel.js
-  std::string style{};   ///< CSS, at /panel.css
-  /// Returns the next event, as JSON. `seen` is 0 for a new reader; the function sets it to the
-  /// number of the event that this reader has received.
-  std::function<std::string(std::int64_t& seen)> event;
-  std::function<Answer(const std::string& body)> obey;  ///< processes the body of a POST to /order
-  /// True for a command that must not wait for other commands: a stop.
-  std::function<bool(const std::string& body)> urgent;
+  std::vector<SiteFile> files{};
+  std::vector<std::string> commands{};  ///< methods and paths: "POST /order"
+  /// Returns the next event of /events, as JSON; "": there is no event at this time. `seen` is 0 for
+  /// a new reader; the function sets it to the number of the event that this reader has received.
+  std::function<std::string(std::int64_t& seen)> event{};
+  std::function<Answer(const Request& request)> obey{};  ///< processes a command
+  /// True for a command that must not wait for other commands: a stop. Null: there is none.
+  std::function<bool(const Request& request)> urgent{};
+  std::size_t most_body = 1024;    ///< greatest size of the body of a command, bytes
+  bool events_need_token = false;  ///< true: events are for readers with the token only
+  /// Time for which a command may wait for others; an older one is rejected. nullopt: no limit.
+  std::optional<std::chrono::milliseconds> freshness{};
 };
 
 /// A socket that listens on 127.0.0.1. The destructor closes it.
@@ -55,13 +78,14 @@ class Listening {
 ///     const Server server(Listening(8080), token, site);    // 0: any free port
 ///     print("http://127.0.0.1:{}/#{}", server.port(), token);
 ///
-/// **Requests**: GET for the page, its script and its style; GET /events (server-sent events, 20 a
-/// second); POST /order. A connection serves one request. A request with an objection() is rejected
-/// with status 403. A command without the header X-Jounce-Token is rejected in the same way, before
-/// its body is read. The page can load nothing from other servers and cannot be shown in a frame.
+/// **Requests**: GET for the files of the site; GET /events (server-sent events, at most 20 a
+/// second); the commands of the site. A connection serves one request. A request with an objection()
+/// is rejected with status 403. A command without the header X-Jounce-Token is rejected in the same
+/// way, before its body is read. The page can load nothing from other servers and cannot be shown in
+/// a frame.
 ///
-/// **Limits.** A request has at most 8 KB of head and 1 KB of body, must state the length of its
-/// body, and must arrive within request_seconds. The number of connections without the token is
+/// **Limits.** A request has at most 8 KB of head and Site::most_body of body, must state the length
+/// of its body, and must arrive within request_seconds. The number of connections without the token is
 /// limited: a new connection closes the oldest one. The number of readers of events is limited: a
 /// new reader with the token closes a reader without it. So a command always gets a connection.
 class Server {

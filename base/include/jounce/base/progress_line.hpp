@@ -7,16 +7,16 @@
 
 #include "jounce/base/interrupt.hpp"
 
-namespace jounce::cli {
+namespace jounce {
 
 /// A line on standard error with the progress of long work: on a terminal only, after the first
 /// second, at most ten times a second. The destructor clears it.
-class Progress {
+class ProgressLine {
  public:
-  explicit Progress(std::string what);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+  explicit ProgressLine(std::string what);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// Shows the share of the work that is done, from 0 to 1, and the current step.
   void show(double share, const std::string& now = "");
@@ -45,8 +45,8 @@ class WatchedWork {
   [[nodiscard]] bool interrupted() const { return interrupt_.asked(); }
 
  private:
-  Progress progress_;
+  ProgressLine progress_;
   Interrupt interrupt_;
 };
 
-}  // namespace jounce::cli
+}  // namespace jounce

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "edit/src/analysis.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "jounce/design/files/file_check.hpp"
+#include "jounce/lint/lint.hpp"
+#include "jounce/plot/chart_data.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/report/ci_formats.hpp"
+#include "jounce/spec/spec.hpp"
+
+#include "edit/src/cam_json.hpp"
+#include "edit/src/json_reader.hpp"
+
+namespace jounce::edit_detail {
+namespace {
+
+/// The numbers of a cam, also if its knots describe no curve. "null" for any other text.
+std::string numbers_of(const std::string& path, const std::string& text) {
+  if (spec_kind(text) != "cam") return "null";
+  try {
+    return cam_json(parse_spec(text, path));
+  } catch (const InputError&) {
+    return "null";  // the findings have the error
+  }
+}
+
+/// Removes the notes on segments and joints: a cam of 100 segments has a thousand. Those on missing
+/// limits stay.
+void keep_what_needs_attention(FileResult& result) {
+  std::erase_if(result.diagnostics, [](const Diagnostic& each) {
+    return each.level == Level::note && !each.rule.starts_with("unlimited/");
+  });
+}
+
+}  // namespace
+
+Analysis analysis_of(const std::string& path, const std::string& text) {
+  Analysis analysis{{path}};
+  const auto examine = [&](std::vector<Input>& axes) {
+    std::vector<Report> reports;
+    for (const Input& axis : axes) reports.push_back(axis_report(axis));
+    for (const Input& axis : axes) analysis.charts.push_back(chart_data(axis));
+    analysis.check = file_check_text(file_check(axes, reports), axes);
+    if (axes.front().spec) analysis.cam = cam_json(*axes.front().spec);
+    return reports;
+  };
+  analysis.result = lint_text(path, text, examine);
+  keep_what_needs_attention(analysis.result);
+  if (analysis.charts.empty()) analysis.cam = numbers_of(path, text);
+  return analysis;
+}
+
+std::string members_of(const Analysis& analysis) {
+  return fmt::format(R"("result":{},"charts":[{}],"check":{},"cam":{})", to_json(analysis.result),
+                     fmt::join(analysis.charts, ","), json_text(analysis.check), analysis.cam);
+}
+
+}  // namespace jounce::edit_detail

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/edit/editor.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/design/convert.hpp"
+#include "jounce/design/law_guide.hpp"
+#include "jounce/edit/session.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/web/gate.hpp"
+
+#include "edit/src/analysis.hpp"
+#include "edit/src/cam_change.hpp"
+#include "edit/src/exports.hpp"
+#include "edit/src/json_reader.hpp"
+#include "edit/src/only_one.hpp"
+#include "edit/src/optimum_job.hpp"
+#include "edit/src/page.hpp"
+
+namespace jounce {
+namespace {
+
+using edit_detail::Analysis;
+using edit_detail::json_text;
+using edit_detail::JsonReader;
+using edit_detail::OptimumJob;
+using web::Answer;
+using web::Request;
+
+constexpr std::size_t most_text = std::size_t{4} << 20U;  ///< bytes of a request
+constexpr auto poll_interval = std::chrono::milliseconds(250);
+
+Answer rejected(int status, const std::string& reason) {
+  return {status, fmt::format(R"({{"ok":false,"reason":{}}})", json_text(reason))};
+}
+
+std::string or_null(const std::optional<std::string>& text) {
+  return text ? json_text(*text) : "null";
+}
+
+const char* word_of(Session::OnDisk state) {
+  switch (state) {
+    case Session::OnDisk::changed:
+      return "changed";
+    case Session::OnDisk::missing:
+      return "missing";
+    case Session::OnDisk::same:
+      break;
+  }
+  return "same";
+}
+
+std::string job_members(const OptimumJob::State& job) {
+  return fmt::format(R"("running":{},"done":{},"step":{},"error":{})", job.running, job.done,
+                     json_text(job.step), json_text(job.error));
+}
+
+/// The part of a path behind the ?, with %XX decoded where a form name needs it: letters and _ only.
+std::string query_value(const std::string& query, const std::string& key) {
+  const std::string begin = key + "=";
+  return query.starts_with(begin) ? query.substr(begin.size()) : "";
+}
+
+}  // namespace
+
+struct Editor::Impl {
+  Impl(const std::string& file, web::Listening listening)
+      : only_one(file),
+        session(file),
+        token(web::new_token()),
+        server(std::move(listening), token,
+               {.files = {{"/", "text/html; charset=utf-8", edit_detail::page()},
+                          {"/edit.js", "text/javascript; charset=utf-8", edit_detail::script()},
+                          {"/edit.css", "text/css; charset=utf-8", edit_detail::style()}},
+                .commands = {"GET /document", "POST /document", "POST /change", "POST /preview",
+                             "POST /undo", "POST /redo", "POST /save", "POST /conflict",
+                             "GET /laws", "GET /forms", "GET /difference", "GET /table",
+                             "GET /report", "POST /optimize", "GET /optimum", "POST /optimum"},
+                .event = [this](std::int64_t& seen) { return event(seen); },
+                .obey = [this](const Request& request) { return answer(request); },
+                .urgent = [](const Request& /*request*/) { return false; },
+                .most_body = most_text,
+                .events_need_token = true}) {
+    watcher = std::thread([this] { watch(); });
+  }
+
+  ~Impl() {
+    {
+      const std::scoped_lock lock(mutex);
+      ending = true;
+    }
+    ended.notify_all();
+    watcher.join();
+  }
+
+  void watch() {
+    std::unique_lock lock(mutex);
+    while (!ended.wait_for(lock, poll_interval, [this] { return ending; })) session.poll();
+  }
+
+  // ---- events: the number of the state, and the progress of the optimizer -----------------------
+
+  std::string event(std::int64_t& seen) {
+    const std::scoped_lock lock(mutex);
+    std::string text = fmt::format(R"({{"revision":{},"optimum":{}}})", session.revision(),
+                                   job ? "{" + job_members(job->state()) + "}" : "null");
+    const auto hash = static_cast<std::int64_t>(std::hash<std::string>{}(text) | 1U);  // never 0
+    return std::exchange(seen, hash) == hash ? "" : text;
+  }
+
+  // ---- requests ---------------------------------------------------------------------------------
+
+  Answer answer(const Request& request) {
+    try {
+      return answer_or_throw(request);
+    } catch (const InputError& error) {
+      return rejected(400, error.what());
+    } catch (const std::system_error& error) {
+      return rejected(500, error.what());
+    }
+  }
+
+  Answer answer_or_throw(const Request& request) {
+    const std::string& path = request.path;
+    if (request.is_get) {
+      if (path == "/laws") return {200, laws_json()};
+      if (path == "/forms") return {200, nlohmann::json(form_names()).dump()};
+      if (path == "/difference") return difference();
+      if (path == "/table") return table(request.query);
+      if (path == "/report")
+        return {200, edit_detail::exported_report(path_of(), text()), "text/html; charset=utf-8"};
+      return path == "/optimum" ? optimum() : document();
+    }
+    const JsonReader body("request", request.body);
+    if (path == "/document") return replace(body);
+    if (path == "/change") return change(body);
+    if (path == "/preview") return preview(body);
+    if (path == "/undo") return step(body, &Session::undo, "there is nothing to undo");
+    if (path == "/redo") return step(body, &Session::redo, "there is nothing to redo");
+    if (path == "/save")
+      return step(body, &Session::save, "the file has changed on the disk: resolve the conflict");
+    if (path == "/conflict") return resolve(body);
+    return path == "/optimize" ? optimize(body) : end_optimum(body);
+  }
+
+  std::string text() {
+    const std::scoped_lock lock(mutex);
+    return session.text();
+  }
+  [[nodiscard]] const std::string& path_of() const { return session.path(); }
+
+  /// The state of the session, with the analysis of its text.
+  Answer document() {
+    std::string out;
+    std::string present;
+    {
+      const std::scoped_lock lock(mutex);
+      present = session.text();
+      const bool conflict = session.on_disk() == Session::OnDisk::changed;
+      out = fmt::format(
+          R"({{"ok":true,"revision":{},"file":{},"text":{},"saved":{},"on_disk":"{}",)"
+          R"("file_text":{},"recovered":{},"undo":{},"redo":{},"side_file":{},"side_error":{},)",
+          session.revision(), json_text(session.path()), json_text(present), session.is_saved(),
+          word_of(session.on_disk()), conflict ? json_text(session.file_text()) : "null",
+          session.is_recovered(), or_null(session.undo_label()), or_null(session.redo_label()),
+          json_text(session.side_file()), json_text(session.side_error()));
+    }
+    return {200, out + members_of(*analysis(present)) + "}"};
+  }
+
+  /// The analysis of the newest text is kept: several pages show the same text.
+  std::shared_ptr<const Analysis> analysis(const std::string& of) {
+    {
+      const std::scoped_lock lock(kept_mutex);
+      if (kept && kept->first == of) return kept->second;
+    }
+    auto made = std::make_shared<const Analysis>(edit_detail::analysis_of(path_of(), of));
+    const std::scoped_lock lock(kept_mutex);
+    kept.emplace(of, made);
+    return made;
+  }
+
+  Answer conflict_of_revisions() {
+    return rejected(409, "the text has changed since: read /document, and repeat the change");
+  }
+
+  bool store(std::int64_t revision, std::string next, std::string label) {
+    const std::scoped_lock lock(mutex);
+    return session.set(revision, std::move(next), std::move(label));
+  }
+
+  Answer replace(const JsonReader& body) {
+    body.require_only({"revision", "text"});
+    if (!store(body.whole("revision"), body.word("text"), "edit the text"))
+      return conflict_of_revisions();
+    return document();
+  }
+
+  Answer change(const JsonReader& body) {
+    body.require_only({"revision", "change"});
+    auto [next, label] = edit_detail::changed_cam(path_of(), text(), body.object("change"));
+    if (!store(body.whole("revision"), std::move(next), std::move(label)))
+      return conflict_of_revisions();
+    return document();
+  }
+
+  /// The analysis of a change that is not made.
+  Answer preview(const JsonReader& body) {
+    body.require_only({"change"});
+    const std::string next =
+        edit_detail::changed_cam(path_of(), text(), body.object("change")).text;
+    return {200, fmt::format(R"({{"ok":true,"text":{},{}}})", json_text(next),
+                             members_of(edit_detail::analysis_of(path_of(), next)))};
+  }
+
+  Answer step(const JsonReader& body, bool (Session::*act)(), const char* objection) {
+    body.require_only({"revision"});
+    {
+      const std::scoped_lock lock(mutex);
+      if (body.whole("revision") != session.revision()) return conflict_of_revisions();
+      if (!(session.*act)()) return rejected(409, objection);
+    }
+    return document();
+  }
+
+  Answer resolve(const JsonReader& body) {
+    body.require_only({"revision", "use"});
+    const std::string use = body.word("use");
+    if (use != "file" && use != "mine") throw InputError("use", use, "must be file or mine");
+    {
+      const std::scoped_lock lock(mutex);
+      if (body.whole("revision") != session.revision()) return conflict_of_revisions();
+      use == "file" ? session.use_file() : session.use_mine();
+    }
+    return document();
+  }
+
+  // ---- exports ----------------------------------------------------------------------------------
+
+  Answer difference() {
+    std::string before;
+    std::string now;
+    {
+      const std::scoped_lock lock(mutex);
+      before = session.on_disk() == Session::OnDisk::changed ? session.file_text()
+                                                             : session.saved_text();
+      now = session.text();
+    }
+    return {200, fmt::format(R"({{"ok":true,"before":{},{}}})", json_text(before),
+                             edit_detail::difference_members(path_of(), before, now))};
+  }
+
+  Answer table(const std::string& query) {
+    const std::string form = query_value(query, "form");
+    return {200, edit_detail::exported_table(path_of(), text(), form.empty() ? "csv" : form),
+            "text/plain; charset=utf-8"};
+  }
+
+  // ---- the optimizer ----------------------------------------------------------------------------
+
+  Answer optimize(const JsonReader& body) {
+    body.require_only({});
+    std::string given = text();
+    const std::scoped_lock lock(mutex);
+    if (job && job->state().running)
+      return rejected(409, "the optimizer is running: stop it first");
+    job.reset();
+    job = std::make_unique<OptimumJob>(path_of(), given);
+    return {200, R"({"ok":true})"};
+  }
+
+  /// The state of the optimizer, and its result with the comparison of both curves.
+  Answer optimum() {
+    OptimumJob::State state;
+    std::string given;
+    {
+      const std::scoped_lock lock(mutex);
+      if (!job) return rejected(404, "no optimization was started");
+      state = job->state();
+      given = job->given();
+    }
+    std::string out =
+        fmt::format(R"({{"ok":true,{},"text":{},"broken":{},"spec":{})", job_members(state),
+                    json_text(state.text), json_text(state.broken), or_null(state.spec));
+    if (state.spec) out += "," + edit_detail::difference_members(path_of(), given, *state.spec);
+    return {200, out + "}"};
+  }
+
+  Answer end_optimum(const JsonReader& body) {
+    body.require_only({"do", "revision"});
+    const std::string what = body.word("do");
+    {
+      const std::scoped_lock lock(mutex);
+      if (!job) return rejected(404, "no optimization was started");
+      if (what == "stop")
+        job->stop();
+      else if (what == "discard")
+        job.reset();
+      else if (what == "take") {
+        if (auto objection = take_optimum(body)) return *objection;
+      } else
+        throw InputError("do", what, "must be stop, take or discard");
+    }
+    return document();
+  }
+
+  std::optional<Answer> take_optimum(const JsonReader& body) {
+    OptimumJob::State state = job->state();
+    if (!state.spec) return rejected(409, "there is no result to take");
+    if (session.text() != job->given())
+      return rejected(409,
+                      "the text has changed since the optimizer began: undo the changes, or start "
+                      "the optimizer again");
+    if (!session.set(body.whole("revision"), *std::move(state.spec), "optimize"))
+      return conflict_of_revisions();
+    job.reset();
+    return std::nullopt;
+  }
+
+  edit_detail::OnlyOne only_one;
+  std::mutex mutex;  // guards the session and the job
+  Session session;
+  std::unique_ptr<OptimumJob> job;
+  std::mutex kept_mutex;  // guards the next one
+  std::optional<std::pair<std::string, std::shared_ptr<const Analysis>>> kept;
+  std::condition_variable ended;
+  bool ending = false;
+  std::thread watcher;
+  const std::string token;
+  web::Server server;  // last: its threads use the others
+};
+
+Editor::Editor(const std::string& file, web::Listening listening)
+    : impl_(std::make_unique<Impl>(file, std::move(listening))) {}
+Editor::~Editor() = default;
+
+std::string Editor::address() const {
+  return "http://127.0.0.1:" + std::to_string(impl_->server.port()) + "/#" + impl_->token;
+}
+
+bool Editor::is_saved() const {
+  const std::scoped_lock lock(impl_->mutex);
+  return impl_->session.is_saved();
+}
+
+std::string Editor::side_file() const {
+  return impl_->session.side_file();
+}
+
+}  // namespace jounce

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "edit/src/exports.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "jounce/design/axes.hpp"
+#include "jounce/design/convert.hpp"
+#include "jounce/design/files/file_difference.hpp"
+#include "jounce/design/input.hpp"
+#include "jounce/plot/chart_data.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/proof/report_page.hpp"
+
+#include "edit/src/json_reader.hpp"
+
+namespace jounce::edit_detail {
+namespace {
+
+constexpr std::size_t drive_samples = 2000;  ///< number in a figure, as in `jounce report`
+
+std::vector<Input> inputs_of_text(const std::string& path, const std::string& text) {
+  return inputs_of(parse_spec(text, path), path);
+}
+
+}  // namespace
+
+std::string exported_table(const std::string& path, const std::string& text,
+                           const std::string& form) {
+  const std::vector<std::string> forms = form_names();
+  if (std::find(forms.begin(), forms.end(), form) == forms.end())
+    throw InputError("form", form, fmt::format("must be one of {}", fmt::join(forms, ", ")));
+  const Input input = only_axis(inputs_of_text(path, text), path);
+  const TableForm to = table_form(form, form == "json" ? "table.json" : "table.csv");
+  const Conversion wanted{.rule = rule_for(to, std::nullopt, "", input.table.table),
+                          .format = to.format};
+  const TableFile file = converted(input, wanted).file;
+  if (to.format == nullptr) require_units(file);
+  return form_text(to, file);
+}
+
+std::string exported_report(const std::string& path, const std::string& text) {
+  const Input input = only_axis(inputs_of_text(path, text), path);
+  return html(report_page(input, std::nullopt, {.drive_samples = drive_samples}).page);
+}
+
+std::string difference_members(const std::string& path, const std::string& before,
+                               const std::string& after) try {
+  const FileDifference difference =
+      file_difference(inputs_of_text(path, before), inputs_of_text(path, after), path, path,
+                      [](const Labels& /*labels*/) { return Tolerance{}; });
+  std::string charts;
+  for (const auto& [old, now] : difference.axes)
+    charts += (charts.empty() ? "" : ",") + chart_data(now, old);
+  return fmt::format(R"("difference":{},"charts":[{}])", json_text(to_text(difference)), charts);
+} catch (const InputError& error) {
+  return fmt::format(R"("difference":{},"charts":[])", json_text(error.what()));
+}
+
+}  // namespace jounce::edit_detail

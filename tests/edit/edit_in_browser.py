@@ -1,0 +1,553 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""edit_in_browser.py CHROMIUM FOLDER JOUNCE [PICTURE]: what a designer does with a cam in the editor, in a browser.
+
+With a picture: draws PICTURE.png, PICTURE-dark.png and PICTURE-narrow.png of the first page.
+"""
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+
+from browser import Browser
+
+program, folder, jounce = sys.argv[1:4]
+picture = sys.argv[4] if len(sys.argv) > 4 else None
+SPEC = pathlib.Path(folder) / "feeder.toml"
+SIDE = pathlib.Path(folder) / "feeder.toml.autosave"
+FEEDER = """\
+# A feeder.
+jounce = 1
+kind = "cam"
+name = "feeder"
+periodic = true            # repeats
+units = { master = "deg", position = "mm" }
+start = { master = 0, slave = 0 }
+
+# Out.
+[[segment]]
+name = "rise"
+law = "modified_sine"
+end = { master = 120, slave = 50 }   # the top
+
+[[segment]]
+name = "dwell"
+law = "dwell"
+end = { master = 200, slave = 50 }
+
+[[segment]]
+name = "return"
+law = "quintic"
+end = { master = 300, slave = 10, geo_velocity = -0.6, geo_acceleration = 0 }
+free = { slave = [5, 25], geo_velocity = [-1, 0], geo_acceleration = [-0.02, 0.02] }
+
+[[segment]]
+law = "quintic"
+end = { master = 360, slave = 0 }
+
+[limits]
+geo_velocity = 1
+geo_acceleration = 0.025
+
+[optimize]
+minimize = ["peak geo_acceleration"]
+
+[master]
+velocity = 180             # deg/s
+"""
+KEY_CODES = {"Enter": 13, "Tab": 9, "Escape": 27, "ArrowDown": 40, "ArrowUp": 38, "z": 90, "s": 83}
+PLOT = "document.querySelector('#figure .plot')"
+TEXT = "document.getElementById('text').value"
+
+
+class Editor:
+    """The program, and the address that it prints."""
+
+    def __init__(self, spec=SPEC):
+        self.process = subprocess.Popen([jounce, "edit", str(spec)], stderr=subprocess.PIPE, text=True)
+        line = self.process.stderr.readline()
+        assert " at http://127.0.0.1:" in line, line
+        self.address = line.split(" at ")[1].strip()
+
+    def end(self, how=signal.SIGTERM):
+        self.process.send_signal(how)
+        status = self.process.wait(20)
+        rest = self.process.stderr.read()
+        assert status == (0 if how == signal.SIGTERM else -how), (status, rest)
+        return rest
+
+
+browser = Browser(program, folder, width=1400, height=900)
+browser.call("Page.addScriptToEvaluateOnNewDocument", source="window.errors = [];"
+             "addEventListener('error', (e) => errors.push(e.message));"
+             "addEventListener('unhandledrejection', (e) => errors.push(String(e.reason)));"
+             "addEventListener('securitypolicyviolation', (e) => errors.push(e.violatedDirective + ' ' + e.blockedURI));")
+
+
+def settle():
+    """Waits until the page has drawn, and no change is on its way."""
+    browser.wait_for("busy === 0 && !asked")
+    twice = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+    browser.call("Runtime.evaluate", expression=twice, awaitPromise=True)
+
+
+def open_page(editor):
+    browser.open(editor.address)
+    browser.wait_for("typeof state !== 'undefined' && state !== null && document.querySelector('figure.live') !== null")
+    settle()
+
+
+def open_feeder(editor):
+    """A page with the first text, saved."""
+    open_page(editor)
+    browser.run("(async () => { await act('/conflict', {use: 'mine'}); await act('/document', {text: " + json.dumps(FEEDER) +
+                "}); await act('/save', {}); })()")
+    browser.wait_for(f"{TEXT} === {json.dumps(FEEDER)} && state.saved")
+    settle()
+
+
+def text():
+    return browser.run(TEXT)
+
+
+def click(element):
+    browser.run(f"document.getElementById('{element}').click()")
+
+
+def key(name, code=None, modifiers=0, text=None):
+    """Presses a key as a keyboard does: 1 Alt, 2 Ctrl, 8 Shift."""
+    more = {"text": text} if text else {}
+    for kind in ("keyDown", "keyUp"):
+        browser.call("Input.dispatchKeyEvent", type=kind, key=name, code=code or name, modifiers=modifiers,
+                     windowsVirtualKeyCode=KEY_CODES.get(name, 0),
+                     **(more if kind == "keyDown" else {}))
+
+
+def write(words):
+    browser.call("Input.insertText", text=words)
+
+
+def grip(knot, order):
+    """The middle of a handle, px."""
+    place = (f"(() => {{ const box = document.querySelector('.grip[data-knot=\"{knot}\"][data-order=\"{order}\"]')"
+             ".getBoundingClientRect();"
+              " return JSON.stringify([box.x + box.width / 2, box.y + box.height / 2]); })()")
+    return json.loads(browser.run(place))
+
+
+def mouse(kind, x, y, **more):
+    browser.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)
+
+
+def drag(knot, order, dx, dy, modifiers=0, drop=True):
+    x, y = grip(knot, order)
+    mouse("mouseMoved", x, y)
+    mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
+    for step in range(1, 6):
+        mouse("mouseMoved", x + dx * step / 5, y + dy * step / 5, button="left", buttons=1, modifiers=modifiers)
+    browser.wait_for("!asked")
+    if drop:
+        mouse("mouseReleased", x + dx, y + dy, button="left", clickCount=1)
+    settle()
+
+
+def only_line_differs(before, now, begin):
+    """The new line that begins with these words; all other lines are the same."""
+    a, b = before.split("\n"), now.split("\n")
+    assert len(a) == len(b), (before, now)
+    lines = [(old, new) for old, new in zip(a, b) if old != new]
+    assert len(lines) == 1 and lines[0][1].startswith(begin), lines
+    return lines[0][1]
+
+
+def peak(order):
+    """The greatest value of a panel, as the picture marks it."""
+    return browser.run(f"Math.max(...picture.views[0].panels[{order}].marks.map(([, y]) => Math.abs(y)))")
+
+
+def expected_peak(order):
+    """The same from `jounce check` of the text of the page."""
+    file = pathlib.Path(folder) / "checked.toml"
+    file.write_text(text())
+    out = subprocess.run([jounce, "check", str(file), "--json"], capture_output=True, text=True)
+    document = json.loads(out.stdout)
+    name = ["position", "geo_velocity", "geo_acceleration", "geo_jerk"][order]
+    return max(max(abs(segment[name]["min"]["value"]), abs(segment[name]["max"]["value"])) for segment in document["segments"])
+
+
+def knots_are_dragged(editor):
+    open_page(editor)
+    before = text()
+    assert before == FEEDER
+    drag(1, 0, 30, 0)
+    line = only_line_differs(before, text(), "end = { master = 1")
+    assert line.endswith("slave = 50 }   # the top"), line
+    assert abs(peak(1) - expected_peak(1)) < 1e-12 * peak(1), (peak(1), expected_peak(1))
+    shown = browser.run("[...document.querySelectorAll('#figure .halo')].map((t) => t.textContent).join(' ')")
+    assert browser.run(f"number({peak(1)!r})") in shown, (peak(1), shown)
+    assert browser.run("document.querySelector('#knots tbody').rows[1].querySelector('[aria-label=\"master of segment 1\"]').value") in line
+
+    # A dwell moves with its knot; the position snaps to steps of the axis.
+    before = text()
+    drag(1, 0, 0, -25)
+    changed = [new for old, new in zip(before.split("\n"), text().split("\n")) if old != new]
+    slaves = {line.split("slave = ")[1].split(" }")[0] for line in changed}
+    assert len(changed) == 2 and len(slaves) == 1 and float(slaves.pop()) > 50, changed
+
+    # The velocity and the acceleration of a knot between two quintics.
+    before = text()
+    drag(3, 1, 0, 20)
+    line = only_line_differs(before, text(), "end = { master = 300, slave = 10, geo_velocity = ")
+    assert float(line.split("geo_velocity = ")[1].split(",")[0]) < -0.6, line
+    drag(3, 2, 0, -10)
+    assert "geo_acceleration = 0 }" not in text().split("name = \"return\"")[1].split("free")[0], text()
+    assert browser.run("document.querySelector('.grip[data-knot=\"1\"][data-order=\"1\"]')") is None, "a dwell gives the velocity"
+
+    # Escape leaves everything as it is; the preview showed another curve.
+    curve = "JSON.stringify(picture.views[0].curves[0].pieces)"
+    before, was = text(), browser.run(curve)
+    drag(1, 0, -40, 0, drop=False)
+    assert browser.run(curve) != was
+    key("Escape")
+    mouse("mouseReleased", 10, 10, button="left", clickCount=1)
+    settle()
+    assert text() == before and browser.run(curve) == was
+
+    # A preview names limits: the velocity breaks its limit while the knot is held.
+    drag(1, 0, -250, 0, drop=False)
+    browser.wait_for("document.querySelector('#verdict').classList.contains('no')")
+    assert browser.run("document.querySelectorAll('#figure .badmark').length") > 0
+    key("Escape")
+    mouse("mouseReleased", 10, 10, button="left", clickCount=1)
+    settle()
+
+    for _ in range(4):
+        click("undo")
+        settle()
+    assert text() == FEEDER
+    assert browser.run("document.getElementById('undo').disabled")
+    for _ in range(4):
+        click("redo")
+        settle()
+    assert text() == before
+    assert SPEC.read_text() == FEEDER, "only Save writes the file"
+    click("save")
+    browser.wait_for("document.getElementById('saved').textContent === 'saved'")
+    assert SPEC.read_text() == before
+    assert not SIDE.exists()
+
+
+def keyboard_alone(editor):
+    """Changes a number, a law and the text, undoes and saves, without a pointer."""
+    open_feeder(editor)
+    for _ in range(200):  # by Tab to the slave position of segment 1
+        key("Tab")
+        if browser.run("document.activeElement.getAttribute('aria-label')") == "slave of segment 1":
+            break
+    else:
+        raise AssertionError("Tab never reaches the table")
+    browser.run("document.activeElement.select()")
+    write("55.5")
+    key("Enter", text="\r")
+    browser.wait_for(f"{TEXT}.includes('slave = 55.5')")
+    settle()
+    assert text().count("slave = 55.5") == 2, "the dwell moves with its knot"
+    assert browser.run("document.activeElement.getAttribute('aria-label')") == "slave of segment 1"
+    key("ArrowDown")
+    assert browser.run("document.activeElement.getAttribute('aria-label')") == "slave of segment 2"
+    write("5x")
+    key("Enter", text="\r")
+    assert browser.run("document.activeElement.getAttribute('aria-invalid')") == "true"
+    assert "not a number" in browser.run("document.getElementById('notices').textContent")
+    key("Escape")
+    key("z", "KeyZ", modifiers=2)
+    browser.wait_for(f"{TEXT} === {json.dumps(FEEDER)}")
+    settle()
+    browser.run("document.querySelector('[aria-label=\"law of segment 1\"]').focus()")
+    for letter in "3-4":
+        key(letter, text=letter)
+    browser.wait_for(f"{TEXT}.includes('law = \"345\"')")
+    settle()
+    assert abs(peak(1) - 15 / 8 * 50 / 120) < 1e-12 or peak(1) > 15 / 8 * 50 / 120
+    browser.run("document.getElementById('text').focus(); document.getElementById('text').setSelectionRange(0, 0)")
+    write("# typed\n")
+    browser.wait_for("state.text.startsWith('# typed')")
+    assert not browser.run("pane.isTyped")
+    key("s", "KeyS", modifiers=2)
+    browser.wait_for("document.getElementById('saved').textContent === 'saved'")
+    assert SPEC.read_text().startswith("# typed\n# A feeder.")
+
+
+def segments(editor):
+    open_feeder(editor)
+    rows = "document.querySelectorAll('#knots tbody tr').length"
+    assert browser.run(rows) == 5
+    browser.run("picture.moveTo(60)")
+    click("split")
+    browser.wait_for(f"{rows} === 6")
+    settle()
+    assert "# Out.\n[[segment]]\nname = \"rise\"" in text() and "   # the top" in text(), text()
+    browser.run("document.querySelector('[aria-label=\"Merge with the next segment: segment 1\"]').click()")
+    browser.wait_for(f"{rows} === 5")
+    browser.run("document.querySelector('[aria-label=\"Delete: segment 2\"]').click()")
+    browser.wait_for(f"{rows} === 4")
+    settle()
+    while not browser.run("document.getElementById('undo').disabled"):
+        click("undo")
+        settle()
+        if text() == FEEDER:
+            break
+    browser.run("document.getElementById('whole-what').value = 'scale slave'; document.getElementById('whole-by').value = '2';"
+                "document.querySelector('#whole button').click()")
+    browser.wait_for(f"{TEXT}.includes('slave = 100')")
+    click("undo")
+    settle()
+    # All laws with their values, and the peaks with each.
+    browser.run("document.querySelector('[aria-label=\"compare laws: segment 1\"]').click()")
+    browser.wait_for("document.querySelectorAll('#window tbody tr').length === 29")
+    cell = "[...document.querySelectorAll('#window tbody tr')].find((row) => row.children[0].textContent === '3-4-5 polynomial').children"
+    assert browser.run(f"{cell}[1].textContent") == "1.875"
+    browser.wait_for("![...document.querySelectorAll('#window td')].some((cell) => cell.textContent === '…')")
+    browser.run(f"{cell}[8].querySelector('button').click()")
+    browser.wait_for(f"{TEXT}.includes('law = \"345\"')")
+    settle()
+
+
+def errors_in_the_text(editor):
+    open_page(editor)
+    good = text()
+    bad = good.replace("slave = 50 }   # the top", "slave = }   # the top")
+    browser.run(f"{TEXT.split('.value')[0]}.value = {json.dumps(bad)}; {TEXT.split('.value')[0]}.dispatchEvent(new Event('input'))")
+    browser.wait_for("document.querySelector('.left').classList.contains('stale-curves')")
+    line = bad.split("\n").index(next(each for each in bad.split("\n") if "slave = }" in each)) + 1
+    assert browser.run(f"document.getElementById('gutter').children[{line - 1}].className") == "error"
+    browser.run("document.querySelector('#findings button').click()")
+    area = TEXT.split(".value")[0]
+    selected = browser.run(f"{area}.value.slice({area}.selectionStart, {area}.selectionEnd)")
+    assert "slave = }" in selected, selected
+    click("undo")
+    browser.wait_for("!document.querySelector('.left').classList.contains('stale-curves')")
+    assert text() == good
+
+
+def disk_and_conflict(editor):
+    open_feeder(editor)
+    other = FEEDER.replace("# A feeder.", "# Another program.")
+    SPEC.write_text(other)
+    browser.wait_for(f"{TEXT} === {json.dumps(other)}")
+    settle()
+    drag(1, 0, 30, 0)
+    mine = text()
+    SPEC.write_text(FEEDER)
+    browser.wait_for("document.querySelector('.notice[data-key=conflict]') !== null")
+    assert text() == mine and SPEC.read_text() == FEEDER
+    click("save")
+    settle()
+    assert SPEC.read_text() == FEEDER, "Save does not replace the change of another program"
+    browser.run("[...document.querySelectorAll('.notice[data-key=conflict] button')].find((b) => b.textContent === 'Compare').click()")
+    browser.wait_for("document.querySelectorAll('#window pre .add').length > 0 && document.querySelector('#window figure.live') !== null")
+    browser.run("document.querySelector('#window form button').click()")
+    browser.run("[...document.querySelectorAll('.notice[data-key=conflict] button')].find((b) => b.textContent.startsWith('Use')).click()")
+    browser.wait_for(f"{TEXT} === {json.dumps(FEEDER)}")
+    assert browser.run("document.querySelector('.notice[data-key=conflict]')") is None
+    settle()
+    click("undo")
+    browser.wait_for(f"{TEXT} === {json.dumps(mine)}")
+
+
+def killed_and_reloaded(editor):
+    """A reload shows the same; so does the next editor after kill -9."""
+    open_page(editor)
+    drag(1, 0, -20, 0)
+    mine = text()
+    open_page(editor)
+    assert text() == mine
+    disk = SPEC.read_text()
+    editor.end(signal.SIGKILL)
+    browser.wait_for("document.querySelector('.notice[data-key=lost]') !== null")
+    assert SPEC.read_text() == disk and SIDE.exists()
+    again = Editor()
+    open_page(again)
+    assert text() == mine
+    assert browser.run("document.querySelector('.notice[data-key=recovered]') !== null")
+    click("undo")
+    browser.wait_for(f"{TEXT} === {json.dumps(disk)}")
+    click("redo")
+    settle()
+    return again
+
+
+def two_pages(editor):
+    """A second page on the same file shows the change of the first, and cannot overwrite it."""
+    open_page(editor)
+    first = browser.session
+    browser.session = None
+    target = browser.call("Target.createTarget", url=editor.address)["targetId"]
+    second = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+    try:
+        browser.session = second
+        browser.wait_for("typeof state !== 'undefined' && state !== null")
+        browser.session = first
+        browser.run("change({do: 'set', knot: 1, key: 'slave', value: 42.5})")
+        browser.wait_for(f"{TEXT}.includes('slave = 42.5')")
+        browser.session = second
+        browser.wait_for(f"{TEXT}.includes('slave = 42.5')")
+        # Both type at the same time: the second page asks, and both texts stay.
+        area = TEXT.split('.value')[0]
+        browser.run(f"load = async () => {{}}; {area}.value += '# second\\n';"
+                    f"{area}.dispatchEvent(new Event('input')); clearTimeout(typing)")
+        browser.session = first
+        browser.run(f"{area}.value += '# first\\n'; {area}.dispatchEvent(new Event('input'))")
+        browser.wait_for("state.text.endsWith('# first\\n')")
+        browser.session = second
+        browser.run("sendTyped()")
+        browser.wait_for("document.querySelector('.notice[data-key=other]') !== null")
+        assert text().endswith("# second\n")
+        browser.run("[...document.querySelectorAll('.notice[data-key=other] button')][0].click()")
+        browser.wait_for("state.text.endsWith('# second\\n')")
+    finally:
+        browser.session = None
+        browser.call("Target.closeTarget", targetId=target)
+        browser.session = first
+    browser.wait_for(f"{TEXT}.endsWith('# second\\n')")
+    click("undo")
+    browser.wait_for(f"{TEXT}.endsWith('# first\\n')")
+
+
+def optimizer():
+    editor = Editor()
+    try:
+        open_feeder(editor)
+        was = peak(2)
+        click("optimize")
+        browser.wait_for("!document.getElementById('take').hidden")
+        browser.wait_for("document.querySelector('#outcome .plot') !== null")
+        click("take")
+        browser.wait_for("document.getElementById('job').hidden")
+        settle()
+        assert peak(2) < was, (peak(2), was)
+        assert "# Out." in text() and "   # the top" in text()
+        click("undo")
+        browser.wait_for(f"{TEXT} === {json.dumps(FEEDER)}")
+        click("optimize")
+        browser.wait_for("!document.getElementById('discard').hidden")
+        click("discard")
+        browser.wait_for("document.getElementById('job').hidden")
+        assert text() == FEEDER
+    finally:
+        editor.end()
+
+
+def exports(editor):
+    """The downloads of the table and the report are those of the command line."""
+    open_feeder(editor)
+    browser.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=folder)
+    for element, name, begin in ("table", "feeder.csv", "# jounce table 1"), ("report", "feeder.html", "<!doctype html>"):
+        file = pathlib.Path(folder) / name
+        click(element)
+        for _ in range(200):
+            if file.exists() and file.stat().st_size > 0:
+                break
+            time.sleep(0.05)
+        assert file.read_text().startswith(begin), file
+    expected = subprocess.run([jounce, "design", str(SPEC), "-o", "-"], capture_output=True, text=True).stdout
+    table = (pathlib.Path(folder) / "feeder.csv").read_text()
+    hashes = [next(line for line in each.split("\n") if line.startswith("# sha256")) for each in (table, expected)]
+    assert hashes[0] == hashes[1], hashes
+
+
+def layout(editor):
+    """Nothing is wider than its window, in both schemes; all controls have names."""
+    open_page(editor)
+    for width in (1400, 1000, 390):
+        browser.call("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=width < 600)
+        settle()
+        assert browser.run("document.documentElement.scrollWidth") <= width, width
+    browser.call("Emulation.setDeviceMetricsOverride", width=1400, height=900, deviceScaleFactor=1, mobile=False)
+    unnamed = browser.run("[...document.querySelectorAll('button,input,select,textarea')].filter((e) => e.checkVisibility() &&"
+                          " !(e.getAttribute('aria-label') || e.textContent.trim() || e.labels?.length)).map((e) => e.outerHTML).join()")
+    assert unnamed == "", unnamed
+
+
+def contrast():
+    """Texts have a contrast of 4.5 to the page in both schemes (WCAG 2.1, AA)."""
+    script = """(() => {
+      const channel = (c) => c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+      const light = (rgb) => {
+        const [r, g, b] = rgb.map((c) => channel(c / 255));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+      };
+      const parse = (text) => {
+        const c = document.createElement('canvas').getContext('2d');
+        c.fillStyle = text;
+        c.fillRect(0, 0, 1, 1);
+        return [...c.getImageData(0, 0, 1, 1).data];
+      };
+      const behind = (e) => {
+        for (; e; e = e.parentElement) {
+          const c = parse(getComputedStyle(e).backgroundColor);
+          if (c[3] === 255) return c;
+        }
+        return [255, 255, 255, 255];
+      };
+      const bad = [];
+      for (const e of document.querySelectorAll('h1,h2,p,button,input,select,textarea,th,td,li b,small,summary,#gutter div,.notice span')) {
+        if (!e.checkVisibility() || e.disabled) continue;
+        const [a, b] = [light(parse(getComputedStyle(e).color)), light(behind(e))];
+        const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+        if (ratio < 4.5) bad.push(`${e.tagName} ${e.id} ${e.textContent.slice(0, 20)} ${ratio.toFixed(2)}`);
+      }
+      return bad.join('; ');
+    })()"""
+    for scheme in ("light", "dark"):
+        browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+        settle()
+        bad = browser.run(script)
+        assert bad == "", (scheme, bad)
+    browser.call("Emulation.setEmulatedMedia", features=[])
+
+
+def draw(editor):
+    open_page(editor)
+    browser.picture(picture + ".png")
+    browser.picture(picture + "-dark.png", dark=True)
+    browser.call("Emulation.setDeviceMetricsOverride", width=390, height=800, deviceScaleFactor=1, mobile=True)
+    browser.picture(picture + "-narrow.png")
+
+
+def test():
+    editor = Editor()
+    try:
+        knots_are_dragged(editor)
+        keyboard_alone(editor)
+        segments(editor)
+        errors_in_the_text(editor)
+        disk_and_conflict(editor)
+        exports(editor)
+        layout(editor)
+        contrast()
+        editor = killed_and_reloaded(editor)
+        two_pages(editor)
+        assert browser.run("errors.join('; ')") == "", browser.run("errors.join('; ')")
+        browser.open(editor.address.split("#")[0])
+        browser.wait_for("document.querySelector('.notice[data-key=token]') !== null")
+        assert browser.run("document.getElementById('text').value") == ""
+    finally:
+        said = editor.end()
+    assert "the unsaved text is in" in said, said
+    optimizer()
+    print("edited")
+
+
+SPEC.write_text(FEEDER)
+try:
+    if picture:
+        shown = Editor()
+        draw(shown)
+        shown.end()
+    else:
+        test()
+finally:
+    browser.end()

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/edit/editor.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <httplib.h>
+#include <nlohmann/json.hpp>
+
+#include "jounce/base/file.hpp"
+#include "jounce/profiles/error.hpp"
+
+#include "support/errors.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace jounce::editor_test {
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string feeder = R"(jounce = 1
+kind = "cam"
+name = "feeder"
+units = { master = "deg", position = "mm" }
+start = { master = 0, slave = 0 }
+[[segment]]
+law = "345"
+end = { master = 100, slave = 50 }  # top
+[limits]
+geo_velocity = 1
+)";
+
+class Editors : public test::WithFolder {
+ protected:
+  Editors() {
+    write_file(path, feeder);
+    editor = std::make_unique<Editor>(path, web::Listening(0));
+    const std::string address = editor->address();
+    const auto mark = address.find('#');
+    token = address.substr(mark + 1);
+    client = std::make_unique<httplib::Client>(address.substr(0, mark - 1));
+    client->set_read_timeout(30s);
+  }
+
+  [[nodiscard]] httplib::Headers headers() const { return {{"X-Jounce-Token", token}}; }
+
+  json get(const std::string& target, int status = 200) {
+    const auto answer = client->Get(target, headers());
+    EXPECT_TRUE(answer) << target;
+    EXPECT_EQ(answer->status, status) << target << answer->body;
+    return json::parse(answer->body);
+  }
+  json post(const std::string& target, const json& body, int status = 200) {
+    const auto answer = client->Post(target, headers(), body.dump(), "application/json");
+    EXPECT_TRUE(answer) << target;
+    EXPECT_EQ(answer->status, status) << target << answer->body;
+    return json::parse(answer->body);
+  }
+  json change(const json& what, int status = 200) {
+    return post("/change", {{"revision", get("/document")["revision"]}, {"change", what}}, status);
+  }
+  /// The finding of this rule.
+  static json finding(const json& document, const std::string& rule) {
+    for (const json& each : document["result"]["findings"])
+      if (each["rule"] == rule) return each;
+    ADD_FAILURE() << "no finding of the rule " << rule;
+    return {};
+  }
+  /// Waits until the document fulfills a condition; the file is looked at four times a second.
+  template <class Condition>
+  json wait_for(Condition condition) {
+    for (int turn = 0; turn < 200; ++turn) {
+      json now = get("/document");
+      if (condition(now)) return now;
+      std::this_thread::sleep_for(50ms);
+    }
+    ADD_FAILURE() << "never";
+    return get("/document");
+  }
+
+  const std::string path = in("feeder.toml");
+  std::unique_ptr<Editor> editor;
+  std::string token;
+  std::unique_ptr<httplib::Client> client;
+};
+
+TEST_F(Editors, ADocumentHasItsTextItsCurvesAndItsFindings) {
+  const json document = get("/document");
+  EXPECT_EQ(document["text"], feeder);
+  EXPECT_EQ(document["saved"], true);
+  EXPECT_EQ(document["undo"], nullptr);
+  EXPECT_EQ(document["cam"]["segments"][0]["law"], "345");
+  EXPECT_EQ(document["cam"]["knots"][1]["master"], 100);
+  EXPECT_EQ(document["charts"].size(), 1U);
+  EXPECT_NEAR(finding(document, "limit/geo_velocity")["value"], 1.875 * 50 / 100,
+              1e-12);  // Cv 15/8
+  EXPECT_THAT(document["check"], HasSubstr("feeder"));
+}
+
+TEST_F(Editors, AChangeIsCheckedAndHasItsPlaceInTheText) {
+  const json document = change({{"do", "move"}, {"knot", 1}, {"master", 100}, {"slave", 60}});
+  std::string expected = feeder;
+  expected.replace(expected.find("slave = 50"), 10, "slave = 60");
+  EXPECT_EQ(document["text"], expected);
+  EXPECT_EQ(document["saved"], false);
+  EXPECT_EQ(document["undo"], "move knot 1");
+  EXPECT_EQ(document["result"]["ok"], false);
+  EXPECT_NEAR(document["result"]["findings"][0]["value"], 1.125, 1e-12);
+  EXPECT_EQ(document["result"]["findings"][0]["line"], 6);
+  EXPECT_EQ(read_file(path), feeder) << "only /save writes the file";
+}
+
+TEST_F(Editors, APreviewChangesNothing) {
+  const json before = get("/document");
+  const json seen =
+      post("/preview", {{"change", {{"do", "move"}, {"knot", 1}, {"master", 80}, {"slave", 50}}}});
+  EXPECT_THAT(seen["text"], HasSubstr("master = 80"));
+  EXPECT_EQ(seen["charts"].size(), 1U);
+  EXPECT_EQ(get("/document"), before);
+}
+
+TEST_F(Editors, UndoRedoAndSave) {
+  const json changed = change({{"do", "append"}});
+  const json undone = post("/undo", {{"revision", changed["revision"]}});
+  EXPECT_EQ(undone["text"], feeder);
+  EXPECT_EQ(undone["redo"], "add a segment");
+  const json redone = post("/redo", {{"revision", undone["revision"]}});
+  EXPECT_EQ(redone["text"], changed["text"]);
+  const json saved = post("/save", {{"revision", redone["revision"]}});
+  EXPECT_EQ(saved["saved"], true);
+  EXPECT_EQ(read_file(path), changed["text"]);
+  EXPECT_TRUE(editor->is_saved());
+}
+
+TEST_F(Editors, ABrokenTextIsKeptWithItsErrors) {
+  std::string broken = feeder;
+  broken.replace(broken.find("master = 100"), 12, "master = no ");
+  const json document =
+      post("/document", {{"revision", get("/document")["revision"]}, {"text", broken}});
+  EXPECT_EQ(document["text"], broken);
+  EXPECT_TRUE(document["charts"].empty());
+  EXPECT_EQ(document["cam"], nullptr);
+  EXPECT_EQ(document["result"]["findings"][0]["line"], 8);
+  EXPECT_EQ(change({{"do", "append"}}, 400)["ok"], false);
+}
+
+TEST_F(Editors, AKnotOutOfOrderStillHasItsTable) {
+  const json document = change({{"do", "set"}, {"knot", 1}, {"key", "master"}, {"value", -5}});
+  EXPECT_TRUE(document["charts"].empty());
+  EXPECT_EQ(document["cam"]["knots"][1]["master"], -5);
+  EXPECT_EQ(document["result"]["ok"], false);
+}
+
+TEST_F(Editors, TheSecondOfTwoPagesIsAskedToReadAgain) {
+  const json both = get("/document");
+  post("/document", {{"revision", both["revision"]}, {"text", feeder + "# one\n"}});
+  const json answer =
+      post("/document", {{"revision", both["revision"]}, {"text", feeder + "# two\n"}}, 409);
+  EXPECT_THAT(answer["reason"], HasSubstr("the text has changed since"));
+  EXPECT_EQ(get("/document")["text"], feeder + "# one\n");
+}
+
+TEST_F(Editors, AFileThatChangesOnTheDiskIsShown) {
+  write_file(path, feeder + "# by another program\n");
+  wait_for([&](const json& now) { return now["text"] == feeder + "# by another program\n"; });
+}
+
+TEST_F(Editors, AConflictIsShownAndResolved) {
+  change({{"do", "append"}});
+  write_file(path, feeder + "# other\n");
+  const json conflict = wait_for([](const json& now) { return now["on_disk"] == "changed"; });
+  EXPECT_EQ(conflict["file_text"], feeder + "# other\n");
+  EXPECT_EQ(post("/save", {{"revision", conflict["revision"]}}, 409)["ok"], false);
+  EXPECT_EQ(get("/difference")["before"], feeder + "# other\n");
+  const json taken = post("/conflict", {{"revision", conflict["revision"]}, {"use", "file"}});
+  EXPECT_EQ(taken["text"], feeder + "# other\n");
+  EXPECT_EQ(post("/undo", {{"revision", taken["revision"]}})["text"], conflict["text"]);
+}
+
+TEST_F(Editors, ExportsTheTableAndTheReport) {
+  const auto csv = client->Get("/table?form=csv", headers());
+  EXPECT_THAT(csv->body, HasSubstr("quintic_hermite"));
+  EXPECT_THAT(client->Get("/table", headers())->body, csv->body);
+  EXPECT_THAT(client->Get("/table?form=codesys", headers())->body,
+              Not(HasSubstr("quintic_hermite")));
+  EXPECT_EQ(get("/table?form=../../etc/passwd", 400)["ok"], false);
+  EXPECT_THAT(client->Get("/report", headers())->body, HasSubstr("<title>feeder"));
+  EXPECT_THAT(get("/forms"), testing::Contains(json("csv")));
+  EXPECT_EQ(get("/laws").size(), 29U);
+}
+
+TEST_F(Editors, ComparesWithTheSavedFile) {
+  change({{"do", "move"}, {"knot", 1}, {"master", 100}, {"slave", 60}});
+  const json difference = get("/difference");
+  EXPECT_EQ(difference["before"], feeder);
+  EXPECT_THAT(difference["difference"], HasSubstr("differs by 10 mm at 100 deg"));
+  EXPECT_EQ(difference["charts"][0]["views"][0]["curves"].size(), 2U);
+}
+
+const std::string free_knot = R"(jounce = 1
+kind = "cam"
+units = { master = "deg", position = "mm" }
+start = { master = 0, slave = 0 }
+[[segment]]
+law = "quintic"
+end = { master = 60, slave = 20 }
+free = { slave = [10, 40], geo_velocity = [0, 2] }
+[[segment]]
+law = "quintic"
+end = { master = 100, slave = 50 }
+[optimize]
+minimize = ["peak geo_acceleration"]
+)";
+
+TEST_F(Editors, OptimizesAndTakesTheResult) {
+  EXPECT_EQ(get("/optimum", 404)["ok"], false);
+  const json before =
+      post("/document", {{"revision", get("/document")["revision"]}, {"text", free_knot}});
+  EXPECT_EQ(before["cam"]["can_optimize"], true);
+  post("/optimize", json::object());
+  json optimum = json::object();
+  for (int turn = 0; turn < 600 && optimum.value("running", true); ++turn) {
+    std::this_thread::sleep_for(50ms);
+    optimum = get("/optimum");
+  }
+  ASSERT_TRUE(optimum["spec"].is_string()) << optimum.dump();
+  EXPECT_EQ(optimum["charts"][0]["views"][0]["curves"].size(), 2U);
+  const json taken = post("/optimum", {{"do", "take"}, {"revision", before["revision"]}});
+  EXPECT_EQ(taken["text"], optimum["spec"]);
+  EXPECT_EQ(taken["undo"], "optimize");
+  EXPECT_EQ(get("/optimum", 404)["ok"], false);
+}
+
+TEST_F(Editors, AnOptimumOfAnotherTextIsNotTaken) {
+  const json before =
+      post("/document", {{"revision", get("/document")["revision"]}, {"text", free_knot}});
+  post("/optimize", json::object());
+  post("/optimum", {{"do", "stop"}});
+  while (get("/optimum")["running"]) std::this_thread::sleep_for(50ms);
+  const json changed =
+      post("/document", {{"revision", before["revision"]}, {"text", free_knot + "# more\n"}});
+  const json answer = post("/optimum", {{"do", "take"}, {"revision", changed["revision"]}}, 409);
+  EXPECT_EQ(get("/document")["text"], free_knot + "# more\n") << answer.dump();
+  post("/optimum", {{"do", "discard"}});
+  EXPECT_EQ(get("/optimum", 404)["ok"], false);
+}
+
+TEST_F(Editors, ComparesATextWithAnError) {
+  post("/document",
+       {{"revision", get("/document")["revision"]}, {"text", "jounce = 1\nkind = \n"}});
+  const json difference = get("/difference");
+  EXPECT_EQ(difference["before"], feeder);
+  EXPECT_THAT(difference["difference"], HasSubstr("feeder.toml:2"));
+  EXPECT_TRUE(difference["charts"].empty());
+}
+
+// ---- hostile requests ---------------------------------------------------------------------------
+
+TEST_F(Editors, NothingIsReadOrChangedWithoutTheToken) {
+  for (const char* target : {"/document", "/difference", "/table", "/report", "/laws", "/forms",
+                             "/optimum", "/events"}) {
+    EXPECT_EQ(client->Get(target)->status, 403) << target;
+    EXPECT_EQ(client->Get(target, {{"X-Jounce-Token", "0123"}})->status, 403) << target;
+  }
+  for (const char* target : {"/document", "/change", "/preview", "/undo", "/redo", "/save",
+                             "/conflict", "/optimize", "/optimum"})
+    EXPECT_EQ(client->Post(target, "{}", "application/json")->status, 403) << target;
+  const std::string page =
+      client->Get("/")->body + client->Get("/edit.js")->body + client->Get("/edit.css")->body;
+  EXPECT_THAT(page, Not(HasSubstr(token)));
+  EXPECT_THAT(page, Not(HasSubstr("feeder")));
+}
+
+TEST_F(Editors, OtherOriginsAreRejected) {
+  for (const auto& [key, value] : {std::pair{"Host", "evil.example"},
+                                   {"Origin", "http://evil.example"},
+                                   {"Sec-Fetch-Site", "cross-site"}}) {
+    httplib::Headers with = headers();
+    with.emplace(key, value);
+    EXPECT_EQ(client->Get("/document", with)->status, 403) << key;
+    EXPECT_EQ(client->Post("/save", with, R"({"revision":1})", "application/json")->status, 403)
+        << key;
+  }
+}
+
+TEST_F(Editors, ABodyHasALimit) {
+  std::signal(SIGPIPE, SIG_IGN);  // the client writes to a connection that the server closes
+  const auto answer =
+      client->Post("/document", headers(), std::string(10'000'000, 'x'), "application/json");
+  if (answer) {
+    EXPECT_EQ(answer->status, 413);
+  }  // or the connection is closed while it is sent
+  EXPECT_EQ(get("/document")["text"], feeder);
+}
+
+TEST_F(Editors, OtherPathsDoNotExist) {
+  for (const char* target : {"/../feeder.toml", "/feeder.toml", "/edit.js/../../feeder.toml",
+                             "/%2e%2e/feeder.toml", "//document", "/document/"})
+    EXPECT_EQ(client->Get(target, headers())->status, 404) << target;
+}
+
+TEST_F(Editors, BadBodiesAreRejectedWithAReason) {
+  for (const char* body :
+       {"", "no json", "[1]", "{}", R"({"revision":"1","text":""})", R"({"revision":1,"text":3})",
+        R"({"revision":1,"text":"","more":1})", "{\"revision\":1,\"text\":\"\xff\"}"}) {
+    const auto answer = client->Post("/document", headers(), body, "application/json");
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->status, 400) << body << answer->body;
+    EXPECT_EQ(json::parse(answer->body)["ok"], false);
+  }
+  EXPECT_EQ(get("/document")["text"], feeder);
+}
+
+TEST_F(Editors, AFileHasOneEditor) {
+  EXPECT_THAT(test::why([&] { Editor second(path, web::Listening(0)); }),
+              HasSubstr("is open in another `jounce edit`"));
+  editor.reset();
+  EXPECT_NO_THROW(Editor(path, web::Listening(0)));
+}
+
+TEST_F(Editors, OtherKindsHaveTheirCurves) {
+  const std::string move =
+      "jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\nprofile = "
+      "\"s_curve\"\nto "
+      "= 50\nvelocity = 10\nacceleration = 20\njerk = 100\n";
+  const json document =
+      post("/document", {{"revision", get("/document")["revision"]}, {"text", move}});
+  EXPECT_EQ(document["result"]["kind"], "move");
+  EXPECT_EQ(document["charts"].size(), 1U);
+  EXPECT_EQ(document["cam"], nullptr);
+}
+
+}  // namespace
+}  // namespace jounce::editor_test
