@@ -21,7 +21,7 @@ struct TrackerSpec {
   /// Age of each measurement when it arrives, s. The output is extrapolated by this time.
   double latency = 0;
   double longest_age = 0.1;  ///< time without a measurement after which the master is lost, s, > 0
-  /// A measurement further than this from the output is a jump, m; 0: velocity * longest_age.
+  /// A measurement further than this from the estimate is a jump, m; 0: velocity * longest_age.
   double jump = 0;
 };
 

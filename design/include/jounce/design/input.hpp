@@ -13,7 +13,8 @@
 
 namespace jounce {
 
-/// The input of a command: one axis of a spec with its curve and table, or a table from a file.
+/// The input of a verb such as `jounce check`: one axis of a spec with its curve and table, or a
+/// table from a file.
 struct Input {
   std::optional<Spec> spec;  ///< the spec; nullopt for a table
   LazyCurve curve;           ///< the exact curve; for a table from a file, the curve of this table
@@ -28,7 +29,7 @@ struct Input {
   std::optional<DriveSpec> drive = {};  ///< [drive] of the spec
   /// residual vibration of each mode that an operator of [[then]] suppresses
   std::vector<Residual> residuals = {};
-  std::vector<SyncZone> zones = {};  ///< sync zones
+  std::vector<SyncZone> zones = {};  ///< intervals in which slave and master are in step
   /// For a table of fewest knots: the requirement that determines their number.
   std::optional<Binding> binding = {};
   std::vector<std::string> unread = {};   ///< content of the file that was not read
@@ -69,10 +70,12 @@ void add_not_limited(Report& report, const Input& input);
 /// machine.
 void add_no_limits(Report& report);
 
-/// Returns the greatest permitted error of the table, in the unit of the position. It is the
-/// requested tolerance. Without one, it is a millionth of the stroke for a requested number of
-/// intervals, the actual error for a table of fewest knots, and otherwise a billionth of the
-/// stroke. It is never below rounding. Returns nullopt if `curve` is the curve of the table.
+/// Returns the greatest permitted error of the table, in the unit of the position: the requested
+/// tolerance. If none is requested, it is
+/// - the actual error, for a table of fewest knots
+/// - a millionth of the stroke, if a number of intervals is requested
+/// - a billionth of the stroke otherwise
+/// It is never below rounding. Returns nullopt if `curve` is the curve of the table.
 std::optional<double> table_tolerance(const Input& input);
 
 /// Returns the content of a table file as an input.

@@ -16,7 +16,7 @@ namespace jounce {
 /// Place of a G-code word that moves no axis, such as M3.
 struct EventPlace {
   GcodeEvent event;
-  double where = 0;  ///< q, the distance along the path, at this place
+  double where = 0;  ///< distance along the path at this place
   double time = 0;   ///< s, time at which the axes have reached the place and the preceding dwells
                      ///< have ended
   Point position{};  ///< position of the axes
@@ -50,7 +50,8 @@ Report path_report(const Spec& spec, const Plan& played);
 std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan,
                                   std::span<const GcodeEvent> events);
 
-/// Returns the place at which each command begins, for each line of the program with a command.
+/// Returns one place for each line of the program that contains a command: the start of the first
+/// command of this line.
 std::vector<EventPlace> places_of_lines(const PathSpec& path, const Plan& plan);
 
 /// Returns the results for a spec of kind "path". `plan` is the plan that is played, with the

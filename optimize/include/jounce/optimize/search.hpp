@@ -37,8 +37,8 @@ using SearchFunction = std::function<SearchAnswer(const std::vector<double>& x)>
 /// Result of search(). `best` contains the numbers. `status` is never `optimal`, because a search
 /// proves nothing. `feasible` is determined by an additional evaluation at the end. `limits` has
 /// one finding "constraint/N" for each constraint. `active` has the constraints that are active
-/// (within 1e-4 of the usual magnitude of the constraint), and "bound/NAME" for each variable at a
-/// bound.
+/// (within 1e-4 of the median magnitude of the constraint in the first evaluations), and
+/// "bound/NAME" for each variable at a bound.
 struct SearchOutcome : Outcome<std::vector<double>> {
   SearchAnswer answer = {};  ///< answer of the function at `best`
   /// Indices of the variables at a bound, without fixed variables.

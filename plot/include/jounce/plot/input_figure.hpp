@@ -11,8 +11,8 @@
 namespace jounce {
 
 /// Returns the exact curve of an input with its limits and sync zones. If `before` is given, its
-/// pale curve is below. Units are the units of `input`. Throws InputError (key "before") if one of
-/// the inputs is over time and the other over a master.
+/// curve is drawn behind, in a pale color. Units are the units of `input`. Throws InputError (key
+/// "before") if one of the inputs is over time and the other over a master.
 Figure figure_of(const Input& input, const std::optional<Input>& before = std::nullopt);
 
 /// Returns all axes in one figure, in different colors. A limit is drawn if it is equal for all

@@ -9,10 +9,11 @@
 namespace jounce {
 
 /// Correction that is added to a cam so that a slave engages without a jump. It begins at the
-/// difference between slave and cam, ends at zero, and stays at zero (over the master: while the
-/// master is beyond the distance of the correction). A correction over time is a Profile within
-/// limits. A correction over the master is a polynomial of the master's position, so it stands
-/// still while the master stands still. Copies are independent; it does not allocate.
+/// difference between slave and cam, and ends at zero. A correction over time is a Profile within
+/// limits, and stays at zero after its end. A correction over the master is a polynomial of the
+/// master's position, so it stands still while the master stands still; it is zero wherever the
+/// master is beyond the distance of the correction. Copies are independent; it does not allocate.
+/// u is the slave's unit, m the master's.
 class Correction {
  public:
   Correction() = default;  ///< no correction: zero everywhere
@@ -31,8 +32,8 @@ class Correction {
   [[nodiscard]] Jet jet(double t, const Jet& master) const;
 
   /// True if the correction is complete at t (s), or if there is no correction. A correction over
-  /// the master is complete while the master, at position `master`, is farther than the distance
-  /// from the origin.
+  /// the master is complete while the master, at position `master`, is at least `distance` away
+  /// from `origin` (see over_master()).
   [[nodiscard]] bool done(double t, double master) const;
 
   /// Duration, s; 0 unless the correction is over time.

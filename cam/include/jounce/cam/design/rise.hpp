@@ -21,8 +21,9 @@ namespace jounce {
 ///
 /// **Vocabulary.** A *rise* (or a fall) lies between two successive breaks at which the slave
 /// rests, with zero velocity on both sides of each break. A dwell is not a rise; an interval that
-/// returns to its start position is not a rise either. Master (unit m) and slave (unit u) positions
-/// count as in the cam. A rise across the end of a period continues beyond the cam's end.
+/// returns to its start position is not a rise either. The positions of master (unit m) and slave
+/// (unit u) are those of the whole cam. A rise across the end of a period continues beyond the
+/// cam's end. f is the slave's position as a function of the master's.
 ///
 /// "Zero" and "does not step" mean: within 1e-9 of the greatest magnitude of the derivative in the
 /// rise (of the velocity: in the whole cam).

@@ -21,12 +21,13 @@ struct EngageTexts {
   std::string master = {};
   std::string master_velocity = {};
 };
-/// Throws InputError, with the name of the member as key, for a text that is not a quantity in the
-/// unit of the member, and for an input without a spec with [coupling].
+/// Returns the state that the texts describe. Throws InputError, with the name of the member as
+/// key, for a text that is not a quantity in the unit of the member, and for an input without a
+/// spec with [coupling].
 EngageState engage_state(const Input& input, const EngageTexts& texts);
 
-/// Returns the report of `jounce check` for one axis: the report of checked(), the peaks without a
-/// limit, and a warning if no limits are given.
+/// Returns the report of `jounce check` for one axis: the report of checked() (cam_check.hpp), the
+/// peaks without a limit, and a warning if no limits are given.
 Report axis_report(const Input& input, int continuity = 1, const EngageState& at = {});
 
 /// The check of all axes of a file, and of the path that they follow.
@@ -43,8 +44,8 @@ FileCheck file_check(const std::vector<Input>& axes, std::vector<Report> reports
 /// Returns the answer of `jounce check`: path_text() or overlap_text() if the axes follow a path,
 /// then check_text() of each axis.
 std::string file_check_text(const FileCheck& check, const std::vector<Input>& axes);
-/// Returns the answer as a JSON object: check_json() of the axes (axes_json()), with "path" or
-/// "overlap".
+/// Returns the answer as a JSON object: the objects that check_json() returns for the axes,
+/// combined by axes_json(), and a member "path" or "overlap" if the axes follow a path.
 std::string file_check_json(const FileCheck& check, const std::vector<Input>& axes);
 
 }  // namespace jounce

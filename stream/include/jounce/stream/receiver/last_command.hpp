@@ -30,8 +30,8 @@ class LastCommand {
   /// recorded one and waits for its outcome. For a repeated command, the reply becomes due again;
   /// an older command has no effect.
   bool begin(Kind kind, std::int32_t number);
-  /// Replaces the recorded command by a command with any number: the first command of another
-  /// sender.
+  /// Records the first command of another sender in place of the recorded one. Its number need not
+  /// be greater.
   void replace(Kind kind, std::int32_t number);
   /// Forgets the recorded command.
   void clear() { *this = LastCommand(reply_.boot); }

@@ -13,7 +13,7 @@ namespace jounce {
 /// Length of the silence that ends a session.
 struct SessionTimeouts {
   Nanos usual{};
-  Nanos hold{};  ///< from the first hold-to-run jog of the session on, to its end
+  Nanos hold{};  ///< from the first hold-to-run jog until the end of the session
 };
 
 /// True if this message can open a session.
