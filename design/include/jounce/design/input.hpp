@@ -38,6 +38,9 @@ struct Input {
   std::shared_ptr<const Overlapped> overlap = {};
   /// Units for velocity, acceleration and jerk in figures; "": unit_of() of the labels.
   std::array<std::string, 3> rate_units = {};
+  /// Bound of the error of the curve itself, which the error of the table includes: of operators of a cam with a
+  /// tolerance, and of a slave over time.
+  double fit = 0;
 };
 
 /// Calls `act` with the motion of an input: its curve or, if the curve is that of the table, its
@@ -72,8 +75,8 @@ void add_no_limits(Report& report);
 
 /// Returns the greatest permitted error of the table, in the unit of the position. It is the
 /// requested tolerance; without one, for a requested number of intervals a millionth of the stroke,
-/// for a table of fewest knots the actual error, otherwise a billionth of the stroke. It is never
-/// below rounding. Returns nullopt if the curve is that of the table.
+/// for a table of fewest knots the actual error, otherwise a billionth of the stroke. The error of
+/// the curve (`fit`) is added. The result is never below rounding. Returns nullopt if the curve is that of the table.
 std::optional<double> table_tolerance(const Input& input);
 
 /// Returns the content of a table file as an input.
