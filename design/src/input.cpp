@@ -54,7 +54,9 @@ Input from_made(Made made, const Spec& spec, const std::string& path) {
           made.sampled.binding,
           {},
           std::move(made.plan),
-          std::move(made.overlap)};
+          std::move(made.overlap),
+          {},
+          made.fit};
 }
 
 /// True if the number of knots is given, so that the table has the least error for this number.
@@ -302,7 +304,7 @@ std::optional<double> table_tolerance(const Input& input) {
   const double stroke = travel.max.value - travel.min.value;
   const double asked = input.options.tolerance.value_or(
       (input.options.intervals ? coarse_share : fine_share) * (stroke > 0 ? stroke : 1));
-  return std::max(asked, rounded_value * std::abs(travel.peak().value));
+  return std::max(asked + input.fit, rounded_value * std::abs(travel.peak().value));
 }
 
 Input input_of(TableFile file, const std::string& path) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/design/inverse.hpp"
 
+#include <cmath>
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
 #include "jounce/cam/algebra/algebra.hpp"
 #include "jounce/design/design_text.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "design/src/table_of.hpp"
 
@@ -35,6 +39,11 @@ std::string name_of(const Input& input, const Cam& cam, double master) {
   const std::size_t segment = segment_at(cam, master);
   const auto& names = input.labels.segments;
   return segment < names.size() ? names[segment] : std::to_string(segment + 1);
+}
+
+/// An end of a branch as text: 0 if it is only rounding beside the other end.
+std::string without_rounding(double end, double other) {
+  return rounded(std::abs(end) <= profiles_detail::rounded_input * std::abs(other) ? 0 : end);
 }
 
 const char* kind_of(const Inverse& branch) {
@@ -130,7 +139,8 @@ std::string inverse_text(const Input& input) {
   for (const Inverse& branch : all.branches)
     text += fmt::format("  {} from {} to {} {}: slave {} to {} {}\n", kind_of(branch),
                         rounded(branch.master_from()), rounded(branch.master_to()), units.x,
-                        rounded(branch.start()), rounded(branch.end()), units.position);
+                        without_rounding(branch.start(), branch.end()),
+                        without_rounding(branch.end(), branch.start()), units.position);
   for (const Finding& f : all.report.findings)
     text += fmt::format("  {} at {} {}: {}\n", f.rule.text(), rounded(f.where), units.x, f.advice);
   return text;

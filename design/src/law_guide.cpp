@@ -231,7 +231,10 @@ std::string laws_markdown() {
     for (const Row& row : rows(characteristics(law))) text += " | " + shown(row.value);
     text += " |\n";
   }
-  text += "\nThe values of `scca` are for shares of 0.25, 0.25 and 0.5.\n\n";
+  text +=
+      "\nThe values of `scca` are for shares of 0.25, 0.25 and 0.5, and those of `triple_harmonic` "
+      "for its "
+      "default\namplitudes. All values are for ends at rest, or at rest and at a reversal.\n\n";
   for (const LawInfo& law : all_laws()) text += markdown(law.law);
   text.pop_back();
   return text;

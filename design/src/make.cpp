@@ -76,8 +76,10 @@ Made make_cam(const Spec& spec) {
   Sampled table = table_of(curve, spec.table, spec.limits);
   table.error.position += error;
   table.error.velocity += velocity_error;
-  return {spec.parts().front(), std::move(curve), std::move(names), std::move(table),
-          std::move(residuals)};
+  Made made{spec.parts().front(), std::move(curve), std::move(names), std::move(table),
+            std::move(residuals)};
+  made.fit = error;
+  return made;
 }
 
 Made make_sync(const Spec& spec) {

@@ -72,8 +72,11 @@ void set_table(Input& slave, const Fitted<OverTime>& motion) {
   slave.table.table = std::move(table.table);
   slave.table.units = slave.labels.units;
   slave.error = table.error;
-  slave.error->position += motion.error[0];
+  slave.fit += motion.error[0];
+  slave.error->position += slave.fit;
   slave.error->velocity += motion.error[1];
+  if (const auto* made = std::get_if<NamedCam>(&slave.spec->subject))
+    slave.error->velocity += made->velocity_error * slave.spec->master->velocity;
   slave.binding = table.binding;
 }
 

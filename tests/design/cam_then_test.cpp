@@ -12,7 +12,7 @@
 #include "jounce/design/cam_check.hpp"
 #include "jounce/design/input.hpp"
 #include "jounce/design/key_figures.hpp"
-#include "jounce/spec/edit.hpp"
+#include "jounce/design/over_time.hpp"
 
 #include "support/errors.hpp"
 
@@ -41,7 +41,8 @@ Input changed(const std::string& then, const std::string& more = "") {
 
 std::string error_of(const std::string& then, const std::string& more = "") {
   const std::string error = test::error_of([&] { (void)changed(then, more); }, "no error");
-  return error.substr(std::min(error.size(), error.find("new.toml:")));
+  const auto place = error.find("new.toml:");
+  return place == std::string::npos ? error : error.substr(place);
 }
 
 /// Compares all derivatives with the oracle, each by its greatest value.
@@ -126,13 +127,20 @@ TEST(CamThen, AFitIsPartOfTheErrorOfTheTable) {
   const Input fitted =
       changed("{ operator = \"compose\", with = \"shaft.toml\", tolerance = 1e-3 }",
               "table = { tolerance = 1e-6 }\n");
-  const Cam& cam = cam_of(made("driven"));
+  const Input driven = made("driven");
+  const Cam& cam = cam_of(driven);
   double worst = 0;
   for (double x = 0; x <= 360; x += 0.05)
     worst = std::max(worst, std::abs(cam_of(fitted).at(x).position - cam.at(x).position));
   EXPECT_GT(worst, 0);
   EXPECT_LE(worst, fitted.error->position);
   EXPECT_LE(fitted.error->position, 1.001e-3);
+  EXPECT_TRUE(checked(fitted).ok()) << "the tolerance of the operator is permitted";
+  Spec spec = *fitted.spec;
+  spec.master = MasterSpec{360, 360, {}};
+  const Input slave = over_time(inputs_of(spec, "new.toml").front());
+  EXPECT_GE(slave.error->position, fitted.fit) << "over time, too";
+  EXPECT_TRUE(checked(slave).ok());
 }
 
 TEST(CamThen, ATableIsASourceToo) {
@@ -165,14 +173,14 @@ TEST(CamThen, ErrorsNameTheOperatorAndWhatToDo) {
       << "periodic holds for the result";
   EXPECT_THAT(error_of("{ operator = \"part\", from = 0, to = 90 }, "
                        "{ operator = \"phase\", master = 30 }"),
-              HasSubstr("new.toml:4:61: then[2].operator = \"phase\": needs a cam that repeats: "
+              HasSubstr("new.toml:4:64: then[2].operator = \"phase\": needs a cam that repeats: "
                         "give periodic = true, or use operator = \"shift\""));
   EXPECT_THAT(error_of("{ operator = \"scale\", master = -1 }"),
               HasSubstr("then[1].master = -1: must be greater than 0"));
   EXPECT_THAT(error_of("{ operator = \"scale\" }"), HasSubstr("then[1].slave: is missing"));
   EXPECT_THAT(error_of("{ operator = \"mirror\", slave = 1, master = 2 }"),
               HasSubstr("cannot be combined with master"));
-  EXPECT_THAT(error_of("{ operator = \"mirrorr\" }"), HasSubstr("did you mean"));
+  EXPECT_THAT(error_of("{ operator = \"mirro\" }"), HasSubstr("did you mean"));
   EXPECT_THAT(error_of("{ operator = \"inverse\" }"),
               HasSubstr("the slave passes its positions 2 times. Give a master position inside the "
                         "rise or fall that you need, such as 60"));

@@ -224,7 +224,7 @@ TEST(FlyingShear, TakesEveryLawFromRestToRest) {
     else
       shear.ramp = each.law;
     if (each.ends == Ends::straight || each.ends == Ends::standing ||
-        each.ends == Ends::rest_to_reversal || !has_own_shape(each.law)) {
+        reverses(each.ends) || !has_own_shape(each.law)) {
       EXPECT_THROW(flying_shear(shear), InputError) << each.name;
       continue;
     }

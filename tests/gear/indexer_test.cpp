@@ -66,7 +66,7 @@ TEST(Indexer, TakesEveryLawFromRestToRest) {
     if (each.law == Law::scca) spec.form.shares = {{0.25, 0.25, 0.5}};
     SCOPED_TRACE(each.name);
     if (each.ends == Ends::straight || each.ends == Ends::standing ||
-        each.ends == Ends::rest_to_reversal || !has_own_shape(each.law)) {
+        reverses(each.ends) || !has_own_shape(each.law)) {
       EXPECT_THROW(indexer(spec), InputError);
       continue;
     }

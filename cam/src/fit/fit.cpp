@@ -43,7 +43,8 @@ bool is_straight(Law law) {
 /// True for the laws of all motions: they take any velocities, and need no other values.
 bool is_candidate(const LawInfo& law) {
   const bool joins = law.ends == Ends::moving || law.ends == Ends::moving_free;
-  return joins && law.law != Law::scca && law.law != Law::triple_harmonic &&
+  return joins && has_own_shape(law.law) && law.law != Law::scca &&
+         law.law != Law::triple_harmonic &&
          law.law != Law::modified_sine_gg;  // between two rests it is the modified sine
 }
 

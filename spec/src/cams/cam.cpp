@@ -236,13 +236,13 @@ namespace {
 
 /// Reads the control values and the knots of the law b_spline.
 ControlShape read_control(TomlReader& segment, Law law, const Units& units) {
-  if (law != Law::b_spline)
+  if (law != Law::b_spline) {
     for (const char* key : {"control", "knots"})
       segment.refuse_here(key, "belongs to a segment with the law b_spline");
-  ControlShape shape{segment.number_list("control", units.position),
-                     segment.number_list("knots", units.x)};
-  if (law == Law::b_spline && shape.values.empty())
-    segment.fail("control", "", "is missing: add control = [FIRST, ..., LAST], the control values");
+    return {};
+  }
+  ControlShape shape{segment.number_list("control", units.position)};
+  if (segment.has("knots")) shape.knots = segment.number_list("knots", units.x);
   return shape;
 }
 

@@ -122,7 +122,10 @@ NamedCam insert(TomlReader& then, const NamedCam& f, Units& units) {
   if (dwell && then.has("with"))
     then.fail("dwell", number(*dwell), "cannot be combined with `with`");
   if (dwell && !(*dwell > 0)) then.fail("dwell", number(*dwell), "must be greater than 0");
-  const double rest = f.cam.jet(at)[0];
+  if (!(at >= f.cam.start() && at <= f.cam.end()))
+    then.fail("at", number(at),
+              "must lie within the cam, " + number(f.cam.start()) + " to " + number(f.cam.end()));
+  const double rest = f.cam.jet(at, at == f.cam.end() ? Side::left : Side::right)[0];
   const NamedCam g =
       dwell ? NamedCam{Cam({line(*dwell, rest, rest)}), {"dwell"}} : read_other(then, units);
   const double length = g.cam.length();
@@ -199,8 +202,7 @@ NamedCam inverse(TomlReader& then, const NamedCam& f, Units& units) {
       f.error * slope + made.error[0],
       f.velocity_error * slope * slope + f.error * peak(made.curve, 2) + made.error[1]};
   std::swap(units.x, units.position);
-  return renamed(with(made.curve, Extrapolation::hold), errors,
-                 [&](double x) { return name_at(f, made.curve.jet(x)[0]); });
+  return renamed(made.curve, errors, [&](double x) { return name_at(f, made.curve.jet(x)[0]); });
 }
 
 struct CamOperator {

@@ -38,6 +38,9 @@ struct Input {
   std::shared_ptr<const Overlapped> overlap = {};
   /// Units for velocity, acceleration and jerk in figures; "": unit_of() of the labels.
   std::array<std::string, 3> rate_units = {};
+  /// Bound of the error of the curve itself, which the error of the table includes: the error of
+  /// cam operators with a tolerance, and of a slave over time.
+  double fit = 0;
 };
 
 /// Calls `act` with the motion of an input: its curve or, if `curve` is the curve of the table, its
@@ -75,7 +78,8 @@ void add_no_limits(Report& report);
 /// - the actual error, for a table of fewest knots
 /// - a millionth of the stroke, if a number of intervals is requested
 /// - a billionth of the stroke otherwise
-/// It is never below rounding. Returns nullopt if `curve` is the curve of the table.
+/// The error of the curve (`fit`) is added. The result is never below rounding. Returns nullopt if
+/// `curve` is the curve of the table.
 std::optional<double> table_tolerance(const Input& input);
 
 /// Returns the content of a table file as an input.

@@ -36,6 +36,8 @@ struct Made {
   std::shared_ptr<const Plan> plan = {};  ///< for kind "path": the plan, shared by its axes
   /// For kind "path" with overlapping lines: their motion, instead of a plan.
   std::shared_ptr<const Overlapped> overlap = {};
+  /// Error of the curve, from operators of a cam with a tolerance; the error of the table includes it.
+  double fit = 0;
 };
 
 /// Makes the motions of a spec: first the generator, then the operators, then the table. Returns
