@@ -37,8 +37,8 @@ void add_fit(CommandLine& line) {
   const Verb verb = line.verb("fit", "Make the spec of a cam from measured points or a table",
                               "jounce fit measured.csv --tolerance 20um -o cam.toml");
   verb.option("FILE", options->file,
-              "CSV with the columns master and slave, or a cam table in any known format; - is "
-              "standard input")
+              "CSV or .xlsx with the columns master and slave, or a cam table in any known format; - "
+              "is standard input")
       .required();
   verb.option("--tolerance", options->fit.tolerance,
               "Greatest distance of the cam from a point, with the error of the measurement; "

@@ -137,7 +137,7 @@ TEST(Galil, ReadsTheExampleOfTheNotes) {
   EXPECT_THAT(complaint(good.substr(0, good.size() - 9)), HasSubstr("ET[2]: is missing"));
   EXPECT_THAT(complaint("EP 0\n" + good.substr(18)), HasSubstr("EP = 0: must be from 1 to 32767"));
   EXPECT_THAT(complaint("EM 250\n" + good.substr(9)), HasSubstr("EM = 250: must be 1 to 256"));
-  EXPECT_THAT(complaint(good + "ET[1e9]=,0\n"), HasSubstr("ET = 1000000000: must be a whole"));
+  EXPECT_THAT(complaint(good + "ET[1e9]=,0\n"), HasSubstr("ET = 1e+09: must be a whole"));
 }
 
 TEST(Galil, ReadsThePvtExampleOfTheNotes) {

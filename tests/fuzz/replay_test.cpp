@@ -41,7 +41,7 @@ TEST_P(ReplayFuzz, FindsNothing) {
   ASSERT_FALSE(files.empty());
   for (const auto& file : files) {
     SCOPED_TRACE(file.string());
-    const std::string bytes = read_file(file.string());
+    const std::string bytes = read_file(file.string(), Archive::returned);
     const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
     GetParam().target({data, bytes.size()});
     GetParam().target({data, bytes.size() / 2});  // cut short

@@ -351,6 +351,11 @@ class LongWork(unittest.TestCase):
             with self.assertRaises(jounce.InputError):
                 jounce.convert(CAM, **bad)
         self.assertIn("codesys", dict(jounce.formats()))
+        with self.assertRaisesRegex(jounce.InputError, "allow_loss"):
+            jounce.convert(CAM, to="pairs", intervals=2)
+        self.assertEqual(jounce.convert(CAM, to="pairs", intervals=2, allow_loss=True).table.position.size, 3)
+        coarse, fine = (jounce.convert(CAM, to="trio", p_step=f"{size} pulse") for size in (10, 1))
+        self.assertLess(fine.table.error.position, coarse.table.error.position)
 
 
 class Memory(unittest.TestCase):

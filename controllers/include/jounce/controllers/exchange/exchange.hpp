@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-/// Cam tables in the text formats of other makers' tools.
+/// Tables of cams and of motions over time, in the text formats of other makers' tools.
 ///
 ///     TableFile cam = parse_exchange(read_file("cam.xyva"), "cam.xyva");
 ///     write_file("cam.st", exchange_text(*exchange_format_named("codesys"), cam));
@@ -29,23 +29,24 @@ namespace jounce {
 /// is for motions over time.
 void require_axis(const ExchangeFormat& format, const Table& table);
 
-/// Returns the text of the table in the format. Throws InputError for a table over time, for an
+/// Returns the text of the table in the format. Throws InputError like require_axis(), for an
 /// interpolation rule that the format does not have, and for too few or too many knots. For a
-/// format in counts, the table must be in counts; if the format is for motions that end at rest,
-/// the table must end at rest.
+/// format in counts, the table must be in counts. If the format is for motions that begin and end
+/// at rest, the table must begin and end at rest.
 std::string exchange_text(const ExchangeFormat& format, const TableFile& file);
 
-/// One cam of a file.
+/// One table of a file.
 struct ExchangeTable {
-  std::string name;  ///< name of the cam's reference, array or tag; "" in formats without names
-  TableFile file;    ///< table of the cam, with its units and provenance
+  std::string name;  ///< name of its reference, array, tag, joint or axis; "" if it has none
+  TableFile file;    ///< the table, with its units and provenance
   std::vector<std::string> unread = {};  ///< one phrase for each part of the file that was not read
 };
 
-/// Reads a text in any readable format. The text may contain several cams. They are returned in the
-/// order in which the file declares them (CODESYS: in the order of the MC_CAM_REF, then the arrays
-/// without an MC_CAM_REF). `name` is the name of the file for errors. If `decimal_comma` is true,
-/// 0,5 is read as 0.5, in columns that are not separated by commas.
+/// Reads a text in any readable format. The text may contain several tables. They are returned in
+/// the order in which the file declares them (CODESYS: in the order of the MC_CAM_REF, then the
+/// arrays without an MC_CAM_REF). `name` is the name of the file for errors; its ending may select
+/// the format. If `decimal_comma` is true, 0,5 is read as 0.5, in columns that are not separated by
+/// commas.
 ///
 /// Throws InputError with file, line, key, value and rule for a wrong number of columns; for text
 /// that is not a finite number (if the cause is a decimal comma, the error states this); for knots
@@ -54,8 +55,8 @@ struct ExchangeTable {
 std::vector<ExchangeTable> parse_exchange_tables(const std::string& text, const std::string& name,
                                                  bool decimal_comma = false);
 
-/// Reads a file that contains exactly one cam. Throws like parse_exchange_tables(), and if the file
-/// contains several cams.
+/// Reads a file that contains exactly one table. Throws like parse_exchange_tables(), and if the file
+/// contains several tables.
 TableFile parse_exchange(const std::string& text, const std::string& name,
                          bool decimal_comma = false);
 
