@@ -81,7 +81,8 @@ ToleranceResult tolerated(const Input& input, const ProofProgress& progress) {
     const std::string own = "tolerances.";
     if (!input.spec || !error.key().starts_with(own)) throw;
     throw input.spec->document.located(
-        InputError("drive.tolerances", "", error.key().substr(own.size()) + " " + error.rule()));
+        InputError("drive.tolerances", "",
+                   error.key().substr(own.size()) + " = " + error.value() + " " + error.rule()));
   }
 }
 

@@ -104,9 +104,11 @@ Make one with plan_path() or parse_path(). In each array, the last axis is that 
           R"(Returns the motion of all axes at t (s), as a Motion of arrays of the shape of t and (axes,).
 
 u, u/s, u/s^2, u/s^3, each in the unit of its axis. Outside [0, duration], the axes rest at the nearer end.)")
-      .def("sample", sampled_path, "step"_a,
-           "Returns the times 0, step, 2 step, ... and the end (s), and the motion there, as (t, "
-           "motion): arrays with a row for each time and a column for each axis.")
+      .def(
+          "sample", sampled_path, "step"_a,
+          R"(Returns the times 0, step, 2 step, ... and the end (s), and the motion there, as (t, motion).
+
+Each array has a row for each time and a column for each axis.)")
       .def_property_readonly(
           "ok",
           [](const PathMotion& path) {

@@ -126,11 +126,11 @@ TEST(LiveGear, IsRejectedIfTheSlaveWouldExceedItsVelocityLimit) {
     axis.send(Kind::enable);
     LiveGear gear(1, {.numerator = numerator, .acceleration = 5000});
     const Tick tick = axis.step({command::Couple{.movement = &gear}}, at_master(0, 100));
-    ASSERT_EQ(tick.dropped.has_value(), !permitted) << numerator;
+    ASSERT_EQ(tick.refused.has_value(), !permitted) << numerator;
     if (permitted) continue;
-    EXPECT_EQ(tick.dropped->cause, Cause::velocity_limit);
-    EXPECT_EQ(tick.dropped->value, 100 * std::abs(numerator));
-    EXPECT_EQ(tick.dropped->limit, 500);
+    EXPECT_EQ(tick.refused->cause, Cause::velocity_limit);
+    EXPECT_EQ(tick.refused->value, 100 * std::abs(numerator));
+    EXPECT_EQ(tick.refused->limit, 500);
     EXPECT_EQ(axis.step({}, at_master(0.1, 100)).state, State::standstill) << "and it stays so";
   }
 }

@@ -54,7 +54,9 @@ TEST(Explain, NamesThePositionLimits) {
   inside.position_min = 0;
   inside.position_max = 5;
   EXPECT_THAT(rejected({}, {.position = 6}, inside),
-              EndsWith("from 0 at velocity 0 to 6 at velocity 0, position 0 to 5"));
+              EndsWith("target 6 is above the highest permitted value 5"));
+  EXPECT_THAT(rejected({.position = 4.99, .velocity = 9}, {.position = 3}, inside),
+              EndsWith("from 4.99 at velocity 9 to 3 at velocity 0, position 0 to 5"));
 }
 
 TEST(Explain, NamesWhatIsNotFiniteAndWhatIsNoBound) {

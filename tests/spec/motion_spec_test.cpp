@@ -509,7 +509,8 @@ INSTANTIATE_TEST_SUITE_P(
             move_spec(point + "to_velocity = 11"),
             "a.toml:9:15: move.to_velocity = 11 mm/s: must be at most 10, the greatest velocity"},
         BadMotion{move_spec(point + "position_max = 40"),
-                  "a.toml:6:6: move.to: target 50 is above the highest permitted value 40"},
+                  "a.toml:6:6: move.to: no motion from start to target keeps the position limits: "
+                  "target 50 is above the highest permitted value 40"},
         BadMotion{move_spec(point + "position_min = 60\nposition_max = 40"),
                   "a.toml:9:16: move.position_min = 60 mm: must be below position_max = 40"},
         BadMotion{move_spec(point + "from = 50"),

@@ -89,14 +89,16 @@ std::optional<Refusal> AxisServer::unfit(const ArmRequested& arm) const {
   return std::nullopt;
 }
 
-/// Rejects tables whose units differ from those of the axis, with all units.
+/// Rejects a table whose unit differs from that of the axis or of its master, with both units.
 void AxisServer::refuse_units(const ArmRequested& arm) {
-  const auto of = [](const Units& units) {
-    return units.position + (units.x.empty() ? "" : " over " + units.x);
-  };
+  const Units& table = arm.slave.units;
   std::string words = text({.cause = Cause::wrong_unit}, "");
   words.pop_back();  // the full stop: the units follow
-  words += ": the table is in " + of(arm.slave.units) + ", the axis in " + of(options_.units) + ".";
+  words += differ(options_.units.position, table.position)
+               ? ": the table is in " + table.position + ", the axis in " + options_.units.position
+               : ": the table is over " + table.x + ", the master of the axis moves in " +
+                     options_.units.x;
+  words += '.';
   receiver_.refuse(arm.session, arm.command, words, static_cast<std::int32_t>(Cause::wrong_unit));
   notify("refused: " + words);
 }

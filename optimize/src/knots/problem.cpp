@@ -110,7 +110,7 @@ void require_free(const CamProblem& problem) {
   }
   const auto freedom = optimizer::freedom(problem);
   if (std::none_of(freedom.begin(), freedom.end(), optimizer::any))
-    throw InputError("segment", "",
+    throw InputError("free", "",
                      "nothing is free to optimize: add free = { slave = [30, 60] } to a segment to "
                      "free the knot at "
                      "its end, or free = { shape = 60 } to free its shape");

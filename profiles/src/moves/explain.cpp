@@ -77,11 +77,7 @@ std::string explain(MoveStatus status, const MotionState& from, const MotionStat
       if (const std::string beyond =
               outside("target", to.position, bounds.position_min, bounds.position_max);
           !beyond.empty())
-        return beyond;
-      if (const std::string beyond =
-              outside("start", from.position, bounds.position_min, bounds.position_max);
-          !beyond.empty())
-        return beyond;
+        return with(sentence, beyond);
       return with(sentence, "from " + number(from.position) + " at velocity " +
                                 number(from.velocity) + " to " + number(to.position) +
                                 " at velocity " + number(to.velocity) + ", position " +

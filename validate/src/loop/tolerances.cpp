@@ -84,9 +84,8 @@ void require_ends(const Drive& drive, const std::vector<Band>& bands) {
       try {
         require_valid(other);
       } catch (const InputError& error) {
-        throw InputError("tolerances." + b.key, b.half,
-                         error.rule() + ", but would be " + number(end) +
-                             " at the end of its tolerance: give a smaller share or absolute");
+        throw InputError("tolerances." + b.key, end,
+                         error.rule() + ", also at the end of its tolerance: give a smaller share");
       }
     }
 }
