@@ -23,8 +23,9 @@ struct SpecOptimum {
 using OptimumProgress = std::function<bool(double done, const std::string& step)>;
 
 /// Prepares a spec for optimum_of(). A path without [[optimize.parameter]] gets its corners as
-/// parameters (corner_parameters()), and its timing law is refined (jounce/path/refine.hpp). `seconds` > 0: time limit in place of that of the spec. Throws
-/// InputError like corner_parameters(), and with the key `seconds`.
+/// parameters (corner_parameters()), and its timing law is refined (jounce/path/refine.hpp).
+/// `seconds` > 0: time limit in place of that of the spec. Throws InputError like
+/// corner_parameters(), and with the key `seconds`.
 void prepare_optimum(Spec& spec, std::optional<double> seconds = {});
 
 /// Optimizes everything that a spec leaves free: the numbers of [[optimize.parameter]] if the spec
