@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "jounce/path/plan.hpp"
+#include "jounce/path/refine.hpp"
 
 // Whole plans of long programs, by segment; and the evaluation of three axes.
 namespace jounce {
@@ -116,6 +117,14 @@ void plan_arcs(benchmark::State& state) {
   by_segment(state, p);
 }
 BENCHMARK(plan_arcs)->Range(1000, 1000)->Unit(benchmark::kMillisecond);
+
+void refine_average(benchmark::State& state) {
+  const Plan made = plan(dense(state.range(0)), limits(3));
+  double time = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(time = refined(made).duration());
+  state.counters["share_of_time"] = time / made.duration();
+}
+BENCHMARK(refine_average)->Arg(3000)->Unit(benchmark::kMillisecond);
 
 void axes_of_a_plan(benchmark::State& state) {
   const Plan made = plan(zigzag(1000, Corner::deviation, 0.5), limits(3));

@@ -66,10 +66,17 @@ TEST(PathExamples, OfHimcTakeTheirTimes) {
 std::vector<Point> ends_of(const std::string& name) {
   const std::vector<Input> all = inputs_of(read_spec(examples + name), name);
   for (const Input& input : all) EXPECT_TRUE(check_all(input).ok()) << name << " " << input.axis;
-  const Path& path = all.front().plan->path();
+  const Program& program = std::get<PathSpec>(all.front().spec->subject).program;
   std::vector<Point> ends;
-  for (std::size_t k = 0; k < path.pieces().size(); ++k)
-    ends.push_back(path.point(k, path.pieces()[k].length));
+  for (const Program::Command& command : program.commands()) {
+    if (command.kind == Program::Kind::arc) {
+      ends.push_back(program.arcs()[command.data].to);
+      continue;
+    }
+    Point to{};
+    for (std::size_t i = 0; i < program.axes(); ++i) to[i] = program.numbers()[command.data + i];
+    ends.push_back(to);
+  }
   return ends;
 }
 

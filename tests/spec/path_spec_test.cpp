@@ -356,11 +356,11 @@ TEST(PathSpecFile, RefusesJointsThatDoNotFitWithTheirKeys) {
               HasSubstr("kinematics: cannot be combined with overlap"));
   const std::size_t in_path = overlap.find("overlap = ");
   EXPECT_THAT(refused(overlap.substr(0, in_path) + "refine = true\n" + overlap.substr(in_path)),
-              HasSubstr("refine: cannot be combined with overlap"));
+              HasSubstr("path.refine = true: cannot be combined with overlap"));
   std::string refine = robot;
   refine.insert(refine.find("start = [300, 100]"), "refine = true\n");
   EXPECT_THAT(refused(refine + "[[override]]\ntime = 0\nfactor = 0.5\n"),
-              HasSubstr("refine: cannot be combined with [[override]]"));
+              HasSubstr("path.refine = true: cannot be combined with [[override]]"));
 }
 
 TEST(PathSpecFile, AFramePutsTheCommandsIntoTheMachine) {

@@ -22,6 +22,9 @@
 // so halves of the interval exceed the limit by less, if at all. Where the curve has a peak below its limit, it falls
 // with the square of the distance from the peak. So only the few intervals next to the peak must be halved.
 //
+// If a break of the curve is inside an interval, the interval is divided there, because both parts then have the
+// derivatives of one segment.
+//
 // Halves do not help where a derivative of the curve steps that the table cannot step in: there, a shorter interval
 // has a greater third derivative. Such an interval stays as it is. The rounding e of a position changes the k-th
 // derivative by c e / h^k. No interval is so short that this is more than a thousandth of a limit.

@@ -12,7 +12,8 @@
 namespace jounce::study_detail {
 namespace {
 
-constexpr double least_gain = 1e-6;  ///< share of the duration
+/// Share of the duration that is worth the additional knots of the tables.
+constexpr double least_gain = 1e-3;
 
 double duration_of(const Spec& spec) {
   return make_axes(spec).front().plan->duration();
