@@ -723,7 +723,7 @@ TEST_F(Cli, PlotShowsACamOverTheTimeOfItsMaster) {
 
 TEST_F(Cli, ACamIsShownOverTimeByEveryVerbThatMakesATable) {
   const std::string pusher = examples + "press-pusher/pusher.toml";
-  const Result check = run("check " + pusher + " --over time --limit jerk=1000m/s^3");
+  const Result check = run("check " + pusher + " --over time --limit jerk=1500m/s^3");
   EXPECT_EQ(check.status, 0) << check.err;
   EXPECT_THAT(check.out, HasSubstr("limit/jerk"));
   const Result design = run("design " + pusher + " --over time -o -");

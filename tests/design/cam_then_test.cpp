@@ -180,7 +180,7 @@ TEST(CamThen, ErrorsNameTheOperatorAndWhatToDo) {
   EXPECT_THAT(error_of("{ operator = \"scale\" }"), HasSubstr("then[1].slave: is missing"));
   EXPECT_THAT(error_of("{ operator = \"mirror\", slave = 1, master = 2 }"),
               HasSubstr("cannot be combined with master"));
-  EXPECT_THAT(error_of("{ operator = \"mirrr\" }"), HasSubstr("did you mean"));
+  EXPECT_THAT(error_of("{ operator = \"mirrors\" }"), HasSubstr("did you mean"));
   EXPECT_THAT(error_of("{ operator = \"inverse\" }"),
               HasSubstr("the slave passes its positions 2 times. Give a master position inside the "
                         "rise or fall that you need, such as 60"));
