@@ -16,7 +16,7 @@
 namespace jounce::io_detail {
 namespace {
 
-constexpr zip_uint64_t most_bytes = zip_uint64_t{1} << 28U;            ///< size of one part, unpacked
+constexpr zip_uint64_t most_bytes = zip_uint64_t{1} << 28U;  ///< size of one part, unpacked
 constexpr std::uint32_t most_rows = 1'048'576, most_columns = 16'384;  ///< limits of the programs
 
 [[noreturn]] void fail(const std::string& rule) {
@@ -24,9 +24,9 @@ constexpr std::uint32_t most_rows = 1'048'576, most_columns = 16'384;  ///< limi
 }
 
 /// An archive in memory.
-class Archive {
+class ZipArchive {
  public:
-  explicit Archive(std::string_view bytes) {
+  explicit ZipArchive(std::string_view bytes) {
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
@@ -277,7 +277,7 @@ class Workbook {
     return blank ? std::nullopt : std::optional(SheetCell{CellType::text, text});
   }
 
-  Archive archive_;
+  ZipArchive archive_;
   Document workbook_;
   std::map<std::string, std::string> paths_ = {};  ///< paths of the sheets, by their relations
   std::vector<std::string> strings_ = {};
