@@ -109,8 +109,8 @@ std::string header_of(const std::string& text) {
 
 TEST(Points, HaveHeadersAsOtherProgramsWriteThem) {
   EXPECT_EQ(header_of("Zeit [ms];Weg [\u00b5m]\n0;0\n"), "zeit ms, weg um");
-  EXPECT_EQ(header_of("time (s),Position (mm),speed (mm/s\u00b2)\n0,0,0\n"),
-            "time s, position mm, speed mm/s^2");
+  EXPECT_EQ(header_of("time (s),Position (mm),vel (mm/s\u00b2)\n0,0,0\n"),
+            "time s, position mm, vel mm/s^2");
   EXPECT_EQ(header_of("Winkel / \u00b0;Hub in \u03bcm\n0;0\n"), "winkel deg, hub um");
   EXPECT_EQ(header_of("Winkel [\xB0];Hub [\xB5m]\n0;0\n"), "winkel deg, hub um") << "Windows-1252";
   EXPECT_EQ(header_of("time;position\nms;mm\n0;0\n"), "time ms, position mm") << "a line of units";

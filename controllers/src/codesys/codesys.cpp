@@ -151,7 +151,13 @@ std::string codesys_text(const TableFile& file) {
   const Columns& columns = file.table.columns();
   const std::vector<double>& x = columns.x;
   return "// a cam for CODESYS SoftMotion, by " + made_by() + "\n" + notes_text(file, "//") +
-         "// once, in the program: Cam.pce := ADR(CamPoints);\n" +
+         "// once, in the program: Cam.pce := ADR(CamPoints);\n"
+         "//   MC_CamTableSelect(CamTable := Cam, Periodic := " +
+         (repeats(file.table.outside()) ? "TRUE" : "FALSE") +
+         ", MasterAbsolute := TRUE, SlaveAbsolute := TRUE, ...)\n"
+         "//   MC_CamIn(MasterOffset := 0, SlaveOffset := 0, MasterScaling := 1,"
+         " SlaveScaling := 1, ...)\n"
+         "// A negative scaling reverses the direction.\n" +
          "VAR_GLOBAL\n  CamPoints : ARRAY[0.." + std::to_string(x.size() - 1) +
          "] OF SMC_CAMXYVA := [\n" + knots_text(columns, cam_xyva) +
          "  ];\n  Cam : MC_CAM_REF := (byType := 3, nElements := " + std::to_string(x.size()) +

@@ -100,7 +100,7 @@ constexpr std::array other_names{
     OtherNames{"slave",
                {"y", "slavepos", "slaveposition", "followingvalue", "folgewert", "lift", "hub"}},
     OtherNames{"position", {"pos", "p", "weg"}},
-    OtherNames{"velocity", {"vel", "v", "speed", "geschwindigkeit"}},
+    OtherNames{"velocity", {"vel", "v", "geschwindigkeit"}},
     OtherNames{"acceleration", {"acc", "a", "accel", "beschleunigung"}},
     OtherNames{"tolerance", {"tol"}},
     OtherNames{"type", {"typ"}}};

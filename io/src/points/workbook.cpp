@@ -25,9 +25,9 @@ constexpr std::uint32_t most_columns = 16'384;               ///< limit of the p
 }
 
 /// An archive in memory.
-class Archive {
+class ZipArchive {
  public:
-  explicit Archive(std::string_view bytes) {
+  explicit ZipArchive(std::string_view bytes) {
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
@@ -278,7 +278,7 @@ class Workbook {
     return blank ? std::nullopt : std::optional(SheetCell{CellType::text, text});
   }
 
-  Archive archive_;
+  ZipArchive archive_;
   Document workbook_;
   std::map<std::string, std::string> paths_ = {};  ///< paths of the sheets, by their relations
   std::vector<std::string> strings_ = {};
