@@ -434,7 +434,7 @@ CamProblem make_problem(const Spec& spec) {
     // The problem uses its own names. In the document, all but these keys are under [optimize].
     const bool of_a_knot = error.key().starts_with("segment") ||
                            error.key().starts_with("start.") || error.key().starts_with("limits.");
-    const std::string key = error.key() == "free" ? "segment"  // where the key belongs
+    const std::string key = error.key() == "free" ? "segment"  // the section of this key
                             : of_a_knot           ? error.key()
                                                   : "optimize." + error.key();
     throw spec.document.located(InputError(key, error.value(), error.rule()));
