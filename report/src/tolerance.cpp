@@ -22,10 +22,8 @@ void set_tolerance(Tolerance& tolerance, const std::string& text, const Labels& 
             names[0] + ", " + names[1] + ", " + names[2] + ", " + names[3]);
   try {
     double value = tolerance.share.value_or(0);
-    if (name == names.end() && !(value < 1))
-      throw InputError("", value,
-                       "is a share of the range, so it must be less than 1: a greater one permits "
-                       "every difference");
+    if (name == names.end() && !(value <= 1))
+      throw InputError("", value, "is a share of the range, so it must be at most 1");
     if (name != names.end()) {
       value = quantity(text.substr(equals + 1), labels.unit_of(key));
       tolerance.of[static_cast<std::size_t>(name - names.begin())] = value;
