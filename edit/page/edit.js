@@ -30,10 +30,22 @@ async function request(method, path, body) {
   return json ? JSON.parse(text) : text;
 }
 
+let turn = Promise.resolve();  // of the last request that changes the document: each waits for the one before
+
+/// Runs a function after those that were given before it.
+function inTurn(run) {
+  turn = turn.then(run, run);
+  return turn;
+}
+
 /// Sends a request that changes the document, and shows its answer. Returns true if the server accepted it.
-async function act(path, body, input) {
-  if (!await sendTyped()) return false;
+function act(path, body, input) {
   ++busy;
+  return inTurn(() => send(path, body, input)).finally(() => --busy);
+}
+
+async function send(path, body, input) {
+  if (!await sendTyped()) return false;
   try {
     show(await request('POST', path, {revision: state.revision, ...body}));
     return true;
@@ -43,8 +55,6 @@ async function act(path, body, input) {
     if (input) { input.setAttribute('aria-invalid', 'true'); input.title = error.message; }
     else if (state) show(state);
     return false;
-  } finally {
-    --busy;
   }
 }
 
@@ -119,7 +129,7 @@ function showAnalysis(answer) {
   }
   $('segments').hidden = answer.cam === null;
   if (answer.cam) table.take(answer.cam, laws, stale ? null : picture?.views[0]);
-  $('optimize').hidden = !(answer.cam?.can_optimize);
+  $('optimize').hidden = !answer.can_optimize;
   showFindings(answer.result);
   $('check').hidden = answer.check === '';
   $('check-text').textContent = answer.check;
@@ -200,7 +210,7 @@ const split = (master) => change({do: 'split', master: tidy(master)}) && true;
 
 const pane = new TextPane($('text'), $('gutter'), $('place'), {typed: () => {
   clearTimeout(typing);
-  typing = setTimeout(sendTyped, typing_ms);
+  typing = setTimeout(() => inTurn(sendTyped), typing_ms);
   $('saved').textContent = 'unsaved changes';
   $('save').disabled = false;
 }});
@@ -218,11 +228,11 @@ async function sendTyped() {
       pane.changed = [0, 0];
       show(answer);
     } catch (error) {
-      if (!(error instanceof Rejected)) typing = setTimeout(sendTyped, again_ms);
+      if (!(error instanceof Rejected)) typing = setTimeout(() => inTurn(sendTyped), again_ms);
       if (error.status !== 409) { say(error instanceof Rejected ? error.message : unreachable, true); return false; }
       state = await request('GET', '/document');
       notice('other', 'The document was changed elsewhere while you typed here. Your text is not sent yet.', true, [
-        ['Use my text', () => { notice('other', null); sendTyped(); }],
+        ['Use my text', () => { notice('other', null); inTurn(sendTyped); }],
         ['Use the other text', () => { notice('other', null); pane.shown = $('text').value; show(state); }]]);
       return false;
     }
@@ -254,7 +264,7 @@ function differenceText(before, now) {
 
 async function compare() {
   try {
-    await sendTyped();
+    await inTurn(sendTyped);
     const {before, difference, charts} = await request('GET', '/difference');
     if (before === state.text) return openWindow('Comparison with the file', html('p', {textContent: 'The text is that of the file.'}));
     openWindow('Comparison with the file', differenceText(before, state.text), comparisonPicture(charts, 'difference'), html('pre', {textContent: difference, tabIndex: 0}));
@@ -337,7 +347,7 @@ function download(name, text, type) {
 
 async function exported(path, name, type) {
   try {
-    await sendTyped();
+    await inTurn(sendTyped);
     download(name, await request('GET', path), type);
   } catch (error) {
     say(error.message, true);
@@ -348,7 +358,7 @@ const stem = () => state.file.split('/').at(-1).replace(/\.toml$/, '');
 const endings = {csv: '.csv', json: '.json', points: '.csv'};
 
 async function save() {
-  await sendTyped();
+  await inTurn(sendTyped);
   if (!state.saved && await act('/save', {})) say(null);
 }
 
@@ -357,8 +367,8 @@ function listen() {
   $('redo').onclick = () => act('/redo');
   $('save').onclick = save;
   $('difference').onclick = compare;
-  $('report').onclick = () => exported('/report', `${stem()}.html`, 'text/html');
-  $('table').onclick = () => exported(`/table?form=${$('form').value}`, `${stem()}${endings[$('form').value] ?? '.txt'}`, 'text/plain');
+  $('report').onclick = () => exported(`/report?axis=${axis}`, `${stem()}.html`, 'text/html');
+  $('table').onclick = () => exported(`/table?form=${$('form').value}&axis=${axis}`, `${stem()}${endings[$('form').value] ?? '.txt'}`, 'text/plain');
   $('split').onclick = () => split(picture.x);
   $('append').onclick = () => change({do: 'append'});
   $('whole-what').onchange = () => { $('whole-by').hidden = $('whole-what').value.startsWith('mirror'); };
@@ -373,7 +383,7 @@ function listen() {
   };
   const optimizer = (body) => async () => {
     try {
-      await sendTyped();
+      await inTurn(sendTyped);
       if (body.do) show(await request('POST', '/optimum', {revision: state.revision, ...body}));
       else await request('POST', '/optimize', {});
     } catch (error) {

@@ -2,6 +2,7 @@
 #include "edit/src/analysis.hpp"
 
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,6 +30,11 @@ std::string numbers_of(const std::string& path, const std::string& text) {
   }
 }
 
+bool can_optimize(const Spec& spec) {
+  return spec.parameters || !spec.optimize.free.empty() || !spec.optimize.shape.shapes.empty() ||
+         std::holds_alternative<PathSpec>(spec.subject);
+}
+
 /// Removes the notes on segments and joints: a cam of 100 segments has a thousand. Those on missing
 /// limits stay.
 void keep_what_needs_attention(FileResult& result) {
@@ -46,7 +52,10 @@ Analysis analysis_of(const std::string& path, const std::string& text) {
     for (const Input& axis : axes) reports.push_back(axis_report(axis));
     for (const Input& axis : axes) analysis.charts.push_back(chart_data(axis));
     analysis.check = file_check_text(file_check(axes, reports), axes);
-    if (axes.front().spec) analysis.cam = cam_json(*axes.front().spec);
+    if (const auto& spec = axes.front().spec) {
+      analysis.cam = cam_json(*spec);
+      analysis.can_optimize = can_optimize(*spec);
+    }
     return reports;
   };
   analysis.result = lint_text(path, text, examine);
@@ -56,8 +65,9 @@ Analysis analysis_of(const std::string& path, const std::string& text) {
 }
 
 std::string members_of(const Analysis& analysis) {
-  return fmt::format(R"("result":{},"charts":[{}],"check":{},"cam":{})", to_json(analysis.result),
-                     fmt::join(analysis.charts, ","), json_text(analysis.check), analysis.cam);
+  return fmt::format(R"("result":{},"charts":[{}],"check":{},"cam":{},"can_optimize":{})",
+                     to_json(analysis.result), fmt::join(analysis.charts, ","),
+                     json_text(analysis.check), analysis.cam, analysis.can_optimize);
 }
 
 }  // namespace jounce::edit_detail

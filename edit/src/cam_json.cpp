@@ -65,8 +65,6 @@ std::string cam_json(const Spec& spec) {
                 {"slave", units.position},
                 {"geo_velocity", rate_unit(units.position, units.x, 1)},
                 {"geo_acceleration", rate_unit(units.position, units.x, 2)}}},
-              {"can_optimize", spec.parameters || !spec.optimize.free.empty() ||
-                                   !spec.optimize.shape.shapes.empty()},
               {"knots", std::move(knots)},
               {"segments", std::move(segments)}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/edit/editor.hpp"
 
+#include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -63,10 +64,23 @@ std::string job_members(const OptimumJob::State& job) {
                      json_text(job.step), json_text(job.error));
 }
 
-/// The part of a path behind the ?, with %XX decoded where a form name needs it: letters and _ only.
+/// The value of a key in the part of an address behind the ?: "form=csv&axis=1". "": it is missing.
 std::string query_value(const std::string& query, const std::string& key) {
-  const std::string begin = key + "=";
-  return query.starts_with(begin) ? query.substr(begin.size()) : "";
+  const std::string all = "&" + query + "&";
+  const std::string begin = "&" + key + "=";
+  const auto at = all.find(begin);
+  if (at == std::string::npos) return "";
+  const auto value = at + begin.size();
+  return all.substr(value, all.find('&', value) - value);
+}
+
+std::size_t axis_of(const std::string& query) {
+  const std::string text = query_value(query, "axis");
+  std::size_t axis = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), axis);
+  if (error == std::errc() ? end != text.data() + text.size() : !text.empty())
+    throw InputError("axis", text, "must be the number of an axis, from 0");
+  return axis;
 }
 
 }  // namespace
@@ -136,7 +150,8 @@ struct Editor::Impl {
       if (path == "/difference") return difference();
       if (path == "/table") return table(request.query);
       if (path == "/report")
-        return {200, edit_detail::exported_report(path_of(), text()), "text/html; charset=utf-8"};
+        return {200, edit_detail::exported_report(path_of(), text(), axis_of(request.query)),
+                "text/html; charset=utf-8"};
       return path == "/optimum" ? optimum() : document();
     }
     const JsonReader body("request", request.body);
@@ -260,8 +275,10 @@ struct Editor::Impl {
 
   Answer table(const std::string& query) {
     const std::string form = query_value(query, "form");
-    return {200, edit_detail::exported_table(path_of(), text(), form.empty() ? "csv" : form),
-            "text/plain; charset=utf-8"};
+    return {
+        200,
+        edit_detail::exported_table(path_of(), text(), form.empty() ? "csv" : form, axis_of(query)),
+        "text/plain; charset=utf-8"};
   }
 
   // ---- the optimizer ----------------------------------------------------------------------------

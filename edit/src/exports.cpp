@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "jounce/design/axes.hpp"
 #include "jounce/design/convert.hpp"
 #include "jounce/design/files/file_difference.hpp"
 #include "jounce/design/input.hpp"
@@ -28,14 +27,21 @@ std::vector<Input> inputs_of_text(const std::string& path, const std::string& te
   return inputs_of(parse_spec(text, path), path);
 }
 
+Input axis_of_text(const std::string& path, const std::string& text, std::size_t axis) {
+  std::vector<Input> axes = inputs_of_text(path, text);
+  if (axis >= axes.size())
+    throw InputError("axis", std::to_string(axis), fmt::format("must be 0 to {}", axes.size() - 1));
+  return std::move(axes[axis]);
+}
+
 }  // namespace
 
 std::string exported_table(const std::string& path, const std::string& text,
-                           const std::string& form) {
+                           const std::string& form, std::size_t axis) {
   const std::vector<std::string> forms = form_names();
   if (std::find(forms.begin(), forms.end(), form) == forms.end())
     throw InputError("form", form, fmt::format("must be one of {}", fmt::join(forms, ", ")));
-  const Input input = only_axis(inputs_of_text(path, text), path);
+  const Input input = axis_of_text(path, text, axis);
   const TableForm to = table_form(form, form == "json" ? "table.json" : "table.csv");
   const Conversion wanted{.rule = rule_for(to, std::nullopt, "", input.table.table),
                           .format = to.format};
@@ -44,8 +50,8 @@ std::string exported_table(const std::string& path, const std::string& text,
   return form_text(to, file);
 }
 
-std::string exported_report(const std::string& path, const std::string& text) {
-  const Input input = only_axis(inputs_of_text(path, text), path);
+std::string exported_report(const std::string& path, const std::string& text, std::size_t axis) {
+  const Input input = axis_of_text(path, text, axis);
   return html(report_page(input, std::nullopt, {.drive_samples = drive_samples}).page);
 }
 

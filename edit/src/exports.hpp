@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace jounce::edit_detail {
 
-/// Each function reads the text of a spec with the file name `path`, and throws InputError for a
-/// text without a motion, and for one with several axes.
+/// The functions read the text of a spec with the file name `path`. They throw InputError for a text
+/// without a motion, and for an axis (counted from 0) that the spec does not have.
 
-/// Returns the table in the form with this name (form_names()).
+/// Returns the table of an axis in the form with this name (form_names()).
 std::string exported_table(const std::string& path, const std::string& text,
-                           const std::string& form);
-/// Returns the page of `jounce report`.
-std::string exported_report(const std::string& path, const std::string& text);
+                           const std::string& form, std::size_t axis);
+/// Returns the page of `jounce report` for an axis.
+std::string exported_report(const std::string& path, const std::string& text, std::size_t axis);
 
 /// Returns the differences of two texts as the members of a JSON object, without its braces:
 /// "difference", the output of `jounce diff`, and "charts", each with both curves. If one of the

@@ -190,7 +190,8 @@ TEST_F(Editors, ExportsTheTableAndTheReport) {
   EXPECT_THAT(client->Get("/table", headers())->body, csv->body);
   EXPECT_THAT(client->Get("/table?form=codesys", headers())->body,
               Not(HasSubstr("quintic_hermite")));
-  EXPECT_EQ(get("/table?form=../../etc/passwd", 400)["ok"], false);
+  for (const char* query : {"form=../../etc/passwd", "form=csv&axis=1", "axis=-1", "axis=x"})
+    EXPECT_EQ(get(std::string("/table?") + query, 400)["ok"], false) << query;
   EXPECT_THAT(client->Get("/report", headers())->body, HasSubstr("<title>feeder"));
   EXPECT_THAT(get("/forms"), testing::Contains(json("csv")));
   EXPECT_EQ(get("/laws").size(), 29U);
@@ -223,7 +224,7 @@ TEST_F(Editors, OptimizesAndTakesTheResult) {
   EXPECT_EQ(get("/optimum", 404)["ok"], false);
   const json before =
       post("/document", {{"revision", get("/document")["revision"]}, {"text", free_knot}});
-  EXPECT_EQ(before["cam"]["can_optimize"], true);
+  EXPECT_EQ(before["can_optimize"], true);
   post("/optimize", json::object());
   json optimum = json::object();
   for (int turn = 0; turn < 600 && optimum.value("running", true); ++turn) {
@@ -250,6 +251,19 @@ TEST_F(Editors, AnOptimumOfAnotherTextIsNotTaken) {
   EXPECT_EQ(get("/document")["text"], free_knot + "# more\n") << answer.dump();
   post("/optimum", {{"do", "discard"}});
   EXPECT_EQ(get("/optimum", 404)["ok"], false);
+}
+
+TEST_F(Editors, ExportsEachAxis) {
+  const std::string axes = read_file(JOUNCE_SOURCE_DIR "/cli/templates/axes.toml");
+  const json document =
+      post("/document", {{"revision", get("/document")["revision"]}, {"text", axes}});
+  ASSERT_EQ(document["charts"].size(), 2U) << document["result"];
+  const std::string first = client->Get("/table?axis=0", headers())->body;
+  const std::string second = client->Get("/table?axis=1", headers())->body;
+  EXPECT_THAT(first, HasSubstr("# jounce table 1"));
+  EXPECT_THAT(second, HasSubstr("# jounce table 1"));
+  EXPECT_NE(first, second);
+  EXPECT_THAT(client->Get("/report?axis=1", headers())->body, HasSubstr("<title>"));
 }
 
 TEST_F(Editors, ComparesATextWithAnError) {

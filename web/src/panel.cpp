@@ -22,7 +22,8 @@ namespace {
 
 constexpr int waiting_statuses =
     64;  // a link keeps the oldest: they are read faster than they arrive
-constexpr auto freshness = std::chrono::milliseconds(300);  // limit for a command that waited for others
+constexpr auto longest_wait =
+    std::chrono::milliseconds(300);  // limit for a command that waited for others
 constexpr Nanos turn = std::chrono::milliseconds(50);
 constexpr Nanos again = std::chrono::seconds(1);  // interval of attempts to open a lost link again
 
@@ -46,7 +47,7 @@ struct Panel::Impl {
                         .event = [this](std::int64_t& seen) { return event(seen); },
                         .obey = [this](const Request& request) { return obey(request.body); },
                         .urgent = [](const Request& request) { return is_stop(request.body); },
-                        .freshness = freshness});
+                        .freshness = longest_wait});
     listener = std::thread([this] { listen(); });
   }
 

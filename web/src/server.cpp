@@ -142,9 +142,9 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
         if (target == file.path) return answer(200, file.text, file.type);
       if (target == "/events") return events();
     }
-    const auto& commands = server_.site.commands;
+    const auto& known = server_.site.commands;
     const std::string command = std::string(request.method_string()) + ' ' + request_.path;
-    if (std::find(commands.begin(), commands.end(), command) != commands.end())
+    if (std::find(known.begin(), known.end(), command) != known.end())
       return request_.is_get ? take_question() : take_command();
     answer(404, "there is no such page\n");
   }
@@ -183,9 +183,8 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
     asio::post(at_once ? server_.urgent : server_.others, [self = shared_from_this(), at_once,
                                                            came] {
       // The sender may be gone: an old command causes no motion.
-      const auto& freshness = self->server_.site.freshness;
-      const bool late =
-          !at_once && freshness && std::chrono::steady_clock::now() - came > *freshness;
+      const auto& limit = self->server_.site.freshness;
+      const bool late = !at_once && limit && std::chrono::steady_clock::now() - came > *limit;
       Answer said =
           late
               ? Answer{503,
