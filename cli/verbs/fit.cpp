@@ -36,9 +36,10 @@ void add_fit(CommandLine& line) {
   const auto options = std::make_shared<FitArguments>();
   const Verb verb = line.verb("fit", "Make the spec of a cam from measured points or a table",
                               "jounce fit measured.csv --tolerance 20um -o cam.toml");
-  verb.option("FILE", options->file,
-              "CSV or .xlsx with the columns master and slave, or a cam table in any known format; - "
-              "is standard input")
+  verb.option(
+          "FILE", options->file,
+          "CSV or .xlsx with the columns master and slave, or a cam table in any known format; - "
+          "is standard input")
       .required();
   verb.option("--tolerance", options->fit.tolerance,
               "Greatest distance of the cam from a point, with the error of the measurement; "
