@@ -85,8 +85,8 @@ void read_records(TomlReader records, const PathAxes& axes, PathSpec& path) {
     path.machine.settings.value = 2 / *diameter;
   }
   records.finish();
-  const Points points =
-      read_points((std::filesystem::path(records.document().name).parent_path() / file).string());
+  const Points points = jounce::read_points(
+      (std::filesystem::path(records.document().name).parent_path() / file).string());
   path.source = points.document;
   path.program = record_program(points, path.machine, {axes.unit(1), axes.unit(2)});
 }

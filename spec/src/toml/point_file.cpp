@@ -25,7 +25,7 @@ std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
     owner.fail("points", '"' + *given + '"',
                std::string("cannot be combined with [[") + rows + "]]");
   const std::filesystem::path spec = owner.document().name;
-  Points points = read_points((spec.parent_path() / *given).string());
+  Points points = jounce::read_points((spec.parent_path() / *given).string());
   for (const PointColumn& column : points.columns)
     if (std::find(columns.begin(), columns.end(), column.name) == columns.end())
       throw InputError(column.name, "",
