@@ -65,12 +65,12 @@ std::string path(const char* style, const Contour& contour) {
   return fmt::format("<path class=\"{}\" d=\"{}Z\"/>\n", style, d);
 }
 
-std::string circle(const char* style, Place center, double radius) {
+std::string svg_circle(const char* style, Place center, double radius) {
   return fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", style, mm(center.x),
                      mm(center.y), mm(radius));
 }
 
-std::string line(const char* style, Place from, Place to) {
+std::string svg_line(const char* style, Place from, Place to) {
   return fmt::format("<path class=\"{}\" d=\"M{} {}L{} {}\"/>\n", style, mm(from.x), mm(from.y),
                      mm(to.x), mm(to.y));
 }
@@ -105,11 +105,11 @@ std::string contour_svg(const DiscDrawing& d) {
   out += style_sheet;
   out += "<g transform=\"scale(1,-1)\">\n";  // y points upwards, as in the DXF
   out += path("cam", d.profile) + path("pitch", d.pitch) + path("cutter", d.cutter);
-  out += circle("base", {}, d.base_radius);
-  if (d.hub_radius) out += circle("hub", {}, *d.hub_radius);
-  out += line("center", {-3, 0}, {3, 0}) + line("center", {0, -3}, {0, 3});
-  if (d.roller_radius > 0) out += circle("roller", d.roller, d.roller_radius);
-  if (d.pivot) out += circle("arm", *d.pivot, 1.5) + line("arm", *d.pivot, d.roller);
+  out += svg_circle("base", {}, d.base_radius);
+  if (d.hub_radius) out += svg_circle("hub", {}, *d.hub_radius);
+  out += svg_line("center", {-3, 0}, {3, 0}) + svg_line("center", {0, -3}, {0, 3});
+  if (d.roller_radius > 0) out += svg_circle("roller", d.roller, d.roller_radius);
+  if (d.pivot) out += svg_circle("arm", *d.pivot, 1.5) + svg_line("arm", *d.pivot, d.roller);
   return out + "</g>\n</svg>\n";
 }
 

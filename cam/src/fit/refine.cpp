@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 #include "jounce/profiles/error.hpp"
 

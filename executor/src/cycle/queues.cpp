@@ -6,34 +6,10 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/sender/row_sender.hpp"
 
 namespace jounce {
 namespace {
-
-int degree(wire::RowOrder order) {
-  switch (order) {
-    case wire::RowOrder::linear:
-      return 1;
-    case wire::RowOrder::quadratic:
-      return 2;
-    case wire::RowOrder::cubic:
-      return 3;
-    case wire::RowOrder::quintic:
-      break;
-  }
-  return 5;
-}
-
-SegmentRow row_of(const wire::Row& row) {
-  return {.x_end = row.x_end,
-          .p_end = row.p_end,
-          .v_start = row.v_start,
-          .v_end = row.v_end,
-          .a_start = row.a_start,
-          .a_end = row.a_end,
-          .degree = degree(row.order),
-          .last = row.last};
-}
 
 FifoSpec spec_of(const wire::Queue& queue, const AxisConfig& config) {
   FifoSpec spec{.each = queue.capacity,
@@ -145,7 +121,7 @@ void Queues::take(const RowsArrived& arrived, Receiver& receiver) {
   const int bank = arrived.rows.bank;
   HandedOver taken{.movement = open.made.movement()->id(), .bank = bank};
   for (std::size_t i = 0; i < arrived.rows.rows.size(); ++i) {
-    const SegmentRow row = row_of(arrived.rows.rows[i]);
+    const SegmentRow row = segment_row(arrived.rows.rows[i]);
     open.made.fifos().stamp(number_ + 1);
     if (const RowRule rule = open.made.fifos().push(bank, row); rule != RowRule::none) {
       receiver.refuse_row(open.queue.queue, arrived.rows.first_row + i,

@@ -37,6 +37,14 @@ bool better(const Evaluation& a, const Evaluation& b) {
   return a.answer.objective < b.answer.objective;
 }
 
+bool is_gain(const Evaluations& evaluations, const Evaluation& before, const Evaluation& after) {
+  if (!better(after, before)) return false;
+  const double tolerance = evaluations.options().tolerance;
+  if (before.violation > 0) return after.violation < before.violation * (1 - 1e-3);
+  const double gain = before.answer.objective - after.answer.objective;
+  return gain > tolerance * (std::abs(after.answer.objective) + tolerance * evaluations.spread());
+}
+
 double distance(const Choice& a, const Choice& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));

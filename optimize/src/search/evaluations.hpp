@@ -92,6 +92,9 @@ class Evaluations {
 /// violation decides. Choices that are not possible come last.
 bool better(const Evaluation& a, const Evaluation& b);
 
+/// True if the gain is large enough for a further step.
+bool is_gain(const Evaluations& evaluations, const Evaluation& before, const Evaluation& after);
+
 /// Returns the greatest distance in any variable.
 double distance(const Choice& a, const Choice& b);
 

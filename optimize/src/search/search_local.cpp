@@ -109,15 +109,14 @@ void settle_at_bounds(Evaluations& evaluations) {
   }
 }
 
-}  // namespace
-
-bool is_gain(const Evaluations& evaluations, const Evaluation& before, const Evaluation& after) {
-  if (!better(after, before)) return false;
+/// Runs SLSQP from z, with central differences of this step.
+void run_slsqp(Evaluations& evaluations, const Choice& z, double step, int iterations) {
   const double tolerance = evaluations.options().tolerance;
-  if (before.violation > 0) return after.violation < before.violation * (1 - 1e-3);
-  const double gain = before.answer.objective - after.answer.objective;
-  return gain > tolerance * (std::abs(after.answer.objective) + tolerance * evaluations.spread());
+  LocalSearch(evaluations, 1e-3 * tolerance, step)
+      .from(z, {.x_absolute = 1e-2 * tolerance, .max_evaluations = iterations});
 }
+
+}  // namespace
 
 Evaluation run_cobyla(Evaluations& evaluations, const Choice& z, double radius, double smallest,
                       int max_evaluations) {
@@ -128,12 +127,6 @@ Evaluation run_cobyla(Evaluations& evaluations, const Choice& z, double radius, 
                 .x_absolute = smallest,
                 .max_evaluations = max_evaluations});
   return best_since(evaluations, from);
-}
-
-void run_slsqp(Evaluations& evaluations, const Choice& z, double step, int iterations) {
-  const double tolerance = evaluations.options().tolerance;
-  LocalSearch(evaluations, 1e-3 * tolerance, step)
-      .from(z, {.x_absolute = 1e-2 * tolerance, .max_evaluations = iterations});
 }
 
 bool polish(Evaluations& evaluations) {

@@ -32,14 +32,8 @@ void search_line(Evaluations& evaluations);
 Evaluation run_cobyla(Evaluations& evaluations, const Choice& z, double radius, double smallest,
                       int max_evaluations);
 
-/// Runs SLSQP from z, with central differences of this step.
-void run_slsqp(Evaluations& evaluations, const Choice& z, double step, int iterations);
-
 /// Tries the best step of the linearized problem, at several lengths. Returns true if one of them
 /// gained.
 bool linearized_step(Evaluations& evaluations);
-
-/// True if the gain is large enough for a further step.
-bool is_gain(const Evaluations& evaluations, const Evaluation& before, const Evaluation& after);
 
 }  // namespace jounce::optimizer

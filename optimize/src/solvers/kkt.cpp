@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
-#include <Eigen/LU>
+#include "jounce/profiles/detail/elimination.hpp"
 
 #include "optimize/src/solvers/forms.hpp"
 
@@ -121,10 +122,9 @@ void Kkt::factorize_rank_ones() {
   solved_u_.resize(k_.rows(), n);
   for (Eigen::Index i = 0; i < n; ++i)
     solved_u_.col(i) = factor_.solve(u_[static_cast<std::size_t>(i)]);
-  Eigen::MatrixXd small = Eigen::MatrixXd::Identity(n, n);
+  small_ = Eigen::MatrixXd::Identity(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
-    small.row(i) += u_[static_cast<std::size_t>(i)].transpose() * solved_u_;
-  small_ = small.inverse();
+    small_.row(i) += u_[static_cast<std::size_t>(i)].transpose() * solved_u_;
 }
 
 Kkt::Vector Kkt::times(const Vector& v) const {
@@ -138,7 +138,7 @@ Kkt::Vector Kkt::back(const Vector& r) const {
   if (u_.empty()) return v;
   Vector along(static_cast<Eigen::Index>(u_.size()));
   for (Eigen::Index i = 0; i < along.size(); ++i) along[i] = u_[static_cast<std::size_t>(i)].dot(v);
-  return v - solved_u_ * (small_ * along);
+  return v - solved_u_ * profiles_detail::eliminated(small_, std::move(along));
 }
 
 Kkt::Vector Kkt::solve(const Vector& r) const {

@@ -59,7 +59,7 @@ class Kkt {
   Vector regular_;                   ///< numbers added to the diagonal
   std::vector<Vector> u_;            ///< K = (factorized part) + sum u u'
   Eigen::MatrixXd solved_u_;         ///< (factorized part)^-1 u, as columns
-  Eigen::MatrixXd small_;            ///< (1 + u' (...)^-1 u)^-1
+  Eigen::MatrixXd small_;            ///< 1 + u' (...)^-1 u
   SparseFactor factor_;
 };
 

@@ -87,7 +87,7 @@ void read_records(TomlReader records, const PathAxes& axes, PathSpec& path) {
   records.finish();
   const std::string full =
       (std::filesystem::path(records.document().name).parent_path() / file).string();
-  const Points points = records.file_of("file", full, [&] { return read_points(full); });
+  const Points points = records.file_of("file", full, [&] { return jounce::read_points(full); });
   path.source = points.document;
   path.program = record_program(points, path.machine, {axes.unit(1), axes.unit(2)});
 }

@@ -26,7 +26,7 @@ std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
                std::string("cannot be combined with [[") + rows + "]]");
   const std::filesystem::path spec = owner.document().name;
   const std::string file = (spec.parent_path() / *given).string();
-  Points points = owner.file_of("points", file, [&] { return read_points(file); });
+  Points points = owner.file_of("points", file, [&] { return jounce::read_points(file); });
   points.name_columns(columns);
   for (const PointColumn& column : points.columns)
     if (std::find(columns.begin(), columns.end(), column.name) == columns.end())

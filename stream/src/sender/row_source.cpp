@@ -27,17 +27,6 @@ wire::Row row_to(const Table& table, std::size_t i) {
   return row;
 }
 
-/// The same row as the axis plays it.
-SegmentRow played(const wire::Row& row) {
-  return {.x_end = row.x_end,
-          .p_end = row.p_end,
-          .v_start = row.v_start,
-          .v_end = row.v_end,
-          .a_start = row.a_start,
-          .a_end = row.a_end,
-          .degree = static_cast<int>(row.order)};
-}
-
 }  // namespace
 
 wire::Row on_wire(const SegmentRow& row) {
@@ -50,11 +39,22 @@ wire::Row on_wire(const SegmentRow& row) {
   return sent;
 }
 
+SegmentRow segment_row(const wire::Row& row) {
+  return {.x_end = row.x_end,
+          .p_end = row.p_end,
+          .v_start = row.v_start,
+          .v_end = row.v_end,
+          .a_start = row.a_start,
+          .a_end = row.a_end,
+          .degree = static_cast<int>(row.order),
+          .last = row.last};
+}
+
 Travel travel_of(const Table& table) {
   Travel travel;
   RowStart from;
   for (std::size_t i = 1; i < table.size(); ++i) {
-    const SegmentRow row = played(row_to(table, i));
+    const SegmentRow row = segment_row(row_to(table, i));
     const RowPeaks peaks = jounce::peaks(row, from, 0);
     travel.lowest = std::min(travel.lowest, peaks.position_min);
     travel.highest = std::max(travel.highest, peaks.position_max);

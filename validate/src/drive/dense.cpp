@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "validate/src/drive/dense.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include "jounce/profiles/detail/elimination.hpp"
 
 namespace jounce::validate_detail {
 
@@ -16,20 +21,26 @@ Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& a) {
 }
 
 Eigen::VectorXd solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
-  return a.partialPivLu().solve(b);
+  return profiles_detail::eliminated(a, b);
 }
 
 Eigen::VectorXcd solve(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b) {
-  return a.partialPivLu().solve(b);
+  return profiles_detail::eliminated(a, b);
 }
 
 Eigen::VectorXd solve_full(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   return a.fullPivLu().solve(b);
 }
 
-FullSolution solve_full(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b) {
-  const auto lu = a.fullPivLu();
-  return {lu.solve(b), lu.rcond()};
+ConditionedSolution solve_with_condition(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b) {
+  const Eigen::Index n = a.rows();
+  double inverse = 0;  // |A^-1|, by its columns
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double column = solve(a, Eigen::VectorXcd::Unit(n, k)).lpNorm<1>();
+    if (!std::isfinite(column)) return {solve(a, b), 0};
+    inverse = std::max(inverse, column);
+  }
+  return {solve(a, b), 1 / (a.cwiseAbs().colwise().sum().maxCoeff() * inverse)};
 }
 
 }  // namespace jounce::validate_detail

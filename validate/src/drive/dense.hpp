@@ -22,10 +22,10 @@ Eigen::VectorXcd solve(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 /// Returns the x of A x = b for an A that may be nearly singular, with row and column pivoting.
 Eigen::VectorXd solve_full(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 /// A solution, and the condition of its matrix.
-struct FullSolution {
+struct ConditionedSolution {
   Eigen::VectorXcd x;
-  double rcond = 0;  ///< estimate of 1 / (|A| |A^-1|); 0: A is singular
+  double rcond = 0;  ///< 1 / (|A| |A^-1|), in the 1-norm; 0: A is singular
 };
-FullSolution solve_full(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
+ConditionedSolution solve_with_condition(const Eigen::MatrixXcd& a, const Eigen::VectorXcd& b);
 
 }  // namespace jounce::validate_detail

@@ -99,7 +99,7 @@ std::vector<DriveMode> modes_of(const LinearSystem& system, const Eigen::VectorX
                                 double unit) {
   const auto [values, vectors] = validate_detail::eigenpairs(system.a);
   const auto [share, rcond] =
-      validate_detail::solve_full(vectors, state.cast<std::complex<double>>());
+      validate_detail::solve_with_condition(vectors, state.cast<std::complex<double>>());
   // Nearly parallel vectors: the rest of each is a difference of large numbers.
   const bool apart = rcond > parallel_vectors;
   std::vector<DriveMode> found;

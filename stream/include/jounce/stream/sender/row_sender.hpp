@@ -33,6 +33,8 @@ RowSource source_of(Table table);
 
 /// Returns a row in its wire format.
 wire::Row on_wire(const SegmentRow& row);
+/// Returns a row as an axis plays it.
+SegmentRow segment_row(const wire::Row& row);
 
 /// Range of a table's positions, relative to its first knot. A queue of the table's rows must
 /// announce this range. u is the unit of the position.
