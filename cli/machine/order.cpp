@@ -94,9 +94,9 @@ void add_options(const Verb& verb, CommandWords& words) {
     const Option option = verb.option("--" + name, words.options[name], help);
     if (range == FieldRange::direction) option.check(one_of({"shortest", "positive", "negative"}));
     if (range != FieldRange::buffer_mode) continue;
-    option.check(one_of({"low", "previous", "next", "high"}));
+    option.check(one_of({"low", "previous", "next", "high", "look-ahead"}));
     verb.flag("--buffered", words.flags["buffered"],
-              "move --to, --by and jog: begin when the present motion has ended");
+              "move, jog, and moves of a group: begin when the present motion has ended");
   }
 }
 
@@ -120,6 +120,7 @@ void add_order(CommandLine& line) {
                               "jounce order feeder move --by 80mm --blend next\n"
                               "jounce order feeder jog -20mm/s --hold-to-run\n"
                               "jounce order feeder inch 0.5mm --velocity 5mm/s\n"
+                              "jounce order plotter move-linear --to 10mm,5mm --velocity 80mm/s\n"
                               "jounce order feeder override 50%\n"
                               "jounce order feeder home --method 24 --search-velocity 40mm/s\n"
                               "Numbers without a unit have the unit of the axis.");
@@ -132,7 +133,7 @@ void add_order(CommandLine& line) {
   verb.option(
       "VALUE", options->words.value,
       "Factor of override (50%), distance of inch, velocity of jog (0: come to rest), position "
-      "of set-position, ratio of gear-in and gear-in-pos (3:2)");
+      "of set-position, ratio of gear-in and gear-in-pos (3:2), duration of wait (s)");
   add_options(verb, options->words);
   verb.option("--seconds", options->seconds, "End a --hold-to-run jog after this number of seconds")
       .check(seconds());

@@ -50,8 +50,9 @@ void add_stream(CommandLine& line) {
       "memory\n"
       "jounce stream first.csv --to feeder --bank loop.csv --loops 20   two banks, the second 20 "
       "times");
-  verb.option("FILE", options->file, "Spec or table; - is standard input").required();
+  verb.option("FILE", options->file, "Spec, table or G-code; - is standard input").required();
   verb.axis(options->axis);
+  verb.machine(options->machine);
   verb.option("--to", options->to, "Name of the executor").required();
   verb.option("--master", options->master,
               "For a cam table: table over time of its master; a cam spec has its own [master]");

@@ -143,7 +143,7 @@ std::optional<StreamPlan> group_plan(const StreamArguments& options,
 }  // namespace
 
 int stream_table(const StreamArguments& options) {
-  std::vector<Input> axes = load_axes(options.file, options.axis);
+  std::vector<Input> axes = load_program(options.file, options.machine, options.axis);
   std::optional<StreamPlan> path = group_plan(options, axes);
   std::optional<Input> input;
   if (!path) input = only_one(std::move(axes), options.file);

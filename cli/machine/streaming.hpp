@@ -14,7 +14,7 @@ namespace jounce::cli {
 /// Options of `jounce stream`.
 struct StreamArguments {
   std::string file;
-  std::string axis;
+  std::string axis, machine;
   std::string to;
   std::string master;
   bool live = false;

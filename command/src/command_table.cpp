@@ -90,6 +90,21 @@ constexpr std::array rows{
     sent<command::QueueClear>("queue_clear", 19, "", "", own, always),
     sent<command::QueueEnd>("queue_end", 20, "", "", own, always),
     sent<command::StartTable>("start", 21, "start", "", own, from_rest, moves),
+    inner(Kind::extend, "extend", holds),
+    sent<command::MoveLinearAbsolute>("move_linear_absolute", 22, "move-linear",
+        "MC_MoveLinearAbsolute", own, begins, moves),
+    sent<command::MoveLinearRelative>("move_linear_relative", 23, "move-linear",
+        "MC_MoveLinearRelative", own, begins, moves),
+    sent<command::MoveCircularAbsolute>("move_circular_absolute", 24, "move-circular",
+        "MC_MoveCircularAbsolute", own, begins, moves),
+    sent<command::MoveCircularRelative>("move_circular_relative", 25, "move-circular",
+        "MC_MoveCircularRelative", own, begins, moves),
+    sent<command::MoveDirectAbsolute>("move_direct_absolute", 26, "move-direct",
+        "MC_MoveDirectAbsolute", own, begins, moves),
+    sent<command::MoveDirectRelative>("move_direct_relative", 27, "move-direct",
+        "MC_MoveDirectRelative", own, begins, moves),
+    sent<command::GroupWait>("group_wait", 28, "wait", "", own, begins, moves),
+    sent<command::GroupJog>("group_jog", 29, "jog", "", own, begins, moves),
 };
 // clang-format on
 

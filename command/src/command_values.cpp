@@ -27,12 +27,15 @@ bool is_whole(double value) {
 
 /// The rule that the value violates; empty: none.
 const char* broken(FieldRange range, double value) {
-  if ((range == FieldRange::positive || range == FieldRange::given) && std::isnan(value)) return "";
+  const bool may_be_left_out = range == FieldRange::positive || range == FieldRange::given ||
+                               range == FieldRange::coordinate;
+  if (may_be_left_out && std::isnan(value)) return "";
   if (!std::isfinite(value)) return "must be finite";
   const auto rule = [](bool kept, const char* words) { return kept ? "" : words; };
   switch (range) {
     case FieldRange::finite:
     case FieldRange::given:
+    case FieldRange::coordinate:
       return "";
     case FieldRange::positive:
       return rule(value > 0, "must be greater than 0; leave it out to use the limit of the axis");
@@ -44,6 +47,8 @@ const char* broken(FieldRange range, double value) {
       return rule(value >= 0 && value <= 2, "must be 0 to 2");
     case FieldRange::buffer_mode:
       return rule(is_whole(value) && value >= 0 && value <= 5, "must be 0 to 5");
+    case FieldRange::path_buffer:
+      return rule(is_whole(value) && value >= 0 && value <= 6, "must be 0 to 6");
     case FieldRange::whole:
       return rule(is_whole(value), "must be a whole number from -2147483647 to 2147483647");
     case FieldRange::whole_nonzero:
@@ -103,6 +108,8 @@ const char* words(FieldRange range) {
       break;
     case FieldRange::given:
       return "or NaN";
+    case FieldRange::coordinate:
+      return "NaN: not given";
     case FieldRange::positive:
       return "> 0";
     case FieldRange::flag:
@@ -113,6 +120,8 @@ const char* words(FieldRange range) {
       return "0 to 2";
     case FieldRange::buffer_mode:
       return "0 to 5";
+    case FieldRange::path_buffer:
+      return "0 to 6";
     case FieldRange::whole:
       return "whole";
     case FieldRange::whole_nonzero:

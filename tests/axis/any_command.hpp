@@ -45,7 +45,7 @@ inline Command any(const AnyCommand& command) {
   return command;
 }
 
-/// Kinds that an axis executes, `none` among them: the first ones.
-inline constexpr std::size_t axis_kinds = std::variant_size_v<AxisCommand>;
+/// Kinds that an axis executes, `none` among them: the first ones. `extend` is only for a group.
+inline constexpr std::size_t axis_kinds = std::variant_size_v<AxisCommand> - 1;
 
 }  // namespace jounce::test

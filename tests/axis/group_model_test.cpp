@@ -47,7 +47,9 @@ class Judge {
       if (follows) {
         const auto [px, py] = contour_at(all.position);
         if (!(std::abs(axis.position - (i == x ? px : py)) <= 1e-12)) wrong = "off the path";
-        if (followed_[i].state == State::synchronized_motion && !keeps(followed_[i], axis, all))
+        const bool full = all.rate == 1 && before_.rate == 1;
+        if (followed_[i].state == State::synchronized_motion &&
+            !keeps_limits(config_, followed_[i], axis, full))
           wrong = "beyond a limit";
       }
       followed_[i] = axis;
@@ -70,20 +72,6 @@ class Judge {
   }
 
  private:
-  /// By differences: the limits hold at full speed, the stop limits while the rate changes.
-  [[nodiscard]] bool keeps(const Tick& was, const Tick& now, const Tick& all) const {
-    const double dt = 1e-3;
-    const bool full = all.rate == 1 && before_.rate == 1;
-    const double a = full ? *config_.limits.acceleration : config_.stop_acceleration;
-    const double j = full ? *config_.limits.jerk : config_.stop_jerk;
-    constexpr double same = 1 + 1e-9;
-    constexpr double rounding = 1e-9;
-    return std::abs(now.position - was.position) <= *config_.limits.velocity * dt * same &&
-           std::abs(now.acceleration) <= a * same &&
-           std::abs(now.velocity - was.velocity) <= a * dt * same &&
-           std::abs(now.acceleration - was.acceleration) <= j * dt * same + rounding;
-  }
-
   AxisConfig config_;
   std::array<LimitsOfLog, 2> limits_;
   std::array<Tick, 2> followed_{};

@@ -55,6 +55,20 @@ inline std::pair<double, double> contour_at(double q) {
   return on_line(30, 0, 0, 0, q - fourth);
 }
 
+/// True if two successive ticks of an axis that follows its group keep the limits, by differences: at
+/// full speed those of the axis, while the rate changes its stop limits.
+inline bool keeps_limits(const AxisConfig& axis, const Tick& was, const Tick& now, bool full) {
+  const double dt = 1e-3;
+  const double a = full ? *axis.limits.acceleration : axis.stop_acceleration;
+  const double j = full ? *axis.limits.jerk : axis.stop_jerk;
+  constexpr double same = 1 + 1e-9;
+  constexpr double rounding = 1e-9;
+  return std::abs(now.position - was.position) <= *axis.limits.velocity * dt * same &&
+         std::abs(now.acceleration) <= a * same &&
+         std::abs(now.velocity - was.velocity) <= a * dt * same &&
+         std::abs(now.acceleration - was.acceleration) <= j * dt * same + rounding;
+}
+
 /// A plotter: the axes x and y, and their group, which is stepped before them.
 struct Plotter {
   static constexpr std::size_t x = 0, y = 1, group = 2;

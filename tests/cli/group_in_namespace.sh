@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # group_in_namespace.sh JOUNCE EXAMPLE: the plotter of the examples as an operator uses it: start, hold, stream, stop,
-# rejections, and what the log and a replay show of it.
+# single commands, jogs, rejections, and what the log and a replay show of it.
 set -eu
-. "$(dirname "$0")/namespace.sh"
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/namespace.sh"
 jounce=$1
 example=$2
 cd "$scratch"
@@ -34,6 +35,43 @@ sleep 0.5
 order plotter override 200% || fail "override: $(cat out)"
 order plotter resume || fail "resume: $(cat out)"
 sleep 5
+
+# Single commands, on the path of judge_group.py.
+tick() { "$jounce" monitor plotter --json --seconds 0.2 | grep -o '"tick":[0-9]*' | tail -1 | cut -d: -f2; }
+order plotter override 100% || fail "override: $(cat out)"
+refused in_group x override 50%
+refused 'to is missing' plotter move-linear --to ,
+refused 'has no length' plotter move-linear --to 0,0
+refused 'coordinate 3, but the group has 2 axes' plotter move-linear --to 0,0,5
+refused 'position_max' plotter move-linear --to 1000000000,0
+refused 'needs a buffer mode that blends' plotter move-linear --to 5,5 --deviation 1
+refused 'via must be given' plotter move-circular --to 5,5
+refused radius plotter move-circular --to 50,0 --radius 2
+got=0
+order plotter move-linear --to nan,1 || got=$?
+[ $got = 2 ] || fail "a coordinate nan: exit status $got: $(cat out)"
+first=$(tick)
+order plotter wait 1 || fail "wait: $(cat out)"
+order plotter move-linear --to 20,10 --velocity 40 || fail "move-linear: $(cat out)"
+order plotter move-linear --to 40,10 --velocity 30 --blend look-ahead --deviation 1 || fail "move-linear: $(cat out)"
+order plotter move-circular --to 40,30 --center 40,20 --velocity 30 --buffered || fail "move-circular: $(cat out)"
+order plotter move-linear --by -40,0 --velocity 30 --buffered || fail "move-linear --by: $(cat out)"
+order plotter move-direct --to 0,0 --blend look-ahead --deviation 1 || fail "move-direct: $(cat out)"
+"$jounce" monitor plotter --json --seconds 0.2 | grep -q '"queue_rows":[1-9]' || fail "no command waits on the monitor"
+sleep 6
+last=$(tick)
+
+order plotter jog --along 1,1 --velocity 20 --hold-to-run --seconds 0.5 || fail "jog: $(cat out)"
+order plotter jog --along -1,-1 --velocity 20 || fail "jog back: $(cat out)"
+sleep 1
+order plotter move-linear --to 0,0 || fail "move-linear: $(cat out)"
+sleep 1
+sed '/^\[\[command/,$d' square.toml > bed.toml
+printf 'G21 G90 G64 P0.1\nG1 X20 Y0 F3000\nG1 X20 Y10\nG1 X0 Y0\nM30\n' > part.ngc
+"$jounce" stream part.ngc --machine bed.toml --to plotter > out 2>&1 || fail "stream G-code: $(cat out)"
+refused 'sent as a whole' plotter move-linear --to 5,5 --buffered
+sleep 2
+
 "$jounce" stream square.toml --to plotter > out 2>&1 || fail "stream: $(cat out)"
 sleep 0.3
 "$jounce" stop plotter > out 2>&1 || fail "stop: $(cat out)"
@@ -58,4 +96,5 @@ kill -INT $executor
 wait $executor || [ $? = 1 ] || fail "the run: $(cat said)"
 for name in x y plotter; do [ -s run.$name.csv ] || fail "no log of $name"; done
 grep -q ',synchronized_motion,' run.x.csv || fail "x did not follow its group"
+python3 "$here/judge_group.py" run.x.csv run.y.csv run.plotter.csv "$first" "$last" || fail "the judge of the log"
 "$jounce" replay run.lcmlog > out || fail "the replay: $(cat out)"

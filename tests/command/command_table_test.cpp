@@ -43,12 +43,21 @@ std::vector<const CommandInfo*> sent() {
   return rows;
 }
 
+/// Number of fields from this one on that have the same name: coordinates.
+std::size_t equal_from(const Fields& fields, std::size_t first) {
+  std::size_t count = 1;
+  while (first + count < fields.size() &&
+         std::string(fields[first + count].name) == fields[first].name)
+    ++count;
+  return count;
+}
+
 TEST(CommandTable, NumbersEveryCommandOfAClientFromZero) {
   EXPECT_EQ(sent().size(), std::variant_size_v<ClientCommand>);
   for (const CommandInfo* const row : sent())
     EXPECT_EQ(kind_of(command_of(row->kind)), row->kind) << row->name;
   EXPECT_FALSE(kind_of_number(-1));
-  EXPECT_FALSE(kind_of_number(22));
+  EXPECT_FALSE(kind_of_number(30));
 }
 
 TEST(CommandTable, OperatorsChangeTheTimingAlone) {
@@ -63,10 +72,14 @@ TEST(CommandTable, IsThatOfTheProtocolPage) {
   std::string table = heading + "\n|---|---|---|---|---|\n";
   for (const CommandInfo* const row : sent()) {
     std::string values;
-    for (const Field& field : row->fields) {
+    for (std::size_t i = 0; i < row->fields.size(); ++i) {
+      const Field& field = row->fields[i];
+      const std::size_t alike = equal_from(row->fields, i);
       const std::string range = words(field.range);
-      values += (values.empty() ? "" : "; ") + std::string(field.name) + unit_of(field.quantity) +
+      values += (values.empty() ? "" : "; ") + (alike > 1 ? std::to_string(alike) + " x " : "") +
+                std::string(field.name) + unit_of(field.quantity) +
                 (range.empty() ? "" : " (" + range + ")");
+      i += alike - 1;
     }
     table += "| " + std::to_string(row->number) + " | " + row->name + " | " + row->plcopen + " | " +
              (row->sender == CommandSender::anyone ? "anyone" : "owner") + " | " + values + " |\n";
@@ -80,11 +93,11 @@ TEST(CommandTable, IsThatOfThePageOfJounceOrder) {
   for (const CommandInfo* const row : sent()) {
     if (*row->word == 0) continue;
     std::string options;
-    bool has_value = false;
+    std::string before;
     for (const Field& field : row->fields) {
       const std::string name = field.option;
-      if (name == "VALUE" && has_value) continue;  // a ratio
-      has_value |= name == "VALUE";
+      if (name == before) continue;  // a ratio, or coordinates
+      before = name;
       options += (options.empty() ? "" : " ") + (name == "VALUE" ? name : "`--" + name + "`");
     }
     table += std::string("| ") + row->word + " | " + options + " | " + row->name + " | " +

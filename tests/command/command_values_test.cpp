@@ -17,6 +17,7 @@ double some(FieldRange range, double number) {
     case FieldRange::finite:
       return -number / 4;
     case FieldRange::given:
+    case FieldRange::coordinate:
     case FieldRange::positive:
       return number / 4;
     case FieldRange::flag:
@@ -26,6 +27,7 @@ double some(FieldRange range, double number) {
     case FieldRange::factor:
       return 0.5;
     case FieldRange::buffer_mode:
+    case FieldRange::path_buffer:
       return 4;
     case FieldRange::whole:
       return -number;

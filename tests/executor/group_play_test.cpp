@@ -13,7 +13,7 @@
 
 #include "axis/group_rig.hpp"
 #include "executor/hooks.hpp"
-#include "executor/site.hpp"
+#include "executor/plotter_site.hpp"
 
 namespace jounce::group_play_test {
 namespace {
@@ -26,50 +26,18 @@ constexpr std::size_t x = Plotter::x;
 constexpr std::size_t y = Plotter::y;
 constexpr std::size_t group = Plotter::group;
 
-std::vector<ExecutorOptions> plotter() {
-  const Limits axis = limits(200, 2000, 1e5);
-  std::vector<ExecutorOptions> axes{axis_named("x", axis, {"", "mm"}),
-                                    axis_named("y", axis, {"", "mm"})};
-  const std::vector<AxisConfig> configs{axes[x].axis, axes[y].axis};
-  const std::vector<std::string> names{"x", "y"};
-  ExecutorOptions all = axis_named("plotter", {}, {"", "mm"});
-  all.axis = group_config(configs);
-  all.enable = false;
-  all.group = ExecutorGroup{.of = {{x, y}}, .names = names, .configs = configs};
-  all.group->program = std::make_shared<const GroupProgram>(group_program(
-      std::make_shared<const Plan>(plan(contour(150), {.axes = std::vector<Limits>(2, axis)})),
-      configs, names));
-  axes.push_back(std::move(all));
-  return axes;
+void expect_on_path(const Site& site) {
+  const auto [px, py] = contour_at(site.last(group).position);
+  ASSERT_NEAR(site.last(x).position, px, 1e-12);
+  ASSERT_NEAR(site.last(y).position, py, 1e-12);
 }
 
-struct Site3 : Site {
-  explicit Site3(bool recorded = false)
-      : Site(plotter(), {.masters = {}, .recorded = recorded, .said = {}}) {
-    after = [this] {
-      if (each_tick) each_tick();
-    };
-  }
-  CallOutcome order(const char* name, const ClientCommand& command) {
-    Client client(link, name, {}, clock);
-    const CallOutcome outcome = client.command(command);
-    static_cast<void>(client.release());
-    return outcome;
-  }
-  void expect_on_path() const {
-    const auto [px, py] = contour_at(last(group).position);
-    ASSERT_NEAR(last(x).position, px, 1e-12);
-    ASSERT_NEAR(last(y).position, py, 1e-12);
-  }
-  std::function<void()> each_tick;
-};
-
 TEST(GroupPlay, IsStartedHeldAndContinuedByCommands) {
-  Site3 site;
+  PlotterSite site;
   site.advance(10ms);
   EXPECT_THAT(site.order("plotter", command::StartTable{}).reason, HasSubstr("not_enabled"));
   ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
-  site.each_tick = [&] { site.expect_on_path(); };
+  site.each_tick = [&] { expect_on_path(site); };
   const CallOutcome start = site.order("plotter", command::StartTable{});
   ASSERT_TRUE(start.ok()) << start.reason;
   EXPECT_THAT(site.order("x", command::MoveAbsolute{.position = 5}).reason, HasSubstr("in_group"));
@@ -92,7 +60,7 @@ TEST(GroupPlay, IsStartedHeldAndContinuedByCommands) {
 }
 
 TEST(GroupPlay, AStartElsewhereIsRejectedWithTheNumbers) {
-  Site3 site;
+  PlotterSite site;
   site.advance(10ms);
   ASSERT_TRUE(site.order("x", command::SetPosition{2.5}).ok());
   ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
@@ -103,12 +71,12 @@ TEST(GroupPlay, AStartElsewhereIsRejectedWithTheNumbers) {
 
 TEST(GroupPlay, AStopByAnOperatorAndTheEndOfTheExecutorStayOnThePath) {
   for (const bool leaves : {false, true}) {
-    Site3 site;
+    PlotterSite site;
     site.advance(10ms);
     ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
     ASSERT_TRUE(site.order("plotter", command::StartTable{}).ok());
     site.advance(700ms);
-    site.each_tick = [&] { site.expect_on_path(); };
+    site.each_tick = [&] { expect_on_path(site); };
     if (leaves)
       site.dispatcher.retire();
     else
@@ -121,7 +89,7 @@ TEST(GroupPlay, AStopByAnOperatorAndTheEndOfTheExecutorStayOnThePath) {
 }
 
 TEST(GroupPlay, ARecordIsReplayedToTheLastBit) {
-  Site3 site(true);
+  PlotterSite site(true);
   site.advance(10ms);
   ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
   ASSERT_TRUE(site.order("plotter", command::StartTable{}).ok());
@@ -165,6 +133,8 @@ TEST(GroupPlay, ItsCycleNeitherAllocatesNorLocksNorWrites) {
   for (const std::size_t i : {x, y, group}) order(i, {command::Enable{}}, 1);
   order(group, {command::Arm{&rig.path}}, 1);
   order(group, {command::Start{}}, 500);
+  GroupPath same(8, rig.program);
+  order(group, {command::Extend{&same, 0, 0, rig.plan->duration()}}, 100);
   order(group, {command::Override{0.5}}, 300);
   order(group, {command::Hold{}}, 300);
   order(group, {command::Resume{}}, 300);

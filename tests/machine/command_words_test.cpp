@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/machine/command_words.hpp"
 
+#include <cmath>
+#include <map>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,6 +38,60 @@ TEST(CommandWords, TheFirstOptionSelectsTheCommand) {
             "--by");
   EXPECT_THAT(test::rule_of([] { command_of({.what = "move"}, mm); }),
               HasSubstr("needs one of --to, --by"));
+}
+
+TEST(CommandWords, AMoveOfAGroupHasCoordinates) {
+  const CommandWords words{.what = "move-linear",
+                           .options = {{"to", "1cm,,5"},
+                                       {"velocity", "0.1 m/s"},
+                                       {"blend", "look-ahead"},
+                                       {"deviation", "50 um"}}};
+  require_taken(words);
+  const auto line = std::get<command::MoveLinearAbsolute>(command_of(words, mm));
+  EXPECT_DOUBLE_EQ(line.to[0], 10);
+  EXPECT_TRUE(std::isnan(line.to[1]));
+  EXPECT_EQ(line.to[2], 5);
+  EXPECT_TRUE(std::isnan(line.to[3]));
+  EXPECT_DOUBLE_EQ(line.path.along.velocity, 100);
+  EXPECT_EQ(line.path.buffer, PathBuffer::look_ahead);
+  EXPECT_DOUBLE_EQ(line.path.deviation, 0.05);
+
+  const auto arc = std::get<command::MoveCircularRelative>(
+      command_of({.what = "move-circular",
+                  .options = {{"by", "10,0"}, {"center", "5,0"}, {"turns", "2"}},
+                  .flags = {{"clockwise", true}, {"buffered", true}}},
+                 mm));
+  EXPECT_EQ(arc.center[0], 5);
+  EXPECT_TRUE(std::isnan(arc.via[0]));
+  EXPECT_EQ(arc.turns, 2);
+  EXPECT_TRUE(arc.clockwise);
+  EXPECT_EQ(arc.path.buffer, PathBuffer::buffered);
+
+  EXPECT_EQ(
+      std::get<command::GroupWait>(command_of({.what = "wait", .value = "500 ms"}, mm)).duration,
+      0.5);
+  const auto jog =
+      std::get<command::GroupJog>(command_of({.what = "jog",
+                                              .options = {{"along", "0,-1"}, {"velocity", "5"}},
+                                              .flags = {{"hold-to-run", true}}},
+                                             mm));
+  EXPECT_EQ(jog.along[1], -1);
+  EXPECT_TRUE(holds_to_run(jog));
+}
+
+TEST(CommandWords, AWrongCoordinateIsNamed) {
+  const auto rule = [](const char* what, std::map<std::string, std::string> options) {
+    return test::rule_of([&] { command_of({.what = what, .options = options}, mm); });
+  };
+  EXPECT_THAT(rule("move-linear", {}), HasSubstr("needs one of --to, --by"));
+  EXPECT_THAT(rule("move-linear", {{"to", "1,2,3,4,5,6,7,8,9,10"}}),
+              HasSubstr("has 10 coordinates, and must have at most 9"));
+  EXPECT_THAT(rule("move-linear", {{"to", "1,x"}}), HasSubstr("number"));
+  EXPECT_THAT(rule("move-linear", {{"to", "1,nan"}}), HasSubstr("number"));
+  EXPECT_THAT(rule("move-circular", {{"to", "1,2"}, {"turns", "0.5"}}),
+              HasSubstr("must be a whole number"));
+  EXPECT_THAT(rule("move", {{"to", "5"}, {"blend", "look-ahead"}}),
+              HasSubstr("applies to the moves of a group only"));
 }
 
 TEST(CommandWords, AWrongValueIsNamed) {

@@ -63,6 +63,12 @@ TEST(UpText, NamesTheAxesAndTheNextCommand) {
   EXPECT_EQ(up_text(axes, true), "feeder, knife: up, enabled");
   EXPECT_EQ(up_text(axes, false),
             "feeder, knife: up, disabled; enable it with: jounce order feeder enable");
+  axes.push_back(axes.front());
+  axes.back().receiver.executor = "plotter";
+  axes.back().enable = false;  // a group
+  EXPECT_EQ(up_text(axes, true),
+            "feeder, knife: up, enabled; plotter: up, disabled; enable it with: jounce order "
+            "plotter enable");
 }
 
 }  // namespace

@@ -52,6 +52,12 @@ wire::Key the_key() {
   return key;
 }
 
+CommandValues counted() {
+  CommandValues values{};
+  std::iota(values.begin(), values.end(), 1.0);
+  return values;
+}
+
 /// The messages of the vectors.
 std::vector<Message> messages() {
   Sha256 hash{}, reversed{};
@@ -110,6 +116,7 @@ std::vector<Message> messages() {
       ours(wire::Reply{77, 2, wire::Outcome::refused, wire::Refusal::axis, 41, "start_position"}),
       ours(status),
       ours(wire::Command{7, CommandKind::move_absolute, 4000, {120, 200, 1000, 2000, 3e4, -1}}),
+      ours(wire::Command{8, CommandKind::move_circular_absolute, -1, counted()}),
       ours(wire::Queue{64, Domain::master, units, wire::QueueMode::static_, 512, -3,
                        wire::QueueEvent::pass, 12.5, -1, 100, false, -7.5, -2,
                        wire::Queue::no_bound}),
@@ -133,20 +140,25 @@ std::vector<Message> messages() {
   };
 }
 
-template <class Body>
-using LcmTypeOf = typename wire::LcmOf<Body>::type;
+/// Calls f with an empty message of the type in which a message travels.
+template <class F>
+void with_type_of(const Message& message, F f) {
+  const auto* const command = std::get_if<wire::Command>(&message.body);
+  if (command != nullptr && wire::is_path_command(*command))
+    return f(typename wire::LcmOf<wire::PathCommand>::type{});
+  std::visit(
+      [&](const auto& body) { f(typename wire::LcmOf<std::decay_t<decltype(body)>>::type{}); },
+      message.body);
+}
 
 TEST(Vectors, AreWhatTheCodeSays) {
   const auto all = vectors();
   const auto said = messages();
   ASSERT_EQ(all.size(), 2 * said.size());
-  ASSERT_EQ(said.size(), std::variant_size_v<wire::Body>);
+  ASSERT_EQ(said.size(), std::variant_size_v<wire::Body> + 1) << "commands have two types";
   for (const Message& message : said) {
-    const std::string type = std::visit(
-        [](const auto& body) {
-          return std::string(LcmTypeOf<std::decay_t<decltype(body)>>::getTypeName());
-        },
-        message.body);
+    std::string type;
+    with_type_of(message, [&](const auto& lcm) { type = lcm.getTypeName(); });
     SCOPED_TRACE(type);
     for (const auto& [name, key] : {std::pair{" none", std::optional<wire::Key>{}},
                                     std::pair{" key", std::optional{the_key()}}}) {
@@ -163,18 +175,15 @@ TEST(Vectors, AreWhatTheCodeSays) {
 TEST(Vectors, AreReadByLcmsOwnDecoder) {
   const auto all = vectors();
   for (const Message& message : messages()) {
-    std::visit(
-        [&](const auto& body) {
-          LcmTypeOf<std::decay_t<decltype(body)>> lcm;
-          const Bytes& bytes = all.at(std::string(lcm.getTypeName()) + " key");
-          ASSERT_EQ(lcm.decode(bytes.data(), 0, static_cast<int>(bytes.size())),
-                    static_cast<int>(bytes.size()));
-          EXPECT_EQ(lcm.envelope.version, 2);
-          EXPECT_EQ(lcm.envelope.session, message.session);
-          EXPECT_EQ(lcm.envelope.challenge, message.challenge);
-          EXPECT_EQ(reinterpret_cast<const char*>(lcm.envelope.executor), message.executor);
-        },
-        message.body);
+    with_type_of(message, [&](auto lcm) {
+      const Bytes& bytes = all.at(std::string(lcm.getTypeName()) + " key");
+      ASSERT_EQ(lcm.decode(bytes.data(), 0, static_cast<int>(bytes.size())),
+                static_cast<int>(bytes.size()));
+      EXPECT_EQ(lcm.envelope.version, 2);
+      EXPECT_EQ(lcm.envelope.session, message.session);
+      EXPECT_EQ(lcm.envelope.challenge, message.challenge);
+      EXPECT_EQ(reinterpret_cast<const char*>(lcm.envelope.executor), message.executor);
+    });
   }
 }
 

@@ -91,6 +91,7 @@ TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::master_status_t>(0xb47ced7b012d6442, 173);
   expect_type<jounce_lcm::master_t>(0x8eeae70736c030f7, 129);
   expect_type<jounce_lcm::command_t>(0x14c25ba1d776c25f, 153);
+  expect_type<jounce_lcm::path_command_t>(0x5f22dcae832c4de1, 281);
   expect_type<jounce_lcm::queue_ack_t>(0x2f7fa95bf3bd3320, 298);
   expect_type<jounce_lcm::queue_t>(0xf4004018570b643c, 161);
   expect_type<jounce_lcm::reply_t>(0xc3e4efeb673330c4, 254);

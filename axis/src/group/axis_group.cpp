@@ -21,7 +21,6 @@ bool suits_member(CommandKind kind) {
     case CommandKind::stop:
     case CommandKind::abort:
     case CommandKind::reset:
-    case CommandKind::override_:
     case CommandKind::release:
       return true;
     default:
@@ -37,6 +36,8 @@ bool suits_group(CommandKind kind) {
     case CommandKind::hold:
     case CommandKind::resume:
     case CommandKind::halt:
+    case CommandKind::override_:
+    case CommandKind::extend:
       return true;
     default:
       return suits_member(kind);
@@ -64,6 +65,33 @@ MotionAxis::Rejection MotionAxis::against_axes() const {
 MotionAxis::Rejection MotionAxis::against_reset() const {
   if (inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
   if (inputs_.peers == Peers::away && moving()) return axis_refusal(Cause::axis_away);
+  return std::nullopt;
+}
+
+/// The reason why a group cannot take a longer path, or none.
+MotionAxis::Rejection MotionAxis::against_extension(const command::Extend& what) const {
+  if (!on_path()) return Refusal{Cause::no_movement};
+  if (path_->parts().empty()) return Refusal{Cause::single_axis};
+  if (ending_ != Ending::none) return Refusal{Cause::halting};
+  const double s = path_.time(now_.tick).s;
+  if (!(s <= what.until)) return Refusal{Cause::too_late, s, what.until};
+  return std::nullopt;
+}
+
+/// The setpoints of both paths are equal here, so the group goes on without a step.
+MotionAxis::Rejection MotionAxis::act(const command::Extend& what) {
+  Movement* const movement = what.movement;
+  if (!movement) return Refusal{Cause::no_value};
+  auto no = against_extension(what);
+  if (const Cause cause = movement->begin({what.position, 0, 0}, moment());
+      cause != Cause::none && !no)
+    no = Refusal{cause};
+  if (no) {
+    hand_back(movement);
+    return no;
+  }
+  hand_back(path_.path());
+  path_.take_over(*movement, now_.tick, what.shift);
   return std::nullopt;
 }
 

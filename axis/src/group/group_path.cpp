@@ -42,7 +42,8 @@ void GroupPath::seek(double t) {
     parts_[k] = {motion[k].position, motion[k].velocity, motion[k].acceleration, motion[k].jerk};
 }
 
-Cause GroupPath::begin(const MotionState& /*group*/, const Moment& /*now*/) noexcept {
+Cause GroupPath::begin(const MotionState& group, const Moment& /*now*/) noexcept {
+  origin_ = group.position;
   return played_ ? Cause::no_movement : Cause::none;
 }
 
@@ -52,10 +53,10 @@ Setpoint GroupPath::at(const Moment& now) noexcept {
   played_ = true;
   seek(t);
   const Motion q = program_.plan->law().at(t);
-  Setpoint next{0, 0, {q.position, q.velocity, q.acceleration, q.jerk}};
+  Setpoint next{0, 0, {origin_ + q.position, q.velocity, q.acceleration, q.jerk}};
   if (now.t < end) return next;
   progress_ = Progress::done;
-  next.slave = {program_.plan->path().length(), 0, 0, 0};
+  next.slave = {origin_ + program_.plan->path().length(), 0, 0, 0};
   for (Jet& part : parts_) part = {part[0], 0, 0, 0};
   return next;
 }

@@ -55,6 +55,10 @@ MotionAxis::Rejection MotionAxis::power(bool on) {
   }
   now_.power = on;
   if (on) return std::nullopt;
+  if (is_group() && moving() && state_ != State::error_stop) {  // its motion was held
+    ++now_.stopped;
+    now_.reason = Cause::stopped;
+  }
   break_groups();
   forget_next();
   forget_later();

@@ -29,7 +29,8 @@ bool differ(const std::string& axis, const std::string& table) {
 }  // namespace
 
 AxisServer::AxisServer(ExecutorOptions options, Receiver& receiver, MachineExchange& exchange,
-                       std::size_t axis, Worker& worker)
+                       std::size_t axis, Worker& worker,
+                       std::function<double(std::size_t axis)> position_of)
     : options_(std::move(options)),
       axis_(axis),
       receiver_(receiver),
@@ -38,6 +39,14 @@ AxisServer::AxisServer(ExecutorOptions options, Receiver& receiver, MachineExcha
       commands_(exchange_),
       queues_(exchange_.rows, recorded_rows()),
       builder_(worker, options_.build_apart, options_.group) {
+  if (options_.group)
+    group_queue_.emplace(*options_.group, worker, options_.build_apart,
+                         [axes = options_.group->of.axes, position_of = std::move(position_of)] {
+                           Point places{};
+                           for (std::size_t k = 0; k < axes.size(); ++k)
+                             places[k] = position_of(axes[k]);
+                           return places;
+                         });
   if (options_.log) log_.emplace(*options_.log, options_.units);
   if (options_.enable) commands_.send({command::Enable{}});
   commands_.flush();
@@ -49,6 +58,7 @@ void AxisServer::turn() {
   take_built();
   take_answers();
   take_ticks();  // later than the answers: the tick of every answer is then available
+  turn_group();
   queues_.report(last_, receiver_);
   commands_.flush();
 }
@@ -208,6 +218,7 @@ void AxisServer::handle(const SessionEnded& ended) {
   const bool silent = ended.why == SessionEnded::Why::silent;
   if (silent) notify("the session timed out: no heartbeat from its streamer");
   builder_.cancel();
+  if (group_queue_) group_queue_->cancel();
   queues_.close();
   // The motion may belong to a previous owner, who released it while running.
   const bool its_motion = ended.session == motion_session_;
@@ -215,6 +226,7 @@ void AxisServer::handle(const SessionEnded& ended) {
   // axis, and requires an answer.
   if (ended.session == held_session_ && ended.why != SessionEnded::Why::operator_stop) {
     clear_commands();
+    if (group_queue_) group_queue_->release();
     return commands_.send({command::Release{}});
   }
   const bool stops = silent && its_motion && options_.stop_when_silent;
@@ -236,12 +248,23 @@ void AxisServer::handle(const CommandRequested& requested) {
   std::visit([&](const auto& what) { obey(what, requested, request); }, requested.what);
 }
 
-/// A command that the axis executes as it is.
+/// A command that the axis executes as it is, or a command for the queue of a group.
 template <class What>
 void AxisServer::obey(const What& what, const CommandRequested& requested, const Request& request) {
-  if (info(request.kind).moves) motion_session_ = requested.session;
-  if (holds_to_run(requested.what)) held_session_ = requested.session;
-  commands_.send({.what = what, .at = requested.at}, request);
+  if constexpr (is_path_command<What>) {
+    if (!group_queue_) return answer(request, Refusal{.cause = Cause::not_a_group});
+    if (requested.at >= 0)
+      return decline(requested,
+                     "a command of a group begins after those before it: leave out --at");
+    if (group_queue_->full()) return refuse_crowd(requested.session, requested.command);
+    motion_session_ = requested.session;
+    if (holds_to_run(requested.what)) held_session_ = requested.session;
+    return group_queue_->take(what, request);
+  } else {
+    if (info(request.kind).moves) motion_session_ = requested.session;
+    if (holds_to_run(requested.what)) held_session_ = requested.session;
+    commands_.send({.what = what, .at = requested.at}, request);
+  }
 }
 
 void AxisServer::obey(const command::GearIn& /*gear*/, const CommandRequested& requested,
@@ -302,13 +325,53 @@ void AxisServer::play_program(const CommandRequested& requested, const Request& 
                    "program to its [[group]]");
   if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
   motion_session_ = requested.session;
-  const std::uint64_t id = ++numbers_;
-  MadeMovement path = movement_of(program, id);
+  play(program, request, requested.at);
+}
+
+/// Arms and starts a program of a group.
+void AxisServer::play(std::shared_ptr<const GroupProgram> program, const Request& request,
+                      std::int64_t at) {
+  MadeMovement path = movement_of(std::move(program), ++numbers_);
   record(path);
   commands_.send({command::Disarm{}});
   commands_.send({command::Arm{path.movement.get()}});
-  commands_.send({command::Start{.tick = requested.at}}, request);
-  movements_[id] = {std::move(path), {}};
+  commands_.send({command::Start{.tick = at}}, request);
+  movements_[numbers_] = {std::move(path), {}};
+}
+
+// ---- single commands of a group ----------------------------------------------------------------
+
+void AxisServer::turn_group() {
+  if (!group_queue_) return;
+  while (const auto step = group_queue_->next(last_))
+    std::visit([&](const auto& one) { take_step(one); }, *step);
+}
+
+void AxisServer::take_step(const GroupQueue::Halt& /*halt*/) {
+  commands_.send({command::Halt{}});
+}
+
+void AxisServer::take_step(const GroupQueue::Play& step) {
+  play(step.program, step.request, -1);
+  group_movement_ = numbers_;
+}
+
+void AxisServer::take_step(const GroupQueue::Extend& step) {
+  MadeMovement path = movement_of(step.program, ++numbers_);
+  record(path);
+  commands_.send({command::Extend{path.movement.get(), step.position, step.shift, step.until}},
+                 {step.request.session, step.request.command, Kind::extend});
+  group_movement_ = path.movement->id();
+  movements_[group_movement_] = {std::move(path), {}};
+}
+
+void AxisServer::take_step(const GroupQueue::Reply& reply) {
+  if (reply.reason.empty())
+    return answer(reply.request, reply.cause == Cause::none
+                                     ? std::nullopt
+                                     : std::optional(Refusal{.cause = reply.cause}));
+  receiver_.refuse(reply.request.session, reply.request.command, reply.reason,
+                   static_cast<std::int32_t>(reply.cause));
 }
 
 /// Returns the function that records a queue's rows; empty: no record.
@@ -352,10 +415,13 @@ void AxisServer::answer_queue(const Request& request, bool done) {
 
 /// Rejects a command if more wait than any streamer needs: the axis takes one command a tick.
 bool AxisServer::crowded(std::int64_t session, std::int32_t command) {
-  if (!commands_.full()) return false;
+  if (commands_.full()) refuse_crowd(session, command);
+  return commands_.full();
+}
+
+void AxisServer::refuse_crowd(std::int64_t session, std::int32_t command) {
   receiver_.refuse(session, command, "too many commands are waiting: repeat this one later",
                    static_cast<std::int32_t>(Cause::no_value));
-  return true;
 }
 
 /// Rejects a command that the protocol permits and this executor does not support.
@@ -389,6 +455,7 @@ void AxisServer::handle(const RowsArrived& arrived) {
 
 void AxisServer::clear_commands() {
   builder_.cancel();
+  if (group_queue_) group_queue_->clear();
   for (const std::uint64_t movement : commands_.clear()) movements_.erase(movement);
 }
 
@@ -396,13 +463,22 @@ void AxisServer::clear_commands() {
 
 void AxisServer::take_answers() {
   while (const auto reply = commands_.take_answer()) {
-    if (reply->request) answer(*reply->request, reply->refused);
+    if (reply->request && !answers_group(*reply)) answer(*reply->request, reply->refused);
     for (const Movement* movement : reply->handed_back) {
       if (movement == nullptr) continue;
       queues_.handed_back(movement->id());
       movements_.erase(movement->id());
     }
   }
+}
+
+/// Passes the outcome of a step to the queue of the group. Returns true if the queue decides later
+/// how to answer the request.
+bool AxisServer::answers_group(const CommandQueue::Reply& reply) {
+  const Kind kind = reply.request->kind;
+  if (!group_queue_ || !(kind == Kind::extend || is_path_kind(kind))) return false;
+  group_queue_->answered(!reply.refused, group_movement_);
+  return kind == Kind::extend && reply.refused;
 }
 
 void AxisServer::answer(const Request& request, const std::optional<Refusal>& refused) {
@@ -441,7 +517,11 @@ void AxisServer::write(const Tick& tick) {
 }
 
 wire::Status AxisServer::status() const {
-  const auto [waiting, capacity] = queues_.fill(last_.job != 0 ? last_.job : last_.armed);
+  auto [waiting, capacity] = queues_.fill(last_.job != 0 ? last_.job : last_.armed);
+  if (const std::size_t commands = group_queue_ ? group_queue_->size(last_) : 0; commands > 0) {
+    waiting = static_cast<std::uint32_t>(commands);
+    capacity = GroupQueue::most_commands;
+  }
   wire::Status status{.state = last_.state,
                       .tick = last_.tick,
                       .cycle_ns = options_.axis.period,

@@ -48,7 +48,8 @@ Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes
     pump_.subscribe_claims([this](const wire::Message& said) { claim_->receive(said, clock_()); });
   const Nanos now = clock_();
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    servers_.emplace_back(axes[i], pump_.receiver(i), exchange, i, worker_);
+    servers_.emplace_back(axes[i], pump_.receiver(i), exchange, i, worker_,
+                          [this](std::size_t axis) { return servers_[axis].last().position; });
     // Distributed over the period: the statuses of 64 axes do not come in one burst.
     const auto share = static_cast<std::int64_t>(i) * axes[i].status_period.count() /
                        static_cast<std::int64_t>(axes.size());

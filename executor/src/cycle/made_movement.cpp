@@ -46,12 +46,15 @@ MadeMovement movement_of(std::shared_ptr<const GroupProgram> program, std::uint6
   return {.movement = std::make_shared<GroupPath>(id, *program), .program = std::move(program)};
 }
 
-MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const ExecutorGroup& group) {
+MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const ExecutorGroup& group,
+                         const std::atomic<bool>& canceled) {
   try {
+    if (canceled) return {};
     const LimitedProgram sent = program_of(arm.slave.table->columns().p);
     require_order(sent.names, group.names);
     auto path =
         std::make_shared<const Plan>(plan(sent.program, within(sent.limits, group.configs)));
+    if (canceled) return {};
     return movement_of(std::make_shared<const GroupProgram>(
                            group_program(std::move(path), group.configs, group.names)),
                        id);

@@ -10,11 +10,12 @@ std::optional<MovementBuilder::Built> MovementBuilder::build(const ArmRequested&
                                                              double position) {
   const std::size_t knots =
       arm.slave.table->size() + (arm.master ? arm.master->table->size() : std::size_t{0});
-  auto now = [arm, id, period, position, group = group_] {
-    return group ? movement_of(arm, id, *group) : movement_of(arm, id, period, position);
+  const auto canceled = std::make_shared<std::atomic<bool>>(false);
+  auto now = [arm, id, period, position, group = group_, canceled] {
+    return group ? movement_of(arm, id, *group, *canceled) : movement_of(arm, id, period, position);
   };
   if (knots <= most_knots_) return Built{arm, now()};
-  building_.emplace(Building{arm, worker_.ask(std::move(now))});
+  building_.emplace(Building{arm, worker_.ask(std::move(now)), canceled});
   return std::nullopt;
 }
 
@@ -25,13 +26,13 @@ std::optional<MovementBuilder::Done> MovementBuilder::take() {
   building_.reset();
   Done done{.built = Built{std::move(ended.arm), ended.made.get()},
             .next = std::exchange(next_, std::nullopt)};
-  if (ended.canceled) done.built.reset();
+  if (*ended.canceled) done.built.reset();
   return done;
 }
 
 void MovementBuilder::cancel() {
   next_.reset();
-  if (building_) building_->canceled = true;
+  if (building_) *building_->canceled = true;
 }
 
 }  // namespace jounce

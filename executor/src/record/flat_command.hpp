@@ -39,6 +39,8 @@ void each_pair_of_command(C& c, Flat& flat, F f) {
   if constexpr (requires { c.relative; }) f(c.relative, flat.relative);
   if constexpr (requires { c.factor; }) f(c.factor, flat.factor);
   if constexpr (requires { c.direction; }) f(c.direction, flat.direction);
+  if constexpr (requires { c.shift; }) f(c.shift, flat.distance);
+  if constexpr (requires { c.until; }) f(c.until, flat.timeout);
   if constexpr (requires { c.buffer; }) f(c.buffer, flat.buffer);
   if constexpr (std::is_same_v<T, command::Home>) {
     f(c.offset, flat.position);

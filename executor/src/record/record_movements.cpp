@@ -99,7 +99,7 @@ gear_t on_wire(const RecordedGear& g) {
   w.id = static_cast<std::int64_t>(g.id);
   const CommandValues values = values_of(g.gear);
   w.kind = info(kind_of(g.gear)).number;
-  std::copy(values.begin(), values.end(), w.value);
+  std::copy_n(values.begin(), std::size(w.value), w.value);
   w.position = g.position;
   return w;
 }
@@ -111,7 +111,7 @@ RecordedGear ours(const gear_t& w) {
   const auto kind = kind_of_number(w.kind);
   if (kind != CommandKind::gear_in && kind != CommandKind::gear_in_pos)
     throw InputError("kind", std::to_string(w.kind), "is not a gear command");
-  CommandValues values;
+  CommandValues values{};
   std::copy(std::begin(w.value), std::end(w.value), values.begin());
   if (const std::string rule = contradiction(*kind, values); !rule.empty())
     throw InputError("gear", std::to_string(w.id), rule);

@@ -103,6 +103,7 @@ Form form_of(const CommandWords& words) {
                        "cannot be combined with another target: give only one of " + list);
     chosen = &form;
   }
+  if (chosen == nullptr && forms.front().selector() == value_word) return forms.front();
   if (chosen == nullptr) throw InputError(words.what, "", "needs one of " + list);
   return *chosen;
 }
@@ -175,6 +176,35 @@ double direction_of(const std::string& text) {
   return text == "positive" ? 1 : text == "negative" ? -1 : 0;
 }
 
+/// The coordinate with this index in a list such as "10,5mm,,2"; NaN: not given.
+double coordinate_of(const std::string& name, const std::string& text, std::size_t index,
+                     const std::string& unit) {
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < index; ++k) {
+    const std::size_t comma = text.find(',', begin);
+    if (comma == std::string::npos) return as_configured;
+    begin = comma + 1;
+  }
+  const std::string one = text.substr(begin, text.find(',', begin) - begin);
+  return one.empty() ? as_configured : number_of(name, one, unit);
+}
+
+void require_coordinates(const std::string& name, const std::string& text, std::size_t most) {
+  const auto count = static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
+  if (count > most)
+    throw InputError(name, text,
+                     "has " + std::to_string(count) + " coordinates, and must have at most " +
+                         std::to_string(most));
+}
+
+double turns_of(const std::string& text) {
+  if (text.empty()) return 0;
+  const auto turns = csv_number(text);
+  if (!turns || *turns != std::floor(*turns) || *turns < 0 || *turns > 1e6)
+    throw InputError("--turns", text, "must be a whole number from 0 to 1000000");
+  return *turns;
+}
+
 /// The method; 0: as the axis is configured.
 double method_of(const std::string& text) {
   if (text.empty()) return 0;
@@ -186,7 +216,8 @@ double method_of(const std::string& text) {
 
 /// --buffered, --blend: as a number on the wire.
 double buffer_mode_of(const CommandWords& words) {
-  const std::map<std::string, double> blends{{"low", 2}, {"previous", 3}, {"next", 4}, {"high", 5}};
+  const std::map<std::string, double> blends{
+      {"low", 2}, {"previous", 3}, {"next", 4}, {"high", 5}, {"look-ahead", 6}};
   const std::string blend = text_of(words, "blend");
   const bool buffered = flag_of(words, "buffered");
   if (!blend.empty() && buffered)
@@ -195,13 +226,17 @@ double buffer_mode_of(const CommandWords& words) {
   return !blend.empty() ? blends.at(blend) : buffered ? 1 : 0;
 }
 
+bool is_buffer_mode(const Field& field) {
+  return field.range == FieldRange::buffer_mode || field.range == FieldRange::path_buffer;
+}
+
 void require_unbuffered(const CommandWords& words, const Form& form) {
-  const bool takes_it = std::any_of(
-      form.command->fields.begin(), form.command->fields.end(),
-      [&](const Field& f) { return f.range == FieldRange::buffer_mode && form.takes(f); });
+  const bool takes_it =
+      std::any_of(form.command->fields.begin(), form.command->fields.end(),
+                  [&](const Field& f) { return is_buffer_mode(f) && form.takes(f); });
   if (buffer_mode_of(words) == 0 || takes_it) return;
   throw InputError(flag_of(words, "buffered") ? "--buffered" : "--blend", "",
-                   "applies to move --to, move --by and jog only, not to " +
+                   "applies to move --to, move --by, jog, and the moves of a group only, not to " +
                        (form.word == move_word ? dashed(form.selector()) : form.word));
 }
 
@@ -218,6 +253,13 @@ void require_applies(const CommandWords& words, const Form& form) {
   }
 }
 
+/// Number of coordinates of an option.
+std::size_t coordinates(const Form& form, const std::string& option) {
+  const auto& fields = form.command->fields;
+  return static_cast<std::size_t>(std::count_if(
+      fields.begin(), fields.end(), [&](const Field& f) { return form.option(f) == option; }));
+}
+
 InputError value_missing(const std::string& word, const Field& field, const std::string& unit) {
   const bool is_ratio =
       field.range == FieldRange::whole || field.range == FieldRange::whole_nonzero;
@@ -230,8 +272,8 @@ InputError value_missing(const std::string& word, const Field& field, const std:
                            : "12.5" + unit)};
 }
 
-/// The value of a field, from its option.
-double value_of(const CommandWords& words, const Form& form, const Field& field,
+/// The value of a field, from its option. `index`: number of fields of the same option before it.
+double value_of(const CommandWords& words, const Form& form, const Field& field, std::size_t index,
                 const Units& units) {
   const std::string option = form.option(field);
   const std::string name = dashed(option);
@@ -246,13 +288,19 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
     case FieldRange::factor:
       return factor_of(text);
     case FieldRange::buffer_mode:
+      if (text == "look-ahead")
+        throw InputError(name, text, "applies to the moves of a group only");
+      return buffer_mode_of(words);
+    case FieldRange::path_buffer:
       return buffer_mode_of(words);
     case FieldRange::whole:
       return ratio_of(text).first;
     case FieldRange::whole_nonzero:
       return ratio_of(text).second;
     case FieldRange::count:
-      return method_of(text);
+      return option == "turns" ? turns_of(text) : method_of(text);
+    case FieldRange::coordinate:
+      return coordinate_of(name, text, index, unit);
     case FieldRange::finite:
       if (text.empty()) throw InputError(name, "", "is missing: " + words.what + " needs it");
       return number_of(name, text, unit);
@@ -339,9 +387,14 @@ ClientCommand command_of(const CommandWords& words, const Units& units) {
   require_applies(words, form);
   const CommandKind kind = form.command->kind;
   CommandValues values = values_of(command_of(kind));
+  std::map<std::string, std::size_t> seen;  // fields of each option so far
   for (std::size_t i = 0; i < form.command->fields.size(); ++i) {
     const Field& field = form.command->fields[i];
-    if (form.takes(field)) values[i] = value_of(words, form, field, units);
+    if (form.takes(field))
+      values[i] = value_of(words, form, field, seen[form.option(field)]++, units);
+    if (field.range == FieldRange::coordinate)
+      require_coordinates(dashed(form.option(field)), text_of(words, form.option(field)),
+                          coordinates(form, form.option(field)));
   }
   if (const std::string rule = contradiction(kind, values); !rule.empty())
     throw InputError(words.what, words.value, "the " + rule);

@@ -38,11 +38,17 @@ std::string timing(const ExecutorSummary& summary) {
 }  // namespace
 
 std::string up_text(const std::vector<ExecutorOptions>& axes, bool enabled) {
-  std::vector<std::string> names;
-  for (const auto& axis : axes) names.push_back(axis.receiver.executor);
-  return fmt::format(
-      "{}: up, {}", fmt::join(names, ", "),
-      enabled ? "enabled" : "disabled; enable it with: jounce order " + names.front() + " enable");
+  std::vector<std::string> on;
+  std::vector<std::string> off;
+  for (const auto& axis : axes)
+    (enabled && axis.enable ? on : off).push_back(axis.receiver.executor);
+  std::string text;
+  if (!on.empty())
+    text = fmt::format("{}: up, enabled{}", fmt::join(on, ", "), off.empty() ? "" : "; ");
+  if (!off.empty())
+    text += fmt::format("{}: up, disabled; enable it with: jounce order {} enable",
+                        fmt::join(off, ", "), off.front());
+  return text;
 }
 
 std::string summary_text(const ExecutorSummary& summary) {

@@ -16,6 +16,7 @@
 #include "jounce_lcm/heartbeat_t.hpp"
 #include "jounce_lcm/master_status_t.hpp"
 #include "jounce_lcm/master_t.hpp"
+#include "jounce_lcm/path_command_t.hpp"
 #include "jounce_lcm/queue_ack_t.hpp"
 #include "jounce_lcm/queue_t.hpp"
 #include "jounce_lcm/reply_t.hpp"
@@ -28,6 +29,11 @@
 /// envelope and the checksum.
 namespace jounce::wire {
 
+/// A Command that has too many fields for command_t.
+struct PathCommand : Command {};
+/// True if the command travels as path_command_t.
+bool is_path_command(const Command& command);
+
 // Throws InputError for a value that does not fit the wire.
 void put(const Header& from, jounce_lcm::header_t& to);
 void put(const Chunk& from, jounce_lcm::chunk_t& to);
@@ -39,6 +45,7 @@ void put(const Ack& from, jounce_lcm::ack_t& to);
 void put(const Reply& from, jounce_lcm::reply_t& to);
 void put(const Status& from, jounce_lcm::status_t& to);
 void put(const Command& from, jounce_lcm::command_t& to);
+void put(const PathCommand& from, jounce_lcm::path_command_t& to);
 void put(const Queue& from, jounce_lcm::queue_t& to);
 void put(const Rows& from, jounce_lcm::rows_t& to);
 void put(const QueueAck& from, jounce_lcm::queue_ack_t& to);
@@ -58,6 +65,7 @@ bool get(const jounce_lcm::ack_t& from, Ack& to);
 bool get(const jounce_lcm::reply_t& from, Reply& to);
 bool get(const jounce_lcm::status_t& from, Status& to);
 bool get(const jounce_lcm::command_t& from, Command& to);
+bool get(const jounce_lcm::path_command_t& from, PathCommand& to);
 bool get(const jounce_lcm::queue_t& from, Queue& to);
 bool get(const jounce_lcm::rows_t& from, Rows& to);
 bool get(const jounce_lcm::queue_ack_t& from, QueueAck& to);
@@ -88,6 +96,8 @@ template <>
 struct LcmOf<Status> : std::type_identity<jounce_lcm::status_t> {};
 template <>
 struct LcmOf<Command> : std::type_identity<jounce_lcm::command_t> {};
+template <>
+struct LcmOf<PathCommand> : std::type_identity<jounce_lcm::path_command_t> {};
 template <>
 struct LcmOf<Queue> : std::type_identity<jounce_lcm::queue_t> {};
 template <>

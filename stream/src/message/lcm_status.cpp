@@ -176,22 +176,52 @@ bool get(const jounce_lcm::claim_t& from, Claim& to) {
   return to.boot >= 1 && to.rival >= 0 && get_flag(from.up, to.up);
 }
 
-void put(const Command& from, jounce_lcm::command_t& to) {
+namespace {
+
+/// Values that command_t holds.
+constexpr std::size_t plain_values = std::extent_v<decltype(jounce_lcm::command_t::value)>;
+static_assert(std::extent_v<decltype(jounce_lcm::path_command_t::value)> == most_fields);
+
+template <class Lcm>
+void write_command(const Command& from, Lcm& to) {
   to.command = from.command;
   to.kind = info(from.kind).number;
   if (to.kind < 0) throw InputError("command", name(from.kind), "is not a command of a client");
   to.at = from.at;
-  std::copy(from.value.begin(), from.value.end(), to.value);
+  std::copy_n(from.value.begin(), std::size(to.value), to.value);
 }
 
-// The receiver rejects values out of range, with a reason that the sender can use.
-bool get(const jounce_lcm::command_t& from, Command& to) {
+/// The receiver rejects values out of range, with a reason that the sender can use.
+template <class Lcm>
+bool read_command(const Lcm& from, Command& to) {
   const auto kind = kind_of_number(from.kind);
   if (!kind) return false;
   to.kind = *kind;
   to.at = from.at;
-  std::copy(from.value, from.value + to.value.size(), to.value.begin());
+  std::copy_n(from.value, std::size(from.value), to.value.begin());
   return get_command(from.command, to.command) && to.at >= -1;
+}
+
+}  // namespace
+
+bool is_path_command(const Command& command) {
+  return info(command.kind).fields.size() > plain_values;
+}
+
+void put(const Command& from, jounce_lcm::command_t& to) {
+  write_command(from, to);
+}
+
+void put(const PathCommand& from, jounce_lcm::path_command_t& to) {
+  write_command(from, to);
+}
+
+bool get(const jounce_lcm::command_t& from, Command& to) {
+  return read_command(from, to) && !is_path_command(to);
+}
+
+bool get(const jounce_lcm::path_command_t& from, PathCommand& to) {
+  return read_command(from, to) && is_path_command(to);
 }
 
 }  // namespace jounce::wire

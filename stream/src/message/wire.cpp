@@ -123,7 +123,10 @@ std::variant<Message, Reject> decode_as(std::span<const std::byte> bytes,
     return Reject::bad_field;
   message.session = lcm.envelope.session;
   message.challenge = lcm.envelope.challenge;
-  message.body = std::move(body);
+  if constexpr (std::is_same_v<Body, PathCommand>)
+    message.body = Command(body);
+  else
+    message.body = std::move(body);
   return message;
 }
 
@@ -141,6 +144,7 @@ Decoded decode_any(std::int64_t type, std::span<const std::byte> bytes,
                    std::type_identity<std::variant<Bodies...>> /*of*/) {
   Decoded result;
   (decode_if<Bodies>(type, bytes, key, result), ...);
+  decode_if<PathCommand>(type, bytes, key, result);
   return result;
 }
 
@@ -150,6 +154,9 @@ Bytes encode(const Message& message, const std::optional<Key>& key) {
   if (!is_executor_name(message.executor)) {
     throw InputError("executor", message.executor, executor_name_rule);
   }
+  const auto* const command = std::get_if<Command>(&message.body);
+  if (command != nullptr && is_path_command(*command))
+    return encode_as(message, PathCommand{*command}, key);
   return std::visit([&](const auto& body) { return encode_as(message, body, key); }, message.body);
 }
 

@@ -226,6 +226,7 @@ class MotionAxis {
   Rejection act(const command::GearOut& /*out*/) { return decouple(); }
   Rejection act(const command::CamOut& /*out*/) { return decouple(); }
   Rejection act(const command::Release& /*it*/) { return end_motion(Ending::release); }
+  Rejection act(const command::Extend& what);
   Rejection power(bool on);
   Rejection set_position(double position);
   Rejection end_motion(Ending ending, const MoveDynamics& asked = {});
@@ -239,6 +240,7 @@ class MotionAxis {
   [[nodiscard]] Rejection against_axes() const;
   [[nodiscard]] Rejection against_reset() const;
   [[nodiscard]] Refusal axis_refusal(Cause cause) const;
+  [[nodiscard]] Rejection against_extension(const command::Extend& what) const;
   void follow_group();
   Cause advance_group(Setpoint& next) const;
   void keep_parts();

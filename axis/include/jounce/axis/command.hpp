@@ -61,6 +61,17 @@ struct Release {
   static constexpr auto kind = CommandKind::release;
 };
 
+/// Continues the path of a group with a path that equals it up to the path time `until`, and then
+/// goes on. The group takes the new path without a change of its motion. Rejected if the group has
+/// passed `until`.
+struct Extend {
+  static constexpr auto kind = CommandKind::extend;
+  Movement* movement = nullptr;  ///< must live until the axis returns it
+  double position = 0;           ///< length along the present path at which the new path begins, u
+  double shift = 0;              ///< time of the present path at which the new path begins, s
+  double until = 0;              ///< time of the present path up to which both are equal, s
+};
+
 }  // namespace jounce::command
 
 namespace jounce {
@@ -68,10 +79,10 @@ namespace jounce {
 /// The commands that an axis executes.
 using AxisCommand = Extended<SharedCommand, command::None, command::Arm, command::Disarm,
                              command::Start, command::Stop, command::Abort, command::Finish,
-                             command::Couple, command::Release>::after;
+                             command::Couple, command::Release, command::Extend>::after;
 static_assert(std::is_trivially_copyable_v<AxisCommand>);
 
-/// Returns the movement of an Arm or a Couple; null for other commands.
+/// Returns the movement of an Arm, a Couple or an Extend; null for other commands.
 inline Movement* movement_of(const AxisCommand& command) {
   return std::visit(
       [](const auto& each) -> Movement* {
@@ -81,7 +92,7 @@ inline Movement* movement_of(const AxisCommand& command) {
       command);
 }
 
-/// Sets the movement of an Arm or a Couple. Has no effect on other commands.
+/// Sets the movement of an Arm, a Couple or an Extend. Has no effect on other commands.
 inline void set_movement(AxisCommand& command, Movement* movement) {
   std::visit(
       [&](auto& each) {

@@ -26,6 +26,9 @@ namespace jounce {
 /// of the plan, so the axes never leave the path. The slope of the rate is small enough that every
 /// axis stays within its stop limits.
 ///
+/// The position of the group counts from the position that begin() gets: the length of the path that
+/// the group has already played, if this path continues another one (command::Extend).
+///
 /// A GroupPath can be played only once. Before its first setpoint, parts() returns the places at
 /// which its axes begin.
 class GroupPath final : public Movement {
@@ -51,7 +54,8 @@ class GroupPath final : public Movement {
 
   GroupProgram program_;
   PlanCursor cursor_;
-  Peaks peaks_;  // along the path
+  Peaks peaks_;        // along the path
+  double origin_ = 0;  // position of the group at the start of the path
   std::array<Jet, max_axes> parts_{};
   Progress progress_ = Progress::running;
   bool played_ = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -49,6 +50,18 @@ enum class CamEnd : std::uint8_t {
   extend = 2,         ///< continues at the cam's final ratio: the axis stays coupled
 };
 
+/// When a command of a group begins, relative to the previous one (PLCopen part 4), and at which
+/// velocity the path passes from one to the other. The numbers are part of the wire format.
+enum class PathBuffer : std::uint8_t {
+  aborting = 0,           ///< at once: the group comes to rest on its path and drops its commands
+  buffered = 1,           ///< at rest, at the end of the previous command
+  blending_low = 2,       ///< at the lower of the two velocities
+  blending_previous = 3,  ///< at the velocity of the previous command
+  blending_next = 4,      ///< at the velocity of the new command
+  blending_high = 5,      ///< at the higher of the two velocities
+  look_ahead = 6,         ///< at the highest velocity within the limits
+};
+
 /// Kind of a command. The numbers are part of the record of a run: append new ones at the end.
 enum class CommandKind : std::uint8_t {
   none,
@@ -81,8 +94,17 @@ enum class CommandKind : std::uint8_t {
   queue_clear,
   queue_end,
   start_table,
+  extend,
+  move_linear_absolute,
+  move_linear_relative,
+  move_circular_absolute,
+  move_circular_relative,
+  move_direct_absolute,
+  move_direct_relative,
+  group_wait,
+  group_jog,
 };
-inline constexpr std::size_t command_kinds = 30;  ///< number of kinds
+inline constexpr std::size_t command_kinds = 39;  ///< number of kinds
 
 }  // namespace jounce
 
@@ -282,10 +304,7 @@ constexpr void each_field(C& c, F f) {
   f(Field{"velocity", Quantity::velocity, FieldRange::finite, "VALUE"}, c.velocity);
   each_field_of_ramp(c.dynamics, f);
   f(buffer_mode, c.buffer);
-  f(Field{"hold to run", Quantity::none, FieldRange::flag, "hold-to-run",
-          "jog: move only while this command runs. The axis stops when the command ends, or sends "
-          "no heartbeat for 0.2 s"},
-    c.hold_to_run);
+  f(hold_to_run, c.hold_to_run);
 }
 
 /// Brings the axis to rest. Any other motion can interrupt a halt at once, unlike a stop.
@@ -393,6 +412,157 @@ struct StartTable {
   static constexpr auto kind = CommandKind::start_table;
 };
 
+// ---- commands of a group ------------------------------------------------------------------------
+
+/// Coordinates in the order of the axes of a group, u; NaN: not given.
+template <std::size_t N>
+constexpr std::array<double, N> no_coordinates() {
+  std::array<double, N> none{};
+  for (double& coordinate : none) coordinate = as_configured;
+  return none;
+}
+inline constexpr std::size_t most_coordinates = 9;  ///< greatest number of axes of a group
+using Coordinates = std::array<double, most_coordinates>;
+
+/// Dynamics of a command of a group along its path, and its joint with the previous command. Only one
+/// of `deviation` and `corner_distance` may be given, and only if `buffer` blends.
+struct PathDynamics {
+  MoveDynamics along = {};  ///< along the path; not given: the limits of the axes
+  PathBuffer buffer = PathBuffer::aborting;
+  /// Rounds the corner to the previous command: greatest distance of the path from the corner, u.
+  double deviation = as_configured;
+  /// Rounds the corner: the path leaves the previous command at most this far before its end, and
+  /// joins the new one at most this far after its start, u.
+  double corner_distance = as_configured;
+};
+template <Of<PathDynamics> C, class F>
+constexpr void each_field(C& c, F f) {
+  each_field(c.along, f);
+  f(Field{"buffer mode", Quantity::none, FieldRange::path_buffer, "blend"}, c.buffer);
+  f(Field{"deviation", Quantity::position, FieldRange::positive, "deviation",
+          "Commands of a group with --blend: round the corner, at most this far from it"},
+    c.deviation);
+  f(Field{"corner distance", Quantity::position, FieldRange::positive, "corner-distance",
+          "Commands of a group with --blend: round the corner, from at most this distance before "
+          "it to at most this distance after it"},
+    c.corner_distance);
+}
+
+/// Calls f(field, member) for each coordinate of an absolute or a relative command.
+template <class C, class F>
+constexpr void each_target(C& to, bool relative, F f) {
+  for (auto& coordinate : to)
+    f(relative ? Field{"distance", Quantity::position, FieldRange::coordinate, "by",
+                       "Move by these distances"}
+               : Field{"position", Quantity::position, FieldRange::coordinate, "to",
+                       "Move to these coordinates"},
+      coordinate);
+}
+
+/// Moves a group along a straight line. A coordinate that is not given stays. In a relative
+/// command, `to` is the distance from the end of the previous command.
+template <bool relative_>
+struct MoveLinear {
+  static constexpr bool relative = relative_;
+  static constexpr auto kind =
+      relative ? CommandKind::move_linear_relative : CommandKind::move_linear_absolute;
+  Coordinates to = no_coordinates<most_coordinates>();
+  PathDynamics path = {};
+};
+using MoveLinearAbsolute = MoveLinear<false>;
+using MoveLinearRelative = MoveLinear<true>;
+
+/// Moves a group along a straight line, as fast as its axes permit (path-invariant).
+template <bool relative_>
+struct MoveDirect {
+  static constexpr bool relative = relative_;
+  static constexpr auto kind =
+      relative ? CommandKind::move_direct_relative : CommandKind::move_direct_absolute;
+  Coordinates to = no_coordinates<most_coordinates>();
+  PathDynamics path = {};
+};
+using MoveDirectAbsolute = MoveDirect<false>;
+using MoveDirectRelative = MoveDirect<true>;
+
+/// Moves a group along an arc: through the point `via`, or in the plane of the first two axes
+/// around `center`, or with `radius`. Exactly one of these is given. The other axes move in
+/// proportion to the angle, so an arc with a third coordinate is a helix. In a relative command,
+/// the coordinates count from the end of the previous command.
+template <bool relative_>
+struct MoveCircular {
+  static constexpr bool relative = relative_;
+  static constexpr auto kind =
+      relative ? CommandKind::move_circular_relative : CommandKind::move_circular_absolute;
+  Coordinates to = no_coordinates<most_coordinates>();
+  std::array<double, 3> via = no_coordinates<3>();     ///< a point of the arc, u
+  std::array<double, 2> center = no_coordinates<2>();  ///< center of the arc, u
+  double radius = as_configured;  ///< u; > 0: at most half a turn; < 0: the longer arc
+  bool clockwise = false;         ///< direction of travel; not used with `via`
+  std::int32_t turns = 0;         ///< additional whole turns
+  PathDynamics path = {};
+};
+using MoveCircularAbsolute = MoveCircular<false>;
+using MoveCircularRelative = MoveCircular<true>;
+
+template <class C, class F>
+requires requires(C& c) {
+  c.path;
+}
+constexpr void each_field(C& c, F f) {
+  each_target(c.to, C::relative, f);
+  if constexpr (requires { c.via; }) {
+    for (auto& coordinate : c.via)
+      f(Field{"via", Quantity::position, FieldRange::coordinate, "via",
+              "move-circular: through this point"},
+        coordinate);
+    for (auto& coordinate : c.center)
+      f(Field{"center", Quantity::position, FieldRange::coordinate, "center",
+              "move-circular: around this point, in the plane of the first two axes"},
+        coordinate);
+    f(Field{"radius", Quantity::position, FieldRange::coordinate, "radius",
+            "move-circular: with this radius; negative: along the longer arc"},
+      c.radius);
+    f(Field{"clockwise", Quantity::none, FieldRange::flag, "clockwise",
+            "move-circular: clockwise around --center or with --radius"},
+      c.clockwise);
+    f(Field{"turns", Quantity::none, FieldRange::count, "turns",
+            "move-circular: additional whole turns"},
+      c.turns);
+  }
+  each_field(c.path, f);
+}
+
+/// Lets a group rest at the end of its last command (MC_GroupWait). The duration need not be a
+/// multiple of the cycle.
+struct GroupWait {
+  static constexpr auto kind = CommandKind::group_wait;
+  double duration = 0;  ///< s, >= 0
+};
+template <Of<GroupWait> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"duration", Quantity::time, FieldRange::finite, "VALUE"}, c.duration);
+}
+
+/// Moves a group along a straight line until the next command, or until an axis reaches the end of
+/// its position range (JogGroup and JogGroupAxis of HIMC, SMC_GroupJog).
+struct GroupJog {
+  static constexpr auto kind = CommandKind::group_jog;
+  /// Direction, of any length; a component that is not given is 0.
+  Coordinates along = no_coordinates<most_coordinates>();
+  MoveDynamics dynamics = {};  ///< along the path; not given: the limits of the axes
+  /// True: the group stops if its sender is silent, like MoveVelocity::hold_to_run.
+  bool hold_to_run = false;
+};
+template <Of<GroupJog> C, class F>
+constexpr void each_field(C& c, F f) {
+  for (auto& component : c.along)
+    f(Field{"direction", Quantity::none, FieldRange::coordinate, "along",
+            "jog of a group: in this direction, such as 1,0"},
+      component);
+  each_field(c.dynamics, f);
+  f(hold_to_run, c.hold_to_run);
+}
+
 }  // namespace jounce::command
 
 namespace jounce {
@@ -421,7 +591,11 @@ using SharedCommand =
 ///     ClientCommand move = command::MoveAbsolute{.position = 120, .dynamics = {.velocity = 200}};
 using ClientCommand =
     Extended<SharedCommand, command::GearIn, command::GearInPos, command::QueueSwitch,
-             command::QueueClear, command::QueueEnd, command::StartTable>::type;
+             command::QueueClear, command::QueueEnd, command::StartTable,
+             command::MoveLinearAbsolute, command::MoveLinearRelative,
+             command::MoveCircularAbsolute, command::MoveCircularRelative,
+             command::MoveDirectAbsolute, command::MoveDirectRelative, command::GroupWait,
+             command::GroupJog>::type;
 static_assert(std::is_trivially_copyable_v<ClientCommand>);
 
 /// Returns the kind of a command in any variant of commands.
@@ -447,8 +621,22 @@ std::optional<Commands> made(CommandKind kind) {
 
 /// True if the command is a hold-to-run jog: its motion ends if the sender sends no heartbeats.
 inline bool holds_to_run(const ClientCommand& command) {
-  const auto* const jog = std::get_if<command::MoveVelocity>(&command);
-  return jog != nullptr && jog->hold_to_run;
+  return std::visit(
+      [](const auto& what) {
+        if constexpr (requires { what.hold_to_run; }) return what.hold_to_run;
+        return false;
+      },
+      command);
+}
+
+/// True for the commands of a group, which the executor plans together (group_queue.hpp).
+template <class C>
+inline constexpr bool is_path_command =
+    C::kind >= CommandKind::move_linear_absolute&& C::kind <= CommandKind::group_jog;
+
+/// True for the kinds of these commands.
+constexpr bool is_path_kind(CommandKind kind) {
+  return kind >= CommandKind::move_linear_absolute && kind <= CommandKind::group_jog;
 }
 
 /// Returns the fields of the command C, in the order of the wire.

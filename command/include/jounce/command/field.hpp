@@ -23,11 +23,13 @@ enum class Quantity : std::uint8_t {
 enum class FieldRange : std::uint8_t {
   finite,         ///< any finite number
   given,          ///< any finite number; NaN: as configured
+  coordinate,     ///< any finite number; NaN: not given
   positive,       ///< > 0; NaN: as configured
   flag,           ///< 0 or 1
   direction,      ///< -1, 0 or 1
   factor,         ///< 0 to 2
   buffer_mode,    ///< 0 to 5
+  path_buffer,    ///< 0 to 6
   whole,          ///< a whole number from -2147483647 to 2147483647
   whole_nonzero,  ///< like whole, but not 0
   count,          ///< a whole number from 0 to 2147483647
@@ -43,7 +45,7 @@ struct Field {
   const char* help = "";  ///< help text of that option
 };
 
-inline constexpr std::size_t most_fields = 8;  ///< greatest number of fields of a command
+inline constexpr std::size_t most_fields = 24;  ///< greatest number of fields of a command
 
 /// The fields of a command, in the order of the wire. Behaves as a range.
 struct Fields {
@@ -71,9 +73,14 @@ inline constexpr Field deceleration{"deceleration", Quantity::acceleration, Fiel
 inline constexpr Field jerk{"jerk", Quantity::jerk, FieldRange::positive, "jerk", "Jerk"};
 inline constexpr Field buffer_mode{
     "buffer mode", Quantity::none, FieldRange::buffer_mode, "blend",
-    "move --to, --by and jog: pass the target of the present move without a stop, at the velocity "
-    "of low (the slower of the two moves), previous (the present move), next (this move) or high "
-    "(the faster of the two moves)"};
+    "move --to, --by, jog, and moves of a group: pass the target of the present move without a "
+    "stop, at the velocity of low (the slower of the two moves), previous (the present move), next "
+    "(this move) or high (the faster of the two moves); look-ahead (group: the highest velocity "
+    "within the limits)"};
+inline constexpr Field hold_to_run{
+    "hold to run", Quantity::none, FieldRange::flag, "hold-to-run",
+    "jog: move only while this command runs. The axis stops when the command ends, or sends no "
+    "heartbeat for 0.2 s"};
 inline constexpr Field numerator{"numerator", Quantity::none, FieldRange::whole, "VALUE"};
 inline constexpr Field denominator{"denominator", Quantity::none, FieldRange::whole_nonzero,
                                    "VALUE"};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "jounce/executor/command_queue.hpp"
 #include "jounce/executor/cycle.hpp"
 #include "jounce/executor/executor_options.hpp"
+#include "jounce/executor/group_queue.hpp"
 #include "jounce/executor/last_start.hpp"
 #include "jounce/executor/log.hpp"
 #include "jounce/executor/made_movement.hpp"
@@ -29,10 +31,12 @@ namespace jounce {
 /// reset. In the same session, the streamer must reset the fault by a command.
 class AxisServer {
  public:
-  /// All references must outlive the server. `axis`: index of the axis in the machine. Throws
-  /// InputError for invalid options, and std::system_error if the log cannot be created.
+  /// All references must outlive the server. `axis`: index of the axis in the machine.
+  /// `position_of`: present position of another axis of the machine, for a group. Throws InputError
+  /// for invalid options, and std::system_error if the log cannot be created.
   AxisServer(ExecutorOptions options, Receiver& receiver, MachineExchange& exchange,
-             std::size_t axis, Worker& worker);
+             std::size_t axis, Worker& worker,
+             std::function<double(std::size_t axis)> position_of = {});
 
   /// Executes one iteration: processes the requests from the receiver, the answers of the axis, and
   /// its ticks.
@@ -93,11 +97,18 @@ class AxisServer {
   void obey(const command::StartTable& it, const CommandRequested& requested,
             const Request& request);
   void play_program(const CommandRequested& requested, const Request& request);
+  void play(std::shared_ptr<const GroupProgram> program, const Request& request, std::int64_t at);
+  void turn_group();
+  void take_step(const GroupQueue::Halt& halt);
+  void take_step(const GroupQueue::Play& step);
+  void take_step(const GroupQueue::Extend& step);
+  void take_step(const GroupQueue::Reply& reply);
   void couple(const CommandRequested& requested, const Request& request);
   [[nodiscard]] bool untimed(const CommandRequested& requested);
   void answer_queue(const Request& request, bool done);
   void decline(const CommandRequested& requested, const std::string& reason);
   bool crowded(std::int64_t session, std::int32_t command);
+  void refuse_crowd(std::int64_t session, std::int32_t command);
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
   void refuse_units(const ArmRequested& arm);
   [[nodiscard]] double next_rest() const;
@@ -110,6 +121,7 @@ class AxisServer {
   [[nodiscard]] Queues::Record recorded_rows() const;
   void clear_commands();
   void take_answers();
+  bool answers_group(const CommandQueue::Reply& reply);
   void answer(const Request& request, const std::optional<Refusal>& refused);
   void take_ticks();
   void write(const Tick& tick);
@@ -128,7 +140,9 @@ class AxisServer {
   std::vector<wire::Event> events_;
   std::int64_t event_count_ = 0;
   MovementBuilder builder_;
-  std::uint64_t numbers_ = 0;  // numbers of movements
+  std::optional<GroupQueue> group_queue_;  // single commands of a group
+  std::uint64_t group_movement_ = 0;       // id of its last movement
+  std::uint64_t numbers_ = 0;              // numbers of movements
   bool retired_ = false;
   bool log_truncated_ = false;
   std::int64_t fault_session_ = 0;

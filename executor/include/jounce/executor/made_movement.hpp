@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -43,7 +44,9 @@ MadeMovement movement_of(std::shared_ptr<const GroupProgram> program, std::uint6
 
 /// Plans the path of an arm request within the limits of the axes of the group, and makes its
 /// movement. The result has a reason instead if the numbers are not a program, or the path does not
-/// suit the group. The duration of the call is proportional to the length of the program.
-MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const ExecutorGroup& group);
+/// suit the group. The duration of the call is proportional to the length of the program. If
+/// `canceled` becomes true, the call ends early, without a movement.
+MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const ExecutorGroup& group,
+                         const std::atomic<bool>& canceled);
 
 }  // namespace jounce

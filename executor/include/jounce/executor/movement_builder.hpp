@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <future>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -50,14 +52,15 @@ class MovementBuilder {
   void wait(const ArmRequested& arm) { next_ = arm; }
   /// Returns the result of a build that has ended; nullopt: none.
   [[nodiscard]] std::optional<Done> take();
-  /// Cancels the present build, and drops the waiting request.
+  /// Cancels the present build, and drops the waiting request. The worker ends the build of a path
+  /// at its next step.
   void cancel();
 
  private:
   struct Building {
     ArmRequested arm;
     std::future<MadeMovement> made;
-    bool canceled = false;
+    std::shared_ptr<std::atomic<bool>> canceled;
   };
 
   Worker& worker_;

@@ -8,8 +8,9 @@
 
 namespace jounce {
 
-/// Returns the names of the axes of a run that begins, and their state: a sentence for its user. `enabled`:
-/// MachineOptions::enable. Requires at least one axis.
+/// Returns the names of the axes and groups of a run that begins, and their states: a sentence for
+/// its user. `enabled`: MachineOptions::enable, which does not enable groups. Requires at least one
+/// axis.
 std::string up_text(const std::vector<ExecutorOptions>& axes, bool enabled);
 
 /// Returns the summary of a run as text: the motions and the fault of each axis, and the lateness

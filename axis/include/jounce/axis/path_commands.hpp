@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <variant>
+
+#include "jounce/axis/axis_config.hpp"
+#include "jounce/command/commands.hpp"
+#include "jounce/path/arc.hpp"
+#include "jounce/path/plan.hpp"
+#include "jounce/path/point.hpp"
+#include "jounce/path/program.hpp"
+
+namespace jounce {
+
+/// Commands of a group in their order, as a program for the planner. Each command has a number, which
+/// is the source line of its pieces in the plan.
+///
+///     PathCommands commands(2, {0, 0});
+///     commands.append(command::MoveLinearAbsolute{.to = {10, 5}});
+///     const Plan motion = plan(commands.program(), limits);
+///
+/// Units are those of the axes.
+class PathCommands {
+ public:
+  /// `axes`: 1 to max_axes. `start`: where the first command begins. `first`: its number.
+  PathCommands(std::size_t axes, const Point& start, std::int32_t first = 1);
+
+  /// Appends a command. Throws InputError with the name of the field for a command without a
+  /// coordinate or of no length, for a coordinate beyond the axes, and for an arc that does not fit.
+  void append(const command::GroupWait& wait);
+  template <bool relative>
+  void append(const command::MoveLinear<relative>& line);
+  template <bool relative>
+  void append(const command::MoveDirect<relative>& line);
+  template <bool relative>
+  void append(const command::MoveCircular<relative>& arc);
+  /// A jog ends where an axis reaches the end of its range. `axes`: configurations of the axes.
+  void append(const command::GroupJog& jog, std::span<const AxisConfig> axes);
+  /// Appends a command of a client. Throws InputError also for a command that is none of a group.
+  void append(const ClientCommand& command, std::span<const AxisConfig> axes);
+
+  [[nodiscard]] std::size_t size() const { return all_.size(); }
+  [[nodiscard]] bool empty() const { return all_.empty(); }
+  /// True if a command moves.
+  [[nodiscard]] bool moves() const;
+  /// Number of the first command, and of the last one.
+  [[nodiscard]] std::int32_t first() const { return first_; }
+  [[nodiscard]] std::int32_t last() const {
+    return first_ + static_cast<std::int32_t>(all_.size()) - 1;
+  }
+  /// End of the last command.
+  [[nodiscard]] const Point& position() const { return all_.empty() ? start_ : all_.back().to; }
+
+  /// The commands as a program.
+  [[nodiscard]] Program program() const;
+  /// The same commands, but the last one that moves begins at rest.
+  [[nodiscard]] PathCommands stopping() const;
+  /// The same commands, each at most as fast as in their plan. With further commands, the group then
+  /// does not brake at the end, but keeps its velocity.
+  [[nodiscard]] PathCommands slowed(const Plan& plan) const;
+  /// The commands from this number on.
+  [[nodiscard]] PathCommands from(std::int32_t number) const;
+  /// Number of the command at the distance `u` from the start of a piece of the plan, whose source
+  /// line is `number`: the planner joins lines in the same direction.
+  [[nodiscard]] std::int32_t number_at(std::int32_t number, double u) const;
+
+ private:
+  struct Line {};
+  struct Wait {
+    double duration = 0;
+  };
+  struct One {
+    PathSettings settings;
+    std::variant<Line, Arc, Wait> what;
+    Point to;
+  };
+  [[nodiscard]] Point target(const command::Coordinates& to, bool relative) const;
+  void add_line(const command::Coordinates& to, bool relative, const PathSettings& settings);
+
+  std::size_t axes_;
+  Point start_;
+  std::int32_t first_;
+  std::deque<One> all_;
+};
+
+}  // namespace jounce

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/axis/path_commands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "jounce/profiles/error.hpp"
+
+namespace jounce {
+namespace {
+
+double given(double value) {
+  return std::isnan(value) ? PathSettings::none : value;
+}
+
+bool blends(PathBuffer buffer) {
+  return buffer >= PathBuffer::blending_low;
+}
+
+Junction junction_of(PathBuffer buffer) {
+  switch (buffer) {
+    case PathBuffer::aborting:
+    case PathBuffer::buffered:
+      break;
+    case PathBuffer::blending_low:
+      return Junction::blending_low;
+    case PathBuffer::blending_previous:
+      return Junction::blending_previous;
+    case PathBuffer::blending_next:
+      return Junction::blending_next;
+    case PathBuffer::blending_high:
+      return Junction::blending_high;
+    case PathBuffer::look_ahead:
+      return Junction::look_ahead;
+  }
+  return Junction::buffered;
+}
+
+PathSettings settings_of(const command::PathDynamics& path) {
+  PathSettings settings{.velocity = given(path.along.velocity),
+                        .acceleration = given(path.along.acceleration),
+                        .deceleration = given(path.along.deceleration),
+                        .jerk = given(path.along.jerk),
+                        .junction = junction_of(path.buffer)};
+  const bool deviates = !std::isnan(path.deviation);
+  const bool cuts = !std::isnan(path.corner_distance);
+  if (deviates && cuts)
+    throw InputError("corner_distance", path.corner_distance,
+                     "cannot be combined with deviation: give one of them");
+  if (!deviates && !cuts) return settings;
+  settings.corner = deviates ? Corner::deviation : Corner::distance;
+  settings.value = deviates ? path.deviation : path.corner_distance;
+  if (blends(path.buffer)) return settings;
+  throw InputError(deviates ? "deviation" : "corner_distance", settings.value,
+                   "needs a buffer mode that blends: without it, the command begins at rest");
+}
+
+/// Coordinates that are given replace those of `from`, or are added to them.
+template <std::size_t N>
+Point moved(const Point& from, const std::array<double, N>& by, bool relative) {
+  Point to = from;
+  for (std::size_t i = 0; i < N; ++i)
+    if (!std::isnan(by[i])) to[i] = by[i] + (relative ? from[i] : 0.0);
+  return to;
+}
+
+template <std::size_t N>
+bool is_given(const std::array<double, N>& coordinates) {
+  return !std::all_of(coordinates.begin(), coordinates.end(),
+                      [](double x) { return std::isnan(x); });
+}
+
+/// Throws for a coordinate that the group does not have.
+template <std::size_t N>
+void require_axes(const char* key, const std::array<double, N>& coordinates, std::size_t axes) {
+  for (std::size_t i = axes; i < N; ++i)
+    if (!std::isnan(coordinates[i]))
+      throw InputError(key, coordinates[i],
+                       "is coordinate " + std::to_string(i + 1) + ", but the group has " +
+                           std::to_string(axes) + " axes");
+}
+
+}  // namespace
+
+PathCommands::PathCommands(std::size_t axes, const Point& start, std::int32_t first)
+    : axes_(axes), start_(start), first_(first) {}
+
+Point PathCommands::target(const command::Coordinates& to, bool relative) const {
+  const char* const key = relative ? "by" : "to";
+  require_axes(key, to, axes_);
+  if (!is_given(to)) throw InputError(key, "", "is missing: give at least one coordinate");
+  return moved(position(), to, relative);
+}
+
+void PathCommands::add_line(const command::Coordinates& to, bool relative,
+                            const PathSettings& settings) {
+  const Point end = target(to, relative);
+  if (end == position())
+    throw InputError(relative ? "by" : "to", "",
+                     "has no length: the path already ends at these coordinates");
+  all_.push_back({settings, Line{}, end});
+}
+
+template <bool relative>
+void PathCommands::append(const command::MoveLinear<relative>& line) {
+  add_line(line.to, relative, settings_of(line.path));
+}
+
+template <bool relative>
+void PathCommands::append(const command::MoveDirect<relative>& line) {
+  add_line(line.to, relative, settings_of(line.path));
+}
+
+template <bool relative>
+void PathCommands::append(const command::MoveCircular<relative>& arc) {
+  const PathSettings settings = settings_of(arc.path);
+  if (axes_ < 2) throw InputError("axes", "1", "must be at least 2 for an arc");
+  const Point& from = position();
+  const Point to = is_given(arc.to) ? target(arc.to, relative) : from;
+  require_axes("via", arc.via, axes_);
+  const bool through = is_given(arc.via);
+  const bool around = is_given(arc.center);
+  const bool by_radius = !std::isnan(arc.radius);
+  if (static_cast<int>(through) + static_cast<int>(around) + static_cast<int>(by_radius) != 1)
+    throw InputError("via", "", "must be given, or one of center and radius");
+  const Plane plane{0, 1};
+  const ArcRotation rotation =
+      arc.clockwise ? ArcRotation::clockwise : ArcRotation::counterclockwise;
+  const Arc made =
+      through  ? arc_through(from, moved(from, arc.via, relative), to,
+                             std::min<std::size_t>(axes_, 3), arc.turns)
+      : around ? arc_about(from, moved(from, arc.center, relative), to, plane, rotation, arc.turns)
+               : arc_of_radius(from, arc.radius, to, plane, rotation, arc.turns);
+  all_.push_back({settings, made, to});
+}
+
+void PathCommands::append(const command::GroupWait& wait) {
+  if (!(wait.duration >= 0) || !std::isfinite(wait.duration))
+    throw InputError("duration", wait.duration, "must be finite and not negative");
+  all_.push_back({{}, Wait{wait.duration}, position()});
+}
+
+template void PathCommands::append(const command::MoveLinearAbsolute& line);
+template void PathCommands::append(const command::MoveLinearRelative& line);
+template void PathCommands::append(const command::MoveDirectAbsolute& line);
+template void PathCommands::append(const command::MoveDirectRelative& line);
+template void PathCommands::append(const command::MoveCircularAbsolute& arc);
+template void PathCommands::append(const command::MoveCircularRelative& arc);
+
+/// To the end of the position range, or as far as an axis moves in an hour.
+void PathCommands::append(const command::GroupJog& jog, std::span<const AxisConfig> axes) {
+  require_axes("along", jog.along, axes_);
+  double square = 0;
+  for (const double component : jog.along)
+    if (!std::isnan(component)) square += component * component;
+  const double norm = std::sqrt(square);
+  if (!(norm > 0) || !std::isfinite(norm))
+    throw InputError("along", norm, "must be a direction: give a component that is not 0");
+  constexpr double longest = 3600;  // s
+  double length = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < axes_; ++i) {
+    const double u = std::isnan(jog.along[i]) ? 0 : jog.along[i] / norm;
+    if (u == 0) continue;
+    const Limits& limits = axes[i].limits;
+    const auto& end = u > 0 ? limits.position_max : limits.position_min;
+    const double most = *limits.velocity * longest / std::abs(u);
+    length = std::min(length, end ? std::min(most, (*end - position()[i]) / u) : most);
+  }
+  if (!(length > 0))
+    throw InputError("along", length, "leads outward: an axis stands at the end of its range");
+  command::MoveLinearAbsolute line{.path = {.along = jog.dynamics}};
+  for (std::size_t i = 0; i < axes_; ++i) {
+    if (std::isnan(jog.along[i])) continue;
+    const Limits& limits = axes[i].limits;
+    line.to[i] = std::clamp(position()[i] + length * (jog.along[i] / norm),
+                            limits.position_min.value_or(-PathSettings::none),
+                            limits.position_max.value_or(PathSettings::none));
+  }
+  append(line);
+}
+
+void PathCommands::append(const ClientCommand& command, std::span<const AxisConfig> axes) {
+  std::visit(
+      [&](const auto& what) {
+        using What = std::remove_cvref_t<decltype(what)>;
+        if constexpr (std::is_same_v<What, command::GroupJog>)
+          append(what, axes);
+        else if constexpr (is_path_command<What>)
+          append(what);
+        else
+          throw InputError("command", "", "is not a command of a group");
+      },
+      command);
+}
+
+bool PathCommands::moves() const {
+  return std::any_of(all_.begin(), all_.end(),
+                     [](const One& one) { return !std::holds_alternative<Wait>(one.what); });
+}
+
+Program PathCommands::program() const {
+  Program program(axes_, start_);
+  std::int32_t number = first_;
+  for (const One& one : all_) {
+    if (const Wait* const wait = std::get_if<Wait>(&one.what)) {
+      program.dwell(wait->duration, number++);
+      continue;
+    }
+    program.set(one.settings);
+    if (const Arc* const arc = std::get_if<Arc>(&one.what))
+      program.arc(*arc, number++);
+    else
+      program.line(one.to, number++);
+  }
+  return program;
+}
+
+PathCommands PathCommands::stopping() const {
+  PathCommands same = *this;
+  const auto last = std::find_if(same.all_.rbegin(), same.all_.rend(), [](const One& one) {
+    return !std::holds_alternative<Wait>(one.what);
+  });
+  if (last == same.all_.rend()) return same;
+  last->settings.corner = Corner::stop;
+  last->settings.junction = Junction::buffered;
+  return same;
+}
+
+PathCommands PathCommands::slowed(const Plan& plan) const {
+  std::vector<double> peaks(all_.size(), 0.0);
+  const auto pieces = plan.path().pieces();
+  for (const LawInterval& s : plan.law().stretches())
+    for (std::size_t k = s.piece; k < s.piece + s.pieces; ++k) {
+      double& peak = peaks[static_cast<std::size_t>(pieces[k].line - first_)];
+      peak = std::max(peak, s.peak);
+    }
+  PathCommands same = *this;
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    if (peaks[i] == 0 && i > 0) peaks[i] = peaks[i - 1];  // a line that the planner has joined
+    if (peaks[i] > 0)
+      same.all_[i].settings.velocity = std::min(same.all_[i].settings.velocity, peaks[i]);
+  }
+  return same;
+}
+
+PathCommands PathCommands::from(std::int32_t number) const {
+  const std::int32_t skipped = std::clamp(number, first_, last() + 1) - first_;
+  PathCommands rest(axes_, skipped == 0 ? start_ : all_[static_cast<std::size_t>(skipped) - 1].to,
+                    first_ + skipped);
+  rest.all_.assign(all_.begin() + skipped, all_.end());
+  return rest;
+}
+
+std::int32_t PathCommands::number_at(std::int32_t number, double u) const {
+  const auto distance = [&](const Point& a, const Point& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < axes_; ++i) sum += (b[i] - a[i]) * (b[i] - a[i]);
+    return std::sqrt(sum);
+  };
+  const auto is_line = [&](std::int32_t k) {
+    return k >= first_ && k <= last() &&
+           std::holds_alternative<Line>(all_[static_cast<std::size_t>(k - first_)].what);
+  };
+  for (double end = 0; is_line(number) && is_line(number + 1); ++number) {
+    const auto k = static_cast<std::size_t>(number - first_);
+    end += distance(k == 0 ? start_ : all_[k - 1].to, all_[k].to);
+    if (u < end) break;
+  }
+  return number;
+}
+
+}  // namespace jounce

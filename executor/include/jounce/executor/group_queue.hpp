@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "jounce/axis/path_commands.hpp"
+#include "jounce/axis/plan_agreement.hpp"
+#include "jounce/executor/command_queue.hpp"
+#include "jounce/executor/executor_options.hpp"
+#include "jounce/executor/worker.hpp"
+
+namespace jounce {
+
+/// The single commands of a group, in the communication thread: lines, arcs, waits. Each command is
+/// appended to those that the group plays. The worker plans them again as a whole, from a command
+/// that the group has passed. The group takes the longer plan where it equals the present one, so
+/// its motion does not change; and because every plan ends at rest, the group can always stop on its
+/// path. One command at a time is planned; the others wait.
+///
+/// If a command arrives when the group already brakes for the end of its path, it begins at rest.
+///
+///     GroupQueue queue(group, worker, places);
+///     queue.take(command, request);
+///     while (const auto step = queue.next(tick)) ...    // often: what the server must do
+///     queue.answered(true);                             // the axis has accepted the step
+class GroupQueue {
+ public:
+  using Request = CommandQueue::Request;
+  /// Greatest number of commands that have not ended (the default of HIMC).
+  static constexpr std::size_t most_commands = 512;
+
+  /// The group must come to rest on its path and end its motion.
+  struct Halt {};
+  /// The group must play this program from its beginning. The queue waits for answered().
+  struct Play {
+    std::shared_ptr<const GroupProgram> program;
+    Request request;
+  };
+  /// The group must continue its present path with this program. The queue waits for answered().
+  struct Extend {
+    std::shared_ptr<const GroupProgram> program;
+    double position = 0;  ///< length along the path at which the program begins
+    double shift = 0;     ///< time of the present program at which this one begins, s
+    double until = 0;     ///< time of the present program up to which both are equal, s
+    Request request;
+  };
+  /// The command is accepted (no cause) or rejected.
+  struct Reply {
+    Request request;
+    Cause cause = Cause::none;
+    std::string reason = {};  ///< empty: the cause suffices
+  };
+  using Step = std::variant<Halt, Play, Extend, Reply>;
+
+  /// `worker` must outlive the queue. `most_at_once`: the worker plans more commands than these;
+  /// fewer are planned at once. `places`: present positions of the axes of the group.
+  GroupQueue(const ExecutorGroup& group, Worker& worker, std::size_t most_at_once,
+             std::function<Point()> places);
+
+  /// Adds a command of the group.
+  void take(const ClientCommand& command, const Request& request);
+  /// Returns the next step; nullopt: none now. `group`: the newest tick of the group.
+  [[nodiscard]] std::optional<Step> next(const Tick& group);
+  /// The outcome of the last Play or Extend. `movement`: id of its movement.
+  void answered(bool accepted, std::uint64_t movement);
+  /// Drops the commands that are not yet planned, because their session has ended.
+  void cancel();
+  /// Drops all commands that the group does not play, also waits before the first motion.
+  void clear();
+
+  /// A hold-to-run jog was released: the next command waits until the group rests.
+  void release() { releasing_ = true; }
+
+  /// True if so many commands wait to be planned that the caller must reject further ones.
+  [[nodiscard]] bool full() const { return waiting_.size() >= most_waiting; }
+  /// Number of commands that have not ended.
+  [[nodiscard]] std::size_t size(const Tick& group) const;
+
+ private:
+  static constexpr std::size_t most_waiting = 16;
+  static constexpr std::int32_t first_passed = 64;
+
+  /// The commands that the group plays.
+  struct Playing {
+    std::uint64_t movement = 0;
+    PathCommands commands;
+    std::shared_ptr<const GroupProgram> program;
+    double origin = 0;  // position of the group at the start of the program
+  };
+  struct Planned {
+    std::shared_ptr<const GroupProgram> program = {};
+    std::optional<Agreement> agreement = {};
+    std::string reason = {};
+  };
+  /// Ways in which a command joins those before it. Each one is tried if the one before it fails.
+  enum class Way : std::uint8_t {
+    shorter,   // the program begins at a later command
+    longer,    // the program begins where it began
+    slower,    // and the present commands get no faster than they are planned
+    stopping,  // the command begins at rest
+    rest,      // the command begins a new motion
+  };
+  struct Attempt {
+    Way way = Way::rest;
+    PathCommands commands;
+    std::future<Planned> planned;
+    std::shared_ptr<const GroupProgram> program = {};  // set: the group has the step
+    double origin = 0;
+  };
+  struct Waiting {
+    ClientCommand command = {};
+    Request request = {};
+  };
+
+  static Planned planned(const PathCommands& commands, const ExecutorGroup& group,
+                         const GroupProgram* before, double q);
+  [[nodiscard]] std::optional<Step> begin(const Tick& group);
+  [[nodiscard]] std::optional<Step> proceed();
+  [[nodiscard]] std::optional<Step> joined(const Tick& group);
+  [[nodiscard]] std::optional<Step> fresh();
+  void plan(Way way, PathCommands commands, const Tick* group);
+  void fail();
+  Reply finish(Cause cause, const std::string& reason = {});
+  [[nodiscard]] bool plays(const Tick& group) const;
+  [[nodiscard]] std::int32_t current(const Tick& group) const;
+
+  std::shared_ptr<const ExecutorGroup> group_;
+  Worker& worker_;
+  std::size_t most_at_once_;
+  std::function<Point()> places_;
+  std::deque<Waiting> waiting_;  // the first one is being planned
+  std::optional<Attempt> attempt_;
+  Way next_way_ = Way::shorter;
+  /// A program begins at a later command when the group has passed this many of its commands. It
+  /// then keeps half of them: the group must reach its present velocity again from rest.
+  std::int32_t passed_ = first_passed;
+  bool halting_ = false;
+  bool releasing_ = false;
+  std::optional<Playing> playing_;
+  std::vector<command::GroupWait> idle_;  // waits before the first motion
+};
+
+}  // namespace jounce

@@ -1,0 +1,529 @@
+// SPDX-License-Identifier: Apache-2.0
+// Single commands of a group: lines, arcs and waits that arrive one after another while it moves. The
+// judge has the limits of the axes and the requested lines and arcs, and nothing of the planner.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/executor/group_queue.hpp"
+
+#include "executor/plotter_site.hpp"
+#include "support/random.hpp"
+
+namespace jounce::group_commands_test {
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+using command::no_coordinates;
+using ::testing::HasSubstr;
+
+constexpr std::size_t x = Plotter::x;
+constexpr std::size_t y = Plotter::y;
+constexpr std::size_t group = Plotter::group;
+
+command::Coordinates at(double px, double py) {
+  command::Coordinates to = no_coordinates<command::most_coordinates>();
+  to[0] = px;
+  to[1] = py;
+  return to;
+}
+
+command::PathDynamics blending(double velocity, double deviation = as_configured) {
+  return {
+      .along = {.velocity = velocity}, .buffer = PathBuffer::look_ahead, .deviation = deviation};
+}
+
+/// The requested path: lines and circles, and the greatest distance that a corner may have from them.
+struct Requested {
+  struct Line {
+    double x0, y0, x1, y1;
+  };
+  struct Circle {
+    double x, y, r;
+  };
+  std::vector<Line> lines;
+  std::vector<Circle> circles;
+  double tolerance = 1e-9;
+
+  [[nodiscard]] double distance(double px, double py) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Line& l : lines) {
+      const double dx = l.x1 - l.x0;
+      const double dy = l.y1 - l.y0;
+      const double square = dx * dx + dy * dy;
+      const double along = square > 0 ? ((px - l.x0) * dx + (py - l.y0) * dy) / square : 0;
+      const double t = std::clamp(along, 0.0, 1.0);
+      least = std::min(least, std::hypot(px - l.x0 - t * dx, py - l.y0 - t * dy));
+    }
+    for (const Circle& c : circles)
+      least = std::min(least, std::abs(std::hypot(px - c.x, py - c.y) - c.r));
+    return least;
+  }
+};
+
+/// A plotter whose axes are judged in every tick.
+struct Judged : PlotterSite {
+  explicit Judged(bool recorded = false, const Limits& axis = limits(200, 2000, 1e5))
+      : PlotterSite(recorded, axis), config(resolved(Plotter::config(axis))) {
+    each_tick = [this] { judge(); };
+    advance(10ms);
+    EXPECT_TRUE(order("plotter", command::Enable{}).ok());
+  }
+
+  void judge() {
+    const Tick& all = last(group);
+    moving += all.job != 0 && all.rate > 0;
+    if (all.job == 0) {
+      rested = true;
+      rest = {last(x).position, last(y).position};
+    }
+    const bool full = all.rate == 1 && before[group].rate == 1;
+    for (const std::size_t i : {x, y}) {
+      const Tick& axis = last(i);
+      if (axis.tick == before[i].tick) continue;
+      ASSERT_EQ(axis.fault, Cause::none) << axis.tick;
+      if (axis.state == State::synchronized_motion && before[i].state == axis.state) {
+        ASSERT_TRUE(keeps_limits(config, before[i], axis, full))
+            << "axis " << i << " is beyond a limit in tick " << axis.tick << ": "
+            << before[i].position << ' ' << before[i].velocity << ' ' << before[i].acceleration
+            << " -> " << axis.position << ' ' << axis.velocity << ' ' << axis.acceleration;
+      }
+      before[i] = axis;
+    }
+    before[group] = all;
+    if (all.job != 0) {
+      const double away = requested.distance(last(x).position, last(y).position);
+      ASSERT_LE(away, requested.tolerance) << "off the path in tick " << all.tick;
+    }
+  }
+
+  /// The start of the next command.
+  [[nodiscard]] std::array<double, 2> from() const { return rested ? rest : end; }
+  void accept(const std::array<double, 2>& to) {
+    end = to;
+    rested = false;
+  }
+  /// Sends a line; the request counts for the judge even before the answer.
+  CallOutcome line(double px, double py, const command::PathDynamics& path) {
+    const auto [x0, y0] = from();
+    requested.lines.push_back({x0, y0, px, py});
+    if (path.deviation > 0) requested.tolerance = std::max(requested.tolerance, path.deviation);
+    const CallOutcome outcome = order("plotter", command::MoveLinearAbsolute{at(px, py), path});
+    if (outcome.ok()) accept({px, py});
+    return outcome;
+  }
+
+  AxisConfig config;
+  Requested requested;
+  std::array<Tick, 3> before{};
+  std::array<double, 2> rest{}, end{};
+  bool rested = true;
+  int moving = 0;
+};
+
+TEST(GroupCommands, ALineMovesBothAxesAndRestsAtItsEnd) {
+  Judged site;
+  const CallOutcome outcome = site.line(30, 40, {.along = {.velocity = 100}});
+  ASSERT_TRUE(outcome.ok()) << outcome.reason;
+  site.advance(200ms);
+  EXPECT_NEAR(std::hypot(site.last(x).velocity, site.last(y).velocity), 100, 1e-9);
+  site.advance(1s);
+  EXPECT_EQ(site.last(x).position, 30);
+  EXPECT_EQ(site.last(y).position, 40);
+  EXPECT_EQ(site.last(group).finished, 1U);
+  EXPECT_EQ(site.last(group).state, State::standstill);
+}
+
+/// A line of many corners.
+std::vector<std::array<double, 2>> zigzag(int points) {
+  std::vector<std::array<double, 2>> all;
+  for (int k = 1; k <= points; ++k)
+    all.push_back({10.0 * k, (k % 2 == 0 ? 4.0 : 0.0) + 3.0 * (k % 5)});
+  return all;
+}
+
+/// The plan of the same commands as one program.
+Plan whole(const std::vector<std::array<double, 2>>& points, double wait, double velocity,
+           double deviation) {
+  Program program(2);
+  program.dwell(wait);
+  program.set({.velocity = velocity, .corner = Corner::deviation, .value = deviation});
+  for (const auto& [px, py] : points) program.line({px, py});
+  return plan(program, {.axes = std::vector<Limits>(2, limits(200, 2000, 1e5))});
+}
+
+TEST(GroupCommands, ALongEnoughQueuePlaysThePlanOfTheWholeProgram) {
+  const auto points = zigzag(120);
+  Judged site;
+  ASSERT_TRUE(site.order("plotter", command::GroupWait{0.1}).ok());
+  const Plan expected = whole(points, 0.1, 150, 0.2);
+  std::array<Motion, 2> motion;
+  double worst = 0;
+  std::int64_t start = -1;
+  std::int64_t end = -1;
+  const auto judge = site.each_tick;
+  site.each_tick = [&] {
+    judge();
+    if (site.last(group).job == 0) return;
+    end = site.last(group).tick;
+    if (start < 0) start = end;
+    expected.at(std::min(static_cast<double>(end - start) * 1e-3, expected.duration()), motion);
+    worst = std::max({worst, std::abs(site.last(x).position - motion[0].position),
+                      std::abs(site.last(y).position - motion[1].position)});
+  };
+  // 20 commands are sent ahead; then one for each that has ended.
+  const std::size_t ahead = 20;
+  std::size_t sent = 0;
+  for (int i = 0; i < 20000 && (sent < points.size() || site.last(group).job != 0); ++i) {
+    const wire::Status status = site.dispatcher.server(group).status();
+    EXPECT_EQ(status.queue_capacity, GroupQueue::most_commands);
+    if (sent < points.size() && status.queue_rows < ahead) {
+      const auto& [px, py] = points[sent++];
+      const CallOutcome outcome = site.line(px, py, blending(150, 0.2));
+      ASSERT_TRUE(outcome.ok()) << sent << ": " << outcome.reason;
+    } else {
+      site.turn();
+    }
+  }
+  EXPECT_EQ(site.last(group).finished, 1U) << "one motion without a rest";
+  EXPECT_NEAR(static_cast<double>(end - start) * 1e-3, expected.duration(), 2e-3);
+  EXPECT_LT(worst, 1e-9);
+}
+
+TEST(GroupCommands, ACommandThatArrivesBeforeTheGroupBrakesIsJoinedWithoutARest) {
+  Judged site;
+  ASSERT_TRUE(site.line(6, 0, blending(200)).ok());
+  // The group speeds up for 65 ms, to a peak that a longer path would exceed.
+  site.advance(30ms);
+  ASSERT_TRUE(site.line(40, 0, blending(200)).ok());
+  site.advance(1s);
+  EXPECT_EQ(site.last(x).position, 40);
+  EXPECT_EQ(site.last(group).finished, 1U);
+}
+
+TEST(GroupCommands, AnEndlessMotionHasABoundedProgram) {
+  Judged site;
+  ASSERT_TRUE(site.order("plotter", command::GroupWait{2}).ok());
+  constexpr double radius = 40;
+  constexpr int count = 3 * static_cast<int>(GroupQueue::most_commands);
+  const std::size_t ahead = 80;  // the group brakes only between rounded corners: on 50 mm
+  for (int sent = 0; sent < count;) {
+    if (site.dispatcher.server(group).status().queue_rows >= ahead) {
+      site.turn();
+      continue;
+    }
+    const double angle = 2.0 / radius * ++sent;
+    const CallOutcome outcome =
+        site.line(radius * std::sin(angle), radius - radius * std::cos(angle), blending(100, 0.02));
+    ASSERT_TRUE(outcome.ok()) << sent << ": " << outcome.reason;
+  }
+  site.advance(2s);
+  EXPECT_EQ(site.last(group).finished, 1U) << "without a rest";
+  EXPECT_NEAR(site.last(group).position, 2.0 * count, 1) << "the length of the whole path";
+}
+
+TEST(GroupCommands, ADrainedQueueComesToRestOnThePath) {
+  Judged site;
+  int rests = 0;
+  const auto judge = site.each_tick;
+  bool rested = true;
+  site.each_tick = [&] {
+    judge();
+    const bool now = site.last(group).job == 0;
+    rests += now && !rested ? 1 : 0;
+    rested = now;
+  };
+  for (const auto& [px, py] : zigzag(12)) {
+    const CallOutcome outcome = site.line(px, py, blending(150, 0.2));
+    ASSERT_TRUE(outcome.ok()) << outcome.reason;
+    site.advance(Nanos(static_cast<std::int64_t>(1e6 * px * 3)));  // later and later
+  }
+  site.advance(1s);
+  EXPECT_GT(rests, 3);
+  EXPECT_EQ(site.last(x).position, 120);
+  EXPECT_EQ(site.last(group).fault, Cause::none);
+}
+
+TEST(GroupCommands, AFullQueueRejectsWithItsLimit) {
+  Judged site;
+  ASSERT_TRUE(site.line(1, 0, {.along = {.velocity = 0.1}}).ok());
+  ASSERT_TRUE(site.order("plotter", command::Hold{}).ok());
+  std::string reason;
+  std::size_t accepted = 1;
+  for (int k = 2; k < 600 && reason.empty(); ++k) {
+    const CallOutcome outcome =
+        site.line(k, k % 2, {.along = {.velocity = 50}, .buffer = PathBuffer::buffered});
+    if (outcome.ok())
+      ++accepted;
+    else
+      reason = outcome.reason;
+  }
+  EXPECT_EQ(accepted, GroupQueue::most_commands);
+  EXPECT_THAT(reason, HasSubstr("512 commands wait (limit 512)"));
+}
+
+TEST(GroupCommands, AbortingRestsOnThePathAndBeginsThere) {
+  Judged site;
+  ASSERT_TRUE(site.line(100, 0, {.along = {.velocity = 100}}).ok());
+  ASSERT_TRUE(
+      site.line(100, 50, {.along = {.velocity = 100}, .buffer = PathBuffer::buffered}).ok());
+  site.advance(400ms);
+  // It begins at the rest: any start on the first line.
+  for (double px = 0; px <= 100; px += 0.001) site.requested.lines.push_back({px, 0, 10, 30});
+  const CallOutcome outcome = site.order("plotter", command::MoveLinearAbsolute{.to = at(10, 30)});
+  ASSERT_TRUE(outcome.ok()) << outcome.reason;
+  site.requested.tolerance = 1e-3;
+  site.advance(2s);
+  EXPECT_EQ(site.last(x).position, 10);
+  EXPECT_EQ(site.last(y).position, 30) << "the second line was dropped";
+  EXPECT_EQ(site.last(group).stopped, 1U);
+}
+
+TEST(GroupCommands, ArcsHelicesRelativeAndDirectMoves) {
+  Judged site;
+  site.requested.circles = {{50, 0, 50}, {100, 20, 20}};
+  command::MoveCircularAbsolute half{.to = at(100, 0), .path = {.along = {.velocity = 80}}};
+  half.center = {50, 0};
+  half.clockwise = true;
+  ASSERT_TRUE(site.order("plotter", half).ok());
+  command::MoveCircularRelative quarter{.to = at(20, 20), .path = {.buffer = PathBuffer::buffered}};
+  quarter.radius = 20;
+  const CallOutcome second = site.order("plotter", quarter);
+  ASSERT_TRUE(second.ok()) << second.reason;
+  site.requested.lines.push_back({120, 20, 120, 60});
+  const CallOutcome third = site.order(
+      "plotter",
+      command::MoveDirectRelative{.to = at(0, 40), .path = {.buffer = PathBuffer::buffered}});
+  ASSERT_TRUE(third.ok()) << third.reason;
+  site.advance(5s);
+  EXPECT_NEAR(site.last(x).position, 120, 1e-12);
+  EXPECT_NEAR(site.last(y).position, 60, 1e-12);
+}
+
+TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
+  Limits axis = limits(200, 2000, 1e5);
+  axis.position_min = -500;
+  axis.position_max = 500;
+  Judged site(false, axis);
+  const auto reason = [&](const ClientCommand& command) {
+    const CallOutcome outcome = site.order("plotter", command);
+    EXPECT_FALSE(outcome.ok());
+    return outcome.reason;
+  };
+  EXPECT_THAT(reason(command::MoveLinearAbsolute{}), HasSubstr("to is missing"));
+  EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(0, 0)}), HasSubstr("has no length"));
+  EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(1e9, 0)}),
+              HasSubstr("to[1] 1000000000 must be at most position_max, 500"));
+  command::MoveLinearAbsolute third{.to = at(1, 1)};
+  third.to[2] = 5;
+  EXPECT_THAT(reason(third), HasSubstr("coordinate 3, but the group has 2 axes"));
+  EXPECT_THAT(reason(command::MoveLinearAbsolute{at(5, 5), {.deviation = 0.1}}),
+              HasSubstr("needs a buffer mode that blends"));
+  EXPECT_THAT(reason(command::MoveCircularAbsolute{.to = at(10, 0)}),
+              HasSubstr("via must be given, or one of center and radius"));
+  command::MoveCircularAbsolute far{.to = at(10, 0)};
+  far.radius = 2;
+  EXPECT_THAT(reason(far), HasSubstr("radius"));
+  EXPECT_THAT(reason(command::GroupWait{-1}), HasSubstr("duration -1 must be"));
+  EXPECT_THROW(site.order("plotter", command::MoveLinearAbsolute{.to = at(INFINITY, 0)}),
+               InputError);
+  EXPECT_THROW(
+      site.order("plotter", command::MoveLinearAbsolute{at(1, 0), {.along = {.velocity = -5}}}),
+      InputError);
+  EXPECT_THAT(site.order("x", command::MoveLinearAbsolute{.to = at(1, 0)}).reason,
+              HasSubstr("not_a_group"));
+  EXPECT_EQ(site.moving, 0);
+
+  ASSERT_TRUE(site.order("plotter", command::Disable{}).ok());
+  EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(1, 0)}), HasSubstr("not_enabled"));
+  ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
+  site.each_tick = {};
+  ASSERT_TRUE(site.order("plotter", command::StartTable{}).ok());
+  site.advance(100ms);
+  EXPECT_THAT(reason(command::MoveLinearAbsolute{at(1, 0), blending(50)}),
+              HasSubstr("plays a path that was sent as a whole"));
+  EXPECT_EQ(site.last(group).state, State::discrete_motion);
+}
+
+TEST(GroupCommands, AHeldGroupTakesCommandsAndContinues) {
+  Judged site;
+  ASSERT_TRUE(site.line(50, 0, blending(100)).ok());
+  site.advance(200ms);
+  ASSERT_TRUE(site.order("plotter", command::Hold{}).ok());
+  site.advance(500ms);
+  ASSERT_TRUE(site.line(50, 50, blending(100)).ok());
+  ASSERT_TRUE(site.line(0, 50, blending(100)).ok());
+  ASSERT_TRUE(site.order("plotter", command::Resume{}).ok());
+  site.advance(3s);
+  EXPECT_EQ(site.last(x).position, 0);
+  EXPECT_EQ(site.last(y).position, 50);
+  EXPECT_EQ(site.last(group).finished, 1U) << "one motion";
+}
+
+TEST(GroupCommands, DisablingAHeldGroupEndsItsMotion) {
+  Judged site;
+  ASSERT_TRUE(site.line(50, 0, blending(100)).ok());
+  site.advance(200ms);
+  ASSERT_TRUE(site.order("plotter", command::Hold{}).ok());
+  site.advance(500ms);
+  ASSERT_TRUE(site.order("plotter", command::Disable{}).ok());
+  EXPECT_EQ(site.last(group).finished, 0U);
+  EXPECT_EQ(site.last(group).stopped, 1U);
+}
+
+TEST(GroupCommands, ARecordIsReplayedToTheLastBit) {
+  Judged site(true);
+  for (const auto& [px, py] : zigzag(60)) {
+    ASSERT_TRUE(site.line(px, py, blending(150, 0.2)).ok());
+    site.advance(30ms);
+  }
+  ASSERT_TRUE(site.order("plotter", command::Override{0.4}).ok());
+  site.advance(1s);
+  ASSERT_TRUE(site.order("plotter", command::Halt{}).ok());
+  site.advance(1s);
+  const Replay replay = site.replayed();
+  EXPECT_TRUE(replay.same()) << replay.shorter
+                             << (replay.difference ? replay.difference->what.field : "");
+  EXPECT_GT(replay.compared, 3000);
+}
+
+TEST(GroupCommands, AJogEndsOnItsLineWhenItIsReleasedOrSilent) {
+  for (const bool silent : {false, true}) {
+    Judged site;
+    site.requested.lines.push_back({0, 0, 1000, 500});
+    command::GroupJog jog{.dynamics = {.velocity = 50}, .hold_to_run = true};
+    jog.along[0] = 2;
+    jog.along[1] = 1;
+    Client client(site.link, "plotter", {}, site.clock);
+    const CallOutcome outcome = client.command(jog);
+    ASSERT_TRUE(outcome.ok()) << outcome.reason;
+    for (int i = 0; i < 20; ++i) {
+      site.advance(50ms);
+      ASSERT_TRUE(client.beat().ok());
+    }
+    EXPECT_NEAR(std::hypot(site.last(x).velocity, site.last(y).velocity), 50, 1e-9);
+    if (!silent) static_cast<void>(client.release());
+    if (!silent) {  // the next command waits for the rest
+      jog.along[0] = -2;
+      jog.along[1] = -1;
+      jog.hold_to_run = false;
+      EXPECT_TRUE(site.order("plotter", jog).ok());
+      site.advance(100ms);
+      EXPECT_LT(site.last(x).velocity, 0);
+      EXPECT_TRUE(site.order("plotter", command::Halt{}).ok());
+      continue;
+    }
+    site.advance(1s);
+    EXPECT_EQ(site.last(group).state, State::standstill);
+    EXPECT_EQ(site.last(group).reason, Cause::released);
+    EXPECT_GT(site.last(x).position, 40);
+    EXPECT_LT(site.last(x).position, 100);
+  }
+}
+
+TEST(GroupCommands, AJogRestsAtTheEndOfTheRangeAndReverses) {
+  Limits axis = limits(200, 2000, 1e5);
+  axis.position_min = -150;
+  axis.position_max = 150;
+  Judged site(false, axis);
+  site.requested.lines.push_back({-150, 0, 150, 0});
+  command::GroupJog jog{.dynamics = {.velocity = 100}};
+  EXPECT_THAT(site.order("plotter", jog).reason, HasSubstr("along 0 must be a direction"));
+  jog.along[0] = 1;
+  ASSERT_TRUE(site.order("plotter", jog).ok());
+  site.advance(500ms);
+  jog.along[0] = -1;
+  const CallOutcome back = site.order("plotter", jog);
+  ASSERT_TRUE(back.ok()) << back.reason;
+  site.advance(5s);
+  EXPECT_EQ(site.last(x).position, -150);
+  EXPECT_EQ(site.last(group).fault, Cause::none);
+  EXPECT_THAT(site.order("plotter", jog).reason, HasSubstr("leads outward"));
+}
+
+/// One random command; the judge learns the path if it is accepted.
+void stir(Judged& site, Random& random, int& accepted) {
+  const auto random_buffer = [&] {
+    return random.below(12) == 0 ? PathBuffer::aborting
+                                 : static_cast<PathBuffer>(1 + random.below(6));
+  };
+  command::PathDynamics path{.along = {.velocity = random.uniform(5, 250)},
+                             .buffer = random_buffer()};
+  if (path.buffer >= PathBuffer::blending_low && random.below(2) == 0)
+    (random.below(2) == 0 ? path.deviation : path.corner_distance) = random.uniform(0.01, 1);
+  switch (random.below(14)) {
+    case 0:
+      static_cast<void>(site.order("plotter", command::Hold{}));
+      site.advance(100ms);
+      static_cast<void>(site.order("plotter", command::Resume{}));
+      return;
+    case 1:
+      static_cast<void>(site.order("plotter", command::Override{random.uniform(0.1, 2)}));
+      return;
+    case 2:
+      static_cast<void>(site.order("plotter", command::Override{1}));
+      return;
+    case 3:
+      static_cast<void>(site.order("plotter", command::GroupWait{random.uniform(0, 0.05)}));
+      return;
+    case 4:
+      if (random.below(3) != 0) return;
+      static_cast<void>(site.order("plotter", command::Halt{}));
+      site.advance(1s);  // so that the start of the next command is known
+      return;
+    default:
+      break;
+  }
+  if (path.buffer == PathBuffer::aborting) {
+    static_cast<void>(site.order("plotter", command::Halt{}));
+    site.advance(1s);
+  }
+  const auto [x0, y0] = site.from();
+  const double px = x0 + random.uniform(-15, 15);
+  const double py = y0 + random.uniform(-15, 15);
+  site.requested.tolerance = 1;
+  if (random.below(3) != 0) {
+    accepted += site.line(px, py, path).ok() ? 1 : 0;
+    return;
+  }
+  command::MoveCircularAbsolute arc{.to = at(px, py), .path = path};
+  const double cx = x0 + random.uniform(-20, 20);
+  const double cy = y0 + random.uniform(-20, 20);
+  arc.via = {cx, cy, as_configured};
+  try {
+    const Arc expected = arc_through({x0, y0}, {cx, cy}, {px, py}, 2);
+    site.requested.circles.push_back({expected.center[0], expected.center[1], expected.radius});
+  } catch (const InputError&) {
+    return;
+  }
+  const CallOutcome outcome = site.order("plotter", arc);
+  if (outcome.ok()) site.accept({px, py});
+  accepted += outcome.ok() ? 1 : 0;
+}
+
+TEST(GroupCommands, RandomCommandsAtRandomTicksKeepThePathAndTheLimits) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    Judged site;
+    Random random(seed);
+    int accepted = 0;
+    for (int k = 0; k < 150 && !testing::Test::HasFatalFailure(); ++k) {
+      stir(site, random, accepted);
+      // Often at once, sometimes while the group brakes or rests.
+      site.advance(Nanos(random.below(3) == 0 ? random.below(400) * 1'000'000
+                                              : random.below(20) * 1'000'000));
+    }
+    site.advance(5s);
+    EXPECT_GT(accepted, 60) << seed;
+    EXPECT_GT(site.moving, 5000) << seed;
+    EXPECT_EQ(site.last(group).fault, Cause::none) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace jounce::group_commands_test
