@@ -13,7 +13,7 @@
 #
 # PKGCONFIG names the libraries that a program needs beside a static module, for pkg-config.
 #
-# The sources are compiled eighteen at a time, but those in APART (see jounce_unity).
+# The sources are compiled in batches, but those in APART (see jounce_unity).
 #
 # A LIGHT module reads, writes and prints. It is compiled at -O1, in three quarters of the time of -O3.
 set(JOUNCE_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)

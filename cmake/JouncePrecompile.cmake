@@ -12,13 +12,23 @@ if(CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_CXX_CLANG_TIDY)
 endif()
 option(JOUNCE_PCH "Precompile the headers that many files include" ${default})
 
-# jounce_unity(TARGET [file ...]): compiles the sources of TARGET eighteen at a time, but the given ones, in a third of the
-# time: what they all instantiate is instantiated once. Names of unnamed namespaces are then unique in a target.
-option(JOUNCE_UNITY "Compile eighteen sources at a time" ${default})
+# jounce_unity(TARGET [file ...]): joins the sources of TARGET, but the given ones, into batches of equal size, each compiled as
+# one file. All sources of a batch share what they instantiate, so they compile in a third of the time. Names of unnamed
+# namespaces are then unique in a target.
+option(JOUNCE_UNITY "Compile many sources at a time" ${default})
 unset(default)
 
+set(JOUNCE_BATCH 26)  # sources, at most
+
 function(jounce_unity target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${JOUNCE_UNITY} UNITY_BUILD_BATCH_SIZE 18)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "[.]cpp$")
+  list(LENGTH sources all)
+  list(LENGTH ARGN apart)
+  math(EXPR joined "${all} - ${apart}")
+  math(EXPR batches "(${joined} - 1) / ${JOUNCE_BATCH} + 1")
+  math(EXPR size "(${joined} + ${batches} - 1) / ${batches}")
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${JOUNCE_UNITY} UNITY_BUILD_BATCH_SIZE ${size})
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(JOUNCE_UNITY)
     # A batch puts the unnamed namespaces of its files in one scope, so a local name can shadow a name of another file.

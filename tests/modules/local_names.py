@@ -4,7 +4,7 @@
 
     local_names.py ROOT
 
-The release build compiles eighteen sources of a module as one, so their unnamed namespaces are one scope. An equal name is an error
+The release build compiles many sources of a module as one, so their unnamed namespaces are one scope. An equal name is an error
 only if both files are in one batch, and a call can select the function of the other file. Identical code becomes one function in a
 private header. Different code gets different names. Aliases of one type may be equal.
 
