@@ -4,7 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
+#include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -123,6 +126,28 @@ TEST(PathCommands, NumbersFollowTheLines) {
   EXPECT_EQ(commands.number_at(1, 19), 3);
   EXPECT_EQ(commands.from(3).position()[0], 20);
   EXPECT_EQ(commands.from(4).size(), 0U);
+}
+
+/// HIMC 8.1.6 Ex. 4: five turns of radius 50 up to 100.
+TEST(PathCommands, AnArcWithAThirdCoordinateIsAHelix) {
+  PathCommands commands(3, {});
+  command::MoveCircularAbsolute helix{.path = {.along = {.velocity = 50}}};
+  helix.to[0] = 0;
+  helix.to[1] = 0;
+  helix.to[2] = 100;
+  helix.center = {0, 50};
+  helix.turns = 4;
+  commands.append(helix);
+  const Plan motion =
+      plan(commands.program(), {.axes = std::vector<Limits>(3, limits(200, 2000, 1e5))});
+  EXPECT_NEAR(motion.path().length(), std::hypot(5 * 2 * std::numbers::pi * 50, 100), 1e-9);
+  std::array<Motion, 3> at;
+  for (double t = 0; t < motion.duration(); t += 0.01) {
+    motion.at(t, at);
+    ASSERT_NEAR(std::hypot(at[0].position, at[1].position - 50), 50, 1e-12) << t;
+  }
+  motion.at(motion.duration(), at);
+  EXPECT_EQ(at[2].position, 100);
 }
 
 TEST(PathCommands, AnInvalidCommandIsNamed) {

@@ -209,21 +209,29 @@ TEST(GroupCommands, ACommandThatArrivesBeforeTheGroupBrakesIsJoinedWithoutARest)
 
 TEST(GroupCommands, AnEndlessMotionHasABoundedProgram) {
   Judged site;
-  ASSERT_TRUE(site.order("plotter", command::GroupWait{2}).ok());
+  Client client(site.link, "plotter", {}, site.clock);  // a session for all: it sends faster
+  ASSERT_TRUE(client.command(command::GroupWait{2}).ok());
   constexpr double radius = 40;
   constexpr int count = 3 * static_cast<int>(GroupQueue::most_commands);
   const std::size_t ahead = 80;  // the group brakes only between rounded corners: on 50 mm
   for (int sent = 0; sent < count;) {
     if (site.dispatcher.server(group).status().queue_rows >= ahead) {
-      site.turn();
+      site.advance(5ms);
       continue;
     }
+    const auto [x0, y0] = site.from();
     const double angle = 2.0 / radius * ++sent;
+    const double px = radius * std::sin(angle);
+    const double py = radius - radius * std::cos(angle);
+    site.requested.lines.push_back({x0, y0, px, py});
+    site.requested.tolerance = 0.02;
     const CallOutcome outcome =
-        site.line(radius * std::sin(angle), radius - radius * std::cos(angle), blending(100, 0.02));
+        client.command(command::MoveLinearAbsolute{at(px, py), blending(100, 0.02)});
     ASSERT_TRUE(outcome.ok()) << sent << ": " << outcome.reason;
+    site.accept({px, py});
   }
-  site.advance(2s);
+  ASSERT_TRUE(client.release().ok());  // a silent session would stop the group
+  site.advance(3s);
   EXPECT_EQ(site.last(group).finished, 1U) << "without a rest";
   EXPECT_NEAR(site.last(group).position, 2.0 * count, 1) << "the length of the whole path";
 }
@@ -285,7 +293,7 @@ TEST(GroupCommands, AbortingRestsOnThePathAndBeginsThere) {
   EXPECT_EQ(site.last(group).stopped, 1U);
 }
 
-TEST(GroupCommands, ArcsHelicesRelativeAndDirectMoves) {
+TEST(GroupCommands, ArcsRelativeAndDirectMoves) {
   Judged site;
   site.requested.circles = {{50, 0, 50}, {100, 20, 20}};
   command::MoveCircularAbsolute half{.to = at(100, 0), .path = {.along = {.velocity = 80}}};

@@ -532,7 +532,7 @@ constexpr void each_field(C& c, F f) {
   each_field(c.path, f);
 }
 
-/// Lets a group rest at the end of its last command (MC_GroupWait). The duration need not be a
+/// Lets a group rest at the end of its last command (SMC_GroupWait). The duration need not be a
 /// multiple of the cycle.
 struct GroupWait {
   static constexpr auto kind = CommandKind::group_wait;
