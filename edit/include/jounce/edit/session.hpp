@@ -12,7 +12,7 @@ namespace jounce {
 /// The text of a file while it is edited: its versions, the file on the disk, and a side file with
 /// the unsaved text.
 ///
-///     Session session("cam.toml");
+///     EditSession session("cam.toml");
 ///     session.set(session.revision(), text, "move knot 2");  // false: another revision
 ///     session.undo();
 ///     session.save();                                        // false: the file has changed
@@ -25,7 +25,7 @@ namespace jounce {
 ///
 /// Not synchronized: threads that share a session need a lock. Functions that write throw
 /// std::system_error if the system reports an error.
-class Session {
+class EditSession {
  public:
   /// Relation of the file on the disk to the text that was last read from it or saved.
   enum class OnDisk {
@@ -36,7 +36,7 @@ class Session {
 
   /// Reads the file, and the side file of an earlier session if there is one. Throws InputError for
   /// a file that cannot be read, and for a side file that no session has written.
-  explicit Session(std::string path);
+  explicit EditSession(std::string path);
 
   [[nodiscard]] const std::string& path() const { return path_; }
   /// Number of the present state; every change increases it.
