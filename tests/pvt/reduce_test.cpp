@@ -192,7 +192,9 @@ TEST(Reduced, KeepsTheVelocityToo) {
     for (const Interpolation rule : all_rules) {
       const Sampled made = reduced(cam, {.rule = rule, .velocity_tolerance = allowed});
       EXPECT_LE(made.error.velocity, allowed * (1 + 1e-9)) << name(rule) << " seed " << seed;
-      EXPECT_GE(made.error.velocity * (1 + 1e-9), seen(made.table, cam, 5000).velocity * (1 - 1e-9))
+      // The two evaluations round to some units in the last place of the peak velocity.
+      EXPECT_GE(made.error.velocity * (1 + 1e-9) + 1e-14 * std::abs(v),
+                seen(made.table, cam, 5000).velocity * (1 - 1e-9))
           << name(rule) << " seed " << seed;
       if (made.table.size() > 2) {
         EXPECT_EQ(made.binding, Binding::velocity_tolerance);

@@ -216,10 +216,12 @@ double Place::number(int line, const std::string& key, std::string_view text) co
 
 void require_axis(const ExchangeFormat& format, const Table& table) {
   if (table.axis() == format.axis) return;
-  throw InputError("format", format.name,
-                   table.axis() == Domain::time
-                       ? "is for cams, over a master; this table is over time"
-                       : "is for motions over time; this table is a cam, over a master");
+  throw InputError(
+      "format", format.name,
+      table.axis() == Domain::time
+          ? "is for cams, over a master; this table is over time"
+          : "is for motions over time; this table is a cam: give a spec with [master], "
+            "and convert it with --over time");
 }
 
 std::string exchange_text(const ExchangeFormat& format, const TableFile& file) {
