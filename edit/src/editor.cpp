@@ -205,7 +205,10 @@ struct Editor::Impl {
   }
 
   Answer conflict_of_revisions() {
-    return rejected(409, "the text has changed since: read /document, and repeat the change");
+    return rejected(
+        409,
+        "the text has another revision by now: read /document, then decide whether to repeat the "
+        "change");
   }
 
   bool store(std::int64_t revision, std::string next, std::string label) {

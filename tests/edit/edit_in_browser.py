@@ -306,7 +306,8 @@ def segments(editor):
     settle()
     # All laws with their values, and the peaks with each.
     browser.run("document.querySelector('[aria-label=\"compare laws: segment 1\"]').click()")
-    browser.wait_for("document.querySelectorAll('#window tbody tr').length === 29")
+    laws = json.loads(subprocess.run([jounce, "laws", "--json"], capture_output=True, text=True).stdout)
+    browser.wait_for(f"document.querySelectorAll('#window tbody tr').length === {len(laws)}")
     cell = "[...document.querySelectorAll('#window tbody tr')].find((row) => row.children[0].textContent === '3-4-5 polynomial').children"
     assert browser.run(f"{cell}[1].textContent") == "1.875"
     browser.wait_for("![...document.querySelectorAll('#window td')].some((cell) => cell.textContent === '…')")

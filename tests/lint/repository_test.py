@@ -262,9 +262,9 @@ class Repository(unittest.TestCase):
         self.assertIn("removed: accepted/cams/knife.csv", done.stdout)
 
     def test_a_wrong_baseline(self):
-        for name in ("nowhere", "--output=x"):
+        for name, rule in (("nowhere", "is neither a folder nor a revision of git"), ("--output=x", "has no value after it")):
             done = self.jounce("check", ".", f"--baseline={name}", status=2)
-            self.assertIn("is neither a folder nor a revision of git", done.stderr)
+            self.assertIn(rule, done.stderr)
         self.jounce("check", ".", "--summary", "out", status=2)
 
     # ---- examples/ci ----------------------------------------------------------------------------------------------

@@ -176,7 +176,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
   void hand_on() {
     const bool at_once = server_.site.urgent && server_.site.urgent(request_);
     if (!at_once && server_.commands >= Server::most_commands)
-      return answer(503, "too many commands wait for an axis\n");
+      return answer(503, "too many requests wait: repeat this one later\n");
     if (!at_once) ++server_.commands;
     stream_.expires_never();  // the axis has its own timeout
     const auto came = std::chrono::steady_clock::now();
