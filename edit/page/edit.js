@@ -400,7 +400,6 @@ function listen() {
     event.preventDefault();
     run();
   });
-  addEventListener('beforeunload', (event) => { if (pane.isTyped) event.preventDefault(); });
 }
 
 /// Reads the events until the connection ends: the number of the document, and the optimizer.

@@ -128,11 +128,11 @@ CamSpec with_slave(CamSpec cam, const Affine& change) {
       at.slave = change.scale * *at.slave + change.shift;
     multiply(at.geo_velocity, change.scale);
     multiply(at.geo_acceleration, change.scale);
-    if constexpr (requires { at.geo_jerk; }) {
-      multiply(at.geo_jerk, change.scale);
-      at.tolerance *= std::abs(change.scale);
-    }
+    multiply(at.geo_jerk, change.scale);
+    if constexpr (requires { at.tolerance; }) at.tolerance *= std::abs(change.scale);
   });
+  for (CamSegment& segment : cam.segments)
+    for (double& value : segment.control.values) value = change.scale * value + change.shift;
   return cam;
 }
 
@@ -142,8 +142,10 @@ CamSpec with_master(CamSpec cam, const Affine& change) {
     at.master = change.scale * at.master + change.shift;
     multiply(at.geo_velocity, k);
     multiply(at.geo_acceleration, k * k);
-    if constexpr (requires { at.geo_jerk; }) multiply(at.geo_jerk, k * k * k);
+    multiply(at.geo_jerk, k * k * k);
   });
+  for (CamSegment& segment : cam.segments)
+    for (double& knot : segment.control.knots) knot = change.scale * knot + change.shift;
   return cam;
 }
 
@@ -164,6 +166,7 @@ CamSpec mirrored_master(const CamSpec& cam) {
   const auto reversed = [&](CamKnot knot) {
     knot.master = sum - knot.master;
     multiply(knot.geo_velocity, -1);
+    multiply(knot.geo_jerk, -1);
     return knot;
   };
   CamSpec out = cam;

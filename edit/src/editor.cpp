@@ -47,13 +47,13 @@ std::string or_null(const std::optional<std::string>& text) {
   return text ? json_text(*text) : "null";
 }
 
-const char* word_of(Session::OnDisk state) {
+const char* word_of(EditSession::OnDisk state) {
   switch (state) {
-    case Session::OnDisk::changed:
+    case EditSession::OnDisk::changed:
       return "changed";
-    case Session::OnDisk::missing:
+    case EditSession::OnDisk::missing:
       return "missing";
-    case Session::OnDisk::same:
+    case EditSession::OnDisk::same:
       break;
   }
   return "same";
@@ -158,10 +158,11 @@ struct Editor::Impl {
     if (path == "/document") return replace(body);
     if (path == "/change") return change(body);
     if (path == "/preview") return preview(body);
-    if (path == "/undo") return step(body, &Session::undo, "there is nothing to undo");
-    if (path == "/redo") return step(body, &Session::redo, "there is nothing to redo");
+    if (path == "/undo") return step(body, &EditSession::undo, "there is nothing to undo");
+    if (path == "/redo") return step(body, &EditSession::redo, "there is nothing to redo");
     if (path == "/save")
-      return step(body, &Session::save, "the file has changed on the disk: resolve the conflict");
+      return step(body, &EditSession::save,
+                  "the file has changed on the disk: resolve the conflict");
     if (path == "/conflict") return resolve(body);
     return path == "/optimize" ? optimize(body) : end_optimum(body);
   }
@@ -179,7 +180,7 @@ struct Editor::Impl {
     {
       const std::scoped_lock lock(mutex);
       present = session.text();
-      const bool conflict = session.on_disk() == Session::OnDisk::changed;
+      const bool conflict = session.on_disk() == EditSession::OnDisk::changed;
       out = fmt::format(
           R"({{"ok":true,"revision":{},"file":{},"text":{},"saved":{},"on_disk":"{}",)"
           R"("file_text":{},"recovered":{},"undo":{},"redo":{},"side_file":{},"side_error":{},)",
@@ -236,7 +237,7 @@ struct Editor::Impl {
                              members_of(edit_detail::analysis_of(path_of(), next)))};
   }
 
-  Answer step(const JsonReader& body, bool (Session::*act)(), const char* objection) {
+  Answer step(const JsonReader& body, bool (EditSession::*act)(), const char* objection) {
     body.require_only({"revision"});
     {
       const std::scoped_lock lock(mutex);
@@ -265,8 +266,8 @@ struct Editor::Impl {
     std::string now;
     {
       const std::scoped_lock lock(mutex);
-      before = session.on_disk() == Session::OnDisk::changed ? session.file_text()
-                                                             : session.saved_text();
+      before = session.on_disk() == EditSession::OnDisk::changed ? session.file_text()
+                                                                 : session.saved_text();
       now = session.text();
     }
     return {200, fmt::format(R"({{"ok":true,"before":{},{}}})", json_text(before),
@@ -344,7 +345,7 @@ struct Editor::Impl {
 
   edit_detail::OnlyOne only_one;
   std::mutex mutex;  // guards the session and the job
-  Session session;
+  EditSession session;
   std::unique_ptr<OptimumJob> job;
   std::mutex kept_mutex;  // guards the next one
   std::optional<std::pair<std::string, std::shared_ptr<const Analysis>>> kept;

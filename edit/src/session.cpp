@@ -27,7 +27,7 @@ std::string stamp_of(const std::string& path) {
 
 }  // namespace
 
-Session::Session(std::string path) : path_(std::move(path)) {
+EditSession::EditSession(std::string path) : path_(std::move(path)) {
   if (path_ == "-")
     throw InputError("", "", "is standard input: give the name of a file, which Save can write")
         .at(path_);
@@ -37,13 +37,13 @@ Session::Session(std::string path) : path_(std::move(path)) {
   recover();
 }
 
-void Session::set_base(std::string text) {
+void EditSession::set_base(std::string text) {
   base_ = std::move(text);
   base_hash_ = hex(sha256(base_));
 }
 
 /// The first line of a side file has the hash of the file to which its text belongs.
-void Session::recover() {
+void EditSession::recover() {
   std::error_code none;
   if (!std::filesystem::exists(side_file(), none)) return;
   const std::string side = read_edited_file(side_file());
@@ -65,21 +65,21 @@ void Session::recover() {
   on_disk_ = OnDisk::changed;
 }
 
-std::optional<std::string> Session::undo_label() const {
+std::optional<std::string> EditSession::undo_label() const {
   return now_ == 0 ? std::nullopt : std::optional(versions_[now_].label);
 }
 
-std::optional<std::string> Session::redo_label() const {
+std::optional<std::string> EditSession::redo_label() const {
   return now_ + 1 == versions_.size() ? std::nullopt : std::optional(versions_[now_ + 1].label);
 }
 
-void Session::push(std::string text, std::string label) {
+void EditSession::push(std::string text, std::string label) {
   versions_.resize(now_ + 1);
   versions_.push_back({std::move(text), std::move(label)});
   ++now_;
 }
 
-void Session::changed() {
+void EditSession::changed() {
   ++revision_;
   recovered_ = false;
   if (on_disk_ == OnDisk::changed && text() == file_) {
@@ -90,7 +90,7 @@ void Session::changed() {
 }
 
 /// An error does not stop the work: the text is in memory, and the state has the error.
-void Session::write_side_file() {
+void EditSession::write_side_file() {
   try {
     side_error_.clear();
     if (!is_saved()) {
@@ -104,7 +104,7 @@ void Session::write_side_file() {
   }
 }
 
-bool Session::set(std::int64_t revision, std::string text, std::string label) {
+bool EditSession::set(std::int64_t revision, std::string text, std::string label) {
   if (revision != revision_) return false;
   if (text == versions_[now_].text) return true;
   push(std::move(text), std::move(label));
@@ -112,21 +112,21 @@ bool Session::set(std::int64_t revision, std::string text, std::string label) {
   return true;
 }
 
-bool Session::undo() {
+bool EditSession::undo() {
   if (now_ == 0) return false;
   --now_;
   changed();
   return true;
 }
 
-bool Session::redo() {
+bool EditSession::redo() {
   if (now_ + 1 == versions_.size()) return false;
   ++now_;
   changed();
   return true;
 }
 
-bool Session::save() {
+bool EditSession::save() {
   poll();
   if (on_disk_ == OnDisk::changed) return false;
   write_file(path_, text());
@@ -137,7 +137,7 @@ bool Session::save() {
   return true;
 }
 
-void Session::use_file() {
+void EditSession::use_file() {
   if (on_disk_ != OnDisk::changed) return;
   set_base(file_);
   on_disk_ = OnDisk::same;
@@ -145,14 +145,14 @@ void Session::use_file() {
   changed();
 }
 
-void Session::use_mine() {
+void EditSession::use_mine() {
   if (on_disk_ != OnDisk::changed) return;
   set_base(file_);
   on_disk_ = OnDisk::same;
   changed();
 }
 
-bool Session::poll() {
+bool EditSession::poll() {
   const std::string stamp = stamp_of(path_);
   if (stamp == stamp_) return false;
   const OnDisk before = on_disk_;
@@ -177,7 +177,7 @@ bool Session::poll() {
 }
 
 /// The text of the file on the disk has changed.
-void Session::take(std::string file) {
+void EditSession::take(std::string file) {
   on_disk_ = OnDisk::same;
   if (file == base_) return;
   const bool unsaved = text() != base_ && text() != file;

@@ -75,7 +75,8 @@ class CamText {
   void knot(const CamPlace& at, const CamKnot& before, const CamKnot& after) {
     number(at, "master", spec_.units.x, before.master, after.master);
     number(at, "slave", spec_.units.position, before.slave, after.slave);
-    // Two entries that are added at one place: the later one comes first in the text.
+    // Entries that are added at one place: the later one comes first in the text.
+    rate(at, 3, before.geo_jerk, after.geo_jerk);
     rate(at, 2, before.geo_acceleration, after.geo_acceleration);
     rate(at, 1, before.geo_velocity, after.geo_velocity);
   }
@@ -99,6 +100,10 @@ class CamText {
     number(at, "straight", "1", before.form.straight, after.form.straight, "law");
     shares(at, before.form.shares, after.form.shares);
     points(i, before, after);
+    if (std::tie(before.control.values, before.control.knots) !=
+        std::tie(after.control.values, after.control.knots))
+      throw spec_.document.located(
+          InputError(at.path() + ".control", "", "must be changed as text: the law is b_spline"));
   }
 
   [[nodiscard]] bool has_no_slave(const CamPlace& at) const {
@@ -228,6 +233,7 @@ std::string inline_knot(const CamKnot& knot) {
   std::string text = fmt::format("{{ master = {}, slave = {}", tidy(knot.master), tidy(knot.slave));
   if (knot.geo_velocity) text += ", geo_velocity = " + tidy(*knot.geo_velocity);
   if (knot.geo_acceleration) text += ", geo_acceleration = " + tidy(*knot.geo_acceleration);
+  if (knot.geo_jerk) text += ", geo_jerk = " + tidy(*knot.geo_jerk);
   return text + " }";
 }
 

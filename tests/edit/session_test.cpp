@@ -15,7 +15,7 @@
 namespace jounce::session_test {
 namespace {
 
-using OnDisk = Session::OnDisk;
+using OnDisk = EditSession::OnDisk;
 using ::testing::HasSubstr;
 
 class Sessions : public test::WithFolder {
@@ -31,12 +31,12 @@ class Sessions : public test::WithFolder {
   const std::string side = in("a.toml.autosave");
 };
 
-void edit(Session& session, const char* text) {
+void edit(EditSession& session, const char* text) {
   ASSERT_TRUE(session.set(session.revision(), text, "edit"));
 }
 
 TEST_F(Sessions, UndoWithoutALimit) {
-  Session session(path);
+  EditSession session(path);
   EXPECT_FALSE(session.undo());
   constexpr int many = 1000;
   for (int i = 0; i < many; ++i) edit(session, std::to_string(i).c_str());
@@ -50,7 +50,7 @@ TEST_F(Sessions, UndoWithoutALimit) {
 }
 
 TEST_F(Sessions, AChangeAfterUndoDropsTheLaterVersions) {
-  Session session(path);
+  EditSession session(path);
   edit(session, "two");
   session.undo();
   edit(session, "three");
@@ -60,7 +60,7 @@ TEST_F(Sessions, AChangeAfterUndoDropsTheLaterVersions) {
 }
 
 TEST_F(Sessions, AChangeOfAnotherRevisionIsRejected) {
-  Session session(path);
+  EditSession session(path);
   const std::int64_t old = session.revision();
   edit(session, "two");
   EXPECT_FALSE(session.set(old, "three", "late"));
@@ -68,7 +68,7 @@ TEST_F(Sessions, AChangeOfAnotherRevisionIsRejected) {
 }
 
 TEST_F(Sessions, OnlySaveWritesTheFile) {
-  Session session(path);
+  EditSession session(path);
   edit(session, "two\n");
   session.undo();
   session.redo();
@@ -83,7 +83,7 @@ TEST_F(Sessions, OnlySaveWritesTheFile) {
 
 TEST_F(Sessions, UnsavedTextIsInTheSideFile) {
   {
-    Session session(path);
+    EditSession session(path);
     edit(session, "two\n");
     EXPECT_THAT(read_file(side), HasSubstr("\ntwo\n"));
     session.undo();
@@ -91,7 +91,7 @@ TEST_F(Sessions, UnsavedTextIsInTheSideFile) {
     session.redo();
   }  // the program ends without saving
   EXPECT_EQ(on_disk(), "one\n");
-  Session again(path);
+  EditSession again(path);
   EXPECT_TRUE(again.is_recovered());
   EXPECT_EQ(again.text(), "two\n");
   EXPECT_EQ(again.on_disk(), OnDisk::same);
@@ -103,12 +103,12 @@ TEST_F(Sessions, UnsavedTextIsInTheSideFile) {
 
 TEST_F(Sessions, AFileThatChangedBeforeTheRecoveryIsAConflict) {
   {
-    Session session(path);
+    EditSession session(path);
     edit(session, "two\n");
   }
   write_by_another("other\n");
   for (int start = 0; start < 2; ++start) {  // also at the second start, without a decision
-    Session again(path);
+    EditSession again(path);
     EXPECT_EQ(again.on_disk(), OnDisk::changed);
     EXPECT_EQ(again.text(), "two\n");
     EXPECT_EQ(again.file_text(), "other\n");
@@ -121,17 +121,17 @@ TEST_F(Sessions, AFileThatChangedBeforeTheRecoveryIsAConflict) {
 
 TEST_F(Sessions, AFileWithTheNameOfTheSideFileIsNotReplaced) {
   write_file(side, "mine\n");
-  EXPECT_THAT(test::why([&] { Session session(path); }),
+  EXPECT_THAT(test::why([&] { EditSession session(path); }),
               HasSubstr("a.toml.autosave:1: was not written by `jounce edit`"));
   EXPECT_EQ(read_file(side), "mine\n");
 }
 
 TEST_F(Sessions, StandardInputIsNoFile) {
-  EXPECT_THAT(test::why([] { Session session("-"); }), HasSubstr("-: is standard input"));
+  EXPECT_THAT(test::why([] { EditSession session("-"); }), HasSubstr("-: is standard input"));
 }
 
 TEST_F(Sessions, AChangeOnTheDiskIsAVersion) {
-  Session session(path);
+  EditSession session(path);
   EXPECT_FALSE(session.poll());
   write_by_another("other\n");
   EXPECT_TRUE(session.poll());
@@ -143,7 +143,7 @@ TEST_F(Sessions, AChangeOnTheDiskIsAVersion) {
 }
 
 TEST_F(Sessions, AChangeOnTheDiskBesideUnsavedTextIsAConflict) {
-  Session session(path);
+  EditSession session(path);
   edit(session, "two\n");
   write_by_another("other\n");
   EXPECT_FALSE(session.save()) << "save() looks at the file itself";
@@ -154,7 +154,7 @@ TEST_F(Sessions, AChangeOnTheDiskBesideUnsavedTextIsAConflict) {
 }
 
 TEST_F(Sessions, TheFileResolvesAConflict) {
-  Session session(path);
+  EditSession session(path);
   edit(session, "two\n");
   write_by_another("other\n");
   session.poll();
@@ -166,7 +166,7 @@ TEST_F(Sessions, TheFileResolvesAConflict) {
 }
 
 TEST_F(Sessions, TheOwnTextResolvesAConflict) {
-  Session session(path);
+  EditSession session(path);
   edit(session, "two\n");
   write_by_another("other\n");
   session.poll();
@@ -177,7 +177,7 @@ TEST_F(Sessions, TheOwnTextResolvesAConflict) {
 }
 
 TEST_F(Sessions, TheSameChangeOnBothSidesIsNoConflict) {
-  Session session(path);
+  EditSession session(path);
   edit(session, "two\n");
   write_by_another("two\n");
   EXPECT_TRUE(session.poll());
@@ -186,7 +186,7 @@ TEST_F(Sessions, TheSameChangeOnBothSidesIsNoConflict) {
 }
 
 TEST_F(Sessions, AFileThatIsTouchedHasNotChanged) {
-  Session session(path);
+  EditSession session(path);
   const timespec times[2]{{1, 0}, {1, 0}};
   utimensat(AT_FDCWD, path.c_str(), times, 0);
   const std::int64_t before = session.revision();
@@ -195,7 +195,7 @@ TEST_F(Sessions, AFileThatIsTouchedHasNotChanged) {
 }
 
 TEST_F(Sessions, ARemovedFileIsReportedAndWrittenAgain) {
-  Session session(path);
+  EditSession session(path);
   unlink(path.c_str());
   EXPECT_TRUE(session.poll());
   EXPECT_EQ(session.on_disk(), OnDisk::missing);
@@ -208,7 +208,7 @@ TEST_F(Sessions, ARemovedFileIsReportedAndWrittenAgain) {
 
 TEST_F(Sessions, AFolderWithoutAccessKeepsTheTextInMemory) {
   if (geteuid() == 0) GTEST_SKIP() << "the superuser can write everywhere";
-  Session session(path);
+  EditSession session(path);
   chmod(folder().c_str(), 0500);
   edit(session, "two\n");
   EXPECT_EQ(session.text(), "two\n");

@@ -12,7 +12,7 @@ namespace jounce {
 /// An edited file: all versions of its text, the file on the disk, and a *side file* with the
 /// unsaved text.
 ///
-///     Session session("cam.toml");
+///     EditSession session("cam.toml");
 ///     session.set(session.revision(), text, "move knot 2");  // false: not the present revision
 ///     session.undo();
 ///     session.save();                                        // false: the file has changed
@@ -26,7 +26,7 @@ namespace jounce {
 ///
 /// Not synchronized: threads that share a session need a lock. Functions that write throw
 /// std::system_error if the system reports an error.
-class Session {
+class EditSession {
  public:
   /// Relation of the file on the disk to the text that was last read from it or saved.
   enum class OnDisk {
@@ -38,7 +38,7 @@ class Session {
   /// Reads the file, and the side file of an earlier session if there is one. Throws InputError if
   /// the file cannot be read, or if a session did not write the file with the name of the side
   /// file.
-  explicit Session(std::string path);
+  explicit EditSession(std::string path);
 
   [[nodiscard]] const std::string& path() const { return path_; }
   /// Number of the present state. Every change of the text or of the file on the disk increases it.
