@@ -15,12 +15,13 @@
 #include "jounce/profiles/curve/modulo.hpp"
 #include "jounce/profiles/sequences/queue.hpp"
 
-/// The commands of an axis, modeled on the function blocks of PLCopen. Each command is one struct:
-/// the client that sends the command and the axis that executes it use the same struct.
-/// command_table.hpp describes the commands. u is the unit of the axis, m the unit of its master.
+/// The commands of an axis and of a group, modeled on the function blocks of PLCopen. Each command
+/// is one struct: the client that sends the command and the axis that executes it use the same
+/// struct. command_table.hpp describes the commands. u is the unit of the axis, m the unit of its
+/// master.
 namespace jounce {
 
-/// Value of a field that is not given (NaN): the axis uses its configured value.
+/// Value of a field that the sender does not give (NaN): the axis uses its configured value.
 inline constexpr double as_configured = std::numeric_limits<double>::quiet_NaN();
 
 /// Dynamics of a move: magnitudes, > 0. A value that is not given is the limit of the axis.
@@ -50,15 +51,16 @@ enum class CamEnd : std::uint8_t {
   extend = 2,         ///< continues at the cam's final ratio: the axis stays coupled
 };
 
-/// When a command of a group begins, relative to the previous one (PLCopen part 4), and at which
-/// velocity the path passes from one to the other. The numbers are part of the wire format.
+/// Buffer mode of a command of a group (PLCopen part 4): when the command begins, relative to the
+/// previous one, and at which velocity the group passes from the previous command to this one. The
+/// numbers are part of the wire format.
 enum class PathBuffer : std::uint8_t {
   aborting = 0,           ///< at once: the group comes to rest on its path and drops its commands
   buffered = 1,           ///< at rest, at the end of the previous command
-  blending_low = 2,       ///< at the lower of the two velocities
-  blending_previous = 3,  ///< at the velocity of the previous command
-  blending_next = 4,      ///< at the velocity of the new command
-  blending_high = 5,      ///< at the higher of the two velocities
+  blending_low = 2,       ///< at most at the lower velocity of the two commands
+  blending_previous = 3,  ///< at most at the velocity of the previous command
+  blending_next = 4,      ///< at most at the velocity of the new command
+  blending_high = 5,      ///< at most at the higher velocity of the two commands
   look_ahead = 6,         ///< at the highest velocity within the limits
 };
 
@@ -424,8 +426,9 @@ constexpr std::array<double, N> no_coordinates() {
 inline constexpr std::size_t most_coordinates = 9;  ///< greatest number of axes of a group
 using Coordinates = std::array<double, most_coordinates>;
 
-/// Dynamics of a command of a group along its path, and its joint with the previous command. Only one
-/// of `deviation` and `corner_distance` may be given, and only if `buffer` blends.
+/// Dynamics of a command of a group along its path, and how the command joins the previous one.
+/// `deviation` and `corner_distance` need a `buffer` that blends, and only one of them may be
+/// given.
 struct PathDynamics {
   MoveDynamics along = {};  ///< along the path; not given: the limits of the axes
   PathBuffer buffer = PathBuffer::aborting;
@@ -472,7 +475,7 @@ struct MoveLinear {
 using MoveLinearAbsolute = MoveLinear<false>;
 using MoveLinearRelative = MoveLinear<true>;
 
-/// Moves a group along a straight line, as fast as its axes permit (path-invariant).
+/// Moves a group along a straight line, as fast as its axes permit (PLCopen: path-invariant).
 template <bool relative_>
 struct MoveDirect {
   static constexpr bool relative = relative_;
@@ -485,9 +488,9 @@ using MoveDirectAbsolute = MoveDirect<false>;
 using MoveDirectRelative = MoveDirect<true>;
 
 /// Moves a group along an arc: through the point `via`, or in the plane of the first two axes
-/// around `center`, or with `radius`. Exactly one of these is given. The other axes move in
-/// proportion to the angle, so an arc with a third coordinate is a helix. In a relative command,
-/// the coordinates count from the end of the previous command.
+/// around `center`, or with `radius`. Exactly one of these three must be given. The other axes move
+/// in proportion to the angle, so an arc with a third coordinate is a helix. In a relative command,
+/// all coordinates count from the end of the previous command.
 template <bool relative_>
 struct MoveCircular {
   static constexpr bool relative = relative_;
@@ -497,7 +500,7 @@ struct MoveCircular {
   std::array<double, 3> via = no_coordinates<3>();     ///< a point of the arc, u
   std::array<double, 2> center = no_coordinates<2>();  ///< center of the arc, u
   double radius = as_configured;  ///< u; > 0: at most half a turn; < 0: the longer arc
-  bool clockwise = false;         ///< direction of travel; not used with `via`
+  bool clockwise = false;         ///< true: the group moves clockwise; not used with `via`
   std::int32_t turns = 0;         ///< additional whole turns
   PathDynamics path = {};
 };

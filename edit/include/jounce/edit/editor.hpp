@@ -8,19 +8,20 @@
 
 namespace jounce {
 
-/// The editor of a file in a browser: `jounce edit`.
+/// Serves a page in which a browser edits a spec: `jounce edit`.
 ///
-///     const Editor editor("cam.toml", web::Listening(0));
-///     print(editor.address());   // "http://127.0.0.1:40131/#3f0c...": permits reading and changes
+///     const Editor editor("cam.toml", web::Listening(0));   // port 0: any free port
+///     print(editor.address());   // "http://127.0.0.1:40131/#3f0c...", with the token
 ///
-/// The text of the file is the only state (session.hpp). The page shows its curves and findings, and
-/// changes the text. docs/reference/http.md describes the interface between page and server, which
-/// other programs can use. Every request needs the token of the address; the guards of web::Server
-/// apply. The file is written only by a request to save it.
+/// The text of the file is the only state (session.hpp). The page shows the curves and findings of
+/// the text, and changes the text. Other programs can use the interface between page and server,
+/// too: docs/reference/http.md describes it. Every request except those for the files of the page
+/// needs the token in the address. The guards of web::Server apply. Only a request to save writes
+/// the file.
 class Editor {
  public:
-  /// Opens the file, and serves its page until the object is destroyed. Throws InputError for a
-  /// file that cannot be read, and for one that another editor has open.
+  /// Opens the file, and serves the page until the object is destroyed. Throws InputError for a
+  /// file that cannot be read, and for a file that another editor has open.
   Editor(const std::string& file, web::Listening listening);
   ~Editor();
   Editor(const Editor&) = delete;
@@ -30,7 +31,7 @@ class Editor {
   [[nodiscard]] std::string address() const;
   /// True if the text has no unsaved changes.
   [[nodiscard]] bool is_saved() const;
-  /// The file with the unsaved text.
+  /// Path of the file that contains the unsaved text.
   [[nodiscard]] std::string side_file() const;
 
  private:

@@ -20,18 +20,19 @@
 
 namespace jounce {
 
-/// The single commands of a group, in the communication thread: lines, arcs, waits. Each command is
-/// appended to those that the group plays. The worker plans them again as a whole, from a command
-/// that the group has passed. The group takes the longer plan where it equals the present one, so
-/// its motion does not change; and because every plan ends at rest, the group can always stop on its
-/// path. One command at a time is planned; the others wait.
+/// The single commands of a group: lines, arcs, waits, jogs. The queue belongs to the communication
+/// thread. It appends each new command to the commands that the group plays, and plans all of them
+/// together, from a command that the group has already passed. The group changes to this longer
+/// plan while it equals the present plan, so the present motion does not change. Every plan ends at
+/// rest, so the group can always stop on its path. One command at a time is planned; the others
+/// wait.
 ///
-/// If a command arrives when the group already brakes for the end of its path, it begins at rest.
+/// If the group already brakes for the end of its path when a command arrives, the command begins
+/// at rest.
 ///
-///     GroupQueue queue(group, worker, places);
 ///     queue.take(command, request);
-///     while (const auto step = queue.next(tick)) ...    // often: what the server must do
-///     queue.answered(true);                             // the axis has accepted the step
+///     while (const auto step = queue.next(tick)) ...    // often; the server executes the step
+///     queue.answered(true, movement);                   // the group has accepted a Play or Extend
 class GroupQueue {
  public:
   using Request = CommandQueue::Request;
@@ -53,7 +54,7 @@ class GroupQueue {
     double until = 0;     ///< time of the present program up to which both are equal, s
     Request request;
   };
-  /// The command is accepted (no cause) or rejected.
+  /// The server must answer the sender: the command is accepted (Cause::none) or rejected.
   struct Reply {
     Request request;
     Cause cause = Cause::none;
@@ -61,23 +62,27 @@ class GroupQueue {
   };
   using Step = std::variant<Halt, Play, Extend, Reply>;
 
-  /// `worker` must outlive the queue. `most_at_once`: the worker plans more commands than these;
-  /// fewer are planned at once. `places`: present positions of the axes of the group.
+  /// `worker` must outlive the queue. `most_at_once`: the greatest number of commands that the
+  /// calling thread plans itself; the worker plans longer programs. `places`: returns the present
+  /// positions of the axes of the group.
   GroupQueue(const ExecutorGroup& group, Worker& worker, std::size_t most_at_once,
              std::function<Point()> places);
 
   /// Adds a command of the group.
   void take(const ClientCommand& command, const Request& request);
-  /// Returns the next step; nullopt: none now. `group`: the newest tick of the group.
+  /// Returns the next step that the server must execute; nullopt: none now. `group`: the newest
+  /// tick of the group.
   [[nodiscard]] std::optional<Step> next(const Tick& group);
-  /// The outcome of the last Play or Extend. `movement`: id of its movement.
+  /// Reports whether the group has accepted the last Play or Extend. `movement`: id of the movement
+  /// that the group then plays.
   void answered(bool accepted, std::uint64_t movement);
   /// Drops the commands that are not yet planned, because their session has ended.
   void cancel();
-  /// Drops all commands that the group does not play, also waits before the first motion.
+  /// Drops all commands that the group does not play, including waits before the first motion.
   void clear();
 
-  /// A hold-to-run jog was released: the next command waits until the group rests.
+  /// Reports that a hold-to-run jog was released: the next command then waits until the group
+  /// rests.
   void release() { releasing_ = true; }
 
   /// True if so many commands wait to be planned that the caller must reject further ones.
@@ -101,7 +106,8 @@ class GroupQueue {
     std::optional<Agreement> agreement = {};
     std::string reason = {};
   };
-  /// Ways in which a command joins those before it. Each one is tried if the one before it fails.
+  /// Ways to plan a new command together with the present ones, in the order in which they are
+  /// tried: the next way is tried if a way fails.
   enum class Way : std::uint8_t {
     shorter,   // the program begins at a later command
     longer,    // the program begins where it began

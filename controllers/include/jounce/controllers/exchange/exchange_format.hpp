@@ -23,8 +23,8 @@ enum class KnotJoin {
 /// Numbers of a column in a file.
 enum class Numbers {
   of_unit,  ///< numbers in the unit of the table
-  counts,   ///< counts of the controller (pulses, encoder edges) with decimals
-  whole,    ///< whole counts of the controller
+  counts,   ///< counts of the controller (pulses, encoder edges); fractions of a count are possible
+  whole,    ///< whole counts of the controller only
 };
 
 /// A text format for tables, of a controller or of another maker's tool. exchange_formats() returns
@@ -33,7 +33,7 @@ enum class Numbers {
 struct ExchangeFormat {
   const char* name;    ///< word of the command line: "codesys"
   const char* maker;   ///< controller or tool, and its data type or file
-  const char* knot;    ///< content of a knot in the file
+  const char* knot;    ///< contents of one knot in the file
   const char* source;  ///< manual or public file that defines the format
   /// Ending of the format's files: ".st"; "" if the ending does not identify the format.
   const char* extension;
@@ -45,7 +45,7 @@ struct ExchangeFormat {
   const char* position_units = "";
   Numbers x = Numbers::of_unit;  ///< numbers of the first column
   Numbers p = Numbers::of_unit;  ///< numbers of the position and its derivatives
-  /// For a first column in x_unit: the knots are at whole multiples of this step; 0: at any value.
+  /// The values of the first column are whole multiples of this step, in x_unit; 0: any values.
   double x_step = 0;
   double x_rounding = 0;  ///< size of the last digit of the first column, in x_unit; 0: all digits
   bool equal_steps = false;  ///< true if all intervals are equal
@@ -55,13 +55,13 @@ struct ExchangeFormat {
   bool keeps_units = false;    ///< true if the format defines or states the units
   bool states_period = false;  ///< true if the file states whether the cam repeats
   bool single = false;         ///< true if numbers are REAL: 24 bits of precision
-  bool rests = false;          ///< true if the motion must end at rest
+  bool rests = false;          ///< true if the motion must begin and end at rest
   std::size_t fewest = 2;      ///< least number of knots
   std::size_t most = std::numeric_limits<std::size_t>::max();  ///< greatest number of knots
   double most_step =
       std::numeric_limits<double>::infinity();  ///< greatest interval, in counts of x
   const char* limits_from = "";  ///< reason for `fewest` or `most`: "nElements is an INT"
-  const char* not_kept = "";     ///< sentence on other contents that the file does not have
+  const char* not_kept = "";     ///< sentence on other contents of a table that the file loses
 };
 
 /// Returns all formats, in the order in which exchange_format_of_text() tries them.
@@ -72,14 +72,14 @@ const ExchangeFormat* exchange_format_named(const std::string& word);
 /// Returns the format of a path by its ending, in any letter case; null if no format has the
 /// ending.
 const ExchangeFormat* exchange_format_of_path(const std::string& path);
-/// Returns the format of the content of a file; null if it is none of these formats. If the text
-/// may have several formats, the ending of `path` selects one. A spec, and a table of Jounce in CSV
-/// or JSON (is_table()), are none of these formats.
+/// Returns the format that the content of a file has; null if it has none of these formats. If the
+/// content fits several formats, the ending of `path` selects one. A spec does not have one of
+/// these formats, nor does a table of Jounce in CSV or JSON (is_table()).
 const ExchangeFormat* exchange_format_of_text(const std::string& text,
                                               const std::string& path = "");
 
 /// Returns the interpolation rule of the tables that can be written in the format. Straight lines,
-/// and splines without documented end conditions, need positions only (linear). A clamped spline
+/// and splines without documented end conditions, need only positions (linear). A clamped spline
 /// needs slopes (cubic_hermite). Pieces of degree 2 are cubic_hermite tables, too.
 Interpolation rule_of(const ExchangeFormat& format);
 
