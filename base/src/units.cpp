@@ -171,15 +171,17 @@ double quantity(std::string_view text, std::string_view unit) {
             (unit.empty() ? std::string() : ", such as \"12.5 " + std::string(unit) + '"'));
   if (given.empty()) return *value;
   if (!is_unit(given) || has_second_number(given))
-    throw InputError("", shown,
-                     '"' + std::string(given) + "\" is not a known unit; give the value " +
-                         (unit == "1" ? "without a unit" : "in " + std::string(unit)));
+    throw InputError(
+        "", shown,
+        '"' + std::string(given) + "\" is not a known unit; give the value " +
+            (unit == "1" || unit.empty() ? "without a unit" : "in " + std::string(unit)));
   try {
     return *value * conversion(given, unit);
   } catch (const InputError&) {
-    throw InputError("", shown,
-                     std::string(given) + " is not a unit of this quantity: give the value " +
-                         (unit == "1" ? "without a unit" : "in " + std::string(unit)));
+    throw InputError(
+        "", shown,
+        std::string(given) + " is not a unit of this quantity: give the value " +
+            (unit == "1" || unit.empty() ? "without a unit" : "in " + std::string(unit)));
   }
 }
 

@@ -86,8 +86,8 @@ int check_files(const std::string& verb, const CheckRun& run, const Examine& exa
 void require_one_file(const CheckRun& run, const char* option, const std::string& value) {
   if (!value.empty() && !run.is_one_answer())
     throw InputError(option, value,
-                     "applies to the whole answer for a single file with a motion, as text or "
-                     "--json: leave out --quiet and --baseline");
+                     "applies to a single file with a motion, as text or --json: give one file, "
+                     "without --quiet and --baseline");
 }
 
 }  // namespace jounce::cli

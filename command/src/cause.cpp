@@ -221,8 +221,10 @@ constexpr std::array entries{
     Entry{Cause::in_group, "in_group",
           "The axis belongs to an enabled group, which alone moves it.",
           "Command the group, or disable it first: `jounce order GROUP disable`."},
-    Entry{Cause::single_axis, "single_axis", "The command moves a single axis, not a group.",
-          "Send the command to an axis of the group, while the group is disabled."},
+    Entry{
+        Cause::single_axis, "single_axis", "The command moves a single axis, not a group.",
+        "Send the command to an axis of the group, while the group is disabled. A group moves with "
+        "`move-linear`, and jogs with `jog --along`."},
     Entry{Cause::axis_not_ready, "axis_not_ready",
           "An axis of the group is disabled, not homed, has a fault, or moves.",
           "Find the axis with `jounce monitor`. Reset, enable or home it, or wait for its "
@@ -232,7 +234,8 @@ constexpr std::array entries{
           "Disable the group or leave it in its fault, move the axis there, and repeat the "
           "command."},
     Entry{Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
-          "Send a path to a group, or the table of one axis to an axis (`--axis`)."},
+          "Send a path to a group, or the table of one axis to an axis (`--axis`). A single axis "
+          "moves with `move`."},
     Entry{Cause::stopped, "stopped", "Stopped on request.", "Nothing."},
     Entry{Cause::halted, "halted", "Halted on request.", "Nothing."},
     Entry{Cause::pass_ended, "pass_ended", "Finished at the end of the current pass, as requested.",
@@ -281,8 +284,8 @@ std::string of_group_axis(const Refusal& refusal, const std::string& unit) {
   if (!(refusal.where >= 1)) return "";
   std::string words = " It is axis " + six_digits(refusal.where) + " of the group";
   if (refusal.cause == Cause::axis_away)
-    words += ": it stands at " + six_digits(refusal.value) + unit_of(refusal.cause, unit) +
-             ", and its place is " + six_digits(refusal.limit) + unit_of(refusal.cause, unit);
+    words += ", at " + six_digits(refusal.value) + unit_of(refusal.cause, unit) + " instead of " +
+             six_digits(refusal.limit) + unit_of(refusal.cause, unit);
   return words + ".";
 }
 

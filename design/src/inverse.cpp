@@ -10,6 +10,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/cam/algebra/algebra.hpp"
 #include "jounce/design/design_text.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
 #include "design/src/table_of.hpp"
@@ -106,7 +107,15 @@ Input inverse_of(const Input& input, const InverseTexts& texts) {
   require_motion_at(branch, from, Side::right, "from", units.position);
   require_motion_at(branch, to, Side::left, "to", units.position);
   if (!(from < to)) throw InputError("to", to, "must be greater than " + number(from));
-  const Fitted<OverMaster> fitted = inverse_within(branch, from, to, tolerance / 2);
+  const Fitted<OverMaster> fitted = [&] {
+    try {
+      return inverse_within(branch, from, to, tolerance / 2);
+    } catch (const InputError& error) {
+      if (error.key() != "tolerance" || texts.tolerance.empty()) throw;
+      throw InputError("tolerance", texts.tolerance,
+                       "half of it is for the inverse, and " + error.rule());
+    }
+  }();
   Sampled table = design_detail::table_of(
       fitted.curve, {.rule = {}, .tolerance = tolerance / 2, .intervals = {}}, {});
   table.error.position += fitted.error[0];
@@ -161,7 +170,12 @@ std::string inverse_json(const Input& input) {
 }
 
 std::string places_text(const Input& input, const std::vector<MasterPlace>& places) {
-  if (places.empty()) return input.name + ": the slave is never there\n";
+  if (places.empty()) {
+    const Range travel = extrema(cam_in(input), 0);
+    return fmt::format("{}: the slave is never there: it moves from {} to {} {}\n", input.name,
+                       rounded(travel.min.value), rounded(travel.max.value),
+                       input.labels.units.position);
+  }
   std::string text;
   for (const MasterPlace& place : places) {
     const MasterSpan& master = place.master;

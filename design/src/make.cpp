@@ -42,8 +42,7 @@ std::string numbered(std::size_t i, const std::string& name) {
 /// The mode of [polydyne] in cycles per unit of the master.
 Mode mode_over_master(const Spec& spec) {
   if (!spec.master)
-    throw InputError("polydyne", "",
-                     "needs the speed of the master: add [master] with velocity and distance");
+    throw InputError("polydyne", "", "needs the speed of the master: add [master] with velocity");
   const double speed = spec.master->velocity / seconds_per_unit(spec);
   return {spec.polydyne->frequency / speed, spec.polydyne->damping};
 }
@@ -256,8 +255,7 @@ std::pair<double, double> master_range(const Spec& spec) {
 
 Trajectory master_of(const Spec& spec) {
   if (!spec.master)
-    throw InputError("master", "",
-                     "is missing: a cam needs a master; add [master] with velocity and distance");
+    throw InputError("master", "", "is missing: a cam needs a master; add [master] with velocity");
   const MasterSpec& master = *spec.master;
   const double unit = seconds_per_unit(spec);
   const double velocity = master.velocity / unit;

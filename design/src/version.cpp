@@ -52,7 +52,8 @@ std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
                          "is missing: " + *file +
                              (others->size() == 1 && others->front().axis.empty()
                                   ? " has only one axis, without a name"
-                                  : " has no axis " + one.axis) +
+                              : one.axis.empty() ? " has several axes"
+                                                 : " has no axis " + one.axis) +
                              ". Name the axis to compare");
   for (Input& one : before) {
     const auto other = std::find_if(after.begin(), after.end(),

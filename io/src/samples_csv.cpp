@@ -10,6 +10,7 @@
 #include "jounce/io/detail/table_parts.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
@@ -38,6 +39,10 @@ std::string names_line(const TableFile& file) {
 /// Number of instants start + k step before the end, and the end.
 std::size_t rows_of(const Table& table, double step) {
   require_positive("every", step);
+  if (step > table.length() * (1 + rounded_sum))
+    throw InputError(
+        "every", step,
+        "must be at most " + six_digits_down(table.length()) + ", the length of the table");
   const double steps = std::ceil(table.length() / step * (1 - rounded_sum));
   if (!(steps < most_rows)) throw InputError("every", step, "makes more than 100 million rows");
   return static_cast<std::size_t>(steps) + 1;

@@ -93,7 +93,7 @@ TEST(Group, StartsOnlyWhereItsAxesStand) {
   rig.images[group].command = {command::Start{}};
   rig.step();
   EXPECT_THAT(rig.at(group).refused->text(),
-              HasSubstr("axis 2 of the group: it stands at 0.5, and its place is 0."));
+              HasSubstr("axis 2 of the group, at 0.5 instead of 0."));
   rig.steps(10);
   EXPECT_EQ(rig.at(group).state, State::standstill);
   rig.send(group, command::Disable{});

@@ -736,7 +736,7 @@ TEST_F(Cli, ACamIsShownOverTimeByEveryVerbThatMakesATable) {
               HasSubstr("master: is missing"));
   EXPECT_THAT(run("check pt.csv --over time").err, HasSubstr("jounce: --over = time: "));
   EXPECT_THAT(run("check " + pusher + " " + cam + " --over time").err,
-              HasSubstr("--over = time: applies to the whole answer for a single file"));
+              HasSubstr("--over = time: applies to a single file with a motion"));
 }
 
 TEST_F(Cli, InverseFindsTheMasterOfASlave) {

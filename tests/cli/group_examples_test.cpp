@@ -163,7 +163,7 @@ TEST(GroupStream, StartsOnlyWhereTheAxesStand) {
   ASSERT_TRUE(client.enable().ok());
   ASSERT_TRUE(client.release().ok());
   EXPECT_THAT(site.stream(path_plan("group", path)).reason,
-              HasSubstr("axis 2 of the group: it stands at 1 mm, and its place is 0 mm"));
+              HasSubstr("axis 2 of the group, at 1 mm instead of 0 mm"));
 }
 
 TEST(GroupStream, PathsThatAGroupCannotPlayAreNotSent) {

@@ -78,7 +78,7 @@ sleep 0.3
 got=0
 "$jounce" stream square.toml --to plotter > out 2>&1 || got=$?
 [ $got = 1 ] || fail "a start elsewhere: exit status $got: $(cat out)"
-grep -q 'axis 1 of the group: it stands at' out || fail "a start elsewhere: $(cat out)"
+grep -q 'axis 1 of the group, at' out || fail "a start elsewhere: $(cat out)"
 got=0
 "$jounce" stream square.toml --to x > out 2>&1 || got=$?
 [ $got = 1 ] && grep -q not_a_group out || fail "a path for one axis: $got, $(cat out)"

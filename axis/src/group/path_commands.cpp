@@ -127,7 +127,13 @@ void PathCommands::append(const command::MoveCircular<relative>& arc) {
   const bool around = is_given(arc.center);
   const bool by_radius = !std::isnan(arc.radius);
   if (static_cast<int>(through) + static_cast<int>(around) + static_cast<int>(by_radius) != 1)
-    throw InputError("via", "", "must be given, or one of center and radius");
+    throw InputError("via", "",
+                     "an arc needs exactly one of via, center and radius: give one, and leave out "
+                     "the others");
+  if (arc.turns > command::most_extra_turns)
+    throw InputError("turns", std::to_string(arc.turns),
+                     "must be at most " + std::to_string(command::most_extra_turns) +
+                         ": send more turns as further commands");
   const Plane plane{0, 1};
   const ArcRotation rotation =
       arc.clockwise ? ArcRotation::clockwise : ArcRotation::counterclockwise;
@@ -140,8 +146,9 @@ void PathCommands::append(const command::MoveCircular<relative>& arc) {
 }
 
 void PathCommands::append(const command::GroupWait& wait) {
-  if (!(wait.duration >= 0) || !std::isfinite(wait.duration))
-    throw InputError("duration", wait.duration, "must be finite and not negative");
+  constexpr double longest_wait = 1e6;  // s
+  if (!(wait.duration >= 0 && wait.duration <= longest_wait))
+    throw InputError("duration", wait.duration, "must be from 0 to 1e6 s");
   all_.push_back({{}, Wait{wait.duration}, position()});
 }
 

@@ -200,8 +200,10 @@ void require_coordinates(const std::string& name, const std::string& text, std::
 double turns_of(const std::string& text) {
   if (text.empty()) return 0;
   const auto turns = csv_number(text);
-  if (!turns || *turns != std::floor(*turns) || *turns < 0 || *turns > 1e6)
-    throw InputError("--turns", text, "must be a whole number from 0 to 1000000");
+  if (!turns || *turns != std::floor(*turns) || *turns < 0 || *turns > command::most_extra_turns)
+    throw InputError(
+        "--turns", text,
+        "must be a whole number from 0 to " + std::to_string(command::most_extra_turns));
   return *turns;
 }
 

@@ -487,6 +487,8 @@ struct MoveDirect {
 using MoveDirectAbsolute = MoveDirect<false>;
 using MoveDirectRelative = MoveDirect<true>;
 
+inline constexpr std::int32_t most_extra_turns = 1000;  ///< of one circular move
+
 /// Moves a group along an arc: through the point `via`, or in the plane of the first two axes
 /// around `center`, or with `radius`. Exactly one of these three must be given. The other axes move
 /// in proportion to the angle, so an arc with a third coordinate is a helix. In a relative command,
@@ -501,7 +503,7 @@ struct MoveCircular {
   std::array<double, 2> center = no_coordinates<2>();  ///< center of the arc, u
   double radius = as_configured;  ///< u; > 0: at most half a turn; < 0: the longer arc
   bool clockwise = false;         ///< true: the group moves clockwise; not used with `via`
-  std::int32_t turns = 0;         ///< additional whole turns
+  std::int32_t turns = 0;         ///< additional whole turns, at most most_extra_turns
   PathDynamics path = {};
 };
 using MoveCircularAbsolute = MoveCircular<false>;
