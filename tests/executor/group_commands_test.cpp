@@ -339,6 +339,11 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
   far.radius = 2;
   EXPECT_THAT(reason(far), HasSubstr("radius"));
   EXPECT_THAT(reason(command::GroupWait{-1}), HasSubstr("duration -1 must be"));
+  EXPECT_THAT(reason(command::GroupWait{1e9}), HasSubstr("must be from 0 to 1e6 s"));
+  command::MoveCircularRelative turns{.to = at(0, 10)};
+  turns.radius = 5;
+  turns.turns = command::most_extra_turns + 1;
+  EXPECT_THAT(reason(turns), HasSubstr("turns 1001 must be at most 1000"));
   EXPECT_THROW(site.order("plotter", command::MoveLinearAbsolute{.to = at(INFINITY, 0)}),
                InputError);
   EXPECT_THROW(

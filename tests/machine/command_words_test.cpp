@@ -90,6 +90,8 @@ TEST(CommandWords, AWrongCoordinateIsNamed) {
   EXPECT_THAT(rule("move-linear", {{"to", "1,nan"}}), HasSubstr("number"));
   EXPECT_THAT(rule("move-circular", {{"to", "1,2"}, {"turns", "0.5"}}),
               HasSubstr("must be a whole number"));
+  EXPECT_THAT(rule("move-circular", {{"to", "1,2"}, {"turns", "1001"}}),
+              HasSubstr("must be a whole number from 0 to 1000"));
   EXPECT_THAT(rule("move", {{"to", "5"}, {"blend", "look-ahead"}}),
               HasSubstr("applies to the moves of a group only"));
 }

@@ -487,7 +487,7 @@ struct MoveDirect {
 using MoveDirectAbsolute = MoveDirect<false>;
 using MoveDirectRelative = MoveDirect<true>;
 
-inline constexpr std::int32_t most_extra_turns = 1000;  ///< of one circular move
+inline constexpr std::int32_t most_extra_turns = 1000;  ///< limit of a circular move
 
 /// Moves a group along an arc: through the point `via`, or in the plane of the first two axes
 /// around `center`, or with `radius`. Exactly one of these three must be given. The other axes move
