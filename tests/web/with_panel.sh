@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Sourced after namespace.sh: an executor with a live page, whose address is $address; ends with the test.
 "$1" new axis -o "$scratch/axis.toml"
+: > "$scratch/said"  # the loop reads it before the program writes
 "$1" run "$scratch/axis.toml" --enable --web 0 --seconds 110 2> "$scratch/said" &
 executor=$!
 trap 'kill -KILL $executor 2> /dev/null || true; rm -rf "$scratch"' EXIT
