@@ -334,7 +334,7 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
   EXPECT_THAT(reason(command::MoveLinearAbsolute{at(5, 5), {.deviation = 0.1}}),
               HasSubstr("needs a buffer mode that blends"));
   EXPECT_THAT(reason(command::MoveCircularAbsolute{.to = at(10, 0)}),
-              HasSubstr("an arc needs exactly one of via, center and radius"));
+              HasSubstr("via must be given, or center, or radius: exactly one of the three"));
   command::MoveCircularAbsolute far{.to = at(10, 0)};
   far.radius = 2;
   EXPECT_THAT(reason(far), HasSubstr("radius"));
