@@ -338,6 +338,7 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
   command::MoveCircularAbsolute far{.to = at(10, 0)};
   far.radius = 2;
   EXPECT_THAT(reason(far), HasSubstr("radius"));
+  EXPECT_THAT(reason(command::GearIn{.numerator = 1, .denominator = 2}), HasSubstr("single_axis"));
   EXPECT_THAT(reason(command::GroupWait{-1}), HasSubstr("duration -1 must be"));
   EXPECT_THAT(reason(command::GroupWait{1e9}), HasSubstr("must be from 0 to 1e6 s"));
   command::MoveCircularRelative turns{.to = at(0, 10)};

@@ -278,6 +278,7 @@ void AxisServer::obey(const command::GearInPos& /*gear*/, const CommandRequested
 }
 
 void AxisServer::couple(const CommandRequested& requested, const Request& request) {
+  if (options_.group) return answer(request, Refusal{.cause = Cause::single_axis});
   motion_session_ = requested.session;
   if (options_.follow.what == Follow::What::nothing)
     return answer(request, Refusal{.cause = Cause::no_master_input});
