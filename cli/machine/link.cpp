@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/machine/link.hpp"
 
+#include "jounce/machine/watch.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/transport/address.hpp"
@@ -39,6 +40,11 @@ Link::Link(const LinkOptions& options)
   if (options.inject_loss > 0)
     lossy_ = std::make_unique<LossyTransport>(
         *link_, LossSpec{.seed = options.seed, .lost = options.inject_loss}, steady_now);
+}
+
+void throw_missing(Link& link, const std::string& executor) {
+  throw TransportError("no message from " + executor + ": " +
+                       dashboard::senders_hint(link.transport(), link.key()));
 }
 
 }  // namespace jounce::cli

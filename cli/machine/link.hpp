@@ -67,4 +67,8 @@ class Link {
   std::optional<wire::Key> key_;
 };
 
+/// Throws TransportError: no message arrives from this executor. Listens for a second to name those
+/// that send.
+[[noreturn]] void throw_missing(Link& link, const std::string& executor);
+
 }  // namespace jounce::cli

@@ -33,16 +33,15 @@ struct OrderArguments {
   bool json = false;
 };
 
-/// The units of the axis, and of the values of its commands.
-Units units_of(const OrderArguments& options, Link& link) {
+/// The state of the axis, and the units of the values of its commands.
+wire::Status present(const OrderArguments& options, Link& link) {
   const auto status =
       present_status(link.transport(), options.executor, std::chrono::seconds(1), link.key());
-  if (!status) throw TransportError("no message from " + options.executor + ": " + unheard_hint);
-  return status->units;
+  if (!status) throw_missing(link, options.executor);
+  return *status;
 }
 
-CallOutcome execute(const OrderArguments& options, Link& link) {
-  const Units units = units_of(options, link);
+CallOutcome execute(const OrderArguments& options, Link& link, const Units& units) {
   const bool homes = options.words.what == "home";
   if (homes && options.at >= 0)
     throw InputError("--at", std::to_string(options.at),
@@ -64,13 +63,12 @@ CallOutcome execute(const OrderArguments& options, Link& link) {
        .key = link.key()});
 }
 
-int report(const OrderArguments& options, const CallOutcome& outcome) {
+int report(const OrderArguments& options, const CallOutcome& outcome, const wire::Status& before) {
   const std::string& axis = options.executor;
   if (options.json)
     print_json(command_json(outcome));
   else if (outcome.ok())
-    fmt::print("{}: {}\n", axis,
-               options.words.what == "home" ? "homed" : options.words.what + " accepted");
+    fmt::print("{}: {}\n", axis, accepted_text(options.words.what, before, axis));
   else
     fmt::print(stderr, "jounce: {}: {}\n", axis, reason_text(outcome, axis));
   return status_of(outcome, {StreamError::refused});
@@ -81,7 +79,8 @@ int run_order(const OrderArguments& options) {
   require_taken(options.words);
   if (options.seconds != 0) require_held(options.words, fmt::format("{}", options.seconds));
   Link link(options.link);
-  return report(options, execute(options, link));
+  const wire::Status before = present(options, link);
+  return report(options, execute(options, link, before.units), before);
 }
 
 /// The options that the commands have.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/machine/watch.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/operate.hpp"
 
@@ -32,7 +33,7 @@ int run_stop(const StopArguments& options) {
                options.executor, options.patience);
   else
     fmt::print(stderr, "jounce: {} does not confirm the stop: {}\n", options.executor,
-               unheard_hint);
+               dashboard::senders_hint(link.transport(), link.key()));
   return result.rest ? fine : fault;
 }
 

@@ -80,8 +80,7 @@ std::int64_t tick_of(const StreamArguments& options, Link& link, const std::stri
                      "must be a tick, such as 120000, or + and seconds from now, such as +2.5");
   if (!from_now) return static_cast<std::int64_t>(*number);
   const auto tick = tick_after(link.transport(), executor, *number, link.key());
-  if (!tick)
-    throw TransportError("no status of executor " + executor + " arrived: " + unheard_hint);
+  if (!tick) throw_missing(link, executor);
   return *tick;
 }
 

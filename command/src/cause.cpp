@@ -80,13 +80,13 @@ constexpr std::array entries{
           "path.",
           "Find the axis with `jounce monitor`, remove the cause, and reset and enable the axis. "
           "Then reset the group. `jounce order GROUP resume` continues the path."},
-    Entry{Cause::not_enabled, "not_enabled", "The axis is disabled.",
-          "Enable the axis: `jounce order NAME enable`."},
-    Entry{Cause::in_error, "in_error", "The axis has a fault.",
-          "Remove the cause of the fault (`jounce monitor NAME` shows it), then reset the axis: "
-          "`jounce order NAME reset`."},
-    Entry{Cause::in_motion, "in_motion", "The axis is moving.",
-          "Wait for standstill, or stop the axis: `jounce stop NAME`."},
+    Entry{Cause::not_enabled, "not_enabled", "The axis or group is disabled.",
+          "Enable it: `jounce order NAME enable`."},
+    Entry{Cause::in_error, "in_error", "The axis or group has a fault.",
+          "Remove the cause of the fault (`jounce monitor NAME` shows it), then send `jounce order "
+          "NAME reset`."},
+    Entry{Cause::in_motion, "in_motion", "The axis or group is moving.",
+          "Wait for standstill, or stop it: `jounce stop NAME`."},
     Entry{Cause::not_armed, "not_armed", "No table is armed.",
           "Send a table and arm it. After a stop, the table must be armed again."},
     Entry{Cause::not_at_start, "not_at_start",
@@ -128,6 +128,11 @@ constexpr std::array entries{
     Entry{Cause::not_positive, "not_positive",
           "A velocity, acceleration, deceleration or jerk of the command is not greater than 0.",
           "Give a number greater than 0, or leave the option out to use the limit of the axis."},
+    Entry{
+        Cause::no_reserve, "no_reserve",
+        "The present motion uses a whole limit, so nothing is left for a superimposed move.",
+        "Begin the present motion with a lower --velocity, --acceleration and --jerk, or wait for "
+        "its end."},
     Entry{Cause::bad_table, "bad_table", "The tables do not form a motion.",
           "Send one table over time, or two tables: a cam over its master, and the master over "
           "time."},
@@ -152,18 +157,15 @@ constexpr std::array entries{
     Entry{Cause::position_limit, "position_limit", "A position is outside the position range.",
           "Give a position inside the range, shift or shorten the motion, or widen position_min "
           "and position_max."},
-    Entry{
-        Cause::velocity_limit, "velocity_limit",
-        "The motion exceeds the velocity limit of the axis.",
-        "For a command, give a velocity within the limit. For a table, give the motion more time, "
-        "or choose a law with a lower peak velocity."},
+    Entry{Cause::velocity_limit, "velocity_limit",
+          "The motion exceeds the velocity limit of the axis.",
+          "Give a lower velocity. For a table: more time, or a law with a lower peak velocity."},
     Entry{Cause::acceleration_limit, "acceleration_limit",
           "The motion exceeds the acceleration limit of the axis.",
-          "For a command, give an acceleration within the limit. For a table, give the motion more "
-          "time, or choose a law with a lower peak acceleration."},
+          "Give a lower acceleration. For a table: more time, or a law with a lower peak "
+          "acceleration."},
     Entry{Cause::jerk_limit, "jerk_limit", "The motion exceeds the jerk limit of the axis.",
-          "For a command, give a jerk within the limit. For a table, give the motion more time, or "
-          "choose a law with a lower peak jerk."},
+          "Give a lower jerk. For a table: more time, or a law with a lower peak jerk."},
     Entry{Cause::position_step, "position_step", "The position of the table jumps.",
           "A cam that wraps must end where it begins. For a cam that gains a distance in each "
           "period, use outside = \"advance\"."},
@@ -171,10 +173,11 @@ constexpr std::array entries{
         Cause::velocity_step, "velocity_step",
         "The velocity of the table jumps by more than the acceleration limit permits in one cycle.",
         "Smooth the table there: use more points, or rule = \"cubic_hermite\"."},
-    Entry{
-        Cause::acceleration_step, "acceleration_step",
-        "The acceleration of the table jumps by more than the jerk limit permits in one cycle.",
-        "Use a profile with limited jerk, such as s_curve: the acceleration of a trapezoid jumps."},
+    Entry{Cause::acceleration_step, "acceleration_step",
+          "The acceleration of the table jumps by more than the jerk limit permits in one cycle.",
+          "Use a motion whose acceleration does not jump: s_curve instead of trapezoid, a law for "
+          "which `jounce laws` reports no step of the acceleration, or a PVT table with "
+          "accelerations."},
     Entry{Cause::wrong_unit, "wrong_unit",
           "The unit of the table differs from the unit of the axis.",
           "Write the table in the unit of the axis: change units in its spec, or use `jounce "
@@ -227,15 +230,14 @@ constexpr std::array entries{
         "`move-linear`, and jogs with `jog --along`."},
     Entry{Cause::axis_not_ready, "axis_not_ready",
           "An axis of the group is disabled, not homed, has a fault, or moves.",
-          "Find the axis with `jounce monitor`. Reset, enable or home it, or wait for its "
-          "standstill."},
+          "Enable, home or reset this axis, or wait for its standstill; then repeat the command."},
     Entry{Cause::axis_away, "axis_away",
           "An axis of the group does not stand where the path begins or continues.",
-          "Disable the group or leave it in its fault, move the axis there, and repeat the "
-          "command."},
-    Entry{Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
-          "Send a path to a group, or the table of one axis to an axis (`--axis`). A single axis "
-          "moves with `move`."},
+          "Disable the group unless it has a fault, move the axis there, and repeat the command."},
+    Entry{
+        Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
+        "Use `jounce order NAME move --to POSITION`. To stream one axis of a path, choose the axis "
+        "with --axis."},
     Entry{Cause::stopped, "stopped", "Stopped on request.", "Nothing."},
     Entry{Cause::halted, "halted", "Halted on request.", "Nothing."},
     Entry{Cause::pass_ended, "pass_ended", "Finished at the end of the current pass, as requested.",
@@ -279,14 +281,43 @@ std::string tick_text(double tick) {
   return "tick " + std::to_string(static_cast<std::int64_t>(tick));
 }
 
+/// Predicate for an axis that is not ready, from the cause in Refusal::value.
+const char* unready(double cause) {
+  switch (static_cast<Cause>(cause)) {
+    case Cause::not_enabled:
+      return " is disabled";
+    case Cause::in_error:
+      return " has a fault";
+    case Cause::not_homed:
+      return " is not homed";
+    case Cause::stopping:
+      return " is stopping";
+    default:
+      return " is moving";
+  }
+}
+
 /// The axis of a group that prevents a motion; Refusal::where is its number.
-std::string of_group_axis(const Refusal& refusal, const std::string& unit) {
+std::string of_group_axis(const Refusal& refusal, const std::string& unit,
+                          std::span<const std::string> axes) {
   if (!(refusal.where >= 1)) return "";
-  std::string words = " It is axis " + six_digits(refusal.where) + " of the group";
-  if (refusal.cause == Cause::axis_away)
-    words += ", at " + six_digits(refusal.value) + unit_of(refusal.cause, unit) + " instead of " +
-             six_digits(refusal.limit) + unit_of(refusal.cause, unit);
-  return words + ".";
+  const auto index = static_cast<std::size_t>(refusal.where) - 1;
+  const std::string axis =
+      index < axes.size() ? axes[index] : "Axis " + six_digits(refusal.where) + " of the group";
+  if (refusal.cause == Cause::axis_not_ready) return " " + axis + unready(refusal.value) + ".";
+  return " " + axis + " is at " + six_digits(refusal.value) + unit_of(refusal.cause, unit) +
+         " instead of " + six_digits(refusal.limit) + unit_of(refusal.cause, unit) + ".";
+}
+
+/// The limit that a motion uses up, from its derivative in Refusal::where.
+std::string used_up(const Refusal& refusal, const std::string& unit) {
+  constexpr std::array limits{Cause::velocity_limit, Cause::acceleration_limit, Cause::jerk_limit};
+  constexpr std::array names{"velocity", "acceleration", "jerk"};
+  const auto index = static_cast<std::size_t>(refusal.where) - 1;
+  if (index >= limits.size()) return ".";
+  return std::string(": ") + names[index] + " " + six_digits(refusal.value) +
+         unit_of(limits[index], unit) + ", limit " + six_digits(refusal.limit) +
+         unit_of(limits[index], unit) + ".";
 }
 
 const Entry& entry(Cause cause) {
@@ -309,12 +340,14 @@ const char* meaning(Cause cause) {
   return entry(cause).meaning;
 }
 
-std::string text(const Refusal& refusal, const std::string& unit) {
+std::string text(const Refusal& refusal, const std::string& unit,
+                 std::span<const std::string> axes) {
   const Cause cause = refusal.cause;
   std::string words = std::string(name(cause)) + ": " + meaning(cause);
   if (cause == Cause::axis_away || cause == Cause::axis_not_ready)
-    return words + of_group_axis(refusal, unit);
+    return words + of_group_axis(refusal, unit, axes);
   words.pop_back();  // the full stop: the numbers follow
+  if (cause == Cause::no_reserve) return words + used_up(refusal, unit);
   if (cause == Cause::too_late)
     return words + ": " + tick_text(refusal.value) + "; the axis is at " +
            tick_text(refusal.limit) + ".";

@@ -91,15 +91,17 @@ double rounding_of_knots(const Table& table, double largest_position, const Find
 /// the fewest knots, get more knots where a limit requires them, unless [table] prevents this.
 const char* advice_for_table(const TableOptions& options) {
   if (options.intervals)
-    return "the curve keeps this limit, but the table with these intervals does not: increase "
+    return "only the table exceeds this limit, with its present intervals; the curve keeps it. "
+           "Increase "
            "intervals in [table], or replace it with tolerance, which adds knots where a limit "
            "requires them";
   if (options.target)
-    return "the curve keeps this limit, but the table with these knots does not: increase most in "
+    return "only the table exceeds this limit, with its present knots; the curve keeps it. "
+           "Increase most in "
            "[table], or remove its resolutions, so that knots can be added where a limit requires "
            "them";
-  return "the curve keeps this limit: give [table] a smaller tolerance, more knots, or another "
-         "rule";
+  return "only the table exceeds this limit; the curve keeps it. Give [table] a smaller tolerance, "
+         "more knots, or another rule";
 }
 
 /// Findings for the limits that the table breaks between its knots and the curve keeps, by more

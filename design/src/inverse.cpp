@@ -55,7 +55,8 @@ const char* kind_of(const Inverse& branch) {
 const Inverse& chosen(const Input& input, const Inversion& all, const std::optional<double>& at) {
   if (at) {
     if (const Inverse* branch = all.branch_at(*at)) return *branch;
-    throw InputError("at", *at, "is no place where the slave moves");
+    throw InputError("at", *at,
+                     "is not in a rise or fall of the slave, which are " + all.ranges_text());
   }
   if (all.branches.empty()) throw InputError("input", input.name, "has a slave that never moves");
   if (all.branches.size() > 1)
@@ -172,8 +173,8 @@ std::string inverse_json(const Input& input) {
 std::string places_text(const Input& input, const std::vector<MasterPlace>& places) {
   if (places.empty()) {
     const Range travel = extrema(cam_in(input), 0);
-    return fmt::format("{}: the slave is never there: it moves from {} to {} {}\n", input.name,
-                       rounded(travel.min.value), rounded(travel.max.value),
+    return fmt::format("{}: the slave does not reach this position: it moves from {} to {} {}\n",
+                       input.name, rounded(travel.min.value), rounded(travel.max.value),
                        input.labels.units.position);
   }
   std::string text;

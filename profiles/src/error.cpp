@@ -111,9 +111,10 @@ InputError InputError::at(std::string document, int line, int column) const {
 }
 
 void InputError::compose() {
+  const bool bare = document_.empty();
   text_ = document_;
-  if (line_ > 0) text_ += ":" + std::to_string(line_);
-  if (line_ > 0 && column_ > 0) text_ += ":" + std::to_string(column_);
+  if (line_ > 0) text_ += (bare ? "line " : ":") + std::to_string(line_);
+  if (line_ > 0 && column_ > 0) text_ += (bare ? ", column " : ":") + std::to_string(column_);
   if (!text_.empty()) text_ += ": ";
   if (!key_.empty()) text_ += key_ + (value_.empty() ? ": " : " = " + shortened(value_) + ": ");
   text_ += rule_;

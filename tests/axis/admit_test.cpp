@@ -133,7 +133,8 @@ TEST(Admit, ATableThatDoesNotEndAtRest) {
 }
 
 TEST(Refusal, HasNumbersOnlyWhereOneBrokeABound) {
-  EXPECT_EQ(Refusal{.cause = Cause::not_enabled}.text(), "not_enabled: The axis is disabled.");
+  EXPECT_EQ(Refusal{.cause = Cause::not_enabled}.text(),
+            "not_enabled: The axis or group is disabled.");
   const Refusal target{.cause = Cause::position_limit, .value = 400, .limit = 300};
   EXPECT_EQ(target.text(),
             "position_limit: A position is outside the position range: 400, limit 300.");

@@ -52,11 +52,10 @@ std::vector<std::function<std::unique_ptr<Movement>()>> couplings() {
   const double none = 0;
   return {[] { return std::make_unique<LiveGear>(1, GearInSpec{.acceleration = 1e4}); },
           [] {
-            return std::make_unique<LiveGear>(
-                1, GearInSpec{.numerator = 2147483647,
-                              .denominator = 2147483646,
-                              .acceleration = 1e4,
-                              .jerk = 1e6});
+            return std::make_unique<LiveGear>(1, GearInSpec{.numerator = 2147483647,
+                                                            .denominator = 2147483646,
+                                                            .acceleration = 1e4,
+                                                            .jerk = 1e6});
           },
           [none] {
             return std::make_unique<LiveGearInPos>(1, GearInPosSpec{.master_sync_position = 100,

@@ -63,7 +63,7 @@ TEST(Group, IsEnabledOnlyWithItsAxes) {
   EXPECT_EQ(rig.at(group).state, State::disabled);
   rig.images[group].command = {command::Enable{}};
   rig.step();
-  EXPECT_THAT(rig.at(group).refused->text(), HasSubstr("It is axis 2 of the group."));
+  EXPECT_THAT(rig.at(group).refused->text(), HasSubstr("Axis 2 of the group is disabled."));
   rig.send(y, command::Enable{});
   EXPECT_EQ(rig.send(group, command::Enable{}), Cause::none);
   EXPECT_EQ(rig.at(group).state, State::standstill);
@@ -93,7 +93,7 @@ TEST(Group, StartsOnlyWhereItsAxesStand) {
   rig.images[group].command = {command::Start{}};
   rig.step();
   EXPECT_THAT(rig.at(group).refused->text(),
-              HasSubstr("axis 2 of the group, at 0.5 instead of 0."));
+              HasSubstr("Axis 2 of the group is at 0.5 instead of 0."));
   rig.steps(10);
   EXPECT_EQ(rig.at(group).state, State::standstill);
   rig.send(group, command::Disable{});

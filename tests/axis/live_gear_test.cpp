@@ -96,7 +96,7 @@ TEST(LiveGear, LeavesASuperimposedMoveWhatItsRampDoesNotUse) {
     axis.step({command::Couple{.movement = &gear}}, at_master(0, 300));
     const Command up{command::MoveSuperimposed{.distance = 10}};
     const Tick engaging = axis.step(up, at_master(0.3, 300));
-    EXPECT_EQ(refusal(engaging), share == 1 ? Cause::jerk_limit : Cause::none);
+    EXPECT_EQ(refusal(engaging), share == 1 ? Cause::no_reserve : Cause::none);
     for (int i = 2; i < 500; ++i) axis.step({}, at_master(0.3 * i, 300));
     EXPECT_EQ(gear.progress(), Progress::running);
     EXPECT_EQ(refusal(axis.step(up, at_master(150, 300))), Cause::none);

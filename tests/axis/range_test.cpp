@@ -261,9 +261,8 @@ TEST(Range, ASuperimposedMoveTakesWhatTheLimitsLeave) {
   full.send(Kind::enable);
   full.step({command::MoveAbsolute{.position = 100, .dynamics = {.velocity = 500}}});
   full.run(20);
-  EXPECT_EQ(refusal(full.step({command::MoveSuperimposed{.distance = 1}})),
-            Cause::acceleration_limit)
-      << "the move below takes all of it";
+  EXPECT_EQ(refusal(full.step({command::MoveSuperimposed{.distance = 1}})), Cause::no_reserve)
+      << "the move below takes the whole acceleration";
 }
 
 }  // namespace

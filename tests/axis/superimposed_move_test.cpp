@@ -61,9 +61,9 @@ TEST(SuperimposedMove, IsRejectedAndLeavesTheOneInProgress) {
   SuperimposedMove move(config());
   ASSERT_EQ(cause(move.begin(0, 20, {}, half, 0)), Cause::none);
   const Peaks all{.velocity = 200, .acceleration = 500, .jerk = 5e4};
-  EXPECT_EQ(cause(move.begin(10, 5, {}, all, 0)), Cause::velocity_limit);
-  EXPECT_EQ(cause(move.begin(10, 5, {}, {.acceleration = 1000}, 0)), Cause::acceleration_limit);
-  EXPECT_EQ(cause(move.begin(10, 5, {}, {.jerk = 1e5}, 0)), Cause::jerk_limit);
+  EXPECT_EQ(cause(move.begin(10, 5, {}, all, 0)), Cause::no_reserve);
+  EXPECT_EQ(cause(move.begin(10, 5, {}, {.acceleration = 1000}, 0)), Cause::no_reserve);
+  EXPECT_EQ(cause(move.begin(10, 5, {}, {.jerk = 1e5}, 0)), Cause::no_reserve);
   EXPECT_EQ(cause(move.begin(10, 5, {.velocity = 0}, half, 0)), Cause::not_positive);
   EXPECT_EQ(cause(move.begin(10, 5, {.velocity = 101}, half, 0)), Cause::velocity_limit);
   EXPECT_EQ(move.distance(), 20);

@@ -145,7 +145,8 @@ TEST(GroupStream, IsRejectedWithItsReason) {
   StreamPlan table = stream_plan("group", path.front(), {});
   EXPECT_THAT(site.stream(table).reason, HasSubstr("single_axis"));
   std::vector<Input> turned{path[1], path[0]};
-  EXPECT_THAT(site.stream(path_plan("group", turned)).reason, HasSubstr("use the same order"));
+  EXPECT_THAT(site.stream(path_plan("group", turned)).reason,
+              HasSubstr("use the same names in the same order"));
   StreamPlan spoiled = path_plan("group", path);
   Columns columns = spoiled.tables.front().table.columns();
   columns.p[1] = 7;
@@ -163,7 +164,7 @@ TEST(GroupStream, StartsOnlyWhereTheAxesStand) {
   ASSERT_TRUE(client.enable().ok());
   ASSERT_TRUE(client.release().ok());
   EXPECT_THAT(site.stream(path_plan("group", path)).reason,
-              HasSubstr("axis 2 of the group, at 1 mm instead of 0 mm"));
+              HasSubstr("y is at 1 mm instead of 0 mm"));
 }
 
 TEST(GroupStream, PathsThatAGroupCannotPlayAreNotSent) {

@@ -42,7 +42,7 @@ order plotter override 100% || fail "override: $(cat out)"
 refused in_group x override 50%
 refused 'to is missing' plotter move-linear --to ,
 refused 'has no length' plotter move-linear --to 0,0
-refused 'coordinate 3, but the group has 2 axes' plotter move-linear --to 0,0,5
+refused 'to has 3 coordinates, but the group has 2 axes' plotter move-linear --to 0,0,5
 refused 'position_max' plotter move-linear --to 1000000000,0
 refused 'needs a buffer mode that blends' plotter move-linear --to 5,5 --deviation 1
 refused 'via must be given' plotter move-circular --to 5,5
@@ -78,7 +78,7 @@ sleep 0.3
 got=0
 "$jounce" stream square.toml --to plotter > out 2>&1 || got=$?
 [ $got = 1 ] || fail "a start elsewhere: exit status $got: $(cat out)"
-grep -q 'axis 1 of the group, at' out || fail "a start elsewhere: $(cat out)"
+grep -q 'x is at' out || fail "a start elsewhere: $(cat out)"
 got=0
 "$jounce" stream square.toml --to x > out 2>&1 || got=$?
 [ $got = 1 ] && grep -q not_a_group out || fail "a path for one axis: $got, $(cat out)"

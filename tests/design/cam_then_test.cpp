@@ -105,8 +105,9 @@ TEST(CamThen, UnitsOfTheFileAreThoseOfTheResult) {
                               "units = { position = \"m\", master = \"rad\" }\n");
   EXPECT_NEAR(cam_of(input).at(2.5).position,
               (cam_of(made("last-year")).at(2.5 * 180 / M_PI).position + 1) / 1000, 1e-15);
-  EXPECT_THAT(error_of("", "units = { position = \"deg\", master = \"rad\" }\n"),
-              HasSubstr("has the unit mm, which cannot be converted to deg"));
+  EXPECT_THAT(
+      error_of("", "units = { position = \"deg\", master = \"rad\" }\n"),
+      HasSubstr("has a slave in mm, which cannot be converted to deg, the unit of this cam"));
   const Input inverse = made("shaft-of-pusher");
   EXPECT_EQ(inverse.labels.units.x, "mm");
   EXPECT_EQ(inverse.labels.units.position, "deg");
@@ -188,7 +189,7 @@ TEST(CamThen, ErrorsNameTheOperatorAndWhatToDo) {
   EXPECT_THAT(error_of("{ operator = \"superpose\", with = \"none.toml\" }"),
               HasSubstr("then[1].with"));
   EXPECT_THAT(error_of("{ operator = \"superpose\", with = \"../googol-move/move.toml\" }"),
-              HasSubstr("is not a cam"));
+              HasSubstr("is a spec over time: give a cam"));
   EXPECT_THAT(error_of("{ operator = \"superpose\", with = \"../rotary-knife/knife.toml\" }"),
               HasSubstr("must be of kind \"cam\""));
   EXPECT_THAT(error_of("{ operator = \"superpose\", with = \"new.toml\" }"),

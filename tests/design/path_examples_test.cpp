@@ -214,7 +214,7 @@ TEST(Tables, OfEqualIntervalsBeyondALimitAreFindings) {
   ASSERT_FALSE(report.ok());
   EXPECT_TRUE(std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& f) {
     return f.broken && f.axis == "table" && f.rule.family() == RuleFamily::limit &&
-           f.advice.find("increase intervals in [table]") != std::string::npos;
+           f.advice.find("Increase intervals in [table]") != std::string::npos;
   }));
   const Input stepped = move_with_table("tolerance = 0.01\nposition_resolution = 0.001\n");
   const Report of_steps = check_all(stepped);

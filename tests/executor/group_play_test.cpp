@@ -65,7 +65,7 @@ TEST(GroupPlay, AStartElsewhereIsRejectedWithTheNumbers) {
   ASSERT_TRUE(site.order("x", command::SetPosition{2.5}).ok());
   ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
   EXPECT_THAT(site.order("plotter", command::StartTable{}).reason,
-              HasSubstr("axis 1 of the group, at 2.5 mm instead of 0 mm"));
+              HasSubstr("x is at 2.5 mm instead of 0 mm"));
   EXPECT_EQ(site.last(group).state, State::standstill);
 }
 

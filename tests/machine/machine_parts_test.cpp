@@ -128,7 +128,9 @@ TEST_F(MachineGroups, AreVirtualAxesAfterTheOthers) {
 }
 
 TEST_F(MachineGroups, TakeAProgramWithOtherNamesInItsOrder) {
-  const std::string path = machine("axes = [\"y\", \"x\"]\nprogram = \"part.toml\"\n", part("u"));
+  std::string program = part("u");
+  program.replace(program.find("\"y\""), 3, "\"v\"");
+  const std::string path = machine("axes = [\"y\", \"x\"]\nprogram = \"part.toml\"\n", program);
   EXPECT_EQ(machine_parts({.files = {path}}).axes[2].group->of.axes,
             (std::vector<std::size_t>{1, 0}));
 }
@@ -140,8 +142,11 @@ TEST_F(MachineGroups, RejectWhatTheyCannotPlayWithItsPlace) {
   EXPECT_THAT(error("axes = [\"x\", \"z\"]\nprogram = \"part.toml\"\n"),
               AllOf(HasSubstr("machine.toml:9"), HasSubstr("group[1].axes = z"),
                     HasSubstr("is not an axis of this machine")));
-  EXPECT_THAT(error("axes = [\"y\", \"x\"]\nprogram = \"part.toml\"\n"),
-              AllOf(HasSubstr("machine.toml:9"), HasSubstr("use the same order")));
+  EXPECT_THAT(
+      error("axes = [\"y\", \"x\"]\nprogram = \"part.toml\"\n"),
+      AllOf(HasSubstr("machine.toml:9"), HasSubstr("use the same names in the same order")));
+  EXPECT_THAT(error(good, part("u")),
+              HasSubstr("x: is axis 1 of the group, but u is that of the path"));
   EXPECT_THAT(error("axes = [\"x\"]\nprogram = \"part.toml\"\n"),
               HasSubstr("has 2 axes, but the group has 1"));
   std::string turned = part();

@@ -95,10 +95,11 @@ MotionAxis::Rejection MotionAxis::act(const command::Extend& what) {
   return std::nullopt;
 }
 
-/// The refusal names the axis of Inputs::master (Peers::away).
+/// The refusal names the axis of Inputs::master (Peers::away, Peers::failed).
 Refusal MotionAxis::axis_refusal(Cause cause) const {
-  const Jet& axis = inputs_.master;
-  return {.cause = cause, .value = axis[0], .limit = axis[1], .where = axis[2]};
+  const auto [position, place, number, reason] = inputs_.master;
+  if (cause == Cause::axis_not_ready) return {.cause = cause, .value = reason, .where = number};
+  return {.cause = cause, .value = position, .limit = place, .where = number};
 }
 
 /// An axis at standstill follows its group from the tick in which the group moves.

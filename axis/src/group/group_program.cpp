@@ -12,6 +12,7 @@
 #include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "axis/src/motion/largest_sum.hpp"
 
@@ -22,25 +23,60 @@ constexpr double admitted_excess = 1e-9;  ///< relative, as for a table
 /// The limits of the MotionAxis of a group exceed those of its axes by this factor: they never bind.
 constexpr double not_binding = 1000;
 
-/// Throws if |value| exceeds the limit. `key`: "x.velocity".
-void require_within(const std::string& key, double value, const std::optional<double>& limit,
-                    const char* unit) {
-  if (!limit || std::abs(value) <= *limit * (1 + admitted_excess)) return;
-  throw InputError(
-      key, std::abs(value),
-      "exceeds " + number(*limit) + unit + ", the limit of the axis: lower the limits of the path");
+/// The planned motion of one axis of a group, and how messages name it.
+struct PlannedAxis {
+  const std::string& name;
+  const std::string& unit;  ///< "mm"; "": not known
+  const Plan& plan;
+  const Trajectory& motion;
+  const AxisConfig& config;
+
+  /// "mm/s^2"; "u/s^2" if the unit is not known.
+  [[nodiscard]] std::string rate(int order) const {
+    const std::string length = unit.empty() ? "u" : unit;
+    return order == 0 ? unit : length + (order == 1 ? "/s" : "/s^" + std::to_string(order));
+  }
+  /// The error, with the line of the command that the plan executes at this time.
+  [[nodiscard]] InputError error(int order, double value, double where,
+                                 const std::string& rule) const {
+    constexpr std::array quantities{"position", "velocity", "acceleration", "jerk"};
+    const auto pieces = plan.drawn().pieces();
+    const double q = plan.law().at(where).position;
+    const auto after = std::upper_bound(pieces.begin(), pieces.end(), q,
+                                        [](double at, const PathPiece& p) { return at < p.start; });
+    const int line = after == pieces.begin() ? 0 : std::prev(after)->line;
+    return InputError(name + "." + quantities[static_cast<std::size_t>(order)],
+                      six_digits(value) + (order == 0 && unit.empty() ? "" : " " + rate(order)),
+                      rule)
+        .at({}, line);
+  }
+};
+
+std::string at_time(double where) {
+  return "at " + six_digits(where) + " s";
 }
 
-void require_inside(const std::string& name, const Range& position, const Limits& limits) {
+/// Throws if the extremum of this order exceeds the limit.
+void require_within(const PlannedAxis& axis, int order, const Extremum& peak,
+                    const std::optional<double>& limit) {
+  if (!limit || std::abs(peak.value) <= *limit * (1 + admitted_excess)) return;
+  throw axis.error(order, std::abs(peak.value), peak.where,
+                   at_time(peak.where) + " exceeds the limit of the axis, " + six_digits(*limit) +
+                       " " + axis.rate(order) + ": lower the limits of the path");
+}
+
+void require_inside(const PlannedAxis& axis, const Range& position) {
+  const Limits& limits = axis.config.limits;
   const double near = admitted_excess * (position.max.value - position.min.value);
+  const auto reject = [&](const Extremum& end, const char* rule, double limit) {
+    throw axis.error(0, end.value, end.where,
+                     at_time(end.where) + rule + " of the axis, " + six_digits(limit) +
+                         (axis.unit.empty() ? "" : " " + axis.unit) + ": shift the path");
+  };
   if (limits.position_max && position.max.value > *limits.position_max + near)
-    throw InputError(
-        name + ".position", position.max.value,
-        "exceeds position_max of the axis, " + number(*limits.position_max) + ": shift the path");
+    reject(position.max, " exceeds position_max", *limits.position_max);
   if (limits.position_min && position.min.value < *limits.position_min - near)
-    throw InputError(name + ".position", position.min.value,
-                     "is less than position_min of the axis, " + number(*limits.position_min) +
-                         ": shift the path");
+    reject(position.min, " is less than position_min", *limits.position_min);
 }
 
 /// The largest sum of the steps of a derivative within one tick, from rest to rest.
@@ -58,26 +94,31 @@ Jump largest_step_of(const Trajectory& motion, std::size_t order, double tick) {
 
 /// A step of the velocity counts as the acceleration that makes it in one tick, and a step of the
 /// acceleration as such a jerk, as in a table.
-void require_smooth(const std::string& name, const Trajectory& motion, const AxisConfig& config) {
-  const double tick = seconds(config.period);
-  const Jump position = largest_jump(motion, 0);
-  const double rounding = profiles_detail::rounded_input * *config.limits.velocity;
+void require_smooth(const PlannedAxis& axis) {
+  const Limits& limits = axis.config.limits;
+  const double tick = seconds(axis.config.period);
+  const auto at_most = [&](int order, double most) {
+    return "must be at most " + six_digits(most) + " " + axis.rate(order);
+  };
+  const Jump position = largest_jump(axis.motion, 0);
+  const double rounding = profiles_detail::rounded_input * *limits.velocity;
   if (std::abs(position.step) > rounding * tick)
-    throw InputError(name + ".position", position.step,
-                     "is a step at " + number(position.where) + " s: the path must have none");
-  const Jump velocity = largest_step_of(motion, 1, tick);
-  const double most = *config.limits.acceleration * tick + rounding;
+    throw axis.error(0, position.step, position.where,
+                     "is a step " + at_time(position.where) +
+                         ", from rounding: divide the path, or use smaller coordinates and radii");
+  const Jump velocity = largest_step_of(axis.motion, 1, tick);
+  const double most = *limits.acceleration * tick + rounding;
   if (std::abs(velocity.step) > most)
-    throw InputError(name + ".velocity", velocity.step,
-                     "is a step at " + number(velocity.where) + " s, and must be at most " +
-                         number(most) + ": the acceleration limit times one cycle");
-  if (!config.limits.jerk) return;
-  const Jump acceleration = largest_step_of(motion, 2, tick);
-  const double most_acceleration = *config.limits.jerk * tick;
+    throw axis.error(1, velocity.step, velocity.where,
+                     "is a step " + at_time(velocity.where) + ", and " + at_most(1, most) +
+                         ": the acceleration limit times one cycle");
+  if (!limits.jerk) return;
+  const Jump acceleration = largest_step_of(axis.motion, 2, tick);
+  const double most_acceleration = *limits.jerk * tick;
   if (std::abs(acceleration.step) > most_acceleration * (1 + admitted_excess))
-    throw InputError(name + ".acceleration", acceleration.step,
-                     "is a step at " + number(acceleration.where) + " s, and must be at most " +
-                         number(most_acceleration) +
+    throw axis.error(2, acceleration.step, acceleration.where,
+                     "is a step " + at_time(acceleration.where) + ", and " +
+                         at_most(2, most_acceleration) +
                          ": the jerk limit times one cycle. Give the path a jerk limit, and round "
                          "its corners: the curvature steps between a line and an arc");
 }
@@ -95,7 +136,7 @@ double norm(std::span<const AxisConfig> axes, double (*of)(const AxisConfig&)) {
 }  // namespace
 
 GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const AxisConfig> axes,
-                           std::span<const std::string> names) {
+                           std::span<const std::string> names, const std::string& unit) {
   if (plan->path().axes() != axes.size())
     throw InputError(
         "axes", std::to_string(axes.size()),
@@ -107,11 +148,12 @@ GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const Axi
     const Ranges ranges = extrema(motions.curves[k]);
     std::array<double, 4> peak{};
     for (std::size_t i = 1; i < peak.size(); ++i) peak[i] = std::abs(ranges[i].peak().value);
-    require_smooth(names[k], motions.curves[k], config);
-    require_inside(names[k], ranges[0], config.limits);
-    require_within(names[k] + ".velocity", peak[1], config.limits.velocity, " u/s");
-    require_within(names[k] + ".acceleration", peak[2], config.limits.acceleration, " u/s^2");
-    require_within(names[k] + ".jerk", peak[3], config.limits.jerk, " u/s^3");
+    const PlannedAxis axis{names[k], unit, *program.plan, motions.curves[k], config};
+    require_smooth(axis);
+    require_inside(axis, ranges[0]);
+    require_within(axis, 1, ranges[1].peak(), config.limits.velocity);
+    require_within(axis, 2, ranges[2].peak(), config.limits.acceleration);
+    require_within(axis, 3, ranges[3].peak(), config.limits.jerk);
     const Jet& fit = motions.error[k];  // error of arcs, which have a greater reserve
     program.axes.push_back({config,
                             {.velocity = peak[1] + fit[1],
@@ -141,12 +183,13 @@ void require_order(std::span<const std::string> path, std::span<const std::strin
   const auto known = [&](const std::string& name) {
     return std::find(group.begin(), group.end(), name) != group.end();
   };
-  if (!std::all_of(path.begin(), path.end(), known)) return;
+  if (std::none_of(path.begin(), path.end(), known)) return;
   for (std::size_t k = 0; k < path.size() && k < group.size(); ++k)
     if (path[k] != group[k])
-      throw InputError("axes", group[k],
-                       "is axis " + std::to_string(k + 1) + " of the group, but " + path[k] +
-                           " is that of the path: use the same order");
+      throw InputError(
+          "axes", group[k],
+          "is axis " + std::to_string(k + 1) + " of the group, but " + path[k] +
+              " is that of the path: use the same names in the same order, or other names for all");
 }
 
 AxisConfig group_config(std::span<const AxisConfig> axes) {

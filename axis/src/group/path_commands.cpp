@@ -56,8 +56,10 @@ PathSettings settings_of(const command::PathDynamics& path) {
   settings.corner = deviates ? Corner::deviation : Corner::distance;
   settings.value = deviates ? path.deviation : path.corner_distance;
   if (blends(path.buffer)) return settings;
-  throw InputError(deviates ? "deviation" : "corner_distance", settings.value,
-                   "needs a buffer mode that blends: without it, the command begins at rest");
+  throw InputError(
+      deviates ? "deviation" : "corner_distance", settings.value,
+      "needs a buffer mode that blends (--blend), because otherwise the command begins "
+      "at rest");
 }
 
 /// Coordinates that are given replace those of `from`, or are added to them.
@@ -78,11 +80,13 @@ bool is_given(const std::array<double, N>& coordinates) {
 /// Throws for a coordinate that the group does not have.
 template <std::size_t N>
 void require_axes(const char* key, const std::array<double, N>& coordinates, std::size_t axes) {
-  for (std::size_t i = axes; i < N; ++i)
-    if (!std::isnan(coordinates[i]))
-      throw InputError(key, coordinates[i],
-                       "is coordinate " + std::to_string(i + 1) + ", but the group has " +
-                           std::to_string(axes) + " axes");
+  const auto given = std::find_if(coordinates.rbegin(), coordinates.rend(),
+                                  [](double x) { return !std::isnan(x); });
+  const auto count = static_cast<std::size_t>(coordinates.rend() - given);
+  if (count > axes)
+    throw InputError(key, "",
+                     "has " + std::to_string(count) + " coordinates, but the group has " +
+                         std::to_string(axes) + " axes");
 }
 
 }  // namespace
@@ -165,7 +169,10 @@ void PathCommands::append(const command::GroupJog& jog, std::span<const AxisConf
     if (!std::isnan(component)) square += component * component;
   const double norm = std::sqrt(square);
   if (!(norm > 0) || !std::isfinite(norm))
-    throw InputError("along", norm, "must be a direction: give a component that is not 0");
+    throw InputError(
+        "along", "",
+        "must be a direction: give components whose squares have a sum that is greater "
+        "than 0 and finite, such as 1,0");
   constexpr double longest = 3600;  // s
   double length = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < axes_; ++i) {

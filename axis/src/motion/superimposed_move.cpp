@@ -11,14 +11,14 @@ namespace {
 /// is left.
 std::optional<Refusal> take_away(Limits& limits, const Peaks& below) {
   constexpr double least = 1e-9;  // relative to a limit
-  const auto take = [](double& limit, double used, Cause cause) -> std::optional<Refusal> {
+  const auto take = [](double& limit, double used, double order) -> std::optional<Refusal> {
     const double most = std::exchange(limit, limit - used);
-    return limit > least * most ? std::nullopt : std::optional(Refusal{cause, used, most});
+    if (limit > least * most) return std::nullopt;
+    return Refusal{Cause::no_reserve, used, most, order};
   };
-  if (auto no = take(*limits.velocity, below.velocity, Cause::velocity_limit)) return no;
-  if (auto no = take(*limits.acceleration, below.acceleration, Cause::acceleration_limit))
-    return no;
-  return limits.jerk ? take(*limits.jerk, below.jerk, Cause::jerk_limit) : std::nullopt;
+  if (auto no = take(*limits.velocity, below.velocity, 1)) return no;
+  if (auto no = take(*limits.acceleration, below.acceleration, 2)) return no;
+  return limits.jerk ? take(*limits.jerk, below.jerk, 3) : std::nullopt;
 }
 
 /// True if a motion keeps these limits.

@@ -13,6 +13,20 @@
 namespace jounce {
 namespace {
 
+/// The reason why an axis of a group is not ready.
+Cause unready(State state, bool lost_home) {
+  switch (state) {
+    case State::disabled:
+      return Cause::not_enabled;
+    case State::error_stop:
+      return Cause::in_error;
+    case State::stopping:
+      return Cause::stopping;
+    default:
+      return lost_home ? Cause::not_homed : Cause::in_motion;
+  }
+}
+
 constexpr Jet no_master{std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
 
 void require_names(const std::vector<MachineAxis>& axes) {
@@ -74,10 +88,13 @@ Memberships groups_of(const std::vector<MachineAxis>& axes) {
       if (axes[k].follow.what != Follow::What::nothing)
         refuse(axes[k].name, "follows a master: an axis of a group follows only its group");
       const double most = *axes[k].config.limits.velocity * seconds(axes[k].config.period);
-      if (!(axes[g].group->tolerance >= 0 && axes[g].group->tolerance <= most))
-        throw InputError(axes[g].name + ".tolerance", axes[g].group->tolerance,
-                         "must not be negative, and must be at most " + number(most) +
-                             ", the distance that " + axes[k].name + " covers in one cycle");
+      const double tolerance = axes[g].group->tolerance;
+      if (!(tolerance >= 0))
+        throw InputError(axes[g].name + ".tolerance", tolerance, "must not be negative");
+      if (tolerance > most)
+        throw InputError(axes[g].name + ".tolerance", tolerance,
+                         "must be at most " + number(most) + ", the distance that " + axes[k].name +
+                             " covers in one cycle at its velocity limit");
       groups[k] = g;
     }
   }
@@ -198,7 +215,8 @@ void Machine::gather(std::size_t group, std::span<AxisImage> images) const {
     if (inputs.peers == Peers::failed || (!fails && (!away || inputs.peers == Peers::away)))
       continue;
     inputs.peers = fails ? Peers::failed : Peers::away;
-    inputs.master = {axis.tick.position, place, static_cast<double>(k + 1), 0};
+    inputs.master = {axis.tick.position, place, static_cast<double>(k + 1),
+                     static_cast<double>(unready(axis.tick.state, lost_home))};
   }
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "cam/src/design/parts.hpp"
 
@@ -247,6 +248,14 @@ const Inverse* Inversion::branch_at(double master) const {
   for (const Inverse& branch : branches)
     if (master >= branch.master_from() && master <= branch.master_to()) return &branch;
   return nullptr;
+}
+
+std::string Inversion::ranges_text() const {
+  std::string text;
+  for (const Inverse& branch : branches)
+    text += (text.empty() ? "" : ", ") + six_digits(branch.master_from()) + " to " +
+            six_digits(branch.master_to());
+  return text.empty() ? "none" : text;
 }
 
 }  // namespace jounce

@@ -91,19 +91,22 @@ Stroke stroke(const Inverse& g, double from, double to) {
 
 void require_motion(const Inverse& g, double slave, Side side) {
   if (!std::isfinite(g.at(slave, side).geo_velocity))
-    throw InputError("slave", slave,
-                     "is where the slave is at rest: the slope of the master is infinite there, "
-                     "which no polynomial can follow. Leave this position out; in C++, the class "
-                     "Inverse includes it");
+    throw InputError(
+        "slave", slave,
+        "is where the slave is at rest: the slope of the inverse is infinite there, and "
+        "no table can follow it. Begin or end a little inside, with from and to");
 }
 
 }  // namespace
 
 Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, double tolerance) {
-  if (!(from >= g.start() && from < to && to <= g.end()))
-    throw InputError(
-        "slave", number(from) + " to " + number(to),
-        "must ascend and lie within the branch, " + number(g.start()) + " to " + number(g.end()));
+  if (!(from < to)) throw InputError("from", number(from), "must be less than to, " + number(to));
+  if (from < g.start())
+    throw InputError("from", number(from),
+                     "must be at least " + number(g.start()) + ", where the rise or fall begins");
+  if (to > g.end())
+    throw InputError("to", number(to),
+                     "must be at most " + number(g.end()) + ", where the rise or fall ends");
   profiles_detail::require_tolerance(tolerance,
                                      std::max(std::abs(g.master_from()), std::abs(g.master_to())));
   std::vector<double> ends{from};

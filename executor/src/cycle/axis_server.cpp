@@ -487,9 +487,13 @@ void AxisServer::answer(const Request& request, const std::optional<Refusal>& re
   // A stop that an axis in a fault rejects still counts as accepted: the axis does not move.
   if (!refused || request.kind == Kind::stop)
     return receiver_.accept(request.session, request.command);
-  receiver_.refuse(request.session, request.command, text(*refused, options_.units.position),
+  const std::string reason =
+      text(*refused, options_.units.position,
+           options_.group ? std::span<const std::string>(options_.group->names)
+                          : std::span<const std::string>{});
+  receiver_.refuse(request.session, request.command, reason,
                    static_cast<std::int32_t>(refused->cause));
-  notify("refused: " + text(*refused, options_.units.position));
+  notify("refused: " + reason);
 }
 
 void AxisServer::take_ticks() {

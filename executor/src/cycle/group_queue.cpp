@@ -34,8 +34,12 @@ GroupProgram with_peaks_of_limits(GroupProgram program) {
   return program;
 }
 
-std::string reason_of(const InputError& error) {
-  return error.key() + (error.value().empty() ? "" : " " + error.value()) + " " + error.rule();
+/// The sentence of an error. A coordinate, such as "to[1]", has the name of its axis.
+std::string reason_of(const InputError& error, const std::vector<std::string>& axes) {
+  std::string key = error.key();
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (key == "to[" + std::to_string(i + 1) + "]") key = axes[i] + " =";
+  return key + (error.value().empty() ? "" : " " + error.value()) + " " + error.rule();
 }
 
 bool aborts(const ClientCommand& command) {
@@ -142,7 +146,7 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
     if (auto step = joined(group)) return step;
     return proceed();
   } catch (const InputError& error) {
-    return finish(Cause::no_value, reason_of(error));
+    return finish(Cause::no_value, reason_of(error, group_->names));
   }
 }
 
@@ -219,11 +223,11 @@ GroupQueue::Planned GroupQueue::planned(const PathCommands& commands, const Exec
       made.agreement = agreement(*before->plan, *path, q);
       if (!made.agreement) return made;
     }
-    made.program = std::make_shared<const GroupProgram>(
-        with_peaks_of_limits(group_program(std::move(path), group.configs, group.names)));
+    made.program = std::make_shared<const GroupProgram>(with_peaks_of_limits(
+        group_program(std::move(path), group.configs, group.names, group.unit)));
     return made;
   } catch (const InputError& error) {
-    return {.reason = reason_of(error)};
+    return {.reason = reason_of(error, group.names)};
   } catch (const std::bad_alloc&) {
     return {.reason = "the path does not fit into the memory of the executor"};
   }

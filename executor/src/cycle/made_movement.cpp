@@ -56,7 +56,7 @@ MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const Execut
         std::make_shared<const Plan>(plan(sent.program, within(sent.limits, group.configs)));
     if (canceled) return {};
     return movement_of(std::make_shared<const GroupProgram>(
-                           group_program(std::move(path), group.configs, group.names)),
+                           group_program(std::move(path), group.configs, group.names, group.unit)),
                        id);
   } catch (const InputError& error) {
     return {.reason = error.what()};

@@ -99,8 +99,11 @@ Form form_of(const CommandWords& words) {
   for (const Form& form : forms) {
     if (text_of(words, form.selector()).empty()) continue;
     if (chosen != nullptr)
-      throw InputError(dashed(form.selector()), text_of(words, form.selector()),
-                       "cannot be combined with another target: give only one of " + list);
+      throw InputError(
+          dashed(form.selector()), text_of(words, form.selector()),
+          "cannot be combined with " + dashed(chosen->selector()) +
+              (words.what == "jog" ? ": jog a group with --along and --velocity, an axis with VALUE"
+                                   : ": give only one of " + list));
     chosen = &form;
   }
   if (chosen == nullptr && forms.front().selector() == value_word) return forms.front();
@@ -186,6 +189,9 @@ double coordinate_of(const std::string& name, const std::string& text, std::size
     begin = comma + 1;
   }
   const std::string one = text.substr(begin, text.find(',', begin) - begin);
+  if (const auto space = one.find_first_of(' ', one.find_first_not_of(' '));
+      space != std::string::npos && csv_number(one.substr(space + 1)))
+    throw InputError(name, text, "needs commas between the coordinates: 10,5");
   return one.empty() ? as_configured : number_of(name, one, unit);
 }
 
@@ -374,6 +380,9 @@ void require_taken(const CommandWords& words) {
   for (const auto& [option, given] : words.flags)
     if (option != "buffered") require(option, "", given);
   for (const auto& [option, text] : words.options) require(option, text, !text.empty());
+  const Form form = form_of(words);
+  require_unbuffered(words, form);
+  require_applies(words, form);
 }
 
 void require_held(const CommandWords& words, const std::string& seconds) {
@@ -385,8 +394,6 @@ void require_held(const CommandWords& words, const std::string& seconds) {
 
 ClientCommand command_of(const CommandWords& words, const Units& units) {
   const Form form = form_of(words);
-  require_unbuffered(words, form);
-  require_applies(words, form);
   const CommandKind kind = form.command->kind;
   CommandValues values = values_of(command_of(kind));
   std::map<std::string, std::size_t> seen;  // fields of each option so far

@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "jounce/base/listed.hpp"
+
 namespace jounce::dashboard {
 namespace {
 
@@ -101,6 +103,15 @@ bool Watch::has_received() const {
 bool Watch::is_wanted(const std::string& name) const {
   const auto& names = options_.names;
   return names.empty() || std::binary_search(names.begin(), names.end(), name);
+}
+
+std::string senders_hint(Transport& link, const std::optional<wire::Key>& key) {
+  Watch watch(link, {.key = key});
+  watch.run(std::chrono::seconds(1));
+  std::vector<std::string> names;
+  for (const Watched& axis : watch.axes()) names.push_back(axis.name);
+  return names.empty() ? "check that it is running, with the same --url and the same --key"
+                       : "messages arrive from " + listed(names) + ": check the name";
 }
 
 }  // namespace jounce::dashboard

@@ -70,10 +70,11 @@ std::shared_ptr<const GroupProgram> program_of(const MachineSpec::Group& spec,
   require_order(names, group.names);
   try {
     return std::make_shared<const GroupProgram>(
-        group_program(path.front().plan, group.configs, group.names));
+        group_program(path.front().plan, group.configs, group.names, group.unit));
   } catch (const InputError& error) {
     throw InputError("program", spec.program,
-                     error.key() + " " + error.value() + " " + error.rule());
+                     (error.line() > 0 ? "line " + std::to_string(error.line()) + ": " : "") +
+                         error.key() + " " + error.value() + " " + error.rule());
   }
 }
 
@@ -88,6 +89,7 @@ ExecutorGroup group_of(const MachineSpec::Group& spec, const MachineParts& parts
       throw InputError("axes", name,
                        "has another unit than " + spec.axes.front() + ": use the same unit");
   }
+  group.unit = parts.axes[group.of.axes.front()].units.position;
   return group;
 }
 

@@ -159,6 +159,7 @@ Follow resolved(const Read& axis, const std::vector<Leader>& axes,
   if (leader == leaders.end())
     refuse("is not an axis of this machine" +
            meant(name, leaders, ": give its spec to `jounce run` too"));
+  if (!of_master && name == axis.spec.name) refuse("is this axis itself: name another axis");
   if (!axis.spec.master_unit.empty() && axis.spec.master_unit != leader->unit)
     refuse("has the unit " + leader->unit + ", but units.master of this axis is " +
            axis.spec.master_unit + ": use the same unit");
@@ -197,6 +198,15 @@ std::vector<Read> read_axes(const MachineOptions& options,
     one.key.clear();
   }
   return read;
+}
+
+/// The error of an axis in a machine, such as "y.cycle", at its place in the spec of the axis.
+InputError in_spec_of_axis(const std::vector<Read>& axes, const InputError& error) {
+  for (const Read& one : axes)
+    if (error.key().starts_with(one.spec.name + "."))
+      return one.spec.document.located(InputError("axis" + error.key().substr(one.spec.name.size()),
+                                                  error.value(), error.rule()));
+  return error;
 }
 
 /// Groups, and masters that play a table, are axes, too.
@@ -260,7 +270,8 @@ MachineParts machine_parts(const MachineOptions& options) {
   try {
     (void)Machine(machine_of(parts.axes), parts.masters.size());
   } catch (const InputError& error) {  // the axes do not fit together
-    throw machine ? machine_detail::in_group(*machine, error) : error;
+    const InputError placed = in_spec_of_axis(read, error);
+    throw machine ? machine_detail::in_group(*machine, placed) : placed;
   }
   return parts;
 }

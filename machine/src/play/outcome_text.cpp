@@ -52,6 +52,14 @@ std::string reason_text(const CallOutcome& outcome, const std::string& executor)
   return remedy.empty() ? reason : reason + " " + remedy;
 }
 
+std::string accepted_text(const std::string& word, const wire::Status& before,
+                          const std::string& executor) {
+  if (word == "home") return "homed";
+  if (word != "enable" || before.last_error == 0) return word + " accepted";
+  return fmt::format("enable accepted, but the fault {} remains: send jounce order {} reset",
+                     name(static_cast<Cause>(before.last_error)), executor);
+}
+
 std::string outcome_json(const CallOutcome& outcome) {
   return common_members(outcome).dump();
 }

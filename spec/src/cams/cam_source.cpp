@@ -53,7 +53,7 @@ CamSource of_table(TableFile file, const std::string& path, TomlReader& owner, c
 }
 
 CamSource of_spec(const Spec& spec, const std::string& path, TomlReader& owner, const char* key) {
-  if (!spec.over_master()) owner.fail(key, '"' + path + '"', "is not a cam");
+  if (!spec.over_master()) owner.fail(key, '"' + path + '"', "is a spec over time: give a cam");
   if (!spec.is_cam())
     owner.fail(key, '"' + path + '"',
                "must be of kind \"cam\": for another kind, give its table, of `jounce design " +
@@ -95,7 +95,8 @@ NamedCam in_units(const CamSource& source, const Units& units, TomlReader& owner
        {std::pair{&source.units.x, &units.x}, {&source.units.position, &units.position}})
     if (!is_convertible(*from, *to))
       owner.fail(key, '"' + owner.text(key) + '"',
-                 "has the unit " + *from + ", which cannot be converted to " + *to);
+                 std::string(from == &source.units.x ? "has a master in " : "has a slave in ") +
+                     *from + ", which cannot be converted to " + *to + ", the unit of this cam");
   const double x = conversion(source.units.x, units.x);
   const double p = conversion(source.units.position, units.position);
   const NamedCam& made = source.made;

@@ -172,7 +172,8 @@ NamedCam compose(TomlReader& then, const NamedCam& f, Units& units) {
 const Inverse& branch_of(TomlReader& then, const Inversion& all, const std::optional<double>& at) {
   if (at) {
     if (const Inverse* branch = all.branch_at(*at)) return *branch;
-    then.fail("at", number(*at), "is no place where the slave moves");
+    then.fail("at", number(*at),
+              "is not in a rise or fall of the slave, which are " + all.ranges_text());
   }
   if (all.branches.size() == 1) return all.branches.front();
   if (all.branches.empty()) then.fail("operator", "\"inverse\"", "needs a slave that moves");

@@ -34,16 +34,18 @@ struct GroupProgram {
 ///     GroupPath path(1, program);                               // group_path.hpp
 ///
 /// Throws InputError with the key "axes" if the numbers of axes differ, and with the name of the
-/// axis and the broken limit ("x.velocity") if a limit is exceeded by more than a billionth.
+/// axis and the broken limit ("x.velocity") if a limit is exceeded by more than a billionth. `unit`:
+/// unit of the axes for messages; "": not known.
 GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const AxisConfig> axes,
-                           std::span<const std::string> names);
+                           std::span<const std::string> names, const std::string& unit = {});
 
 /// Returns limits of a program, each lowered to the limit of the axis that will play it; position
 /// limits are omitted. Throws InputError "axes" if the numbers of axes differ.
 GroupLimits within(const GroupLimits& limits, std::span<const AxisConfig> axes);
 
-/// Throws InputError "axes" if the axes of a path have the names of the axes of a group in another
-/// order. Other names are not compared: the first axis of the group plays the first axis of the path.
+/// Throws InputError "axes" if some axes of a path have the names of axes of the group, but not all at
+/// the same places. If no name is the same, the first axis of the group plays the first axis of the
+/// path.
 void require_order(std::span<const std::string> path, std::span<const std::string> group);
 
 /// Returns the configuration of the MotionAxis of a group with these axes. Its own limits have no

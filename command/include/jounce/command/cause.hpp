@@ -53,6 +53,7 @@ enum class Cause : std::uint8_t {
   halting = 36,
   buffer_full = 37,
   not_positive = 38,
+  no_reserve = 39,
 
   // Tables that were not admitted.
   bad_table = 40,
@@ -118,6 +119,8 @@ struct Refusal {
   double value = 0;           ///< the number that breaks the rule
   double limit = 0;           ///< the bound that it exceeds
   /// Time of the movement at which the value exceeds the bound, s; NaN: no particular time.
+  /// axis_not_ready, axis_away: number of the axis in the group, from 1. no_reserve: order of the
+  /// derivative.
   double where = std::numeric_limits<double>::quiet_NaN();
 
   /// Returns a sentence: "velocity_limit: The motion exceeds the velocity limit of the axis: 678.45

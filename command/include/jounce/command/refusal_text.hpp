@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "jounce/command/cause.hpp"
@@ -9,7 +10,8 @@ namespace jounce {
 
 /// Returns Refusal::text() with units: "velocity_limit: The motion exceeds the velocity limit of
 /// the axis: 678.45 mm/s at 0.61 s, limit 500 mm/s." `unit`: unit of the axis's position; "": no
-/// unit.
-std::string text(const Refusal& refusal, const std::string& unit);
+/// unit. `axes`: names of the axes of the group that rejected.
+std::string text(const Refusal& refusal, const std::string& unit,
+                 std::span<const std::string> axes = {});
 
 }  // namespace jounce

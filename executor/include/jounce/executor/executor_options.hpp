@@ -24,6 +24,7 @@ struct ExecutorGroup {
   AxisGroup of;                                      ///< its axes in the machine
   std::vector<std::string> names;                    ///< names of these axes
   std::vector<AxisConfig> configs;                   ///< configurations of these axes
+  std::string unit = {};                             ///< unit of these axes; "": not known
   std::shared_ptr<const GroupProgram> program = {};  ///< path that StartTable plays; null: none
 };
 

@@ -43,16 +43,17 @@ struct CommandOption {
 /// Returns all options, each one once. The options of "move" come first.
 std::vector<CommandOption> command_options();
 
-/// Throws InputError for a value or an option that the command does not have. The key of the error
-/// is "VALUE", or the option with its dashes ("--to").
+/// Throws InputError for a value or an option that the command does not have, for options that
+/// exclude each other, and if all of those are missing of which the command needs one. The key of
+/// the error is "VALUE", or the option with its dashes ("--to").
 void require_taken(const CommandWords& words);
 
 /// Throws InputError if `seconds` (the duration of a jog) is given for a command other than `jog
 /// --hold-to-run`, which would ignore it.
 void require_held(const CommandWords& words, const std::string& seconds);
 
-/// Returns the command, with its values converted to the units of the axis. Throws InputError like
-/// require_taken(), and for an invalid or missing value.
+/// Returns the command, with its values converted to the units of the axis; `words` must satisfy
+/// require_taken(). Throws InputError for an invalid or missing value.
 ClientCommand command_of(const CommandWords& words, const Units& units);
 
 }  // namespace jounce

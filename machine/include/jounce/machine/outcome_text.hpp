@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/stream/message/message.hpp"
 #include "jounce/stream/sender/row_sender.hpp"
 #include "jounce/stream/sender/sender.hpp"
 
@@ -13,6 +14,11 @@ namespace jounce {
 /// Returns the reason of a failed call. If the axis has rejected the call, the text includes the
 /// remedy. `executor` is the name of the axis.
 std::string reason_text(const CallOutcome& outcome, const std::string& executor);
+
+/// Returns the answer to an accepted command: "move accepted". `before`: status of the axis before
+/// the command. If the axis stays in a fault after `enable`, the text includes the remedy.
+std::string accepted_text(const std::string& word, const wire::Status& before,
+                          const std::string& executor);
 
 /// Returns {"ok": ..., "error": ..., "reason": ...}.
 std::string outcome_json(const CallOutcome& outcome);

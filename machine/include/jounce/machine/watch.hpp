@@ -90,4 +90,9 @@ class Watch {
   Nanos begun_ = steady_now();
 };
 
+/// Listens for a second. Returns the names of the executors that send messages, for the error that
+/// one of them is missing: "messages arrive from x, y; check the name". If no message arrives,
+/// returns "check that it is running, ...".
+std::string senders_hint(Transport& link, const std::optional<wire::Key>& key);
+
 }  // namespace jounce::dashboard

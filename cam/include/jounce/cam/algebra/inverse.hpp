@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "jounce/cam/design/runs.hpp"
@@ -101,6 +102,8 @@ struct Inversion {
   /// Returns the branch that contains this master position (also in a dwell inside the branch);
   /// null if no branch contains it.
   [[nodiscard]] const Inverse* branch_at(double master) const;
+  /// Returns the master positions of the branches for a message: "0 to 120, 200 to 360".
+  [[nodiscard]] std::string ranges_text() const;
 };
 
 /// Inverts a cam over its interval [start, end]. A periodic cam gives the branches of one period; a
@@ -110,9 +113,9 @@ Inversion inverted(const Cam& cam);
 
 /// Returns the inverse between two slave positions as a curve (a Cam over the slave's position), so
 /// that tables, checks and all functions of curves apply. The error is at most `tolerance` (unit of
-/// the master) and certified; see jounce/profiles/curve/fitted.hpp. Throws InputError "slave" if
-/// from >= to, if [from, to] is not inside the branch, or if the slave is at rest anywhere in
-/// [from, to]. Throws "tolerance" like polynomial_within().
+/// the master) and certified; see jounce/profiles/curve/fitted.hpp. Throws InputError "from" or
+/// "to" if from >= to or if [from, to] is not inside the branch, and "slave" if the slave is at rest
+/// anywhere in [from, to]. Throws "tolerance" like polynomial_within().
 Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, double tolerance);
 
 static_assert(Signal<Inverse>);
