@@ -219,6 +219,20 @@ void run(bool jerk, std::uint64_t seed, int cases) {
 TEST(Via, EveryJerkLimitedMotionHolds) {
   run(true, 13, 150);
 }
+/// The second axis has 31 mm of travel in the first stretch, whose common duration once let it reverse by 1.7 mm.
+TEST(Via, AnAxisWithASmallPartOfAStretchDoesNotReverse) {
+  ViaSpec spec;
+  spec.axes = {within(7.687811729105933, 8.739580367473259, 31.86695711842474),
+               within(4.693129720959298, 2.552674548210318, 1.5991529040723935)};
+  spec.points = {{0, 0},
+                 {2.767756351864121, 0.03074900434081773},
+                 {3.2133543469956254, 5.486632538699849},
+                 {3.195245356834652, 5.568155093042552},
+                 {7.172613546989163, 5.619202412306526},
+                 {7.492256135955111, 0.5239436677395162}};
+  const ViaMotion m = via(spec);
+  for (std::size_t i = 0; i < spec.axes.size(); ++i) expect_axis(spec, m, i);
+}
 TEST(Via, EveryMotionOfSecondOrderHolds) {
   run(false, 14, 150);
 }

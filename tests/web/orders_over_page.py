@@ -13,7 +13,7 @@ address, token = sys.argv[1].split("#")
 def order(body, **headers):
     request = urllib.request.Request(address + "order", json.dumps(body).encode(), headers)
     try:
-        with urllib.request.urlopen(request, timeout=20) as answer:
+        with urllib.request.urlopen(request, timeout=120) as answer:
             return answer.status, json.load(answer)
     except urllib.error.HTTPError as error:
         return error.code, error.read().decode()
@@ -26,7 +26,7 @@ def ask(what, expected=200, **value):
 
 def axes():
     """The axes, event by event."""
-    with urllib.request.urlopen(address + "events", timeout=20) as stream:
+    with urllib.request.urlopen(address + "events", timeout=120) as stream:
         for line in stream:
             if line.startswith(b"data: "):
                 yield json.loads(line[6:])["axes"][0]

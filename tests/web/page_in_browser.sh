@@ -6,4 +6,4 @@ browser=$(command -v chromium || command -v chromium-browser || command -v googl
 [ -n "$browser" ] || { echo "skipped: no Chromium is installed"; exit 77; }
 . "$(dirname "$0")/../cli/namespace.sh"
 . "$(dirname "$0")/with_panel.sh"
-timeout 100 python3 "$(dirname "$0")/page_in_browser.py" "$browser" "$scratch" "$address" || fail "see above"
+timeout 500 python3 "$(dirname "$0")/page_in_browser.py" "$browser" "$scratch" "$address" || fail "see above"

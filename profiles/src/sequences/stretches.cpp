@@ -61,8 +61,9 @@ bool turns_back(const Profile& profile, double d) {
     const Profile::Phase phase = profile.phase(i);
     const Motion m = profile.at(t);
     if (i > 0) reach.see(m.velocity, d);
-    // Time of the velocity's extremum.
-    const double level = m.jerk == 0 ? -1 : -m.acceleration / m.jerk;
+    // Time of the velocity's extremum. m.jerk may still be that of the previous phase.
+    const double jerk = profile.order() == 3 ? phase.value : 0;
+    const double level = jerk == 0 ? -1 : -m.acceleration / jerk;
     if (level > 0 && level < phase.duration) reach.see(m.velocity + m.acceleration * level / 2, d);
     t += phase.duration;
   }
