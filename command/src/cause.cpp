@@ -49,11 +49,12 @@ constexpr std::array entries{
           "Reset the axis, then move it off the switch in the negative direction."},
     Entry{Cause::negative_switch, "negative_switch", "The axis reached the negative limit switch.",
           "Reset the axis, then move it off the switch in the positive direction."},
-    Entry{Cause::underrun, "underrun",
-          "Buffer underrun: the rows of the streamed path were used up, so the axis stopped on its "
-          "path.",
-          "Reset the axis, then stream the rest of the path from the present position. Send the "
-          "rows earlier, or more of them before the start (--ahead)."},
+    Entry{
+        Cause::underrun, "underrun",
+        "Buffer underrun: the rows of the streamed path arrived too slowly, so the axis stopped on "
+        "its path.",
+        "Reset the axis, send more rows, and resume; or reset it and stream again. Send the rows "
+        "earlier, or more of them before the start (--ahead)."},
     Entry{Cause::watchdog, "watchdog",
           "Watchdog expired: no heartbeat from the program that streams, or from the communication "
           "thread of the executor.",

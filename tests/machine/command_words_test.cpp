@@ -106,7 +106,7 @@ TEST(CommandWords, AWrongValueIsNamed) {
   EXPECT_EQ(test::rule_of([] {
               require_taken({.what = "enable", .options = {{"to", "5"}}});
             }),
-            "does not apply to enable, which takes no value and no option");
+            "does not apply to enable, which takes no value and no option but --at");
 }
 
 TEST(CommandWords, ADurationIsForAHeldJogOnly) {

@@ -320,6 +320,13 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
   return text.empty() ? as_configured : positive(words.what, field, name, text, unit);
 }
 
+/// The options of a word, with those that are no field of a command.
+std::vector<std::string> with_common(std::vector<std::string> taken) {
+  if (std::find(taken.begin(), taken.end(), "blend") != taken.end()) taken.emplace_back("buffered");
+  taken.emplace_back("at");
+  return taken;
+}
+
 }  // namespace
 
 const std::vector<std::string>& command_words() {
@@ -373,8 +380,8 @@ void require_taken(const CommandWords& words) {
           "does not apply to move: did you mean --to " + text + " or --by " + text + "?");
     throw InputError(dashed(option), text,
                      "does not apply to " + words.what +
-                         (taken.empty() ? ", which takes no value and no option"
-                                        : ", which has " + listed(taken, dashed)));
+                         (taken.empty() ? ", which takes no value and no option but --at"
+                                        : ", which has " + listed(with_common(taken), dashed)));
   };
   require(value_word, words.value, !words.value.empty());
   for (const auto& [option, given] : words.flags)
