@@ -13,6 +13,7 @@
 #include "jounce/base/interrupt.hpp"
 #include "jounce/command/command_table.hpp"
 #include "jounce/machine/command_words.hpp"
+#include "jounce/machine/outcome_text.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/operate.hpp"
 
@@ -34,14 +35,14 @@ struct OrderArguments {
 };
 
 /// The units of the axis, and of the values of its commands.
-Units units_of(const OrderArguments& options, Link& link) {
+Units units_of(const OrderArguments& options, KeyedLink& link) {
   const auto status =
       present_status(link.transport(), options.executor, std::chrono::seconds(1), link.key());
   if (!status) throw TransportError("no message from " + options.executor + ": " + unheard_hint);
   return status->units;
 }
 
-CallOutcome execute(const OrderArguments& options, Link& link) {
+CallOutcome execute(const OrderArguments& options, KeyedLink& link) {
   const Units units = units_of(options, link);
   const bool homes = options.words.what == "home";
   if (homes && options.at >= 0)
@@ -80,7 +81,7 @@ int run_order(const OrderArguments& options) {
   require_name_on_bus("NAME", options.executor);
   require_taken(options.words);
   if (options.seconds != 0) require_held(options.words, fmt::format("{}", options.seconds));
-  Link link(options.link);
+  KeyedLink link = open_link(options.link);
   return report(options, execute(options, link));
 }
 

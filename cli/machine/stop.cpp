@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/machine/outcome_text.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/operate.hpp"
 
@@ -21,7 +22,7 @@ struct StopArguments {
 
 int run_stop(const StopArguments& options) {
   require_name_on_bus("NAME", options.executor);
-  Link link(options.link);
+  KeyedLink link = open_link(options.link);
   const auto mode = options.abort ? wire::StopMode::abort : wire::StopMode::stop;
   const StopResult result =
       stop_axis(link.transport(), options.executor, mode, nanos(options.patience), link.key());

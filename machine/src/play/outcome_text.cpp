@@ -52,6 +52,12 @@ std::string reason_text(const CallOutcome& outcome, const std::string& executor)
   return remedy.empty() ? reason : reason + " " + remedy;
 }
 
+std::string error_text(const CallOutcome& outcome, const std::string& executor) {
+  const std::string text =
+      fmt::format("{}: {}", name(outcome.error), reason_text(outcome, executor));
+  return outcome.error == StreamError::no_answer ? text + "; " + unheard_hint : text;
+}
+
 std::string outcome_json(const CallOutcome& outcome) {
   return common_members(outcome).dump();
 }
