@@ -275,6 +275,13 @@ void require_not_read(const std::string& path, const std::string& option) {
     throw InputError(option, path, "is also an input: choose another name");
 }
 
+void require_other_file(const std::string& input, const std::string& output,
+                        const std::string& option) {
+  std::error_code none;  // a missing file is a different file
+  if (input != "-" && output != "-" && std::filesystem::equivalent(input, output, none))
+    throw InputError(option, output, "is also the input: choose another name");
+}
+
 std::string read_edited_file(const std::string& path, Archive archive) {
   std::string bytes = read_bytes(path);
   require_text(path, bytes, archive);

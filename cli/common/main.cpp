@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <system_error>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include "jounce/about/standard_streams.hpp"
 #include "jounce/base/file.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/profiles/error.hpp"
@@ -32,25 +29,16 @@ int run(int argc, char** argv) {
   return line.run(argc, argv);
 }
 
-/// Opens /dev/null for each standard stream that the caller has closed: a file that is opened later
-/// must not get its number.
-void open_standard_streams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDWR) < 0) std::abort();
-}
-
 /// Prints an error, which may contain any bytes of a file, of a file name or of a packet.
 int complain(const char* prefix, const char* what, int status) {
   fmt::print(stderr, "jounce: {}{}\n", prefix, printable_lines(what));
   return status;
 }
 
-/// Writes the rest of standard output. A full disk is a fault; a reader that has closed its pipe is not.
 int flushed(int status) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-  if (errno == EPIPE) return status;
-  return complain(
-      "cannot write to standard output: ", std::generic_category().message(errno).c_str(), fault);
+  const std::string error = jounce::flush_standard_output();
+  return error.empty() ? status
+                       : complain("cannot write to standard output: ", error.c_str(), fault);
 }
 
 }  // namespace
@@ -60,7 +48,7 @@ int main(int argc, char** argv) {
   using namespace jounce::cli;
   std::signal(SIGXFSZ,
               SIG_IGN);  // so write() reports a limit of the file size, like a full disk
-  open_standard_streams();
+  jounce::open_standard_streams();
   const jounce::KeptInputs inputs;
   try {
     return flushed(run(argc, argv));

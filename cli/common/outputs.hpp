@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/base/file.hpp"
 #include "jounce/plot/picture_file.hpp"
 
 #include "cli/common/verb.hpp"
@@ -13,14 +14,10 @@
 /// Files that a verb writes. Check them before the long work whose result they will hold.
 namespace jounce::cli {
 
-/// Throws InputError if both are the same file: an output must not replace its input.
-void require_other_file(const std::string& input, const std::string& output,
-                        const std::string& option = "--output");
-
-/// The file of one axis: feeder.csv; for several axes feeder-x.csv, feeder-y.csv. Throws InputError under `option` for
-/// standard output, which cannot have several.
-std::string file_of_axis(const std::string& option, const std::string& path,
-                         const std::string& axis, std::size_t axes);
+using jounce::require_other_file;
+inline void require_other_file(const std::string& input, const std::string& output) {
+  require_other_file(input, output, "--output");
+}
 
 /// Calls write_figure(); errors name --output.
 void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options = {});

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/common/verb.hpp"
 
-#include <filesystem>
-#include <optional>
-#include <type_traits>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -15,44 +12,10 @@
 namespace jounce::cli {
 namespace {
 
-/// Puts a word into the target. Returns the rule that the word breaks, or "".
-template <class Target>
-std::string put(const std::string& word, Target& target) {
-  if constexpr (std::is_assignable_v<Target&, const std::string&>) {
-    target = word;
-    return "";
-  } else {
-    if (std::is_unsigned_v<Target> && word.starts_with('-'))
-      return "must be a number of at least 0";
-    const auto number = number_in<Target>(word);
-    if (number) target = *number;
-    return number ? "" : "must be a number";
-  }
-}
-
-template <class Target>
-std::string put(const std::string& word, std::optional<Target>& target) {
-  return put(word, target.emplace());
-}
-
-template <class Target>
-std::string shown_of(const Target& target) {
-  if constexpr (std::is_arithmetic_v<Target>) return fmt::format("{}", target);
-  if constexpr (std::is_same_v<Target, std::string>) return target;
-  return "";
-}
-
 /// The name of an option on the command line: --output, FILE. Includes hidden options.
 std::string name_of(const CLI::Option& option) {
   return option.get_lnames().empty() ? option.get_name(true) : "--" + option.get_lnames().front();
 }
-
-template <class Target>
-constexpr bool is_list = std::is_same_v<Target, std::vector<std::string>>;
-
-template <class Target>
-constexpr bool is_text = is_list<Target> || std::is_same_v<Target, std::string> ||
-                         std::is_same_v<Target, std::optional<std::filesystem::path>>;
 
 }  // namespace
 
@@ -106,44 +69,21 @@ const Option& Option::completed_by(Words words) const {
   return *this;
 }
 
-template <class Target>
-Option Verb::option(const std::string& name, Target& target, const std::string& help) const {
+Option Verb::option(const std::string& name, OptionTarget target, const std::string& help) const {
   CLI::Option* option = verb_->add_option(
       name,
-      [&target, name](const CLI::results_t& words) {
+      [target, name = name.substr(name.rfind(',') + 1)](const CLI::results_t& words) {
         if (name[0] == '-' && looks_like_option(words.back()))
-          throw InputError(name.substr(name.rfind(',') + 1), "", "has no value after it");
-        if constexpr (is_list<Target>) {
-          target = words;
-        } else if (const std::string rule = put(words.front(), target); !rule.empty()) {
-          throw InputError(name.substr(name.rfind(',') + 1), words.front(), rule);
-        }
+          throw InputError(name, "", "has no value after it");
+        if (const std::string rule = target.put(words); !rule.empty())
+          throw InputError(name, words.front(), rule);
         return true;
       },
-      help, false, [&target] { return shown_of(target); });
-  option->type_name(is_text<Target> ? "value" : "number");
-  if constexpr (is_list<Target>) option->expected(CLI::detail::expected_max_vector_size);
+      help, false, [target] { return target.text(); });
+  option->type_name(target.is_number() ? "number" : "value");
+  if (target.is_list()) option->expected(CLI::detail::expected_max_vector_size);
   return {option, *words_};
 }
-
-// All types that the verbs use.
-template Option Verb::option(const std::string&, std::string&, const std::string&) const;
-template Option Verb::option(const std::string&, std::vector<std::string>&,
-                             const std::string&) const;
-template Option Verb::option(const std::string&, double&, const std::string&) const;
-template Option Verb::option(const std::string&, int&, const std::string&) const;
-template Option Verb::option(const std::string&, std::int64_t&, const std::string&) const;
-template Option Verb::option(const std::string&, unsigned&, const std::string&) const;
-template Option Verb::option(const std::string&, std::uint64_t&, const std::string&) const;
-template Option Verb::option(const std::string&, std::optional<double>&, const std::string&) const;
-template Option Verb::option(const std::string&, std::optional<std::int32_t>&,
-                             const std::string&) const;
-template Option Verb::option(const std::string&, std::optional<std::uint16_t>&,
-                             const std::string&) const;
-template Option Verb::option(const std::string&, std::optional<std::size_t>&,
-                             const std::string&) const;
-template Option Verb::option(const std::string&, std::optional<std::filesystem::path>&,
-                             const std::string&) const;
 
 Option Verb::flag(const std::string& name, bool& target, const std::string& help) const {
   return {verb_->add_flag(name, target, help), *words_};

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/about/option_target.hpp"
 #include "jounce/about/value_check.hpp"
 
 namespace jounce {
@@ -74,10 +75,8 @@ class Verb {
   Verb(CLI::App& verb, Work& chosen, WordsOfOptions& words)
       : verb_(&verb), chosen_(&chosen), words_(&words) {}
 
-  /// A name without dashes is a positional. The target is a string, a number, an optional number or
-  /// a list of strings (verb.cpp names the types), and outlives the command line.
-  template <class Target>
-  Option option(const std::string& name, Target& target, const std::string& help) const;
+  /// A name without dashes is a positional.
+  Option option(const std::string& name, OptionTarget target, const std::string& help) const;
   Option flag(const std::string& name, bool& target, const std::string& help) const;
   /// The option --axis NAME, for specs of several axes.
   Option axis(std::string& target) const;

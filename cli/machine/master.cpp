@@ -62,7 +62,7 @@ LineMaster line_of(const MasterArguments& options) {
 }
 
 /// Rejects a second sender: it would replace the first one, even the line itself if that is on this bus.
-void require_alone(Link link, const std::string& name) {
+void require_alone(KeyedLink link, const std::string& name) {
   if (has_sender(link.transport(), name, link.key()))
     throw InputError(
         "--as", name,
@@ -72,8 +72,8 @@ void require_alone(Link link, const std::string& name) {
 int run_master(const MasterArguments& options) {
   require_name_on_bus("--as", options.name);
   LineMaster line = line_of(options);
-  require_alone(Link(options.link), options.name);
-  Link link(options.link);
+  require_alone(open_link(options.link), options.name);
+  KeyedLink link = open_link(options.link);
   line.key = link.key();
   const std::string& unit = line.motion.units.position;
   WatchedWork work("master " + options.name);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "jounce/machine/dashboard.hpp"
+#include "jounce/machine/outcome_text.hpp"
 #include "jounce/machine/status_text.hpp"
 #include "jounce/machine/terminal.hpp"
 
@@ -51,7 +52,7 @@ int print_all(Watch& watch, const MonitorArguments& options) {
 
 int run_monitor(const MonitorArguments& options) {
   for (const std::string& name : options.executors) require_name_on_bus("NAME", name);
-  Link link(options.link);
+  KeyedLink link = open_link(options.link);
   Watch watch(link.transport(), {.names = options.executors, .key = link.key()});
   if (options.json || !dashboard::is_screen()) return print_all(watch, options);
   const dashboard::View view{.ascii = options.ascii || !dashboard::is_utf8(),

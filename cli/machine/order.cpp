@@ -13,6 +13,8 @@
 #include "jounce/base/interrupt.hpp"
 #include "jounce/command/command_table.hpp"
 #include "jounce/machine/command_words.hpp"
+#include "jounce/machine/outcome_text.hpp"
+#include "jounce/machine/watch.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/operate.hpp"
 
@@ -34,14 +36,14 @@ struct OrderArguments {
 };
 
 /// The state of the axis, and the units of the values of its commands.
-wire::Status present(const OrderArguments& options, Link& link) {
+wire::Status present(const OrderArguments& options, KeyedLink& link) {
   const auto status =
       present_status(link.transport(), options.executor, std::chrono::seconds(1), link.key());
-  if (!status) throw_missing(link, options.executor);
+  if (!status) dashboard::throw_missing(link, options.executor);
   return *status;
 }
 
-CallOutcome execute(const OrderArguments& options, Link& link, const Units& units) {
+CallOutcome execute(const OrderArguments& options, KeyedLink& link, const Units& units) {
   const bool homes = options.words.what == "home";
   if (homes && options.at >= 0)
     throw InputError("--at", std::to_string(options.at),
@@ -78,7 +80,7 @@ int run_order(const OrderArguments& options) {
   require_name_on_bus("NAME", options.executor);
   require_taken(options.words);
   if (options.seconds != 0) require_held(options.words, fmt::format("{}", options.seconds));
-  Link link(options.link);
+  KeyedLink link = open_link(options.link);
   const wire::Status before = present(options, link);
   return report(options, execute(options, link, before.units), before);
 }

@@ -11,12 +11,6 @@
 
 namespace jounce::cli {
 
-std::string error_text(const CallOutcome& outcome, const std::string& executor) {
-  const std::string text =
-      fmt::format("{}: {}", name(outcome.error), reason_text(outcome, executor));
-  return outcome.error == StreamError::no_answer ? text + "; " + unheard_hint : text;
-}
-
 int status_of(const CallOutcome& outcome, std::initializer_list<StreamError> findings) {
   if (outcome.ok()) return fine;
   const bool found = std::find(findings.begin(), findings.end(), outcome.error) != findings.end();

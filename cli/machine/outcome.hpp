@@ -8,9 +8,6 @@
 
 namespace jounce::cli {
 
-/// Name and reason of an error, with the remedy, and with a hint if there was no answer.
-std::string error_text(const CallOutcome& outcome, const std::string& executor);
-
 /// The exit status of an outcome: `findings` are the errors with status 1.
 int status_of(const CallOutcome& outcome, std::initializer_list<StreamError> findings);
 

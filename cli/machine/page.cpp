@@ -29,23 +29,23 @@ struct PageArguments {
   bool of_run = false;
 };
 
-web::PanelOptions panel_of(const PageArguments& options, const Link& link) {
+web::PanelOptions panel_of(const PageArguments& options, const KeyedLink& link) {
   return {.axes = options.axes,
           .key = link.key(),
           .title = "Jounce",
           .token = web::new_token(),
-          .warning = is_open(options.link) ? std::string("Warning: ") + open_warning : ""};
+          .warning = is_open(options.link) ? std::string("Warning: ") + unprotected_warning : ""};
 }
 
 int run_page(const PageArguments& options) {
   for (const std::string& axis : options.axes) require_name_on_bus("NAME", axis);
   const auto make_link = [&] { return open_transport(options.link.url); };
   if (options.of_run)
-    return web::serve_for_parent(panel_of(options, Link(options.link)), make_link) ? fine
-                                                                                   : bad_input;
+    return web::serve_for_parent(panel_of(options, open_link(options.link)), make_link) ? fine
+                                                                                        : bad_input;
   const Interrupt interrupt;
-  const Link link(options.link);
-  if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", open_warning);
+  const KeyedLink link = open_link(options.link);
+  if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", unprotected_warning);
   const web::Panel panel(panel_of(options, link),
                          web::Listening(static_cast<std::uint16_t>(options.port)), make_link);
   fmt::print(stderr, "jounce: live page at {}\n", panel.address());

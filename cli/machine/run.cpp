@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "jounce/base/file.hpp"
 #include "jounce/base/notice.hpp"
 #include "jounce/executor/run_executor.hpp"
 #include "jounce/machine/machine_parts.hpp"
@@ -16,7 +17,7 @@
 #include "jounce/web/page_process.hpp"
 
 #include "cli/common/json.hpp"
-#include "cli/common/outputs.hpp"
+#include "cli/common/option_names.hpp"
 #include "cli/common/verb.hpp"
 #include "cli/machine/link.hpp"
 
@@ -46,32 +47,14 @@ std::unique_ptr<web::PageProcess> page_of(const RunArguments& options,
   return page;
 }
 
-/// A spec is not lost to a log of the same name.
-void require_other_files(const RunArguments& options) {
-  const RecorderOptions& record = options.run.record;
-  for (const std::string& spec : options.machine.files) {
-    require_other_file(spec, options.machine.log, "--log");
-    if (record.log) require_other_file(spec, record.log->string(), "--record");
-    if (record.black_box) require_other_file(spec, record.black_box->string(), "--black-box");
-  }
-}
-
-/// Neither is any other file that these name.
-void require_no_inputs(const RunArguments& options, const std::vector<ExecutorOptions>& axes) {
-  const RecorderOptions& record = options.run.record;
-  if (!options.machine.log.empty())
-    for (const auto& axis : axes)
-      require_not_read(log_of(options.machine.log, axis.receiver.executor, axes.size()), "--log");
-  if (record.log) require_not_read(record.log->string(), "--record");
-  if (record.black_box) require_not_read(record.black_box->string(), "--black-box");
-}
-
 int run_executor(const RunArguments& options) {
-  require_other_files(options);
-  if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", open_warning);
+  const std::initializer_list<std::string_view> files{"log", "record", "black_box"};
+  with_option_names(files, [&] { require_no_specs(options.machine, options.run.record); });
+  if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", unprotected_warning);
   auto [axes, masters, watchdog] = machine_parts(options.machine);
-  require_no_inputs(options, axes);
-  Link link(options.link);
+  with_option_names(
+      files, [&, &axes = axes] { require_no_inputs(options.machine, options.run.record, axes); });
+  KeyedLink link = open_link(options.link);
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
   const auto page = page_of(options, axes);
   RunOptions how = options.run;

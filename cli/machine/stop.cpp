@@ -22,7 +22,7 @@ struct StopArguments {
 
 int run_stop(const StopArguments& options) {
   require_name_on_bus("NAME", options.executor);
-  Link link(options.link);
+  KeyedLink link = open_link(options.link);
   const auto mode = options.abort ? wire::StopMode::abort : wire::StopMode::stop;
   const StopResult result =
       stop_axis(link.transport(), options.executor, mode, nanos(options.patience), link.key());
@@ -33,7 +33,7 @@ int run_stop(const StopArguments& options) {
                options.executor, options.patience);
   else
     fmt::print(stderr, "jounce: {} does not confirm the stop: {}\n", options.executor,
-               dashboard::senders_hint(link.transport(), link.key()));
+               dashboard::senders_hint(link));
   return result.rest ? fine : fault;
 }
 

@@ -51,7 +51,7 @@ int stream_rolling(const StreamArguments& options) {
                      "table over time");
   }
   RowPlan plan = row_plan_of(options);
-  Link link(options.link);
+  KeyedLink link = open_link(options.link);
   RowOptions rolling;
   rolling.key = link.key();
   WatchedWork work("streaming to " + options.to);
@@ -68,7 +68,7 @@ int stream_rolling(const StreamArguments& options) {
 
 int play(const BankPlan& plan, const StreamArguments& options, BankOptions::Until until,
          const std::string& what, const std::string& end) {
-  Link link(options.link);
+  KeyedLink link = open_link(options.link);
   Client client(link.transport(), options.to, {.key = link.key()});
   WatchedWork work("streaming to " + options.to);
   const CallOutcome outcome = play_banks(

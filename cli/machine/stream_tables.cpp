@@ -10,6 +10,7 @@
 #include "jounce/base/interrupt.hpp"
 #include "jounce/base/progress_line.hpp"
 #include "jounce/machine/play_plan.hpp"
+#include "jounce/machine/watch.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/group.hpp"
 #include "jounce/stream/sender/operate.hpp"
@@ -57,7 +58,7 @@ StreamPlan plan_of(const StreamArguments& options, const std::string& executor,
 }
 
 /// Patience, the key, and a Ctrl-C that stops what was armed.
-StreamOptions stream_options(const StreamArguments& options, const Link& link,
+StreamOptions stream_options(const StreamArguments& options, const KeyedLink& link,
                              const Interrupt& interrupt) {
   StreamOptions stream;
   stream.key = link.key();
@@ -69,7 +70,7 @@ StreamOptions stream_options(const StreamArguments& options, const Link& link,
 }
 
 /// --at: a tick, or so long from now by the status of the executor; -1: the next one.
-std::int64_t tick_of(const StreamArguments& options, Link& link, const std::string& executor) {
+std::int64_t tick_of(const StreamArguments& options, KeyedLink& link, const std::string& executor) {
   if (options.at.empty()) return -1;
   const bool from_now = options.at.front() == '+';
   const auto number = number_in(from_now ? options.at.substr(1) : options.at);
@@ -80,7 +81,7 @@ std::int64_t tick_of(const StreamArguments& options, Link& link, const std::stri
                      "must be a tick, such as 120000, or + and seconds from now, such as +2.5");
   if (!from_now) return static_cast<std::int64_t>(*number);
   const auto tick = tick_after(link.transport(), executor, *number, link.key());
-  if (!tick) throw_missing(link, executor);
+  if (!tick) dashboard::throw_missing(link, executor);
   return *tick;
 }
 
@@ -152,7 +153,7 @@ int stream_table(const StreamArguments& options) {
                      "applies to --rolling, --bank and live follow specs only: other tables begin "
                      "at their first position");
   StreamPlan plan = path ? std::move(*path) : plan_of(options, options.to, *input);
-  Link link(options.link);
+  KeyedLink link = open_link(options.link);
   plan.start_tick = tick_of(options, link, options.to);
   const Interrupt interrupt;
   StreamOptions stream = stream_options(options, link, interrupt);
@@ -192,7 +193,7 @@ int stream_group(const StreamArguments& options) {
           "names several axes, but a follow spec is for one axis: name that axis only");
     plans.push_back(plan_of(options, names[plans.size()], input));
   }
-  Link link(options.link);
+  KeyedLink link = open_link(options.link);
   const Interrupt interrupt;
   const StreamOptions stream = stream_options(options, link, interrupt);
   const GroupOptions group{.sender = stream.sender,

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/design/axes.hpp"
 #include "jounce/design/design_text.hpp"
 #include "jounce/io/curve_file.hpp"
 

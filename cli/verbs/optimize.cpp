@@ -7,6 +7,7 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/base/progress_line.hpp"
+#include "jounce/design/axes.hpp"
 #include "jounce/design/input.hpp"
 #include "jounce/plot/optimum_figure.hpp"
 #include "jounce/study/optimum.hpp"

@@ -51,4 +51,14 @@ std::string file_of_axis(const std::string& path, const std::string& axis) {
   return path.substr(0, end) + "-" + axis + path.substr(end);
 }
 
+std::string file_of_axis(const std::string& option, const std::string& path,
+                         const std::string& axis, std::size_t axes) {
+  if (axes == 1 || path.empty()) return path;
+  if (path == "-")
+    throw InputError(option, "",
+                     "is missing: with several axes, each needs a file. -o a.csv writes a-" + axis +
+                         ".csv and so on; --axis " + axis + " writes one axis only");
+  return file_of_axis(path, axis);
+}
+
 }  // namespace jounce

@@ -84,10 +84,8 @@ Result convert(const py::object& source, const std::filesystem::path& output, co
                std::size_t intervals, const std::string& x_unit, const std::string& position_unit,
                bool periodic, const py::object& x_step, const py::object& p_step, bool allow_loss) {
   const Input input = input_of_argument(source);
-  std::error_code missing;  // a missing file is a different file
-  if (py::isinstance<py::str>(source) &&
-      std::filesystem::equivalent(py::cast<std::string>(source), output, missing))
-    throw InputError("output", output.string(), "is also the input: choose another name");
+  if (py::isinstance<py::str>(source))
+    require_other_file(py::cast<std::string>(source), output.string(), "output");
   Wanted wanted{output.string(),         to,       rule,      {}, intervals,
                 {x_unit, position_unit}, periodic, allow_loss};
   wanted.target.controller = controller;

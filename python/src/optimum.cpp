@@ -97,9 +97,7 @@ void bind_optimum(py::module_& m) {
       .def(
           "write",
           [](const Improvement& o, const std::filesystem::path& path) {
-            std::error_code missing;  // a missing file is a different file
-            if (std::filesystem::equivalent(path, o.name, missing))
-              throw InputError("path", path.string(), "is also the input: choose another name");
+            require_other_file(o.name, path.string(), "path");
             write_file(path.string(), usable_spec(o));
           },
           "path"_a,

@@ -159,6 +159,12 @@ TEST_F(Files, WhatIsReadIsNotReplacedWhileInputsAreKept) {
   }
   write_file(in("points.csv"), "made");
   EXPECT_EQ(read_file(in("points.csv")), "made") << "a library's user may replace what it has read";
+
+  EXPECT_THAT(why([&] { require_other_file(in("points.csv"), in("link.csv"), "output"); }),
+              HasSubstr("link.csv: is also the input"));
+  require_other_file(in("points.csv"), in("other.csv"), "output");
+  require_other_file(in("points.csv"), in("missing.csv"), "output");
+  require_other_file("-", "-", "output");
 }
 
 TEST_F(Files, NameWhatIsNoText) {

@@ -59,6 +59,10 @@ TEST(Axes, HaveAFileEach) {
   EXPECT_EQ(file_of_axis("feeder.csv", "x"), "feeder-x.csv");
   EXPECT_EQ(file_of_axis("v1.2/feeder", "x"), "v1.2/feeder-x") << "the dot of a folder";
   EXPECT_EQ(file_of_axis("out/.hidden", "x"), "out/.hidden-x");
+  EXPECT_EQ(file_of_axis("--table", "feeder.csv", "x", 2), "feeder-x.csv");
+  EXPECT_EQ(file_of_axis("--table", "feeder.csv", "x", 1), "feeder.csv") << "the only axis";
+  EXPECT_EQ(file_of_axis("--table", "-", "x", 1), "-");
+  EXPECT_EQ(test::key_of([] { file_of_axis("--table", "-", "x", 2); }), "--table");
 }
 
 }  // namespace

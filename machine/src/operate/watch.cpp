@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "jounce/base/listed.hpp"
+#include "jounce/machine/outcome_text.hpp"
 
 namespace jounce::dashboard {
 namespace {
@@ -105,13 +106,17 @@ bool Watch::is_wanted(const std::string& name) const {
   return names.empty() || std::binary_search(names.begin(), names.end(), name);
 }
 
-std::string senders_hint(Transport& link, const std::optional<wire::Key>& key) {
-  Watch watch(link, {.key = key});
+std::string senders_hint(KeyedLink& link) {
+  Watch watch(link.transport(), {.key = link.key()});
   watch.run(std::chrono::seconds(1));
   std::vector<std::string> names;
   for (const Watched& axis : watch.axes()) names.push_back(axis.name);
-  return names.empty() ? "check that it is running, with the same --url and the same --key"
+  return names.empty() ? unheard_hint
                        : "messages arrive from " + listed(names) + ": check the name";
+}
+
+void throw_missing(KeyedLink& link, const std::string& executor) {
+  throw TransportError("no message from " + executor + ": " + senders_hint(link));
 }
 
 }  // namespace jounce::dashboard

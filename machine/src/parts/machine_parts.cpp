@@ -9,6 +9,7 @@
 
 #include "jounce/axis/homing.hpp"
 #include "jounce/axis/machine.hpp"
+#include "jounce/base/file.hpp"
 #include "jounce/base/nearest.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/executor/dispatcher.hpp"
@@ -274,6 +275,23 @@ MachineParts machine_parts(const MachineOptions& options) {
     throw machine ? machine_detail::in_group(*machine, placed) : placed;
   }
   return parts;
+}
+
+void require_no_specs(const MachineOptions& options, const RecorderOptions& record) {
+  for (const std::string& spec : options.files) {
+    require_other_file(spec, options.log, "log");
+    if (record.log) require_other_file(spec, record.log->string(), "record");
+    if (record.black_box) require_other_file(spec, record.black_box->string(), "black_box");
+  }
+}
+
+void require_no_inputs(const MachineOptions& options, const RecorderOptions& record,
+                       const std::vector<ExecutorOptions>& axes) {
+  if (!options.log.empty())
+    for (const auto& axis : axes)
+      require_not_read(log_of(options.log, axis.receiver.executor, axes.size()), "log");
+  if (record.log) require_not_read(record.log->string(), "record");
+  if (record.black_box) require_not_read(record.black_box->string(), "black_box");
 }
 
 }  // namespace jounce

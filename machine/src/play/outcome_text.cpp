@@ -60,6 +60,12 @@ std::string accepted_text(const std::string& word, const wire::Status& before,
                      name(static_cast<Cause>(before.last_error)), executor);
 }
 
+std::string error_text(const CallOutcome& outcome, const std::string& executor) {
+  const std::string text =
+      fmt::format("{}: {}", name(outcome.error), reason_text(outcome, executor));
+  return outcome.error == StreamError::no_answer ? text + "; " + unheard_hint : text;
+}
+
 std::string outcome_json(const CallOutcome& outcome) {
   return common_members(outcome).dump();
 }

@@ -42,6 +42,11 @@ class KeptInputs {
 /// Throws InputError, with `option` as its key, if KeptInputs has recorded the file.
 void require_not_read(const std::string& path, const std::string& option);
 
+/// Throws InputError, with `option` as its key, if both paths lead to one file: an output must not
+/// replace its input. "-" is no file.
+void require_other_file(const std::string& input, const std::string& output,
+                        const std::string& option);
+
 /// A file to be written.
 struct Output {
   std::string path;   ///< path of the file; "-" is standard output

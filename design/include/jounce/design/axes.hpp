@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,10 @@ Input only_axis(std::vector<Input> all, const std::string& path);
 
 /// Returns the name of the file of one axis, if each axis of a spec has its own file: feeder-x.csv for feeder.csv.
 std::string file_of_axis(const std::string& path, const std::string& axis);
+
+/// The same for a spec with this number of axes: one axis has the path itself. Throws InputError,
+/// with `option` as its key, for standard output, which cannot have several files.
+std::string file_of_axis(const std::string& option, const std::string& path,
+                         const std::string& axis, std::size_t axes);
 
 }  // namespace jounce

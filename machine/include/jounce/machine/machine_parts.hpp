@@ -8,6 +8,7 @@
 
 #include "jounce/executor/axis_server.hpp"
 #include "jounce/executor/masters.hpp"
+#include "jounce/executor/recorder.hpp"
 
 namespace jounce {
 
@@ -47,5 +48,12 @@ struct MachineParts {
 /// master, and units that do not match. Throws std::system_error if the shared memory of a drive
 /// cannot be created.
 MachineParts machine_parts(const MachineOptions& options);
+
+/// Throws InputError (key "log", "record" or "black_box") if a file that the run would write is one of
+/// its specs.
+void require_no_specs(const MachineOptions& options, const RecorderOptions& record);
+/// The same for all files that KeptInputs has recorded: the files that the specs name, too.
+void require_no_inputs(const MachineOptions& options, const RecorderOptions& record,
+                       const std::vector<ExecutorOptions>& axes);
 
 }  // namespace jounce

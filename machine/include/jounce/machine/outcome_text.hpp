@@ -20,6 +20,13 @@ std::string reason_text(const CallOutcome& outcome, const std::string& executor)
 std::string accepted_text(const std::string& word, const wire::Status& before,
                           const std::string& executor);
 
+/// Hint for an executor that sends no message.
+inline constexpr const char* unheard_hint =
+    "check that it is running, with the same --url and the same --key";
+
+/// Returns the name of the error and reason_text(), with unheard_hint if there was no answer.
+std::string error_text(const CallOutcome& outcome, const std::string& executor);
+
 /// Returns {"ok": ..., "error": ..., "reason": ...}.
 std::string outcome_json(const CallOutcome& outcome);
 /// Returns outcome_json() with the number of the cause.

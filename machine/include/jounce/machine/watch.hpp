@@ -10,6 +10,7 @@
 
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/security/key.hpp"
+#include "jounce/stream/transport/keyed_link.hpp"
 #include "jounce/stream/transport/link.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
@@ -93,6 +94,8 @@ class Watch {
 /// Listens for a second. Returns the names of the executors that send messages, for the error that
 /// one of them is missing: "messages arrive from x, y; check the name". If no message arrives,
 /// returns "check that it is running, ...".
-std::string senders_hint(Transport& link, const std::optional<wire::Key>& key);
+std::string senders_hint(KeyedLink& link);
+/// Throws TransportError: no message arrives from this executor; with senders_hint().
+[[noreturn]] void throw_missing(KeyedLink& link, const std::string& executor);
 
 }  // namespace jounce::dashboard
