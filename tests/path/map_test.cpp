@@ -27,9 +27,10 @@ using testing::HasSubstr;
 
 constexpr double degree = 180 / std::numbers::pi;
 
-nlohmann::json oracle() {
-  std::ifstream file(JOUNCE_SOURCE_DIR "/tests/oracle/path.json");
-  return nlohmann::json::parse(file).at("maps");
+const nlohmann::json& oracle() {
+  static const nlohmann::json all =
+      nlohmann::json::parse(std::ifstream(JOUNCE_SOURCE_DIR "/tests/oracle/path.json")).at("maps");
+  return all;
 }
 
 /// A third of the way along a line, by its length.
