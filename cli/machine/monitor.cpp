@@ -25,8 +25,7 @@ struct MonitorArguments {
   LinkOptions link;
   double seconds = 0;
   double silence = 3;
-  bool ascii = false;
-  bool json = false;
+  bool ascii = false, json = false, events = false;
 };
 
 using dashboard::Watch;
@@ -42,7 +41,7 @@ int print_all(Watch& watch, const MonitorArguments& options) {
     std::fflush(stdout);
   };
   for (const Duration duration(options.seconds); duration.goes_on();) {
-    watch.run(turn, print, print);
+    options.events ? watch.run(turn, {}, {}, print) : watch.run(turn, print, print);
     if (const std::string who = watch.silent(nanos(options.silence)); !who.empty())
       return give_up(who, options.silence);
   }
@@ -54,7 +53,7 @@ int run_monitor(const MonitorArguments& options) {
   for (const std::string& name : options.executors) require_name_on_bus("NAME", name);
   KeyedLink link = open_link(options.link);
   Watch watch(link.transport(), {.names = options.executors, .key = link.key()});
-  if (options.json || !dashboard::is_screen()) return print_all(watch, options);
+  if (options.json || options.events || !dashboard::is_screen()) return print_all(watch, options);
   const dashboard::View view{.ascii = options.ascii || !dashboard::is_utf8(),
                              .silence = nanos(options.silence)};
   const Duration duration(options.seconds);
@@ -87,6 +86,8 @@ void add_monitor(CommandLine& line) {
   verb.flag("--ascii", options->ascii,
             "Draw bars and plots in ASCII; default: depends on the locale");
   verb.flag("--json", options->json, "One line of JSON for each status");
+  verb.flag("--events", options->events,
+            "Print events (probes, marks, outputs, ends of cams), not statuses");
   verb.work([options] { return run_monitor(*options); });
 }
 

@@ -81,6 +81,10 @@ constexpr std::array entries{
           "path.",
           "Find the axis with `jounce monitor`, remove the cause, and reset and enable the axis. "
           "Then reset the group. `jounce order GROUP resume` continues the path."},
+    Entry{Cause::marks_lost, "marks_lost",
+          "Registration lost its marks: too many products in succession had no mark in the window.",
+          "Check the mark sensor and the film. If the marks drift further than expected, raise "
+          "`window` in [registration]. Then reset the axis and start the motion again."},
     Entry{Cause::not_enabled, "not_enabled", "The axis or group is disabled.",
           "Enable it: `jounce order NAME enable`."},
     Entry{Cause::in_error, "in_error", "The axis or group has a fault.",
@@ -239,6 +243,17 @@ constexpr std::array entries{
         Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
         "Use `jounce order NAME move --to POSITION`. To stream one axis of a path, choose the axis "
         "with --axis."},
+    Entry{Cause::no_trigger_input, "no_trigger_input",
+          "The drive of the axis does not have this trigger input.",
+          "Choose an input that the drive has: 1 to 4, home or index. For a simulated drive, add "
+          "[drive.machine] with [[drive.machine.marks]], home_switch or index to the spec of the "
+          "axis."},
+    Entry{Cause::no_touch_probe, "no_touch_probe", "No touch probe waits at this input.",
+          "Nothing: the touch probe has made its captures, or was never started."},
+    Entry{Cause::probe_window, "probe_window",
+          "The window of the touch probe contains no position that the axis can reach.",
+          "Give a first position below the last position, both within the position range of the "
+          "axis. On a modulo axis, the window may extend beyond the end of the turn."},
     Entry{Cause::stopped, "stopped", "Stopped on request.", "Nothing."},
     Entry{Cause::halted, "halted", "Halted on request.", "Nothing."},
     Entry{Cause::pass_ended, "pass_ended", "Finished at the end of the current pass, as requested.",

@@ -105,6 +105,8 @@ constexpr std::array rows{
         "MC_MoveDirectRelative", own, begins, moves),
     sent<command::GroupWait>("group_wait", 28, "wait", "", own, begins, moves),
     sent<command::GroupJog>("group_jog", 29, "jog", "", own, begins, moves),
+    sent<command::TouchProbe>("touch_probe", 30, "touch-probe", "MC_TouchProbe", own, always),
+    sent<command::AbortTrigger>("abort_trigger", 31, "abort-trigger", "MC_AbortTrigger", own, always),
 };
 // clang-format on
 

@@ -53,6 +53,10 @@ const char* broken(FieldRange range, double value) {
       return rule(is_whole(value), "must be a whole number from -2147483647 to 2147483647");
     case FieldRange::whole_nonzero:
       return value == 0 ? "must not be 0" : broken(FieldRange::whole, value);
+    case FieldRange::trigger_input:
+      return rule(is_whole(value) && value >= 1 && value <= probe_inputs, "must be 1 to 6");
+    case FieldRange::trigger_edge:
+      return rule(is_whole(value) && value >= 0 && value <= 2, "must be 0 to 2");
     case FieldRange::count:
       break;
   }
@@ -128,6 +132,10 @@ const char* words(FieldRange range) {
       return "whole, not 0";
     case FieldRange::count:
       return "whole, 0 or more";
+    case FieldRange::trigger_input:
+      return "1 to 6";
+    case FieldRange::trigger_edge:
+      return "0, 1 or 2";
   }
   return "";
 }

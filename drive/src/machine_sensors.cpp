@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "jounce/profiles/error.hpp"
@@ -65,6 +66,72 @@ double index_between(const MachineIndex& index, double from, double to) noexcept
   return index.offset + index.period * (after > before ? before + 1 : before);
 }
 
+SimulatedMarks::SimulatedMarks(const MachineMarks& spec) : spec_(spec) {
+  if (spec.input < 1 || spec.input > Triggers::most_inputs)
+    throw InputError("input", std::to_string(spec.input), "must be 1 to 4");
+  require_finite("first", spec.first);
+  require_positive("distance", spec.distance);
+  require_positive("width", spec.width);
+  require_not_negative("wander", spec.wander);
+  require_positive("wander_marks", spec.wander_marks);
+  if (!(spec.width < spec.distance / 2))
+    throw InputError("width", spec.width, "must be less than half the distance of the marks");
+  if (!(spec.wander < spec.distance / 4))
+    throw InputError("wander", spec.wander, "must be less than a quarter of the distance");
+  std::sort(spec_.missing.begin(), spec_.missing.end());
+}
+
+double SimulatedMarks::place(double mark) const noexcept {
+  const double angle = 2 * std::numbers::pi * mark / spec_.wander_marks;
+  return spec_.first + mark * spec_.distance + spec_.wander * std::sin(angle);
+}
+
+bool SimulatedMarks::exists(double mark) const noexcept {
+  if (!(mark >= 0) || (spec_.count && mark >= static_cast<double>(*spec_.count))) return false;
+  constexpr double most = 1e15;  // fits the number of a mark
+  return mark < most && !std::binary_search(spec_.missing.begin(), spec_.missing.end(),
+                                            static_cast<std::int64_t>(mark));
+}
+
+/// Calls f(position) for the marks that may be on between two positions.
+template <class F>
+void SimulatedMarks::each_near(double low, double high, F f) const {
+  const double margin = spec_.wander + spec_.width;
+  const double first = std::max(std::floor((low - margin - spec_.first) / spec_.distance), 0.0);
+  const double last = std::ceil((high + margin - spec_.first) / spec_.distance);
+  constexpr double most = 1000;  // in one cycle
+  for (double mark = first; mark <= std::min(last, first + most); ++mark)
+    if (exists(mark)) f(place(mark));
+  for (const double extra : spec_.extra) f(extra);
+}
+
+bool SimulatedMarks::at(double position) const noexcept {
+  bool on = false;
+  each_near(position, position,
+            [&](double mark) { on = on || (position >= mark && position < mark + spec_.width); });
+  return on;
+}
+
+void SimulatedMarks::step(double from, double to, double dt, double ago,
+                          Triggers& triggers) const noexcept {
+  const auto bit = static_cast<std::uint8_t>(1U << (spec_.input - 1));
+  triggers.wired |= bit;
+  if (!std::isfinite(from) || !std::isfinite(to)) return;
+  if (at(to)) triggers.on |= bit;
+  const auto add = [&](double edge, bool begins) {
+    if (!passes(edge, from, to) || triggers.count == Triggers::most_changes) return;
+    const double age = ago + dt * (to - edge) / (to - from);
+    triggers.change[triggers.count++] = {.input = static_cast<std::uint8_t>(spec_.input),
+                                         .rising = begins == (to > from),
+                                         .age = age,
+                                         .position = spec_.on_master ? none : edge};
+  };
+  each_near(std::min(from, to), std::max(from, to), [&](double mark) {
+    add(mark, true);
+    add(mark + spec_.width, false);
+  });
+}
+
 DriveOnMachine::DriveOnMachine(std::shared_ptr<AxisDrive> drive, const MachineSensorsSpec& spec,
                                double period)
     : drive_(std::move(drive)),
@@ -74,6 +141,13 @@ DriveOnMachine::DriveOnMachine(std::shared_ptr<AxisDrive> drive, const MachineSe
       negative_(simulated("machine.negative_switch", spec.negative)),
       positive_(simulated("machine.positive_switch", spec.positive)) {
   require_finite("machine.encoder_offset", spec.encoder_offset);
+  for (const MachineMarks& marks : spec.marks) {
+    try {
+      marks_.emplace_back(marks);
+    } catch (const InputError& error) {
+      throw InputError("machine.marks." + error.key(), error.value(), error.rule());
+    }
+  }
   if (!spec.index) return;
   require_positive("machine.index.period", spec.index->period);
   require_finite("machine.index.offset", spec.index->offset);
@@ -91,7 +165,27 @@ Feedback DriveOnMachine::feedback() noexcept {
   sensors.index.wired = spec_.index.has_value();
   if (spec_.index)
     sensors.index.edge = index_between(*spec_.index, from, to) - spec_.encoder_offset;
+  if (!marks_.empty()) detect(from, to, said.triggers);
   return said;
+}
+
+void DriveOnMachine::command(const DriveSetpoint& setpoint) noexcept {
+  last_master_ = std::exchange(master_, setpoint.master);
+  drive_->command(setpoint);
+}
+
+void DriveOnMachine::detect(double from, double to, Triggers& triggers) noexcept {
+  for (const SimulatedMarks& marks : marks_) {
+    if (marks.spec().on_master)
+      marks.step(last_master_, master_, period_, period_, triggers);
+    else
+      marks.step(from, to, period_, 0, triggers);
+  }
+  const auto changes = triggers.change.begin();
+  for (auto change = changes; change != changes + triggers.count; ++change)
+    change->position -= spec_.encoder_offset;
+  std::sort(changes, changes + triggers.count,
+            [](const TriggerChange& a, const TriggerChange& b) { return a.age > b.age; });
 }
 
 /// Converts to the coordinate of the encoder.

@@ -194,7 +194,9 @@ void read_axis(TomlReader& top, Spec& spec) {
   AxisSpec axis = spec_detail::read_axis(top.table("axis"), spec.units);
   axis.homing = spec_detail::read_homing(top, spec.units);
   axis.follow = spec_detail::read_whom(top);
-  (void)spec_detail::read_axis_drive(top, spec.units);  // axis_drive() reads it again
+  axis.registration = spec_detail::read_registration(top, spec.units, spec.master_unit);
+  (void)spec_detail::read_axis_drive(top, spec.units,
+                                     spec.master_unit);  // axis_drive() reads it again
   spec.subject = axis;
   spec.switches = spec_detail::read_switches(top, spec, SwitchesOf::position);
   spec.compare = spec_detail::read_compare(top, spec);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <type_traits>
+#include <vector>
+
 #include "jounce/axis/command.hpp"
+#include "jounce/command/command_table.hpp"
 
 #include "executor/src/record/flat_command.hpp"
 
@@ -30,8 +34,10 @@ struct AnyCommand {
     Command command{.what = *made<AxisCommand>(kind), .at = at};
     std::visit(
         [&](auto& what) {
-          record_fields::each_pair_of_command(what, *this,
-                                              [](auto& to, const auto& from) { to = from; });
+          record_fields::each_pair_of_command(what, *this, [](auto& to, const auto& from) {
+            using To = std::remove_reference_t<decltype(to)>;
+            to = static_cast<To>(from);
+          });
           if constexpr (requires { what.movement; }) what.movement = movement;
           if constexpr (requires { what.group; }) what.group = group;
           if constexpr (requires { what.tick; }) command.at = -1;
@@ -45,7 +51,15 @@ inline Command any(const AnyCommand& command) {
   return command;
 }
 
-/// Kinds that an axis executes, `none` among them: the first ones. `extend` is only for a group.
-inline constexpr std::size_t axis_kinds = std::variant_size_v<AxisCommand> - 1;
+/// Kinds that an axis executes, first `none`. `extend` is only for a group.
+inline const std::vector<CommandKind>& axis_kinds() {
+  static const std::vector<CommandKind> kinds = [] {
+    std::vector<CommandKind> all;
+    for (const CommandInfo& row : all_commands())
+      if (row.kind != CommandKind::extend && made<AxisCommand>(row.kind)) all.push_back(row.kind);
+    return all;
+  }();
+  return kinds;
+}
 
 }  // namespace jounce::test

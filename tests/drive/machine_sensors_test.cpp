@@ -2,6 +2,10 @@
 #include "jounce/drive/machine_sensors.hpp"
 
 #include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +92,81 @@ TEST(MachineSensors, RefuseWhatNoSwitchCanBe) {
   const auto drive = std::make_shared<NullDrive>(0);
   EXPECT_THROW(DriveOnMachine(drive, {.index = MachineIndex{}}, 1e-3), InputError);
   EXPECT_THROW(DriveOnMachine(drive, {.encoder_offset = INFINITY}, 1e-3), InputError);
+}
+
+TEST(MachineMarks, ReportTheExactInstantsOfTheirEdges) {
+  const SimulatedMarks marks(
+      {.first = 10, .distance = 100, .width = 4, .missing = {2}, .extra = {250}});
+  Triggers seen;
+  marks.step(105, 115, 1e-3, 0, seen);
+  ASSERT_EQ(seen.count, 2);
+  EXPECT_EQ(seen.wired, 1);
+  EXPECT_TRUE(seen.change[0].rising);
+  EXPECT_NEAR(seen.change[0].age, 0.5e-3, 1e-15);
+  EXPECT_EQ(seen.change[0].position, 110);
+  EXPECT_FALSE(seen.change[1].rising);
+  EXPECT_NEAR(seen.change[1].age, 0.1e-3, 1e-15);
+  EXPECT_TRUE(marks.at(110));
+  EXPECT_FALSE(marks.at(114));
+  EXPECT_FALSE(marks.at(211)) << "it is missing";
+  EXPECT_TRUE(marks.at(251)) << "a false mark";
+  EXPECT_FALSE(marks.at(-88)) << "before the first";
+  Triggers back;
+  marks.step(115, 109, 1e-3, 2e-3, back);
+  ASSERT_EQ(back.count, 2);
+  EXPECT_NEAR(back.change[0].age + back.change[1].age, 4e-3 + (5.0 + 1.0) / 6 * 1e-3, 1e-12);
+}
+
+TEST(MachineMarks, WanderAndEnd) {
+  const SimulatedMarks marks(
+      {.first = 0, .distance = 100, .width = 1, .wander = 10, .wander_marks = 4, .count = 3});
+  EXPECT_TRUE(marks.at(110.5));  // sin(pi/2)
+  EXPECT_TRUE(marks.at(200.5));
+  EXPECT_FALSE(marks.at(290.5));
+}
+
+TEST(MachineMarks, MoreChangesThanFitAreLost) {
+  const SimulatedMarks marks({.first = 1, .distance = 1, .width = 0.2});
+  Triggers seen;
+  marks.step(0.5, 9.5, 1e-3, 0, seen);
+  EXPECT_EQ(seen.count, Triggers::most_changes);
+}
+
+// Marks on the master: the drive reports an edge one cycle later, with its age.
+TEST(MachineMarks, OnTheMasterAreReportedByTheDrive) {
+  MachineSensorsSpec spec;
+  spec.marks.push_back({.input = 3, .on_master = true, .first = 10, .distance = 100, .width = 4});
+  DriveOnMachine drive(std::make_shared<NullDrive>(), spec, 1e-3);
+  EXPECT_EQ(drive.feedback().triggers.wired, 0b100);
+  drive.command({.master = 8});
+  EXPECT_EQ(drive.feedback().triggers.count, 0);
+  drive.command({.master = 12});
+  const Triggers seen = drive.feedback().triggers;
+  ASSERT_EQ(seen.count, 1);
+  EXPECT_EQ(seen.on, 0b100);
+  EXPECT_EQ(seen.change[0].input, 3);
+  EXPECT_NEAR(seen.change[0].age, 1.5e-3, 1e-15);
+  EXPECT_TRUE(std::isnan(seen.change[0].position));
+  drive.command({});  // the master is lost
+  EXPECT_EQ(drive.feedback().triggers.count, 0);
+}
+
+TEST(MachineMarks, InvalidOnesAreRejectedByTheirKeys) {
+  const MachineMarks good{.first = 0, .distance = 10, .width = 1};
+  for (const auto& [key, bad] : std::vector<std::pair<std::string, MachineMarks>>{
+           {"input", {.input = 5, .distance = 10, .width = 1}},
+           {"distance", {.distance = 0, .width = 1}},
+           {"width", {.distance = 10, .width = 5}},
+           {"wander", {.distance = 10, .width = 1, .wander = 3}}}) {
+    MachineSensorsSpec spec;
+    spec.marks = {good, bad};
+    try {
+      DriveOnMachine drive(std::make_shared<NullDrive>(), spec, 1e-3);
+      ADD_FAILURE() << key;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.key(), "machine.marks." + key);
+    }
+  }
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <map>
+#include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -124,6 +126,32 @@ TEST(CommandWords, AMissingValueIsNamedWithAnExample) {
             "VALUE is missing: give a ratio, such as 3:2");
   EXPECT_EQ(test::rule_of([] { command_of({.what = "override"}, mm); }),
             "VALUE is missing: give a factor, such as 50%");
+}
+
+TEST(CommandWords, ATouchProbeHasItsInputEdgeAndWindow) {
+  const auto probe = [](const std::string& input, std::map<std::string, std::string> options) {
+    const CommandWords words{.what = "touch-probe", .value = input, .options = std::move(options)};
+    require_taken(words);
+    return std::get<command::TouchProbe>(command_of(words, mm));
+  };
+  const command::TouchProbe single = probe("2", {});
+  EXPECT_EQ(single.input, 2);
+  EXPECT_EQ(single.edge, ProbeEdge::rising);
+  EXPECT_EQ(single.count, 1);
+  EXPECT_TRUE(std::isnan(single.first_position));
+  const command::TouchProbe all =
+      probe("home", {{"edge", "both"}, {"count", "0"}, {"last-position", "5cm"}});
+  EXPECT_EQ(all.input, home_switch_input);
+  EXPECT_EQ(all.edge, ProbeEdge::both);
+  EXPECT_EQ(all.count, 0);
+  EXPECT_EQ(all.last_position, 50);
+  EXPECT_EQ(probe("index", {}).input, index_input);
+  EXPECT_EQ(test::rule_of([&] { probe("", {}); }),
+            "is missing: give the trigger input, 1 to 4, home or index");
+  EXPECT_EQ(test::rule_of([&] { probe("7", {}); }), "must be 1 to 4, home or index");
+  EXPECT_EQ(test::key_of([&] { probe("1", {{"edge", "up"}}); }), "--edge");
+  EXPECT_EQ(test::key_of([&] { probe("1", {{"count", "-1"}}); }), "--count");
+  EXPECT_EQ(test::key_of([&] { probe("1", {{"velocity", "5"}}); }), "--velocity");
 }
 
 TEST(CommandWords, EachOptionIsListedOnce) {

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include "jounce/machine/status_text.hpp"
 #include "jounce/machine/terminal.hpp"
 
 #include "machine/src/operate/dashboard_text.hpp"
@@ -197,6 +198,48 @@ TEST(Heard, KeepsAPositionEveryTenthOfASecondAndNoMoreThanAreShown) {
   EXPECT_EQ(axes[0].trace.back(), 99'900);
   EXPECT_EQ(axes[0].trace.front(), 99'900 - 100.0 * (Watched::traced - 1));
   EXPECT_EQ(axes[0].received, 99'999ms);
+}
+
+TEST(Events, AreKeptOnceAndInOrder) {
+  std::vector<Watched> axes = two_axes();
+  const auto event = [](std::int64_t count, std::int64_t boot = 1) {
+    return wire::Event{.boot = boot,
+                       .count = count,
+                       .kind = wire::EventKind::probe,
+                       .number = 1,
+                       .on = true,
+                       .position = 12.5};
+  };
+  EXPECT_FALSE(take(axes, "unknown", event(1)));
+  EXPECT_TRUE(take(axes, "feeder", event(7)));
+  EXPECT_FALSE(take(axes, "feeder", event(7))) << "sent again";
+  EXPECT_TRUE(take(axes, "feeder", event(8)));
+  EXPECT_FALSE(take(axes, "feeder", event(7)));
+  EXPECT_TRUE(take(axes, "feeder", event(11)));
+  EXPECT_EQ(axes[0].lost_events, 2);
+  for (int i = 12; i < 400; ++i) take(axes, "feeder", event(i));
+  EXPECT_EQ(axes[0].events.size(), 256U);
+  EXPECT_TRUE(take(axes, "feeder", event(1, 2))) << "of an executor that was started again";
+  EXPECT_EQ(axes[0].events.size(), 1U);
+}
+
+TEST(Events, AreLinesOfText) {
+  const wire::Event probe{.count = 17,
+                          .kind = wire::EventKind::probe,
+                          .number = 6,
+                          .on = true,
+                          .tick = 1203,
+                          .offset_s = 412e-6,
+                          .position = 123.25};
+  EXPECT_EQ(status_text("label", probe),
+            "label        event 17     tick 1203 - 412.0 us  probe index rising at 123.25");
+  EXPECT_EQ(event_text({.kind = wire::EventKind::mark, .number = 1, .position = -0.25}),
+            "mark, deviation -0.25");
+  EXPECT_EQ(event_text({.kind = wire::EventKind::mark, .number = 2}), "mark missing");
+  EXPECT_EQ(event_text({.kind = wire::EventKind::track, .number = 3, .position = 5}),
+            "track 3 off at 5");
+  EXPECT_EQ(event_text({.kind = wire::EventKind::end_of_profile, .position = 400}),
+            "end of profile, master at 400");
 }
 
 TEST(Keys, HoldAndResumeAreForTheChosenAxis) {

@@ -22,6 +22,8 @@ bool suits_member(CommandKind kind) {
     case CommandKind::abort:
     case CommandKind::reset:
     case CommandKind::release:
+    case CommandKind::touch_probe:
+    case CommandKind::abort_trigger:
       return true;
     default:
       return false;

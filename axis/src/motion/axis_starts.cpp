@@ -220,6 +220,7 @@ void MotionAxis::begin_pending(const Moment& at) {
   if (const auto refusal = too_fast(begin.master[1])) return drop(*refusal);
   const ArmedMotion begun = std::exchange(armed_, {});
   const bool was_moving = moving();
+  const bool was_live = base_ == Base::live;
   drop_movement();
   forget_next();
   held_ = false;
@@ -229,6 +230,7 @@ void MotionAxis::begin_pending(const Moment& at) {
   if (live) {
     base_ = Base::live;
     live_.begin(*begun.movement(), now_.tick);
+    if (registration_ && !was_live) registration_->begin(inputs_.master[0]);
   } else {
     // At full speed, path time is bit for bit ticks * period since the tick of the start.
     const double ahead = begun.when() == StartAt::tick ? 0 : -at.t;

@@ -22,7 +22,9 @@ MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches,
       live_(config_.period),
       move_(config_.period),
       above_(config_),
+      plane_axes_(compare.plane_axes),
       outputs_(switches, compare) {
+  if (config_.registration) registration_.emplace(*config_.registration);
   now_.position = config_.position;
   unranged_.limits.position_min = unranged_.limits.position_max = std::nullopt;
 }
@@ -36,12 +38,14 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.dropped.reset();
   now_.handed_back = {};
   now_.frozen = false;
+  now_.end_of_profile = std::numeric_limits<double>::quiet_NaN();
   joint_ = false;
   const bool rested = !moving();
   if (state_ == State::homing && !moving()) state_ = State::standstill;
   for (Movement* const movement : {active(), armed_.movement(), movement_of(command.what)})
     if (movement != nullptr) movement->see(inputs.rows);
   take(inputs);
+  register_marks();
   obey_due();
   obey(command);
   watch();
@@ -51,8 +55,10 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   if (rested && moving()) outputs_.begin();
   if (moving()) play();
   operate_outputs();
+  probe();
   last_tick_ = tick;
   last_master_ = inputs_.master;
+  end_of_marks();
   report();
   return now_;
 }
@@ -87,6 +93,7 @@ void MotionAxis::take(const Inputs& inputs) {
   inputs_.positive_switch |= inputs_.feedback.sensors.positive.on;
   inputs_.negative_switch |= inputs_.feedback.sensors.negative.on;
   see_renamed(renamed);
+  remember_master();
   now_.actual_position = inputs_.feedback.position + now_.offset;
   now_.torque = inputs_.feedback.torque;
   // A disabled axis takes the position of its drive: enabling causes no motion.
@@ -99,7 +106,9 @@ void MotionAxis::take(const Inputs& inputs) {
 void MotionAxis::see_renamed(double by) {
   if (by == 0) return;
   last_master_[0] += by;
+  master_seen_.shift(by);
   live_.shift_master(by);
+  if (registration_) registration_->shift(by);
   if (base_ == Base::live) outputs_.place(SwitchesOf::master);
 }
 
@@ -135,6 +144,7 @@ void MotionAxis::play() {
   for (int i = 0; i < reactions && moving(); ++i) {
     Setpoint next;
     Cause wrong = advance(next);
+    add_correction(next);
     const MotionState bare = state_of(next);
     if (wrong == Cause::none) {
       above_.add_to(next, now_.tick);
@@ -156,7 +166,10 @@ Cause MotionAxis::advance(Setpoint& next) {
 }
 
 Cause MotionAxis::advance_live(Setpoint& next) {
+  if (const auto end = live_.pass_end(moment(), now_.tick)) now_.end_of_profile = -end->t;
   next = live_.at(moment(), now_.tick);
+  const bool fails = registration_ && registration_->spec().on_loss == MarkLoss::fault;
+  if (fails && registration_->reading().lost) return Cause::marks_lost;
   if (live_->progress() != Progress::broken) return Cause::none;
   return is_fault(live_->cause()) ? live_->cause() : Cause::master_lost;
 }
@@ -212,6 +225,8 @@ void MotionAxis::operate_outputs() {
   places.commanded = {now_.position, now_.velocity};
   places.actual = {now_.actual_position, inputs_.feedback.velocity};
   if (has_master_) places.master = {now_.master, now_.master_velocity};
+  for (std::size_t k = 0; k < plane_axes_.size() && plane_axes_[k] < part_count_; ++k)
+    places.plane[k] = {parts_[plane_axes_[k]][0], parts_[plane_axes_[k]][1]};
   outputs_.step(places, dt());
   now_.switches = outputs_.switches();
   now_.compare = outputs_.compare();

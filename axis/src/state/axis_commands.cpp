@@ -96,7 +96,10 @@ MotionAxis::Rejection MotionAxis::set_position(double position) {
   if (!std::isfinite(position)) return Refusal{Cause::no_value, position};
   if (!(std::abs(position) <= furthest(config_)))
     return Refusal{Cause::position_limit, position, furthest(config_)};
-  now_.offset += position - now_.position;
+  const double by = position - now_.position;
+  commanded_seen_.shift(by);
+  actual_seen_.shift(by);
+  now_.offset += by;
   now_.position = position;
   outputs_.place(SwitchesOf::position);
   return std::nullopt;

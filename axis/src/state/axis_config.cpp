@@ -4,6 +4,7 @@
 #include <string>
 
 #include "jounce/axis/homing.hpp"
+#include "jounce/axis/inputs.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -83,6 +84,16 @@ AxisConfig resolved(AxisConfig config) {
                                    {"in_position_time", config.in_position_time}})
     not_negative(key, value);
   config.homing = resolved(config.homing, config.limits);
+  if (config.registration) {
+    const int input = config.registration->input;
+    if (input < 1 || input > Triggers::most_inputs)
+      throw InputError("registration.input", std::to_string(input), "must be 1 to 4");
+    try {
+      config.registration = LiveRegistration(*config.registration).spec();
+    } catch (const InputError& error) {
+      throw InputError("registration." + error.key(), error.value(), error.rule());
+    }
+  }
   if (config.limit_acceleration == 0) config.limit_acceleration = config.stop_acceleration;
   return config;
 }

@@ -12,6 +12,10 @@ Outputs::Outputs(const AxisSwitches& switches, const AxisCompare& compare)
       switches_of_(switches.of),
       switches_(switches.table),
       compare_of_(compare.of) {
+  if (compare.plane && has_switches_)
+    throw InputError("plane", "",
+                     "cannot be combined with cam switches: their outputs are the same");
+  if (compare.plane) plane_.emplace(*compare.plane);
   if (!compare.list) return;
   if (compare.of == SwitchesOf::master)
     throw InputError("of", "master",
@@ -31,12 +35,22 @@ void Outputs::place(SwitchesOf what) {
 
 void Outputs::begin() {
   if (compare_) compare_->arm();
+  if (plane_) plane_->arm();
 }
 
 void Outputs::step(const OutputPlaces& places, double dt) {
   if (has_switches_) {
     const auto [position, velocity] = place_of(switches_of_, places, dt);
     switch_step_ = switches_.step(position, velocity, dt);
+  }
+  if (plane_) {
+    const auto place = [&](std::size_t k) {
+      return LivePlaneCompare::Place{places.plane[k].position, places.plane[k].velocity};
+    };
+    const PlaneStep& now = plane_->step(place(0), place(1), dt);
+    switch_step_ = {.outputs = now.outputs, .count = now.count, .lost = now.lost};
+    for (std::uint32_t i = 0; i < now.count; ++i)
+      switch_step_.edge[i] = {now.edge[i].time, now.edge[i].output, now.edge[i].on};
   }
   if (compare_) {
     const auto [position, velocity] = place_of(compare_of_, places, dt);

@@ -42,6 +42,12 @@ Inputs sound(const Inputs& inputs, const AxisConfig& config) noexcept {
     *value = unknown;
     drive.fault = true;
   }
+  Triggers& triggers = drive.triggers;
+  if (triggers.count > Triggers::most_changes) triggers.count = 0;
+  for (TriggerChange& change : triggers.change) {
+    if (!(std::abs(change.position) <= furthest(config))) change.position = unknown;
+    if (!(change.age >= 0)) change.age = unknown;
+  }
   return sound;
 }
 

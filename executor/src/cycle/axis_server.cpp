@@ -47,7 +47,9 @@ AxisServer::AxisServer(ExecutorOptions options, Receiver& receiver, MachineExcha
                              places[k] = position_of(axes[k]);
                            return places;
                          });
-  if (options_.log) log_.emplace(*options_.log, options_.units);
+  LogColumns more{.probes = options_.logs_probes};
+  if (options_.axis.registration) more.registration = options_.axis.registration->add_to;
+  if (options_.log) log_.emplace(*options_.log, options_.units, more);
   if (options_.enable) commands_.send({command::Enable{}});
   commands_.flush();
 }

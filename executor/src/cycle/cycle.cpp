@@ -96,8 +96,11 @@ void Cycle::write() {
   }
   for (std::size_t i = 0; i < images_.size(); ++i) {
     const AxisImage& image = images_[i];
-    if (AxisDrive* const drive = options_.drives[i])
-      drive->command(drive_setpoint(image.tick, image.command));
+    if (AxisDrive* const drive = options_.drives[i]) {
+      DriveSetpoint next = drive_setpoint(image.tick, image.command);
+      next.master = image.inputs.master[0];
+      drive->command(next);
+    }
     if (options_.record != nullptr)
       options_.record->add(i, image.command, image.inputs, image.tick);
     hand_over(image, *exchange_.axes[i]);

@@ -8,6 +8,8 @@
 namespace jounce {
 namespace {
 
+constexpr std::int64_t most_marks = 8;  // events of a kind in one cycle
+
 /// One end of a step: position and velocity of the signal of the switches.
 struct End {
   double position = 0;
@@ -49,6 +51,30 @@ std::vector<wire::Event> events_of(const Tick& before, const Tick& now, const Ou
     add(wire::EventKind::track, track, on, time, of.switches);
   for (const auto& [time, on] : now.compare.edges())
     add(wire::EventKind::compare, 1, on, time, of.compare);
+  const auto note = [&](wire::EventKind kind, std::uint32_t number, bool on, double age,
+                        double position) {
+    if (!std::isfinite(position)) position = 0;
+    events.push_back({.kind = kind,
+                      .number = number,
+                      .on = on,
+                      .tick = now.tick,
+                      .offset_s = age,
+                      .position = position});
+  };
+  for (const Capture& c : now.probe.captures())
+    note(wire::EventKind::probe, c.input, c.rising, c.age, c.position());
+  if (std::isfinite(now.end_of_profile))
+    add(wire::EventKind::end_of_profile, 1, true, dt - now.end_of_profile, SwitchesOf::master);
+  const RegistrationReading& was = before.registration;
+  const RegistrationReading& is = now.registration;
+  const auto marks = [&](wire::MarkEvent what, std::int64_t count, double position) {
+    for (; count > 0; --count)
+      note(wire::EventKind::mark, static_cast<std::uint32_t>(what), true, 0, position);
+  };
+  marks(wire::MarkEvent::accepted, std::min<std::int64_t>(is.marks - was.marks, 1), is.deviation);
+  marks(wire::MarkEvent::missing, std::min<std::int64_t>(is.missed - was.missed, most_marks), 0);
+  marks(wire::MarkEvent::stray, std::min<std::int64_t>(is.strays - was.strays, most_marks), 0);
+  marks(wire::MarkEvent::lost, is.lost && !was.lost ? 1 : 0, 0);
   std::stable_sort(events.begin(), events.end(),
                    [](const auto& a, const auto& b) { return a.offset_s > b.offset_s; });
   for (wire::Event& event : events) event.count = ++last_count;

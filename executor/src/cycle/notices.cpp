@@ -15,6 +15,8 @@ std::vector<std::string> notices_of(const Tick& before, const Tick& now, const s
   if (now.stopped > before.stopped) notices.push_back("stopped" + at);
   if (now.fault != before.fault && now.fault != Cause::none)
     notices.push_back("fault" + at + ": " + name(now.fault) + ": " + meaning(now.fault));
+  if (now.registration.lost && !before.registration.lost)
+    notices.push_back("registration: no mark in the last products" + at);
   return notices;
 }
 

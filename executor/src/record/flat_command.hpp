@@ -50,6 +50,14 @@ void each_pair_of_command(C& c, Flat& flat, F f) {
     f(c.acceleration, flat.dynamics.acceleration);
     f(c.timeout, flat.timeout);
     f(c.distance, flat.distance);
+  } else if constexpr (std::is_same_v<T, command::TouchProbe>) {
+    f(c.input, flat.method);
+    f(c.edge, flat.factor);
+    f(c.count, flat.timeout);
+    f(c.first_position, flat.index_velocity);
+    f(c.last_position, flat.distance);
+  } else if constexpr (std::is_same_v<T, command::AbortTrigger>) {
+    f(c.input, flat.method);
   } else {
     if constexpr (requires { c.distance; }) f(c.distance, flat.position);
     if constexpr (requires { c.velocity; }) f(c.velocity, flat.position);
@@ -60,7 +68,9 @@ void each_pair_of_command(C& c, Flat& flat, F f) {
 /// Returns a command in that form.
 inline FlatCommand flat(const Command& command) {
   FlatCommand flat{.kind = command.kind(), .id = command.id, .at = command.at};
-  const auto put = [](const auto& from, auto& to) { to = from; };
+  const auto put = [](const auto& from, auto& to) {
+    to = static_cast<std::remove_reference_t<decltype(to)>>(from);
+  };
   std::visit([&](const auto& what) { each_pair_of_command(what, flat, put); }, command.what);
   return flat;
 }
@@ -70,7 +80,9 @@ inline Command command_of(const FlatCommand& flat) {
   const auto with_defaults = made<AxisCommand>(flat.kind);
   if (!with_defaults) throw InputError("command", name(flat.kind), "is not a command of an axis");
   Command command{.what = *with_defaults, .at = flat.at, .id = flat.id};
-  const auto get = [](auto& to, const auto& from) { to = from; };
+  const auto get = [](auto& to, const auto& from) {
+    to = static_cast<std::remove_reference_t<decltype(to)>>(from);
+  };
   const auto fill = [&](auto& what) {
     each_pair_of_command(what, flat, get);
     if constexpr (requires { what.tick; }) command.at = -1;

@@ -44,20 +44,33 @@ void append(std::string& line, const SwitchStep& switches) {
   }
 }
 
+/// "1+@0.00058=12.5": an edge of the input 1, this time (s) before the tick, at this position.
+void append(std::string& line, const ProbeStep& probe) {
+  const char* separator = "";
+  for (const Capture& capture : probe.captures()) {
+    append(line, separator);
+    append(line, static_cast<int>(capture.input));
+    line += capture.rising ? "+@" : "-@";
+    append(line, capture.age);
+    line += '=';
+    append(line, capture.position());
+    separator = " ";
+  }
+}
+
 template <class First, class... Others>
 void join(std::string& line, const First& first, const Others&... others) {
-  line.clear();
   append(line, first);
   ((line += ',', append(line, others)), ...);
-  line += '\n';
 }
 
 }  // namespace
 
-TickLog::TickLog(std::filesystem::path path, const Units& units)
+TickLog::TickLog(std::filesystem::path path, const Units& units, const LogColumns& more)
     : path_(std::move(path)),
       temporary_(path_.string() + "." + std::to_string(getpid()) + ".part"),
-      file_(temporary_, std::ios::binary | std::ios::trunc) {
+      file_(temporary_, std::ios::binary | std::ios::trunc),
+      more_(more) {
   if (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)) {
     file_.close();
     std::filesystem::remove(temporary_);
@@ -68,7 +81,12 @@ TickLog::TickLog(std::filesystem::path path, const Units& units)
   const std::string u = " [" + units.position;
   file_ << "tick,time [s],state,master" << m << "],master_velocity" << m << "/s],position" << u
         << "],velocity" << u << "/s],acceleration" << u
-        << "/s^2],job,fault,outputs,edges [s],held,homed\n";
+        << "/s^2],job,fault,outputs,edges [s],held,homed";
+  if (more.probes) file_ << ",captures [s=" << units.position << "]";
+  if (more.registration)
+    file_ << ",deviation" << m << "],correction"
+          << (*more.registration == CorrectionOf::master ? m : u) << "],marks,missed,strays";
+  file_ << '\n';
   file_.flush();
   if (file_) return;
   const int why = errno;
@@ -86,9 +104,15 @@ TickLog::~TickLog() {
 
 void TickLog::add(const Tick& tick) {
   if (!truncated_.empty()) return;
+  line_.clear();
   join(line_, tick.tick, tick.time, name(tick.state), tick.master, tick.master_velocity,
        tick.position, tick.velocity, tick.acceleration, tick.job, name(tick.fault), tick.switches,
        tick.held ? 1 : 0, tick.homed ? 1 : 0);
+  if (more_.probes) join(line_, "", tick.probe);
+  const RegistrationReading& marks = tick.registration;
+  if (more_.registration)
+    join(line_, "", marks.deviation, marks.correction, marks.marks, marks.missed, marks.strays);
+  line_ += '\n';
   file_ << line_;
   look();
 }

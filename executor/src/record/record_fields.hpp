@@ -230,6 +230,10 @@ inline constexpr int count_of<BufferMode> = static_cast<int>(BufferMode::blendin
 template <>
 inline constexpr int count_of<Cause> = 256;
 template <>
+inline constexpr int count_of<MarkLoss> = static_cast<int>(MarkLoss::hold) + 1;
+template <>
+inline constexpr int count_of<CorrectionOf> = static_cast<int>(CorrectionOf::slave) + 1;
+template <>
 inline constexpr int count_of<StartMode> = static_cast<int>(StartMode::ramp_in_distance) + 1;
 template <>
 inline constexpr int count_of<CamEnd> = static_cast<int>(CamEnd::extend) + 1;

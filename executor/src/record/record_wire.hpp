@@ -18,10 +18,12 @@
 #include "jounce_record/output_t.hpp"
 #include "jounce_record/program_t.hpp"
 #include "jounce_record/queue_t.hpp"
+#include "jounce_record/registration_t.hpp"
 #include "jounce_record/rows_t.hpp"
 #include "jounce_record/sample_t.hpp"
 #include "jounce_record/sight_t.hpp"
 #include "jounce_record/table_t.hpp"
+#include "jounce_record/triggers_t.hpp"
 
 /// Converts every event of a record to its LCM type in executor/lcm, and back. ours() throws
 /// InputError(field, value, rule) for a value out of range.
@@ -57,6 +59,8 @@ sight_t on_wire(const RecordedSight& ours);
 output_t on_wire(const RecordedOutput& ours);
 sample_t on_wire(const RecordedSample& ours);
 program_t on_wire(const RecordedProgram& ours);
+registration_t on_wire(const RecordedRegistration& ours);
+triggers_t on_wire(const RecordedTriggers& ours);
 
 RecordedAxis ours(const axis_t& w);
 RecordedTable ours(const table_t& w);
@@ -71,5 +75,7 @@ RecordedSight ours(const sight_t& w);
 RecordedOutput ours(const output_t& w);
 RecordedSample ours(const sample_t& w);
 RecordedProgram ours(const program_t& w);
+RecordedRegistration ours(const registration_t& w);
+RecordedTriggers ours(const triggers_t& w);
 
 }  // namespace jounce::record_wire

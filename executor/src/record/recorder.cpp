@@ -88,6 +88,8 @@ Recorder::Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Reco
     write(axis, 0);
     for (const RecordedOutput& part : parts_of(axis.axis, axis.outputs, axis.compare))
       write(part, 0);
+    if (axis.config.registration)
+      write(RecordedRegistration{axis.axis, *axis.config.registration}, 0);
   }
   for (const RecordedMaster& master : masters_) write(master, 0);
 }
@@ -153,6 +155,7 @@ void Recorder::take(const RecordBuffer::Item& item) {
   using What = RecordBuffer::Item::What;
   if (item.what == What::sample) return write(item.sample, now_);
   const bool sight = item.what == What::sight;
+  if (!sight) write_triggers(item.cycle);
   const RecordEvent event = sight ? RecordEvent(item.sight) : RecordEvent(item.cycle);
   const std::string data = encoded(event);
   write(channel_of(event), data, now_);
@@ -160,6 +163,16 @@ void Recorder::take(const RecordBuffer::Item& item) {
   if (!options_.black_box || box >= boxes_.size()) return;
   keep(boxes_[box], data, now_);
   if (!sight) watch(boxes_[box], item.cycle);
+}
+
+/// Writes the trigger inputs of a cycle if they have changed.
+void Recorder::write_triggers(const RecordedCycle& cycle) {
+  const Triggers& now = cycle.inputs.feedback.triggers;
+  auto& [wired, on] = triggers_[cycle.axis];
+  if (now.count == 0 && now.wired == wired && now.on == on) return;
+  wired = now.wired;
+  on = now.on;
+  write(RecordedTriggers{cycle.axis, now}, now_);
 }
 
 void Recorder::close() {

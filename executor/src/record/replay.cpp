@@ -62,6 +62,17 @@ class Replayer {
       motions_[part.axis] = std::make_unique<MotionAxis>(axis.config, axis.outputs, axis.compare);
   }
 
+  /// Reconstructs the axis with its registration.
+  void take(const RecordedRegistration& part) {
+    static_cast<void>(config(part.axis));
+    RecordedAxis& axis = result_.axes[part.axis];
+    axis.config.registration = part.spec;
+    if (part.axis < motions_.size())
+      motions_[part.axis] = std::make_unique<MotionAxis>(axis.config, axis.outputs, axis.compare);
+  }
+
+  void take(const RecordedTriggers& changed) { triggers_[changed.axis] = changed.triggers; }
+
   void take(const RecordedTable& part) {
     Growing& table = growing_[part.hash];
     if (part.first != table.columns.x.size())
@@ -151,7 +162,10 @@ class Replayer {
     end(std::to_string(loss.cycles) + " cycles are missing: the recorder was too slow" + after());
   }
 
-  void take(const RecordedCycle& cycle) {
+  void take(RecordedCycle cycle) {
+    Triggers& triggers = triggers_[cycle.axis];
+    cycle.inputs.feedback.triggers = triggers;
+    triggers.count = 0;
     if (cycle.axis >= result_.axes.size())
       throw InputError("axis", std::to_string(cycle.axis + 1),
                        "is missing from the start of the record");
@@ -273,6 +287,7 @@ class Replayer {
   std::vector<MasterReading> sights_;  // the last of each master
   std::vector<std::unique_ptr<MotionAxis>> motions_;
   std::map<std::size_t, std::int64_t> last_ticks_;
+  std::map<std::size_t, Triggers> triggers_;
   std::map<Sha256, Growing> growing_;
   std::map<Sha256, std::shared_ptr<const Table>> tables_;
   std::map<Key, std::shared_ptr<Movement>> movements_;

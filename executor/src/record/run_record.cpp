@@ -25,7 +25,7 @@ std::vector<RecordedAxis> recorded_axes(const std::vector<ExecutorOptions>& axes
                    .name = axis.receiver.executor,
                    .units = axis.units,
                    .config = resolved(axis.axis),
-                   .switches = !recordable(axis.compare),
+                   .switches = !recordable(axis.compare) || axis.compare.plane.has_value(),
                    .outputs = axis.switches,
                    .compare = axis.compare});
   return all;

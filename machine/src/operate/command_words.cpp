@@ -222,6 +222,38 @@ double method_of(const std::string& text) {
   return *method;
 }
 
+/// The number of captures of a touch probe; 1 if it is not given.
+double count_of(const std::string& text) {
+  if (text.empty()) return 1;
+  const auto count = csv_number(text);
+  if (!count || *count != std::floor(*count) || *count < 0 || *count > 1e9)
+    throw InputError("--count", text,
+                     "must be a whole number from 0 to 1e9; 0: capture until abort-trigger");
+  return *count;
+}
+
+/// The trigger input of a touch probe.
+double input_of(const std::string& text) {
+  if (text == "home") return home_switch_input;
+  if (text == "index") return index_input;
+  const auto input = csv_number(text);
+  if (!input || *input != std::floor(*input) || *input < 1 || *input > 4)
+    throw InputError(value_word, text,
+                     text.empty() ? "is missing: give the trigger input, 1 to 4, home or index"
+                                  : "must be 1 to 4, home or index");
+  return *input;
+}
+
+/// The edge of a touch probe; rising if it is not given.
+double edge_of(const std::string& text) {
+  for (const auto& [word, edge] : {std::pair{"", ProbeEdge::rising},
+                                   {"rising", ProbeEdge::rising},
+                                   {"falling", ProbeEdge::falling},
+                                   {"both", ProbeEdge::both}})
+    if (text == word) return static_cast<double>(edge);
+  throw InputError("--edge", text, "must be rising, falling or both");
+}
+
 /// --buffered, --blend: as a number on the wire.
 double buffer_mode_of(const CommandWords& words) {
   const std::map<std::string, double> blends{
@@ -287,7 +319,9 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
   const std::string name = dashed(option);
   const std::string text = text_of(words, option);
   const std::string unit = unit_of(field.quantity, units);
-  if (option == value_word && text.empty()) throw value_missing(words.what, field, unit);
+  const bool is_input = field.range == FieldRange::trigger_input;
+  if (option == value_word && text.empty() && !is_input)
+    throw value_missing(words.what, field, unit);
   switch (field.range) {
     case FieldRange::flag:
       return flag_of(words, option) ? 1 : 0;
@@ -306,7 +340,13 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
     case FieldRange::whole_nonzero:
       return ratio_of(text).second;
     case FieldRange::count:
-      return option == "turns" ? turns_of(text) : method_of(text);
+      return option == "turns"   ? turns_of(text)
+             : option == "count" ? count_of(text)
+                                 : method_of(text);
+    case FieldRange::trigger_input:
+      return input_of(text);
+    case FieldRange::trigger_edge:
+      return edge_of(text);
     case FieldRange::coordinate:
       return coordinate_of(name, text, index, unit);
     case FieldRange::finite:

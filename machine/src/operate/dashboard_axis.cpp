@@ -166,6 +166,9 @@ std::vector<Row> details(const Watched& axis, const View& view) {
   rows.push_back(line("", {{sparkline(axis.trace, room, view.ascii), Tone::moves}}));
   rows.push_back(line("queue", queue_of(s, view.ascii)));
   rows.push_back(line("outputs", {{outputs_of(s.outputs)}}));
+  if (!axis.events.empty())
+    rows.push_back(line("event", {{fmt::format("{}: {}", axis.events.back().count,
+                                               event_text(axis.events.back()))}}));
   rows.push_back(
       line("motions",
            {{fmt::format("{} finished, {} stopped", s.finished, s.stopped)},

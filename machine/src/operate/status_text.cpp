@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/command/cause.hpp"
+#include "jounce/command/commands.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 #include "machine/src/operate/dashboard_text.hpp"
@@ -62,6 +63,55 @@ std::string status_json(const std::string& axis, const wire::MasterStatus& m) {
                   {"velocity", m.velocity}, {"age", m.age_s},          {"taken", m.taken},
                   {"refused", m.refused}};
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string event_text(const wire::Event& event) {
+  using wire::MarkEvent;
+  const std::string at = fmt::format(" at {}", event.position);
+  switch (event.kind) {
+    case wire::EventKind::probe: {
+      const auto input = event.number == home_switch_input ? std::string("home")
+                         : event.number == index_input     ? std::string("index")
+                                                           : std::to_string(event.number);
+      return "probe " + input + (event.on ? " rising" : " falling") + at;
+    }
+    case wire::EventKind::mark:
+      switch (static_cast<MarkEvent>(event.number)) {
+        case MarkEvent::missing:
+          return "mark missing";
+        case MarkEvent::stray:
+          return "stray mark";
+        case MarkEvent::lost:
+          return "marks lost";
+        case MarkEvent::accepted:
+          break;
+      }
+      return fmt::format("mark, deviation {:.6g}", event.position);
+    case wire::EventKind::end_of_profile:
+      return "end of profile, master" + at;
+    case wire::EventKind::compare:
+    case wire::EventKind::track:
+    case wire::EventKind::tappet:
+      break;
+  }
+  return fmt::format("{} {} {}{}", name(event.kind), event.number, event.on ? "on" : "off", at);
+}
+
+std::string status_text(const std::string& axis, const wire::Event& event) {
+  return fmt::format("{:<12} event {:<6} tick {} - {:<9} {}", axis, event.count, event.tick,
+                     fmt::format("{:.1f} us", 1e6 * event.offset_s), event_text(event));
+}
+
+std::string status_json(const std::string& axis, const wire::Event& event) {
+  const Json line{{"name", axis},
+                  {"event", event.count},
+                  {"kind", name(event.kind)},
+                  {"number", event.number},
+                  {"on", event.on},
+                  {"tick", event.tick},
+                  {"offset_s", event.offset_s},
+                  {"position", event.position}};
+  return line.dump();
 }
 
 std::string unwritten_files(std::uint8_t files) {

@@ -51,19 +51,35 @@ void take(std::vector<Watched>& axes, const std::string& name, const wire::Maste
                                [](const auto& a, const auto& b) { return a.tick < b.tick; }));
 }
 
+bool take(std::vector<Watched>& axes, const std::string& name, const wire::Event& event) {
+  const auto axis =
+      std::find_if(axes.begin(), axes.end(), [&](const Watched& a) { return a.name == name; });
+  if (axis == axes.end() || !axis->status) return false;
+  auto& events = axis->events;
+  if (!events.empty() && events.back().boot != event.boot) events.clear();
+  if (!events.empty()) {
+    if (event.count <= events.back().count) return false;
+    axis->lost_events += event.count - events.back().count - 1;
+  }
+  events.push_back(event);
+  if (events.size() > Watched::most_events) events.pop_front();
+  return true;
+}
+
 Watch::Watch(Transport& link, WatchOptions options) : link_(link), options_(std::move(options)) {
   std::set<std::string> names(options_.names.begin(), options_.names.end());
   options_.names.assign(names.begin(), names.end());
   if (names.empty()) names.insert("*");
   for (const std::string& name : names)
-    for (const auto lane : {wire::Lane::status, wire::Lane::masters})
+    for (const auto lane : {wire::Lane::status, wire::Lane::masters, wire::Lane::event})
       link_.subscribe(wire::channel(name, lane), queue_capacity);
   for (const std::string& name : options_.names) axes_.push_back({.name = name});
 }
 
 void Watch::run(
     Nanos time, const std::function<void(const std::string& axis, const wire::Status&)>& on_status,
-    const std::function<void(const std::string& axis, const wire::MasterStatus&)>& on_master) {
+    const std::function<void(const std::string& axis, const wire::MasterStatus&)>& on_master,
+    const std::function<void(const std::string& axis, const wire::Event&)>& on_event) {
   const Nanos end = steady_now() + time;
   for (Nanos left = time; left > Nanos{}; left = end - steady_now()) {
     const auto message = next_message(link_, left, rejects_, options_.key);
@@ -75,6 +91,8 @@ void Watch::run(
     } else if (const auto* master = std::get_if<wire::MasterStatus>(&message->body)) {
       take(axes_, axis, *master);
       if (on_master) on_master(axis, *master);
+    } else if (const auto* event = std::get_if<wire::Event>(&message->body)) {
+      if (take(axes_, axis, *event) && on_event) on_event(axis, *event);
     }
   }
 }

@@ -9,7 +9,9 @@
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/design/input.hpp"
+#include "jounce/design/make.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/spec/spec.hpp"
 
 namespace jounce::machine_detail {
 namespace {
@@ -93,6 +95,33 @@ ExecutorGroup group_of(const MachineSpec::Group& spec, const MachineParts& parts
   return group;
 }
 
+/// The [compare] of the program: along the path, or of two axes of the group.
+AxisCompare compare_of(const Spec& program) {
+  AxisCompare made;
+  if (!program.compare) return made;
+  const double unit = seconds_per_unit(program);
+  if (const auto& plane = program.compare->plane) {
+    made.plane = plane;
+    made.plane->pulse *= unit;
+    const std::vector<AxisPart> axes = program.parts();  // in the order of the group
+    for (std::size_t k = 0; k < made.plane_axes.size(); ++k)
+      made.plane_axes[k] = static_cast<std::size_t>(
+          std::find_if(
+              axes.begin(), axes.end(),
+              [&](const AxisPart& axis) { return axis.name == program.compare->plane_axes[k]; }) -
+          axes.begin());
+    return made;
+  }
+  if (program.compare->axis != "path")
+    throw program.document.located(
+        InputError("compare.axis", program.compare->axis,
+                   "must be \"path\" in the program of a group: add [compare] to the spec of the "
+                   "axis instead"));
+  made.list = program.compare->compare;
+  made.list->pulse *= unit;
+  return made;
+}
+
 ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& options,
                      const MachineParts& parts) {
   ExecutorOptions made;
@@ -101,6 +130,7 @@ ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& optio
   made.units = {"", first.units.position};
   if (spec.tolerance) group.of.tolerance = tolerance_of(*spec.tolerance, made.units.position);
   if (!spec.program.empty()) group.program = program_of(spec, group, made.units);
+  if (!spec.program.empty()) made.compare = compare_of(read_spec(spec.program));
   made.axis = group_config(group.configs);
   made.receiver.executor = spec.name;
   made.receiver.session_timeout = first.receiver.session_timeout;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "jounce/axis/homing.hpp"
 #include "jounce/axis/machine.hpp"
@@ -67,6 +68,7 @@ AxisConfig config_of(const Spec& spec) {
   config.in_position_time = axis->in_position_time;
   if (axis->homing) config.homing = homing_of(*axis->homing, unit);
   config.require_home = axis->require_home;
+  config.registration = axis->registration;
   if (axis->longest_gap > 0) config.longest_gap = std::llround(axis->longest_gap / axis->cycle);
   return config;
 }
@@ -91,6 +93,21 @@ void require_sensors(const HomingSpec& homing, const std::optional<AxisDriveSpec
   throw InputError("homing.method", std::to_string(homing.method),
                    "needs a switch or an index, but this axis has no drive that reports one: add "
                    "[drive] with [drive.machine], or use method 35 or 37");
+}
+
+/// Throws InputError for a registration whose trigger input the drive does not have.
+void require_marks(const std::optional<LiveRegistrationSpec>& registration,
+                   const std::optional<AxisDriveSpec>& drive) {
+  if (!registration) return;
+  const std::vector<MachineMarks> marks =
+      drive && drive->machine ? drive->machine->marks : std::vector<MachineMarks>{};
+  const bool wired = std::any_of(marks.begin(), marks.end(), [&](const MachineMarks& one) {
+    return one.input == registration->input;
+  });
+  if (!wired)
+    throw InputError("registration.input", std::to_string(registration->input),
+                     "is a trigger input that the drive does not have: add "
+                     "[[drive.machine.marks]] with this input");
 }
 
 ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std::size_t axes) {
@@ -118,6 +135,8 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   (void)resolved(executor.axis);
   const auto drive = axis_drive(spec);
   require_sensors(executor.axis.homing, drive);
+  require_marks(executor.axis.registration, drive);
+  executor.logs_probes = drive && drive->machine && !drive->machine->marks.empty();
   if (drive) executor.drive = make_drive(*drive, executor.axis);
   return executor;
 }
@@ -167,6 +186,14 @@ Follow resolved(const Read& axis, const std::vector<Leader>& axes,
   Follow follow = leader->follow;
   if (whom.actual) follow.what = Follow::What::actual;
   return follow;
+}
+
+/// Sets the master of an axis. Throws InputError for a registration without a master.
+void add_follow(const Read& axis, const Follow& follow, ExecutorOptions& executor) {
+  executor.follow = follow;
+  if (executor.axis.registration && follow.what == Follow::What::nothing)
+    throw axis.spec.document.located(InputError(
+        "registration", "", "needs a master: add [follow] to the axis or to its machine"));
 }
 
 /// A file that the machine's spec names.
@@ -265,7 +292,7 @@ MachineParts machine_parts(const MachineOptions& options) {
     for (const MachineSpec::Group& group : machine->groups)
       machine_detail::add_machine_group(group, machine->document, options, parts);
   for (std::size_t i = 0; i < read.size(); ++i)
-    parts.axes[i].follow = resolved(read[i], axes, masters);
+    add_follow(read[i], resolved(read[i], axes, masters), parts.axes[i]);
   if (options.notify)
     for (auto& axis : parts.axes) axis.notify = notice_of(options, axis, parts.axes.size());
   try {

@@ -9,6 +9,7 @@
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/pvt/live_plane_compare.hpp"
 #include "jounce/pvt/table.hpp"
 
 namespace jounce {
@@ -161,8 +162,6 @@ Compared compared(const PositionCompare& compare, const Trajectory& motion) {
 
 // ---- in a plane ------------------------------------------------------------------------------
 
-namespace {
-
 void require_valid(const PlaneCompare& compare) {
   require_positive("x_band", compare.x_band);
   require_positive("y_band", compare.y_band);
@@ -173,6 +172,8 @@ void require_valid(const PlaneCompare& compare) {
     require_finite(key_of(i, "y").c_str(), compare.points[i].y);
   }
 }
+
+namespace {
 
 void append(std::vector<double>& times, const Trajectory& f, double level) {
   const auto more = crossings(f, 0, level);

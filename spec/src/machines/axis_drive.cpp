@@ -40,14 +40,15 @@ AxisDriveSpec::Shared read_shared(TomlReader& table, const Units& units) {
   return shared;
 }
 
-std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units) {
+std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units,
+                                             const std::string& master_unit) {
   auto table = top.optional_table("drive");
   if (!table) return std::nullopt;
   AxisDriveSpec drive;
   drive.type =
       static_cast<AxisDriveSpec::Type>(table->optional_choice("type", drive_types).value_or(1));
   if (drive.type != AxisDriveSpec::Type::shared_memory)
-    drive.machine = read_machine_sensors(*table, units);
+    drive.machine = read_machine_sensors(*table, units, master_unit);
   if (drive.type == AxisDriveSpec::Type::simulated && !table->has("spec")) {
     drive.model = read_drive_table(*table, units).drive;
     return drive;
@@ -67,7 +68,7 @@ std::optional<AxisDriveSpec> axis_drive(const Spec& spec) {
   const toml::table root = spec_detail::parse_toml(document);
   spec_detail::TomlReader top(root, "", document);
   try {
-    return spec_detail::read_axis_drive(top, spec.units);
+    return spec_detail::read_axis_drive(top, spec.units, spec.master_unit);
   } catch (const InputError& error) {
     throw document.located(error);
   }

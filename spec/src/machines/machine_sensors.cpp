@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "jounce/base/units.hpp"
 
@@ -49,9 +51,38 @@ std::optional<MachineIndex> read_index(TomlReader& machine, const std::string& u
   return index;
 }
 
+const std::vector<std::string> mark_sources{"motor", "master"};
+
+MachineMarks read_marks(TomlReader& reader, const Units& units, const std::string& master_unit) {
+  MachineMarks marks;
+  marks.input = static_cast<int>(reader.optional_whole("input").value_or(marks.input));
+  marks.on_master = reader.optional_choice("of", mark_sources).value_or(0) == 1;
+  if (marks.on_master && master_unit.empty())
+    reader.fail("of", "\"master\"",
+                "needs units.master: add units = { position = ..., master = ... }");
+  const std::string& unit = marks.on_master ? master_unit : units.position;
+  marks.first = reader.number("first", unit);
+  for (const auto& [key, value] :
+       {std::pair{"distance", &marks.distance}, {"width", &marks.width}}) {
+    *value = reader.number(key, unit);
+    if (!(*value > 0)) reader.fail(key, number(*value), "must be greater than 0");
+  }
+  marks.wander = reader.optional_number("wander", unit).value_or(0);
+  marks.wander_marks = reader.optional_number("wander_marks", "1").value_or(1);
+  if (const auto count = reader.optional_count("count"))
+    marks.count = static_cast<std::int64_t>(*count);
+  if (reader.has("missing"))
+    for (const double mark : reader.number_list("missing", "1"))
+      marks.missing.push_back(static_cast<std::int64_t>(mark));
+  if (reader.has("extra")) marks.extra = reader.number_list("extra", unit);
+  reader.finish();
+  return marks;
+}
+
 }  // namespace
 
-std::optional<MachineSensorsSpec> read_machine_sensors(TomlReader& drive, const Units& units) {
+std::optional<MachineSensorsSpec> read_machine_sensors(TomlReader& drive, const Units& units,
+                                                       const std::string& master_unit) {
   auto machine = drive.optional_table("machine");
   if (!machine) return std::nullopt;
   const std::string& unit = units.position;
@@ -61,6 +92,8 @@ std::optional<MachineSensorsSpec> read_machine_sensors(TomlReader& drive, const 
   spec.negative = read_limit_switch(*machine, "negative_switch", unit, negative_switch);
   spec.positive = read_limit_switch(*machine, "positive_switch", unit, positive_switch);
   spec.index = read_index(*machine, unit);
+  for (TomlReader& marks : machine->tables("marks"))
+    spec.marks.push_back(read_marks(marks, units, master_unit));
   machine->finish();
   if (spec.negative && spec.positive && !(spec.negative->position < spec.positive->position))
     machine->fail(

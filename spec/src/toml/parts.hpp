@@ -87,6 +87,9 @@ Table read_knots(TomlReader& top, Spec& spec, Interpolation rule);
 AxisSpec read_axis(TomlReader axis, const Units& units);
 /// Reads [homing], if it exists.
 std::optional<AxisSpec::Homing> read_homing(TomlReader& top, const Units& units);
+/// Reads [registration], if it exists.
+std::optional<LiveRegistrationSpec> read_registration(TomlReader& top, const Units& units,
+                                                      const std::string& master_unit);
 /// Reads [follow]: the master of an axis.
 std::optional<FollowWhom> read_whom(TomlReader& owner);
 /// Reads [master.NAME]: the masters of a machine.

@@ -43,7 +43,7 @@ const char* name(Progress progress) {
 }
 
 const char* name(EventKind kind) {
-  constexpr const char* names[] = {"compare", "track", "tappet"};
+  constexpr const char* names[] = {"compare", "track", "tappet", "probe", "mark", "end_of_profile"};
   return names[static_cast<std::size_t>(kind)];
 }
 

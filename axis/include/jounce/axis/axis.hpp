@@ -18,8 +18,10 @@
 #include "jounce/axis/move_player.hpp"
 #include "jounce/axis/outputs.hpp"
 #include "jounce/axis/path_player.hpp"
+#include "jounce/axis/position_history.hpp"
 #include "jounce/axis/superimposed_move.hpp"
 #include "jounce/axis/supervision.hpp"
+#include "jounce/axis/touch_probe.hpp"
 #include "jounce/axis/waiting_moves.hpp"
 #include "jounce/command/state.hpp"
 #include "jounce/path/point.hpp"
@@ -83,6 +85,10 @@ struct Tick {
   SwitchStep switches{};  ///< outputs of the cam switches, with their edges since the previous tick
   /// Output of the position compare, with its edges since the previous tick.
   CompareStep compare{};
+  /// Time from the end of a pass of the live cam to this tick, s; NaN: no pass has ended.
+  double end_of_profile = std::numeric_limits<double>::quiet_NaN();
+  ProbeStep probe{};                   ///< captures of the touch probes in this tick
+  RegistrationReading registration{};  ///< state of the registration
 
   std::optional<Refusal> refused{};  ///< reason why the command of this tick was rejected
   std::optional<Refusal> dropped{};  ///< reason why the waiting motion was dropped
@@ -129,6 +135,14 @@ bool in_motion(const Tick& tick);
 /// **Homing** (homing.hpp) finds the home position of the machine from the switches and the index
 /// that the drive reports. During homing, the position range does not apply, and the axis may stand
 /// on a limit switch.
+///
+/// **Touch probes** (touch_probe.hpp) capture positions at the edges of trigger inputs, in every
+/// state.
+///
+/// **Registration** (AxisConfig::registration) corrects every motion that follows the live master by
+/// the marks that a trigger input reports. It begins without a correction when such a motion begins,
+/// and continues if another such motion replaces it. A correction of the master (a phase) is included
+/// in Tick::master.
 ///
 /// **Groups.** Inputs::peers states whether a MotionAxis is a group of the machine, or an axis of a
 /// group (docs/executor/groups.md). The position of a group is the length along its path. The
@@ -225,6 +239,10 @@ class MotionAxis {
   Rejection act(const command::Couple& what);
   Rejection act(const command::GearOut& /*out*/) { return decouple(); }
   Rejection act(const command::CamOut& /*out*/) { return decouple(); }
+  Rejection act(const command::TouchProbe& what) {
+    return probes_.start(what, inputs_.feedback, config_);
+  }
+  Rejection act(const command::AbortTrigger& what) { return probes_.abort(what.input); }
   Rejection act(const command::Release& /*it*/) { return end_motion(Ending::release); }
   Rejection act(const command::Extend& what);
   Rejection power(bool on);
@@ -245,6 +263,13 @@ class MotionAxis {
   Cause advance_group(Setpoint& next) const;
   void keep_parts();
   [[nodiscard]] bool is_group() const { return is_of_group(inputs_.peers); }
+
+  // axis_registration.cpp: positions of the last ticks, touch probes, registration
+  void remember_master();
+  void register_marks();
+  void end_of_marks();
+  void add_correction(Setpoint& next) const;
+  void probe();
 
   // axis_homing.cpp: the search for the home position
   void seek();
@@ -346,7 +371,13 @@ class MotionAxis {
 
   std::optional<Homing> homing_;  // the homing in progress, until the axis is at rest
 
+  TouchProbes probes_;
+  PositionHistory commanded_seen_, actual_seen_, master_seen_;
+  std::optional<LiveRegistration> registration_;
+  Jet phase_{};  // correction of the master that inputs_.master includes
+
   bool has_master_ = false;  // true from the start of a cam to the next table without a cam
+  std::array<std::size_t, 2> plane_axes_;
   Outputs outputs_;
   Tick now_;
 };

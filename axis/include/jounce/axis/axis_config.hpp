@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "jounce/gear/live_registration.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
 namespace jounce {
@@ -58,6 +59,9 @@ struct AxisConfig {
 
   HomingSpec homing = {};     ///< homing that the command Home uses
   bool require_home = false;  ///< reject motions to absolute positions until the axis is homed
+
+  /// Registration of every motion that follows the live master; nullopt: none.
+  std::optional<LiveRegistrationSpec> registration = {};
 };
 
 /// Converts ns to s. Compute the duration of n ticks as seconds(n * period), so that rounding

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "jounce/profiles/curve/jet.hpp"
 
@@ -27,6 +30,32 @@ struct Sensors {
   Sensor negative;  ///< negative limit switch
   Sensor positive;  ///< positive limit switch
   Sensor index;     ///< index mark of the encoder
+};
+
+/// A change at a trigger input of a drive, as the drive reports it.
+struct TriggerChange {
+  std::uint8_t input = 0;  ///< number of the input, from 1
+  bool rising = true;      ///< true: the input went on
+  /// Time from the change to the instant of this cycle, s, >= 0. NaN: the drive gives no time stamp;
+  /// the change counts as at the instant of this cycle.
+  double age = std::numeric_limits<double>::quiet_NaN();
+  /// Actual position that the drive has latched, u, in the coordinate of the drive. NaN: the drive
+  /// latches no position.
+  double position = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// The trigger inputs of a drive in one cycle (touch probe). CiA 402: objects 60B8h to 60BDh, and
+/// 60D1h to 60D4h for the time stamps.
+struct Triggers {
+  static constexpr int most_inputs = 4;           ///< greatest number of inputs
+  static constexpr std::size_t most_changes = 4;  ///< greatest number of changes in one cycle
+
+  std::uint8_t wired = 0;  ///< bit k - 1: the drive has the input k
+  std::uint8_t on = 0;     ///< bit k - 1: the input k is on
+  std::uint8_t count = 0;  ///< number of changes that are reported in this cycle
+  std::array<TriggerChange, most_changes> change{};  ///< the changes, in chronological order
+
+  [[nodiscard]] std::span<const TriggerChange> changes() const { return {change.data(), count}; }
 };
 
 /// State of the other axes that start together with this one (machine.hpp), for the start of the
@@ -68,9 +97,10 @@ struct Feedback {
   double velocity = std::numeric_limits<double>::quiet_NaN();  ///< actual velocity, u/s
   /// Torque as a share of the rated torque.
   double torque = std::numeric_limits<double>::quiet_NaN();
-  bool ready = true;     ///< true if the drive follows setpoints (CiA 402: operation enabled)
-  bool fault = false;    ///< true if the drive has failed (CiA 402: fault)
-  Sensors sensors = {};  ///< states of the position sensors
+  bool ready = true;       ///< true if the drive follows setpoints (CiA 402: operation enabled)
+  bool fault = false;      ///< true if the drive has failed (CiA 402: fault)
+  Sensors sensors = {};    ///< states of the position sensors
+  Triggers triggers = {};  ///< trigger inputs
 };
 
 /// Inputs of an axis in one cycle, besides commands. The axis stays within its limits for all

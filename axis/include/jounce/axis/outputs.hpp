@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
 
 #include "jounce/cam/switches/cam_switches.hpp"
 #include "jounce/pvt/live_compare.hpp"
+#include "jounce/pvt/live_plane_compare.hpp"
 
 namespace jounce {
 
@@ -15,6 +18,11 @@ struct AxisCompare {
   /// The compared position: `position` (of the setpoint) or `actual`.
   SwitchesOf of = SwitchesOf::position;
   std::optional<PositionCompare> list = {};  ///< the list; nullopt: no position compare
+  /// For a group: position compare of two of its axes; nullopt: none. Its outputs are those of
+  /// Tick::switches, so a group with it has no cam switches.
+  std::optional<PlaneCompare> plane = {};
+  /// Places of these two axes in the group, from 0.
+  std::array<std::size_t, 2> plane_axes = {0, 1};
 };
 
 /// Inputs of Outputs::step() in one tick. Units: u is the unit of the axis, m the unit of its
@@ -29,6 +37,8 @@ struct OutputPlaces {
   Place master;     ///< live master: m, m/s
   /// Position that the drive reports: u, u/s; a NaN velocity is computed from successive positions.
   Place actual;
+  /// Setpoints of the two axes of AxisCompare::plane: u, u/s.
+  std::array<Place, 2> plane;
 };
 
 /// The outputs of an axis that depend on its position: its cam switches and its position compare,
@@ -70,6 +80,7 @@ class Outputs {
   CamSwitches switches_;
   SwitchesOf compare_of_;
   std::optional<LiveCompare> compare_;
+  std::optional<LivePlaneCompare> plane_;
   double last_actual_ = std::numeric_limits<double>::quiet_NaN();
   SwitchStep switch_step_;
   CompareStep compare_step_;

@@ -32,6 +32,7 @@ enum class Cause : std::uint8_t {
   jump = 16,
   master_reversed = 17,
   axis_fault = 18,
+  marks_lost = 19,
 
   // Rejected commands; the axis continues unchanged.
   not_enabled = 20,
@@ -92,6 +93,11 @@ enum class Cause : std::uint8_t {
   axis_away = 73,
   not_a_group = 74,
 
+  // Touch probes: rejected commands.
+  no_trigger_input = 76,
+  no_touch_probe = 77,
+  probe_window = 78,
+
   // Reasons why the last motion ended without a fault; none: it reached its end.
   stopped = 80,
   halted = 81,
@@ -109,7 +115,7 @@ const char* meaning(Cause cause);
 
 /// True if the cause is a fault, which stays latched until a reset.
 constexpr bool is_fault(Cause cause) {
-  return (cause >= Cause::aborted && cause <= Cause::axis_fault) ||
+  return (cause >= Cause::aborted && cause <= Cause::marks_lost) ||
          (cause >= Cause::home_timeout && cause <= Cause::both_switches);
 }
 

@@ -64,6 +64,14 @@ enum class PathBuffer : std::uint8_t {
   look_ahead = 6,         ///< at the highest velocity within the limits
 };
 
+/// Edge of a trigger input that a touch probe captures. The numbers are part of the wire format.
+enum class ProbeEdge : std::uint8_t { rising = 0, falling = 1, both = 2 };
+
+/// Numbers of the inputs of a touch probe: 1 to 4 are the trigger inputs of the drive.
+inline constexpr int home_switch_input = 5;
+inline constexpr int index_input = 6;
+inline constexpr int probe_inputs = 6;  ///< number of inputs
+
 /// Kind of a command. The numbers are part of the record of a run: append new ones at the end.
 enum class CommandKind : std::uint8_t {
   none,
@@ -105,8 +113,10 @@ enum class CommandKind : std::uint8_t {
   move_direct_relative,
   group_wait,
   group_jog,
+  touch_probe,
+  abort_trigger,
 };
-inline constexpr std::size_t command_kinds = 39;  ///< number of kinds
+inline constexpr std::size_t command_kinds = 41;  ///< number of kinds
 
 }  // namespace jounce
 
@@ -568,6 +578,45 @@ constexpr void each_field(C& c, F f) {
   f(hold_to_run, c.hold_to_run);
 }
 
+/// Captures the position of the axis at the edges of a trigger input. A new command for the same
+/// input replaces the previous one.
+struct TouchProbe {
+  static constexpr auto kind = CommandKind::touch_probe;
+  int input = 1;  ///< 1 to 4: trigger input of the drive; 5: home switch; 6: index of the encoder
+  ProbeEdge edge = ProbeEdge::rising;  ///< edge to capture
+  int count = 1;                       ///< number of captures; 0: until AbortTrigger
+  /// Window of the positions to capture, u. NaN: no bound. On a modulo axis, the window may extend
+  /// beyond the end of the turn: the first position is then greater than the last one.
+  double first_position = as_configured;
+  double last_position = as_configured;  ///< see first_position
+};
+template <Of<TouchProbe> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"input", Quantity::none, FieldRange::trigger_input, "VALUE"}, c.input);
+  f(Field{"edge", Quantity::none, FieldRange::trigger_edge, "edge",
+          "touch-probe: edge of the input: rising (default), falling or both"},
+    c.edge);
+  f(Field{"count", Quantity::none, FieldRange::count, "count",
+          "touch-probe: end after this number of captures; default 1; 0: until abort-trigger"},
+    c.count);
+  f(Field{"first position", Quantity::position, FieldRange::given, "first-position",
+          "touch-probe: capture only from this position on"},
+    c.first_position);
+  f(Field{"last position", Quantity::position, FieldRange::given, "last-position",
+          "touch-probe: capture only up to this position"},
+    c.last_position);
+}
+
+/// Ends the touch probe of an input.
+struct AbortTrigger {
+  static constexpr auto kind = CommandKind::abort_trigger;
+  int input = 1;  ///< see TouchProbe
+};
+template <Of<AbortTrigger> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"input", Quantity::none, FieldRange::trigger_input, "VALUE"}, c.input);
+}
+
 }  // namespace jounce::command
 
 namespace jounce {
@@ -589,7 +638,7 @@ using SharedCommand =
                  command::Home, command::Hold, command::Resume, command::Override,
                  command::MoveAbsolute, command::MoveRelative, command::MoveAdditive,
                  command::MoveSuperimposed, command::MoveVelocity, command::Halt, command::GearOut,
-                 command::CamOut>;
+                 command::CamOut, command::TouchProbe, command::AbortTrigger>;
 
 /// A command that a client sends to an axis.
 ///

@@ -33,6 +33,8 @@ enum class FieldRange : std::uint8_t {
   whole,          ///< a whole number from -2147483647 to 2147483647
   whole_nonzero,  ///< like whole, but not 0
   count,          ///< a whole number from 0 to 2147483647
+  trigger_input,  ///< 1 to 6
+  trigger_edge,   ///< 0 to 2
 };
 
 /// One field of a command.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/inputs.hpp"
@@ -18,6 +19,9 @@ struct DriveSetpoint {
   /// True: follow the setpoints. False: stop with the drive's own quick stop, then disable.
   bool enable = false;
   bool reset = false;  ///< true for one tick: clear the fault
+  /// Position of the live master of the axis, in the unit of the master; NaN: no master. Only for
+  /// the sensors of a simulated machine.
+  double master = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Returns the request of a tick to the drive. `command` is the command that the axis accepted in

@@ -49,8 +49,9 @@ struct ExecutorOptions {
   /// Tables with more knots than this are prepared in a separate thread, so that a stop need not
   /// wait for the preparation. Default: no table is prepared in a separate thread.
   std::size_t build_apart = std::size_t{1} << 62U;
-  Nanos status_period = std::chrono::milliseconds(50);      ///< time between two status messages
-  std::optional<std::filesystem::path> log{};               ///< tick log, a CSV file; nullopt: none
+  Nanos status_period = std::chrono::milliseconds(50);  ///< time between two status messages
+  std::optional<std::filesystem::path> log{};           ///< tick log, a CSV file; nullopt: none
+  bool logs_probes = false;  ///< true: the log has a column for the captures of the touch probes
   std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
   Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: no record
 };

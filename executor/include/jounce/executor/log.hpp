@@ -4,12 +4,19 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include "jounce/axis/axis.hpp"
 #include "jounce/base/hash.hpp"
 
 namespace jounce {
+
+/// Columns of a tick log in addition to those of every log.
+struct LogColumns {
+  bool probes = false;                            ///< captures of the touch probes
+  std::optional<CorrectionOf> registration = {};  ///< state of the registration
+};
 
 /// The tick log of an axis: a CSV file with one line for each tick. The first line contains the
 /// names and units of the columns. Numbers have the shortest form that reads back exactly.
@@ -26,7 +33,7 @@ class TickLog {
  public:
   /// Throws std::system_error if the file cannot be created. `units`: units of the master (x) and
   /// of the position.
-  TickLog(std::filesystem::path path, const Units& units);
+  TickLog(std::filesystem::path path, const Units& units, const LogColumns& more = {});
   ~TickLog();
   TickLog(const TickLog&) = delete;
   TickLog& operator=(const TickLog&) = delete;
@@ -47,6 +54,7 @@ class TickLog {
   std::filesystem::path temporary_;
   std::ofstream file_;
   std::string line_;
+  LogColumns more_;
   std::string truncated_;
 };
 

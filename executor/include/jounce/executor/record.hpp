@@ -149,11 +149,24 @@ struct RecordedLoss {
   std::int64_t cycles = 0;  ///< number of missing cycles
 };
 
+/// The registration of an axis. This event follows the axis, and precedes its cycles.
+struct RecordedRegistration {
+  std::size_t axis = 0;            ///< index of the axis
+  LiveRegistrationSpec spec = {};  ///< the registration
+};
+
+/// The trigger inputs of the drive of an axis. This event precedes the cycle in which they changed.
+/// The states stay until the next event; the changes count for one cycle.
+struct RecordedTriggers {
+  std::size_t axis = 0;    ///< index of the axis
+  Triggers triggers = {};  ///< the inputs
+};
+
 /// Any event of a record.
-using RecordEvent =
-    std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle, RecordedLoss,
-                 RecordedQueue, RecordedRows, RecordedGear, RecordedMaster, RecordedSight,
-                 RecordedOutput, RecordedSample, RecordedProgram>;
+using RecordEvent = std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle,
+                                 RecordedLoss, RecordedQueue, RecordedRows, RecordedGear,
+                                 RecordedMaster, RecordedSight, RecordedOutput, RecordedSample,
+                                 RecordedProgram, RecordedRegistration, RecordedTriggers>;
 
 /// Returns the channel of an event: "JOUNCE.cycle", ...
 std::string_view channel_of(const RecordEvent& event);

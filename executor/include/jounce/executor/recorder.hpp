@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "jounce/axis/ring.hpp"
@@ -120,6 +122,7 @@ class Recorder {
   void write(const RecordEvent& event, std::int64_t microseconds);
   void write(std::string_view channel, const std::string& data, std::int64_t microseconds);
   void write(const StoredTable& table);
+  void write_triggers(const RecordedCycle& cycle);
   void flush();
   void keep(Box& box, const std::string& data, std::int64_t microseconds);
   void watch(Box& box, const RecordedCycle& cycle);
@@ -138,6 +141,8 @@ class Recorder {
   std::int64_t number_ = 0;
   std::int64_t now_ = 0;  // us
   std::set<Sha256> tables_;
+  /// The states of the trigger inputs of each axis in the record: wired, on.
+  std::map<std::size_t, std::pair<std::uint8_t, std::uint8_t>> triggers_;
   std::vector<Box> boxes_;  // black boxes of the masters, then of the axes
   std::string trouble_;
   std::uint8_t unwritten_ = 0;

@@ -18,6 +18,14 @@ std::string status_text(const std::string& axis, const wire::MasterStatus& maste
 /// Returns the state of a master as JSON in one line.
 std::string status_json(const std::string& axis, const wire::MasterStatus& master);
 
+/// Returns an event of an axis, in one line of text: "label  event 17  tick 1203 - 412 us  probe 1
+/// rising at 123.4567".
+std::string status_text(const std::string& axis, const wire::Event& event);
+/// Returns an event as JSON in one line.
+std::string status_json(const std::string& axis, const wire::Event& event);
+/// Returns an event in a few words: "probe 1 rising at 123.4567".
+std::string event_text(const wire::Event& event);
+
 /// Returns the position, the velocity and the age of the measurement of a master in a few words.
 /// For a lost master, returns that it is lost. `ascii` selects ASCII characters only.
 std::string master_text(const wire::MasterStatus& master, bool ascii);

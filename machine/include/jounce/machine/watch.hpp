@@ -31,6 +31,10 @@ struct Watched {
   std::deque<double> trace = {};                 ///< positions every 100 ms, the newest last
   Nanos traced_at{};                             ///< time of the newest position in `trace`
   std::vector<wire::MasterStatus> masters = {};  ///< state of each master, sorted by name
+  /// Greatest number of events, that of a latch buffer of the PMC600 (manual 9.5).
+  static constexpr std::size_t most_events = 256;
+  std::deque<wire::Event> events = {};  ///< the last events, the newest last
+  std::int64_t lost_events = 0;         ///< number of events whose messages did not arrive
 };
 
 /// Stores a status in the list, which is sorted by name. Adds the axis if it is new.
@@ -40,6 +44,11 @@ void take(std::vector<Watched>& axes, const std::string& name, const wire::Statu
 /// Stores the state of a master in an axis. Has no effect before the first status of the axis. If
 /// the axis has too many masters, drops the one whose cycle is the earliest.
 void take(std::vector<Watched>& axes, const std::string& name, const wire::MasterStatus& master);
+
+/// Stores an event in an axis, unless it is there. Returns true if the event is new. Has no effect
+/// before the first status of the axis. The first event of an executor that was started again
+/// removes the events before it.
+bool take(std::vector<Watched>& axes, const std::string& name, const wire::Event& event);
 
 /// Options of Watch.
 struct WatchOptions {
@@ -62,12 +71,14 @@ class Watch {
   /// Subscribes to the messages. `link` must outlive the object.
   Watch(Transport& link, WatchOptions options);
 
-  /// Receives messages for the duration `time`. Calls `status` with each message about an axis, and
-  /// `master` with each message about a master, if these functions are given.
+  /// Receives messages for the duration `time`. Calls `status` with each message about an axis,
+  /// `master` with each message about a master, and `event` with each new event, if these functions
+  /// are given.
   void run(
       Nanos time,
       const std::function<void(const std::string& axis, const wire::Status&)>& status = {},
-      const std::function<void(const std::string& axis, const wire::MasterStatus&)>& master = {});
+      const std::function<void(const std::string& axis, const wire::MasterStatus&)>& master = {},
+      const std::function<void(const std::string& axis, const wire::Event&)>& event = {});
 
   /// Returns the name of an axis in the options that has sent no status for `patience`. Without
   /// names in the options, returns "every executor" if no axis has sent a status for `patience`.

@@ -14,6 +14,7 @@
 #include "jounce/cam/design/design.hpp"
 #include "jounce/cam/disc/disc.hpp"
 #include "jounce/cam/switches/cam_switch.hpp"
+#include "jounce/gear/live_registration.hpp"
 #include "jounce/optimize/problem.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 #include "jounce/pvt/position_compare.hpp"
@@ -133,7 +134,8 @@ struct AxisSpec {
   double session_timeout = 1;
   bool require_home = false;  ///< true: motions to absolute positions are rejected before homing
   std::optional<Homing> homing = {};
-  std::optional<FollowWhom> follow = {};  ///< the leader that the axis follows
+  std::optional<FollowWhom> follow = {};                  ///< the leader that the axis follows
+  std::optional<LiveRegistrationSpec> registration = {};  ///< [registration]
 };
 
 /// A spec of kind "drive": a drive without an axis, for `jounce identify` and for optimizing a cam.

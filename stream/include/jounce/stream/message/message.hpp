@@ -277,17 +277,32 @@ struct Status {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Kind of an output.
-enum class EventKind : std::int8_t { compare = 0, track = 1, tappet = 2 };
+/// Kind of an event.
+enum class EventKind : std::int8_t {
+  compare = 0,         ///< the output of the position compare
+  track = 1,           ///< a cam switch; `number`: its track
+  tappet = 2,          ///< an output of another executor
+  probe = 3,           ///< a capture of a touch probe; `number`: its input, `on`: rising edge
+  mark = 4,            ///< registration; `number`: see MarkEvent
+  end_of_profile = 5,  ///< a pass of a cam on the live master has ended; `position`: of the master
+};
 
-/// An output has switched. The message may be sent several times, with the same count.
+/// Number of an event of the registration.
+enum class MarkEvent : std::uint32_t {
+  accepted = 1,  ///< a mark in its window; `position`: its deviation
+  missing = 2,   ///< a product without a mark
+  stray = 3,     ///< a mark outside its window
+  lost = 4,      ///< too many missing marks in succession
+};
+
+/// An event at an instant between two ticks. The message may be sent several times, with the same count.
 struct Event {
   std::int64_t boot = 0;  ///< see Ack
   /// Number of the event for this axis, from 1, since the executor started.
   std::int64_t count = 0;
-  EventKind kind = EventKind::compare;  ///< kind of the output
-  std::uint32_t number = 1;             ///< number of the output, from 1
-  bool on = false;                      ///< true: the output was switched on
+  EventKind kind = EventKind::compare;  ///< kind of the event
+  std::uint32_t number = 1;             ///< number of the output or input, from 1
+  bool on = false;                      ///< true: the output was switched on; see EventKind
   std::int64_t tick = 0;                ///< tick in which it was detected
   double offset_s = 0;                  ///< time from the edge to the instant of this tick, s, >= 0
   double position = 0;  ///< position at the edge, of the axis or master on which the output depends

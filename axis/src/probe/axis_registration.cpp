@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "jounce/axis/axis.hpp"
+
+// The trigger inputs of an axis: touch probes, and the registration of a motion that follows the
+// live master.
+
+namespace jounce {
+
+void MotionAxis::remember_master() {
+  master_seen_.add(dt(), inputs_.master[0], inputs_.master[1]);
+}
+
+/// Steps the registration. A correction of the master is added to the input of this tick, so that
+/// every part of the axis sees the corrected master.
+void MotionAxis::register_marks() {
+  phase_ = {};
+  if (!registration_ || base_ != Base::live) return;
+  const LiveRegistrationSpec& spec = registration_->spec();
+  std::array<double, Triggers::most_changes> marks{};
+  std::size_t count = 0;
+  for (const TriggerChange& change : inputs_.feedback.triggers.changes()) {
+    if (change.input != spec.input || change.rising != spec.rising) continue;
+    const double mark = master_seen_.before(std::isfinite(change.age) ? change.age : 0);
+    if (std::isfinite(mark)) marks[count++] = mark;
+  }
+  const double reported = master_seen_.before(TouchProbes::latest * seconds(config_.period));
+  registration_->step(inputs_.master, reported, std::span(marks.data(), count));
+  now_.registration = registration_->reading();
+  if (spec.add_to != CorrectionOf::master) return;
+  phase_ = registration_->correction();
+  for (std::size_t k = 0; k < phase_.size(); ++k) inputs_.master[k] += phase_[k];
+}
+
+/// Only a motion that follows the master has a corrected master.
+void MotionAxis::end_of_marks() {
+  if (base_ == Base::live) return;
+  for (std::size_t k = 0; k < phase_.size(); ++k) last_master_[k] -= phase_[k];
+}
+
+/// Adds a correction of the slave to its setpoint.
+void MotionAxis::add_correction(Setpoint& next) const {
+  const bool of_slave = registration_ && registration_->spec().add_to == CorrectionOf::slave;
+  if (!of_slave || base_ != Base::live) return;
+  for (std::size_t k = 0; k < next.slave.size(); ++k)
+    next.slave[k] += registration_->correction()[k];
+}
+
+/// After the setpoint of this tick: a capture may need its position.
+void MotionAxis::probe() {
+  commanded_seen_.add(dt(), now_.position, now_.velocity);
+  actual_seen_.add(dt(), inputs_.feedback.position + now_.offset, inputs_.feedback.velocity);
+  probes_.step(inputs_.feedback, {commanded_seen_, actual_seen_, master_seen_, now_.offset}, dt(),
+               config_);
+  now_.probe = probes_.now();
+}
+
+}  // namespace jounce
