@@ -128,6 +128,9 @@ constexpr std::array entries{
     Entry{Cause::not_positive, "not_positive",
           "A velocity, acceleration, deceleration or jerk of the command is not greater than 0.",
           "Give a number greater than 0, or leave the option out to use the limit of the axis."},
+    Entry{Cause::not_a_move, "not_a_move",
+          "The command changes a move or a jog, but the axis plays another motion.",
+          "Use `override` to change the speed of a table. A jog of 0 has no velocity to change."},
     Entry{Cause::bad_table, "bad_table", "The tables do not form a motion.",
           "Send one table over time, or two tables: a cam over its master, and the master over "
           "time."},

@@ -53,6 +53,8 @@ const char* broken(FieldRange range, double value) {
       return rule(is_whole(value), "must be a whole number from -2147483647 to 2147483647");
     case FieldRange::whole_nonzero:
       return value == 0 ? "must not be 0" : broken(FieldRange::whole, value);
+    case FieldRange::not_negative:
+      return rule(value >= 0, "must be 0 or more");
     case FieldRange::count:
       break;
   }
@@ -128,6 +130,8 @@ const char* words(FieldRange range) {
       return "whole, not 0";
     case FieldRange::count:
       return "whole, 0 or more";
+    case FieldRange::not_negative:
+      return "0 or more";
   }
   return "";
 }

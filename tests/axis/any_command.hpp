@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "jounce/axis/command.hpp"
 
 #include "executor/src/record/flat_command.hpp"
@@ -45,7 +47,14 @@ inline Command any(const AnyCommand& command) {
   return command;
 }
 
-/// Kinds that an axis executes, `none` among them: the first ones. `extend` is only for a group.
-inline constexpr std::size_t axis_kinds = std::variant_size_v<AxisCommand> - 1;
+/// Kinds that an axis executes, `none` among them. `extend` is only for a group.
+inline std::vector<CommandKind> axis_kinds() {
+  std::vector<CommandKind> kinds;
+  for (std::size_t k = 0; k < command_kinds; ++k)
+    if (const auto kind = static_cast<CommandKind>(k);
+        kind != CommandKind::extend && made<AxisCommand>(kind))
+      kinds.push_back(kind);
+  return kinds;
+}
 
 }  // namespace jounce::test

@@ -87,7 +87,7 @@ Table read_knots(TomlReader& top, Spec& spec, Interpolation rule);
 AxisSpec read_axis(TomlReader axis, const Units& units);
 /// Reads [homing], if it exists.
 std::optional<AxisSpec::Homing> read_homing(TomlReader& top, const Units& units);
-/// Reads [follow]: the master of an axis.
+/// Reads [follow], the master of an axis, and in it the table `second`, its second master.
 std::optional<FollowWhom> read_whom(TomlReader& owner);
 /// Reads [master.NAME]: the masters of a machine.
 std::vector<MachineMasterSpec> read_masters(TomlReader& top);

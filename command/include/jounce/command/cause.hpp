@@ -53,6 +53,7 @@ enum class Cause : std::uint8_t {
   halting = 36,
   buffer_full = 37,
   not_positive = 38,
+  not_a_move = 39,
 
   // Tables that were not admitted.
   bad_table = 40,
