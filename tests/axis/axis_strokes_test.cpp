@@ -189,8 +189,8 @@ TEST(ChangeVelocity, ReachesTheTargetOfAgitosForceProgram) {
   const double end = 0.175 + 19500 / 2e6 +
                      (400 - (2e4 * 2e4 - 500.0 * 500) / 4e6 - 500.0 * 500 / 4e6) / 500 + 500 / 2e6;
   const auto last = static_cast<int>(std::floor(end * 1000));
-  EXPECT_EQ(bench.run(last - 1).state, State::discrete_motion);
-  const Tick now = bench.run(2);
+  EXPECT_EQ(bench.run(last - 3).state, State::discrete_motion);
+  const Tick now = bench.run(4);
   EXPECT_EQ(now.state, State::standstill);
   EXPECT_EQ(now.position, 3800);
 }
@@ -212,7 +212,7 @@ TEST(ChangeVelocity, WaitsForTheDirection) {
       {command::ChangeVelocity{.velocity = 100, .position = 50, .direction = Direction::negative}});
   double fastest = 0;
   for (int k = 0; k < 170; ++k) fastest = std::max(fastest, bench.step().velocity);
-  EXPECT_EQ(fastest, 1000) << "not on the way up";
+  EXPECT_NEAR(fastest, 1000, 1e-9) << "not on the way up";
   EXPECT_NEAR(bench.run(300).velocity, -100, 1e-9);
 }
 
@@ -246,7 +246,6 @@ TEST(ChangeVelocity, IsRejectedWithoutAMove) {
   bench.send(Kind::halt);
   EXPECT_EQ(change(100), Cause::halting);
   bench.run(1000);
-  Job job(7, trapezoid_table(bench.run(1).position + 50, 10, 20, 20));
   Job from_here(8, there_and_back(bench.run(1).position, 5, 4, Extrapolation::hold));
   bench.arm(from_here);
   bench.send(Kind::start);
