@@ -133,8 +133,8 @@ void add_order(CommandLine& line) {
       .check(command_word(*options));
   verb.option(
       "VALUE", options->words.value,
-      "Factor of override (50%), distance of inch, velocity of jog (0: come to rest), position "
-      "of set-position, ratio of gear-in and gear-in-pos (3:2), duration of wait (s)");
+      "Factor of override (50%), distance of inch, velocity of change-velocity and jog (0: rest), "
+      "position of set-position, ratio of gear-in, gear-in-pos, combine (3:2), time of wait (s)");
   add_options(verb, options->words);
   verb.option("--seconds", options->seconds, "End a --hold-to-run jog after this number of seconds")
       .check(seconds());

@@ -254,6 +254,9 @@ constexpr std::array entries{
           "The window of the touch probe contains no position that the axis can reach.",
           "Give a first position below the last position, both within the position range of the "
           "axis. On a modulo axis, the window may extend beyond the end of the turn."},
+    Entry{Cause::not_a_move, "not_a_move",
+          "The command changes a move or a jog, but the axis plays another motion.",
+          "Use `override` to change the speed of a table. A jog of 0 has no velocity to change."},
     Entry{Cause::stopped, "stopped", "Stopped on request.", "Nothing."},
     Entry{Cause::halted, "halted", "Halted on request.", "Nothing."},
     Entry{Cause::pass_ended, "pass_ended", "Finished at the end of the current pass, as requested.",

@@ -30,6 +30,7 @@ constexpr ByState homes    {off, ok,  mov, syn, stp, err, mov, mov};
 constexpr ByState places   {ok,  ok,  mov, syn, mov, err, mov, mov};
 constexpr ByState holds    {off, nil, ok,  ok,  stp, err, ok,  mov};
 constexpr ByState finishes {off, nil, ok,  ok,  stp, err, nil, mov};
+constexpr ByState changes  {off, nil, ok,  syn, stp, err, ok,  mov};
 constexpr ByState uncouples{off, uns, uns, ok,  stp, err, uns, uns};
 // clang-format on
 
@@ -74,7 +75,7 @@ constexpr std::array rows{
     sent<command::Hold>("hold", 5, "hold", "", any, holds),
     sent<command::Resume>("resume", 6, "resume", "", any, holds, moves),
     sent<command::Override>("override", 7, "override", "MC_SetOverride", any, always),
-    inner(Kind::finish, "finish", finishes),
+    sent<command::Finish>("finish", 40, "finish", "", own, finishes),
     sent<command::MoveAbsolute>("move_absolute", 8, "move", "MC_MoveAbsolute", own, begins, moves),
     sent<command::MoveRelative>("move_relative", 9, "move", "MC_MoveRelative", own, begins, moves),
     sent<command::MoveAdditive>("move_additive", 10, "move", "MC_MoveAdditive", own, begins, moves),
@@ -105,6 +106,11 @@ constexpr std::array rows{
         "MC_MoveDirectRelative", own, begins, moves),
     sent<command::GroupWait>("group_wait", 28, "wait", "", own, begins, moves),
     sent<command::GroupJog>("group_jog", 29, "jog", "", own, begins, moves),
+    sent<command::PhasingAbsolute>("phasing_absolute", 41, "phasing", "MC_PhasingAbsolute", own, uncouples),
+    sent<command::PhasingRelative>("phasing_relative", 42, "phasing", "MC_PhasingRelative", own, uncouples),
+    sent<command::CombineAxes>("combine_axes", 43, "combine", "MC_CombineAxes", own, begins, moves),
+    sent<command::ChangeVelocity>("change_velocity", 44, "change-velocity", "", own, changes),
+    sent<command::MoveRepetitive>("move_repetitive", 45, "repeat", "", own, from_rest, moves),
     sent<command::TouchProbe>("touch_probe", 30, "touch-probe", "MC_TouchProbe", own, always),
     sent<command::AbortTrigger>("abort_trigger", 31, "abort-trigger", "MC_AbortTrigger", own, always),
 };
@@ -117,6 +123,18 @@ constexpr bool in_order() {
 }
 static_assert(rows.size() == command_kinds && in_order());
 
+constexpr std::size_t sent_count = std::variant_size_v<ClientCommand>;
+
+constexpr std::array<const CommandInfo*, sent_count> sent_rows = [] {
+  std::array<const CommandInfo*, sent_count> all{};
+  std::size_t count = 0;
+  for (const CommandInfo& row : rows)
+    if (row.number >= 0) all.at(count++) = &row;
+  std::sort(all.begin(), all.end(),
+            [](const CommandInfo* a, const CommandInfo* b) { return a->number < b->number; });
+  return all;
+}();
+
 constexpr std::array<const char*, states> state_names{
     "disabled", "standstill", "discrete_motion",   "synchronized_motion",
     "stopping", "error_stop", "continuous_motion", "homing"};
@@ -125,6 +143,10 @@ constexpr std::array<const char*, states> state_names{
 
 std::span<const CommandInfo> all_commands() {
   return rows;
+}
+
+std::span<const CommandInfo* const> sent_commands() {
+  return sent_rows;
 }
 
 const CommandInfo& info(CommandKind kind) {

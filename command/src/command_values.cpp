@@ -57,6 +57,8 @@ const char* broken(FieldRange range, double value) {
       return rule(is_whole(value) && value >= 1 && value <= probe_inputs, "must be 1 to 6");
     case FieldRange::trigger_edge:
       return rule(is_whole(value) && value >= 0 && value <= 2, "must be 0 to 2");
+    case FieldRange::not_negative:
+      return rule(value >= 0, "must be 0 or more");
     case FieldRange::count:
       break;
   }
@@ -136,6 +138,8 @@ const char* words(FieldRange range) {
       return "1 to 6";
     case FieldRange::trigger_edge:
       return "0, 1 or 2";
+    case FieldRange::not_negative:
+      return "0 or more";
   }
   return "";
 }

@@ -10,6 +10,7 @@
 #include "jounce/cam/design/certificate.hpp"
 #include "jounce/cam/design/characteristics.hpp"
 #include "jounce/design/cam_check.hpp"
+#include "jounce/design/load_figures.hpp"
 #include "jounce/design/sync_check.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -77,6 +78,27 @@ std::string figure_lines(const Input& input) {
         fmt::format("  {:<20} {}{}\n", f.name, value, f.meaning.empty() ? "" : ": " + f.meaning);
   }
   return text;
+}
+
+/// "  load                 peak torque 0.5 N m at 94 deg, rms torque 0.2 N m"
+std::string load_line(const Cam& cam, const Input& input) {
+  if (!input.spec) return "";
+  std::string text;
+  for (const LoadFigure& f : load_figures(*input.spec, cam))
+    text += (text.empty() ? "" : ", ") + f.name + " " + rounded(f.value) + " " + f.unit +
+            (f.where ? " at " + rounded(*f.where) + " " + input.labels.units.x : "");
+  return text.empty() ? "" : fmt::format("  {:<20} {}\n", "load", text);
+}
+
+Json load_json(const Cam& cam, const Input& input) {
+  Json list = Json::array();
+  if (!input.spec) return list;
+  for (const LoadFigure& f : load_figures(*input.spec, cam))
+    list.push_back({{"name", f.name},
+                    {"value", f.value},
+                    {"unit", f.unit},
+                    {"where", f.where ? Json(*f.where) : Json()}});
+  return list;
 }
 
 Json figures_json(const Input& input) {
@@ -147,7 +169,7 @@ std::string cam_text(const Input& input) {
   if (all.size() > most_rises)
     text += fmt::format("  ... and {}\n", counted(all.size() - most_rises, "more rise"));
   if (input.spec && has_slave_limits(*input.spec)) text += fastest_line(cam, input);
-  return text;
+  return text + load_line(cam, input);
 }
 
 /// The same as JSON with all values; null for a motion over time.
@@ -158,6 +180,7 @@ Json cam_json(const Input& input) {
   for (const Rise& rise : rises(cam)) list.push_back(json_of(rise));
   Json document{{"rises", std::move(list)}};
   if (Json figures = figures_json(input); !figures.empty()) document["sync"] = std::move(figures);
+  if (Json load = load_json(cam, input); !load.empty()) document["load"] = std::move(load);
   if (!input.spec || !has_slave_limits(*input.spec)) return document;
   const MasterLimit fastest =
       greatest_master_velocity(cam, input.spec->slave, master_rates(*input.spec));

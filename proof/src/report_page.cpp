@@ -7,10 +7,12 @@
 #include <fmt/format.h>
 
 #include "jounce/design/cam_check.hpp"
+#include "jounce/design/load_figures.hpp"
 #include "jounce/plot/chart_data.hpp"
 #include "jounce/plot/findings.hpp"
 #include "jounce/plot/input_figure.hpp"
 #include "jounce/plot/label.hpp"
+#include "jounce/plot/load_figure.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/proof/drive_figures.hpp"
 #include "jounce/proof/follower_figure.hpp"
@@ -102,6 +104,20 @@ Section proof_section(const Proof& proof, const Input& input) {
   return section;
 }
 
+/// Torque, power and heating of the motor.
+Section load_section(Figure figure, const Input& input) {
+  figure.title.clear();
+  Facts values;
+  for (const LoadFigure& f : load_figures(*input.spec, std::get<Cam>(*input.curve)))
+    values.rows.emplace_back(
+        f.name, rounded(f.value) + " " + f.unit +
+                    (f.where ? " at " + rounded(*f.where) + " " + input.labels.units.x : ""));
+  return {
+      "Load",
+      {Chart{std::move(figure), "Torque and power of the motor, at the velocity of [master].", ""},
+       std::move(values)}};
+}
+
 /// Findings of the exact check, without the notes and without those that are in the proof.
 Report check_of(const Input& input) {
   Report report = checked(input);
@@ -137,6 +153,8 @@ ReportPage report_page(const Input& input, const std::optional<Input>& before,
                                   chart_data(input, before)},
                             extrema_table(input)}});
   if (input.plan) page.sections.push_back(path_section(input));
+  if (auto load = load_figure(input))
+    page.sections.push_back(load_section(std::move(*load), input));
   page.sections.push_back({"Limits and joints", {findings_table(report, input.labels)}});
   page.sections.push_back(proof_section(proof, input));
   page.sections.push_back({"Table", {facts(input)}});

@@ -12,6 +12,7 @@
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/fifo_movement.hpp"
 #include "jounce/axis/live_cam.hpp"
+#include "jounce/axis/live_clutch.hpp"
 #include "jounce/axis/live_gear.hpp"
 #include "jounce/controllers/googol/googol_pt.hpp"
 
@@ -63,6 +64,7 @@ std::vector<std::function<std::unique_ptr<Movement>()>> couplings() {
                                                                     .master_start_distance = 80,
                                                                     .slave_start = none});
           },
+          [] { return std::make_unique<LiveClutch>(1, 0.5, 0.05); },
           cam({}),
           cam({.master_absolute = false, .start = StartMode::relative}),
           cam({.start = StartMode::ramp_in, .velocity_diff = 100, .acceleration = 1e4}),

@@ -128,7 +128,11 @@ AnyCommand AxisModel::random_command(test::Random& random) {
                                       Weight{Kind::halt, 0.002},
                                       Weight{Kind::gear_in, 0.004},
                                       Weight{Kind::gear_out, 0.001},
-                                      Weight{Kind::cam_out, 0.0005}};
+                                      Weight{Kind::cam_out, 0.0005},
+                                      Weight{Kind::phasing_absolute, 0.001},
+                                      Weight{Kind::phasing_relative, 0.002},
+                                      Weight{Kind::change_velocity, 0.002},
+                                      Weight{Kind::move_repetitive, 0.002}};
   AnyCommand command;
   double at = random.uniform(0, 1);
   for (const auto& weight : weights) {
@@ -165,6 +169,9 @@ AnyCommand AxisModel::random_command(test::Random& random) {
   if (command.kind != Kind::stop)
     command.dynamics = {some(*config_.limits.velocity), some(*config_.limits.acceleration),
                         some(*config_.limits.acceleration), some(1e6)};
+  if (command.kind == Kind::phasing_absolute || command.kind == Kind::phasing_relative)
+    command.distance = random.uniform(-10, 10);
+  if (command.kind == Kind::move_repetitive) command.timeout = random.uniform(0, 0.02);
   command.direction = static_cast<Direction>(random.below(5) - 1);
   if (random.below(3) == 0) command.buffer = static_cast<BufferMode>(random.below(6));
   return command;

@@ -253,6 +253,28 @@ std::array<double, 2> encoder_errors(int order, double velocity) {
   return {std::sqrt(x2), std::sqrt(v2)};
 }
 
+// A single-turn encoder of 4096 counts, forwards and backwards through many turns, against the same
+// encoder with a counter of its turns.
+TEST(EncoderMaster, CountsTheTurnsOfAModuloEncoder) {
+  const TrackerSpec counted{.velocity = 3e6, .acceleration = 1e8, .order = 3};
+  TrackerSpec repeats = counted;
+  repeats.modulo = 4096;
+  EncoderMaster whole(counted);
+  EncoderMaster wraps(repeats);
+  for (int k = 0; k < 5000; ++k) {
+    const double t = k * h;
+    const double counts = std::floor(1e6 * std::sin(t)) + 100;  // up to 1000 counts in a cycle
+    whole.read(t, counts);
+    wraps.read(t, counts - 4096 * std::floor(counts / 4096));
+    const Jet expected = whole.at(t);
+    const Jet now = wraps.at(t);
+    ASSERT_EQ(std::isnan(now[0]), std::isnan(expected[0])) << k;
+    if (std::isnan(now[0])) continue;
+    ASSERT_NEAR(now[0], expected[0], 1e-6) << k;
+    ASSERT_NEAR(now[1], expected[1], 1e-3) << k;
+  }
+}
+
 TEST(EncoderMaster, FiltersNoiseAndQuantisation) {
   for (const auto& [order, x_most, v_most] : {std::tuple{2, 6e-6, 1.2e-3}, {3, 8e-6, 3e-3}}) {
     const auto [x, v] = encoder_errors(order, 1.0123);  // 20.2 counts a cycle
@@ -384,6 +406,8 @@ TEST(TableMaster, StandsBeforeAndAfterItsTable) {
 }
 
 TEST(TrackerSpec, RefusesWhatIsOutOfRange) {
+  for (const double modulo : {-1.0, double(NAN), HUGE_VAL})
+    EXPECT_THROW(Tracked({.velocity = 1, .acceleration = 1, .modulo = modulo}), InputError);
   const auto bad = [](auto change) {
     TrackerSpec spec = line;
     change(spec);

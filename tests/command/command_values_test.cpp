@@ -19,6 +19,7 @@ double some(FieldRange range, double number) {
     case FieldRange::given:
     case FieldRange::coordinate:
     case FieldRange::positive:
+    case FieldRange::not_negative:
       return number / 4;
     case FieldRange::flag:
       return 1;
@@ -59,8 +60,9 @@ TEST(CommandValues, DefaultsAreAsConfiguredAndContradictNothing) {
   EXPECT_EQ(home[7], 0);
   for (const CommandInfo& about : all_commands()) {
     if (about.number < 0) continue;
-    const bool has_ratio =
-        about.kind == CommandKind::gear_in || about.kind == CommandKind::gear_in_pos;
+    const bool has_ratio = about.kind == CommandKind::gear_in ||
+                           about.kind == CommandKind::gear_in_pos ||
+                           about.kind == CommandKind::combine_axes;
     EXPECT_EQ(contradiction(command_of(about.kind)), has_ratio ? "denominator must not be 0" : "")
         << about.name;
   }
@@ -122,6 +124,10 @@ TEST(CommandValues, OutOfRangeAreNamed) {
        {1, 2147483648.0},
        "denominator must be a whole number from -2147483647 to 2147483647"},
       {CommandKind::gear_in_pos, {1, 1, 1, 1, 1, 3}, "avoid reversal must be 0 or 1"},
+      {CommandKind::gear_in, {1, 1, NAN, NAN, NAN, -1}, "clutch must be 0 or more"},
+      {CommandKind::combine_axes, {1, 1, 1, 0}, "denominator of the second master must not be 0"},
+      {CommandKind::phasing_absolute, {NAN}, "phase shift must be finite"},
+      {CommandKind::move_repetitive, {1, 1, 1, 1, 1, -0.1}, "wait must be 0 or more"},
       {CommandKind::queue_clear, {64, 2}, "bank must be 0 or 1"},
       {CommandKind::queue_end, {-1}, "queue must be a whole number from 0 to 2147483647"},
   };

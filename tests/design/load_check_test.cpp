@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/design/load_figures.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -46,6 +47,45 @@ TEST(LoadCheck, PeakAndRmsAreThoseOfTheClosedForm) {
   const Finding& rms = report.findings[1];
   EXPECT_EQ(rms.rule, "limit/load_rms_torque");
   EXPECT_NEAR(rms.value, peak * std::sqrt(0.5 * 90 / 360), 1e-9 * peak);
+}
+
+// P = T w_m, with f' = h / beta (1 - cos(2 pi x / beta)): sin(a) (1 - cos(a)) is greatest at 120 deg,
+// 3 sqrt(3) / 4.
+TEST(LoadCheck, FiguresAreThoseOfTheClosedForm) {
+  const Spec made = parse_spec(spec("winding_loss = 1.5\n"), "a.toml");
+  const Cam cam = std::get<Cam>(*make(made).curve);
+  const std::vector<LoadFigure> all = load_figures(made, cam);
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all[0].name, "peak torque");
+  EXPECT_NEAR(all[0].value, peak, 1e-12 * peak);
+  EXPECT_EQ(all[1].name, "rms torque");
+  const double rms = peak * std::sqrt(0.5 * 90 / 360);
+  EXPECT_NEAR(all[1].value, rms, 1e-9 * peak);
+  EXPECT_EQ(all[2].name, "peak power");
+  const double power = peak * (2 * pi / 100) * 720 * (30 / 90.0) * 3 * std::sqrt(3.0) / 4;
+  EXPECT_NEAR(all[2].value, power, 2e-9 * power);
+  EXPECT_NEAR(std::abs(all[2].where.value_or(0) - 45), 15, 1e-2);
+  EXPECT_EQ(all[3].name, "motor heating");
+  EXPECT_NEAR(all[3].value, 1.5 * rms * rms, 1e-8);
+  EXPECT_TRUE(load_figures(parse_spec(spec("", false), "a.toml"), cam).empty());
+}
+
+// The curves of a polynomial law: the power is the product of torque and speed everywhere.
+TEST(LoadCheck, CurvesAreTorqueAndPower) {
+  std::string text = spec("mass = 2\n");
+  text.replace(text.find("inclined_sine"), 13, "345");
+  const Spec made = parse_spec(text, "a.toml");
+  const Cam cam = std::get<Cam>(*make(made).curve);
+  const auto curves = load_curves(made, cam);
+  ASSERT_TRUE(curves && curves->power);
+  const double radius = 0.1 / (2 * pi);  // m per rad
+  for (double x = 0; x <= 90; x += 0.37) {
+    const Jet f = cam.jet(x);
+    const double speed = 2 * pi / 100 * 720 * f[1];
+    const double torque = (4e-4 + 2 * radius * radius) * 2 * pi / 100 * 720 * 720 * f[2];
+    EXPECT_NEAR(curves->torque.jet(x)[0], torque, 1e-12);
+    EXPECT_NEAR(curves->power->jet(x)[0], torque * speed, 1e-10);
+  }
 }
 
 TEST(LoadCheck, DryFrictionAddsToTheTorqueThatDrives) {

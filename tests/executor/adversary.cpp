@@ -191,7 +191,8 @@ CommandValues home_values(Random& random, const Bounds& b) {
 
 /// `state`: what the axis does now.
 wire::Command order_of(Random& random, const Bounds& b, State state) {
-  wire::Command order{.kind = *kind_of_number(random.below(client_commands))};
+  wire::Command order{
+      .kind = sent_commands()[static_cast<std::size_t>(random.below(client_commands))]->kind};
   // Half of all orders move: otherwise what is in motion would be rare.
   if (random.below(2) == 0)
     order.kind = *kind_of_number(8 + random.below(5));
@@ -255,6 +256,28 @@ wire::Command order_of(Random& random, const Bounds& b, State state) {
       break;
     case CommandKind::home:
       value = home_values(random, b);
+      break;
+    case CommandKind::phasing_absolute:
+    case CommandKind::phasing_relative:
+      value[0] = place(random, b);
+      rates(1);
+      break;
+    case CommandKind::combine_axes:
+      for (std::size_t i : {0U, 2U}) value[i] = random.below(9) - 4;
+      for (std::size_t i : {1U, 3U}) value[i] = random.below(6);
+      for (std::size_t i : {4U, 5U}) value[i] = share(random, b.acceleration);
+      value[6] = share(random, j);
+      break;
+    case CommandKind::change_velocity:
+      value[0] = share(random, b.velocity);
+      value[1] = random.below(2) == 0 ? NAN : place(random, b);
+      value[2] = random.below(3) - 1;
+      break;
+    case CommandKind::move_repetitive:
+      value[0] = place(random, b);
+      rates(1);
+      value[5] = random.below(2) == 0 ? 0 : random.uniform(0, 0.2);
+      value[6] = random.below(5);
       break;
     default:
       for (std::size_t i = 0; i < info(order.kind).fields.size(); ++i)
@@ -330,6 +353,9 @@ Accepted accepted(const wire::Command& order, const HomingSpec& homing) {
               .ratio = std::abs(v[0] / v[1])};
     }
     case CommandKind::gear_in_pos:
+    case CommandKind::phasing_absolute:
+    case CommandKind::phasing_relative:
+    case CommandKind::combine_axes:
       return {.what = What::moves, .ratio = HUGE_VAL};
     default:
       return {.what = What::moves};

@@ -12,6 +12,7 @@
 
 #include "jounce/axis/fifo_movement.hpp"
 #include "jounce/axis/live_cam.hpp"
+#include "jounce/axis/live_clutch.hpp"
 #include "jounce/axis/live_gear.hpp"
 #include "jounce/drive/shared_drive.hpp"
 #include "jounce/drive/simulated_drive.hpp"
@@ -164,6 +165,27 @@ TEST(Quiet, GearsThatAreGoneIntoInMotionAndLeft) {
   stage.order(0, {command::MoveAbsolute{.position = 100, .dynamics = {.velocity = 100}}}, 900);
   EXPECT_EQ(in_pos.progress(), Progress::running);
   EXPECT_EQ(stage.order(1, {command::GearOut{}}, 50).fault, Cause::none);
+  EXPECT_EQ(stage.noise(), Noise{});
+}
+
+TEST(Quiet, ClutchesPhaseShiftsAndStrokes) {
+  LiveClutch clutch(1, 0.5, 10);
+  LiveClutch other(2, -1, 10);
+  Stage stage;
+  stage.order(0, {command::MoveVelocity{.velocity = 100}}, 60);
+  stage.order(1, {command::Couple{.movement = &clutch}}, 200);
+  EXPECT_EQ(clutch.progress(), Progress::running);
+  stage.order(1, {command::PhasingRelative{3, {.velocity = 20, .acceleration = 500}}}, 50);
+  stage.order(1, {command::PhasingAbsolute{-1, {.velocity = 20, .acceleration = 500}}}, 500);
+  stage.order(1, {command::Couple{.movement = &other}}, 200);
+  EXPECT_EQ(other.progress(), Progress::running);
+  stage.order(0, {command::ChangeVelocity{.velocity = 50, .position = 120}}, 800);
+  EXPECT_NEAR(stage.run(0, 1).velocity, 50, 1e-9);
+  EXPECT_NEAR(stage.run(1, 1).velocity, -50, 1e-6);
+  stage.order(0, {command::Halt{}}, 200);
+  stage.order(1, {command::Halt{}}, 200);
+  stage.order(1, {command::MoveRepetitive{.position = 3, .wait = 0.0123}}, 800);
+  EXPECT_EQ(stage.order(1, {command::Finish{}}, 500).state, State::standstill);
   EXPECT_EQ(stage.noise(), Noise{});
 }
 

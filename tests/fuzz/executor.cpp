@@ -90,14 +90,14 @@ class Owned {
     return (source.byte() - 128.0) * (kind == 1 ? 1 : 10);
   }
   void order(Source& source) {
-    wire::Command order{.kind = *kind_of_number(
-                            static_cast<int>(source.below(std::variant_size_v<ClientCommand>)))};
+    wire::Command order{.kind = sent_commands()[source.below(sent_commands().size())]->kind};
     order.value = values_of(command_of(order.kind));
     for (std::size_t i = 0; i < info(order.kind).fields.size(); ++i)
       if (source.below(2) != 0) order.value[i] = value(source);
     if (source.below(4) == 0) order.at = next_tick_ + static_cast<std::int64_t>(source.byte());
     if (order.kind == CommandKind::gear_in || order.kind == CommandKind::gear_in_pos)
       order.value[1] = 1 + static_cast<double>(source.below(3));
+    if (order.kind == CommandKind::combine_axes) order.value[1] = order.value[3] = 1;
     send(order);
     pass(1 + static_cast<int>(source.below(16)));
   }

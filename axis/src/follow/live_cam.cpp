@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
 #include "axis/src/follow/live.hpp"
@@ -29,11 +30,23 @@ Cause cause_of(CouplingStatus status) {
   return Cause::no_ramp;
 }
 
+namespace {
+
+std::array<double, 3> slopes_of(const Coupling& coupling) {
+  const Placement& p = coupling.placement();
+  const double third = std::abs(extrema(coupling.cam(), 3).peak().value);
+  return {coupling.reach()[1], coupling.reach()[2],
+          third * p.slave_scaling * std::pow(p.master_scaling, 3)};
+}
+
+}  // namespace
+
 LiveCam::LiveCam(std::uint64_t id, std::shared_ptr<const Table> cam, const CouplingSpec& spec,
                  CamEnd end)
     : Movement(id, Course::live),
       table_(std::move(cam)),
       coupling_(table_->curve<OverMaster>(), spec),
+      slopes_(slopes_of(coupling_)),
       end_(end) {}
 
 Cause LiveCam::begin(const MotionState& axis, const Moment& now) noexcept {

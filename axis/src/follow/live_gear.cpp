@@ -8,6 +8,7 @@
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "axis/src/follow/gear_ramp.hpp"
 #include "axis/src/follow/live.hpp"
 
 namespace jounce {
@@ -56,17 +57,12 @@ Cause LiveGear::cause() const noexcept {
 }
 
 Peaks LiveGear::peaks() const noexcept {
-  if (progress_ != Progress::engaging) return {};
-  return {.acceleration = std::max(spec_.acceleration, spec_.deceleration), .jerk = spec_.jerk};
+  return progress_ == Progress::engaging ? axis_detail::ramp_peaks(spec_) : Peaks{};
 }
 
 std::optional<Refusal> LiveGear::admit(const AxisConfig& config,
                                        const MotionState& /*from*/) const noexcept {
-  const auto& [low, high, v, a, j] = config.limits;
-  const double acceleration = std::max(spec_.acceleration, spec_.deceleration);
-  if (a && acceleration > *a) return Refusal{Cause::acceleration_limit, acceleration, *a};
-  if (j && spec_.jerk > *j) return Refusal{Cause::jerk_limit, spec_.jerk, *j};
-  return std::nullopt;
+  return axis_detail::against_ramp(spec_, config);
 }
 
 LiveGearInPos::LiveGearInPos(std::uint64_t id, const GearInPosSpec& spec)

@@ -75,6 +75,8 @@ void require_valid(const TrackerSpec& spec) {
   require_finite("latency", spec.latency);
   if (spec.order != 2 && spec.order != 3)
     throw InputError("order", std::to_string(spec.order), "must be 2 or 3");
+  require_finite("modulo", spec.modulo);
+  if (spec.modulo < 0) throw InputError("modulo", spec.modulo, "must be at least 0");
   if (!(spec.jump >= 0)) throw InputError("jump", spec.jump, "must be at least 0");
 }
 
@@ -103,6 +105,12 @@ Tracked::Tracked(const TrackerSpec& spec) : spec_(spec) {
 void Tracked::see(double time, double position) noexcept {
   if (!std::isfinite(time) || !std::isfinite(position)) return;
   if (estimate_.count > 0 && !(time > estimate_.time)) return;
+  if (spec_.modulo > 0) {  // the turn that is nearest to the expected position
+    const double expected = estimate_.count > 0 ? target(time - spec_.latency)[0] : last_;
+    if (!std::isnan(expected))
+      position += spec_.modulo * std::round((expected - position) / spec_.modulo);
+    last_ = position;
+  }
   const bool stale = time - estimate_.time > spec_.longest_age;
   const bool jumped = std::abs(position - target(time - spec_.latency)[0]) > spec_.jump;
   if (estimate_.count > 0 && (stale || jumped)) lose();

@@ -60,7 +60,7 @@ MotionAxis::Rejection MotionAxis::buffer(const BufferedMove& move) {
 /// The velocity at which a move to this goal passes it on to the next goal. With a superimposed
 /// move, the move ends at rest: the next target does not include the superimposed distance.
 double MotionAxis::through(const MotionState& from, const Goal& goal, double factor) const {
-  if (next_.empty() || above_.shifts() || goal.kind != Goal::Kind::position) return 0;
+  if (next_.empty() || repeats() || above_.shifts() || goal.kind != Goal::Kind::position) return 0;
   Goal further;
   if (goal_of(next_.front(), {goal.value, 0, 0}, move_rules(), further)) return 0;
   return passing_velocity(from, goal, further, buffer_of(next_.front()), factor, config_);

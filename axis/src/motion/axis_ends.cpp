@@ -15,7 +15,7 @@ void MotionAxis::conclude() {
   if (base_ == Base::move) {
     if (!move_.is_over(now_.tick)) return;
     if (ending_ != Ending::none) return rest();
-    if (requested_rate() == 0) return;
+    if (requested_rate() == 0 || repeats()) return;
     const Goal& goal = move_.goal();
     if (goal.kind == Goal::Kind::position || goal.value == 0) return rest();
     if (!next_.empty()) begin_next();
@@ -94,6 +94,8 @@ void MotionAxis::freeze() {
   ending_ = Ending::none;
   held_ = false;
   homing_.reset();
+  repetition_.reset();
+  change_.reset();
   above_.clear();
   now_.master_velocity = now_.velocity = now_.acceleration = 0;
 }

@@ -60,8 +60,10 @@ Peaks MotionAxis::beneath() const {
   if (on_path()) return path_.peaks_at_rate();
   if (base_ == Base::move) return move_.peaks_up_to(factor_);
   const Peaks ramp = live_->peaks();
+  const Peaks phase = live_.phase().peaks(now_.tick);
   const auto& [p, v, a] = bare_.state;
-  return {std::abs(v), std::max(std::abs(a), ramp.acceleration), ramp.jerk};
+  return {std::abs(v) + phase.velocity,
+          std::max(std::abs(a), ramp.acceleration) + phase.acceleration, ramp.jerk + phase.jerk};
 }
 
 /// Begins a move on top of the present motion, or returns the reason to reject it.
@@ -99,6 +101,8 @@ bool MotionAxis::adopt(const Goal& goal, double factor) {
   if (!plan_from({last(), moving() ? bare_.tick : now_.tick}, goal, factor)) return false;
   if (path_.swaps()) disarm();
   drop_movement();
+  repetition_.reset();
+  change_.reset();
   above_.clear();
   bare_.state = last();
   base_ = Base::move;

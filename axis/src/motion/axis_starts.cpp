@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "jounce/axis/axis.hpp"
 #include "jounce/cam/coupling/passing.hpp"
@@ -50,6 +51,7 @@ std::optional<MotionState> MotionAxis::expected_end() const {
   if (!moving()) return MotionState{now_.position, 0, 0};
   const double above = above_.distance();
   if (base_ == Base::move) {
+    if (repeats()) return std::nullopt;
     const Goal& goal = move_.goal();
     if (goal.kind == Goal::Kind::velocity && goal.value != 0) return std::nullopt;
     const bool there = goal.kind == Goal::Kind::position;
@@ -195,12 +197,21 @@ std::optional<Refusal> MotionAxis::against_switch(const Movement& path) const {
                  : std::nullopt;
 }
 
-/// The refusal of a gear whose slave would exceed the velocity limit.
-std::optional<Refusal> MotionAxis::too_fast(double master_velocity) const {
-  const auto& most = config_.limits.velocity;
-  const double velocity = std::abs(armed_->ratio() * master_velocity);
-  if (!most || velocity <= *most * (1 + profiles_detail::rounded_input)) return std::nullopt;
-  return Refusal{Cause::velocity_limit, velocity, *most};
+/// The refusal of a coupling whose slave would exceed a limit.
+std::optional<Refusal> MotionAxis::against_demand(const Moment& start) const {
+  const Peaks need = armed_->demand(start);
+  const auto& [low, high, v, a, j] = config_.limits;
+  for (const auto& [value, most, cause] : {std::tuple{need.velocity, v, Cause::velocity_limit},
+                                           {need.acceleration, a, Cause::acceleration_limit},
+                                           {need.jerk, j, Cause::jerk_limit}})
+    if (most && !(value <= *most * (1 + profiles_detail::rounded_input)))
+      return Refusal{cause, value, *most};
+  return std::nullopt;
+}
+
+/// The ratio at which the axis follows its master in step, u/m; 0: it does not.
+double MotionAxis::followed_ratio() const {
+  return base_ == Base::live && live_->progress() == Progress::running ? live_->ratio() : 0;
 }
 
 void MotionAxis::begin_pending(const Moment& at) {
@@ -214,10 +225,13 @@ void MotionAxis::begin_pending(const Moment& at) {
   if (const auto refusal = live ? armed_->admit(config_, *state) : std::nullopt)
     return drop(*refusal);
   if (const auto refusal = against_switch(*armed_)) return drop(*refusal);
-  const Moment begin = live && armed_.when() != StartAt::tick ? at : moment();
+  // The positions of the next cam do not include the phase shift of this one.
+  if (armed_->passes() && live_.phase().moves(now_.tick)) return drop({.cause = Cause::in_motion});
+  Moment begin = live && armed_.when() != StartAt::tick ? at : moment();
+  begin.ratio = followed_ratio();
   no = armed_->begin(*state, begin);
   if (no != Cause::none) return drop(begin_refusal(no, *state));
-  if (const auto refusal = too_fast(begin.master[1])) return drop(*refusal);
+  if (const auto refusal = against_demand(begin)) return drop(*refusal);
   const ArmedMotion begun = std::exchange(armed_, {});
   const bool was_moving = moving();
   const bool was_live = base_ == Base::live;

@@ -277,4 +277,9 @@ Jet FifoFollow::beyond(double master) const noexcept {
   return {end.position + end.rate * (travel - end.x), sign * end.rate, 0, 0};
 }
 
+std::array<double, 3> FifoFollow::slopes() const noexcept {
+  const RowPeaks f = fifos_.peaks();
+  return {f.velocity, f.acceleration, f.jerk};
+}
+
 }  // namespace jounce

@@ -77,7 +77,7 @@ void MotionAxis::report() {
   if (armed_ && armed_.group() != 0)
     now_.next = {armed_.group(), armed_.waiting(), armed_.tick_or(-1)};
   now_.held = held_;
-  now_.waiting = armed_.waiting() || !next_.empty() || later_;
+  now_.waiting = armed_.waiting() || !next_.empty() || later_ || change_;
   now_.progress = played ? played->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;
@@ -88,11 +88,11 @@ void MotionAxis::report() {
 // ---- inputs ------------------------------------------------------------------------------------
 
 void MotionAxis::take(const Inputs& inputs) {
-  const double renamed = inputs.master_offset - inputs_.master_offset;
+  const Inputs before = inputs_;
   inputs_ = sound(inputs, config_);
   inputs_.positive_switch |= inputs_.feedback.sensors.positive.on;
   inputs_.negative_switch |= inputs_.feedback.sensors.negative.on;
-  see_renamed(renamed);
+  see_renamed(before);
   remember_master();
   now_.actual_position = inputs_.feedback.position + now_.offset;
   now_.torque = inputs_.feedback.torque;
@@ -103,7 +103,9 @@ void MotionAxis::take(const Inputs& inputs) {
 }
 
 /// A new coordinate of the master passes no position and causes no motion.
-void MotionAxis::see_renamed(double by) {
+void MotionAxis::see_renamed(const Inputs& before) {
+  live_.shift_second(inputs_.second_offset - before.second_offset);
+  const double by = inputs_.master_offset - before.master_offset;
   if (by == 0) return;
   last_master_[0] += by;
   master_seen_.shift(by);
@@ -175,6 +177,8 @@ Cause MotionAxis::advance_live(Setpoint& next) {
 }
 
 Cause MotionAxis::advance_move(Setpoint& next) {
+  change_if_passed();
+  if (const Cause no = begin_strokes(); no != Cause::none) return no;
   while (passes() && move_.is_over(now_.tick))  // a late cycle may pass several
     if (const Cause no = pass_target(); no != Cause::none) return no;
   next = {now_.master, 0, move_.at(now_.tick)};

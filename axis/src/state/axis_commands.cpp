@@ -39,6 +39,7 @@ bool MotionAxis::needs_home(const Command& command) const {
   if (!config_.require_home || now_.homed) return false;
   const Movement* const movement = movement_of(command.what);
   return std::holds_alternative<command::MoveAbsolute>(command.what) ||
+         std::holds_alternative<command::MoveRepetitive>(command.what) ||
          (movement != nullptr && movement->absolute());
 }
 
@@ -185,8 +186,12 @@ MotionAxis::Rejection MotionAxis::act(const command::Override& what) {
 
 /// Agito StopRep: finishes the stroke; the next one does not begin.
 MotionAxis::Rejection MotionAxis::act(const command::Finish& /*it*/) {
-  if (!on_path()) return Refusal{Cause::not_on_path};
+  if (!on_path() && !repetition_) return Refusal{Cause::not_on_path};
   if (ending_ != Ending::none) return Refusal{Cause::halting};
+  if (repetition_) {
+    repetition_->finish();
+    return std::nullopt;
+  }
   if (!std::isinf(path_->known()) || path_->pass() <= 0) return std::nullopt;
   const auto end = path_->end();
   const double most = *config_.limits.acceleration * seconds(config_.period);

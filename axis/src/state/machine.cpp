@@ -52,15 +52,19 @@ void require_one_period(const std::vector<MachineAxis>& axes) {
 
 void require_leaders(const std::vector<MachineAxis>& axes, std::size_t masters) {
   using What = Follow::What;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const auto [what, index] = axes[i].follow;
-    if (what == What::nothing) continue;
+  const auto require = [&](std::size_t i, const char* key, const Follow& follow) {
+    const auto [what, index] = follow;
+    if (what == What::nothing) return;
     if (index >= (what == What::master ? masters : axes.size()))
       throw InputError(
-          axes[i].name + ".follow", static_cast<double>(index),
+          axes[i].name + key, static_cast<double>(index),
           what == What::master ? "the machine has no such master" : "the machine has no such axis");
     if (what != What::master && index == i)
-      throw InputError(axes[i].name + ".follow", axes[i].name, "an axis cannot follow itself");
+      throw InputError(axes[i].name + key, axes[i].name, "an axis cannot follow itself");
+  };
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    require(i, ".follow", axes[i].follow);
+    require(i, ".follow.second", axes[i].second);
   }
 }
 
@@ -101,26 +105,36 @@ Memberships groups_of(const std::vector<MachineAxis>& axes) {
   return groups;
 }
 
-/// Leaders and groups first, otherwise in declared order: each axis comes after its chain of leaders.
-std::vector<std::size_t> order_of(const std::vector<MachineAxis>& axes, const Memberships& groups) {
-  std::vector<std::size_t> order;
-  std::vector<bool> placed(axes.size(), false);
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    std::vector<std::size_t> chain;
-    for (std::size_t k = i; !placed[k]; k = groups[k].value_or(axes[k].follow.index)) {
-      if (std::find(chain.begin(), chain.end(), k) != chain.end())
-        throw InputError(axes[k].name + ".follow", axes[axes[k].follow.index].name,
-                         "the axes follow each other in a ring: let one of them follow no axis");
-      chain.push_back(k);
-      if (!groups[k] && axes[k].follow.what != Follow::What::setpoint) break;
-    }
-    for (auto k = chain.rbegin(); k != chain.rend(); ++k) {
-      order.push_back(*k);
-      placed[*k] = true;
-    }
+/// Leaders and groups first, otherwise in declared order: each axis comes after all its leaders.
+class Order {
+ public:
+  Order(const std::vector<MachineAxis>& axes, const Memberships& groups)
+      : axes_(axes), groups_(groups), placed_(axes.size(), false) {
+    for (std::size_t i = 0; i < axes.size(); ++i) place(i);
   }
-  return order;
-}
+
+  std::vector<std::size_t> order;
+
+ private:
+  void place(std::size_t i) {
+    if (placed_[i]) return;
+    if (std::find(chain_.begin(), chain_.end(), i) != chain_.end())
+      throw InputError(axes_[chain_.back()].name + ".follow", axes_[i].name,
+                       "the axes follow each other in a ring: let one of them follow no axis");
+    chain_.push_back(i);
+    if (groups_[i]) place(*groups_[i]);
+    for (const Follow& follow : {axes_[i].follow, axes_[i].second})
+      if (!groups_[i] && follow.what == Follow::What::setpoint) place(follow.index);
+    chain_.pop_back();
+    order.push_back(i);
+    placed_[i] = true;
+  }
+
+  const std::vector<MachineAxis>& axes_;
+  const Memberships& groups_;
+  std::vector<bool> placed_;
+  std::vector<std::size_t> chain_;  // followers of the axis that is placed next
+};
 
 std::vector<MachineAxis> checked(std::vector<MachineAxis> axes, std::size_t masters) {
   if (axes.empty()) throw InputError("axes", "", "are missing: a machine needs at least one axis");
@@ -155,6 +169,35 @@ bool is_incomplete(std::size_t axis, std::span<const AxisImage> images) {
   return false;
 }
 
+/// The position of a leader or a master in this tick.
+Jet master_of(const Follow& follow, std::span<const AxisImage> images,
+              std::span<const Jet> masters) {
+  const auto [what, index] = follow;
+  switch (what) {
+    case Follow::What::nothing:
+      break;
+    case Follow::What::master:
+      return masters[index];
+    case Follow::What::setpoint: {
+      const Tick& leader = images[index].tick;
+      // It froze, or has the position of its drive: its followers must not follow that jump.
+      if (leader.frozen || leader.state == State::disabled) break;
+      return {leader.position, leader.velocity, leader.acceleration, 0};
+    }
+    case Follow::What::actual: {
+      const Feedback& leader = images[index].inputs.feedback;
+      if (!std::isfinite(leader.position) || !std::isfinite(leader.velocity)) break;
+      return {leader.position, leader.velocity, 0, 0};
+    }
+  }
+  return no_master;
+}
+
+double master_offset_of(const Follow& follow, std::span<const AxisImage> images) {
+  const auto [what, index] = follow;
+  return what == Follow::What::setpoint ? images[index].tick.offset : 0;
+}
+
 /// True for a group whose path time passes.
 bool moves(const Tick& group) {
   return group.job != 0 && group.rate != 0;
@@ -166,7 +209,7 @@ Machine::Machine(std::vector<MachineAxis> axes, std::size_t masters)
     : axes_(checked(std::move(axes), masters)),
       masters_(masters),
       memberships_(axes_.size()),
-      order_(order_of(axes_, groups_of(axes_))),
+      order_(Order(axes_, groups_of(axes_)).order),
       moved_(axes_.size(), false) {
   for (std::size_t g = 0; g < axes_.size(); ++g)
     for (std::size_t k = 0; axes_[g].group && k < axes_[g].group->axes.size(); ++k)
@@ -183,8 +226,10 @@ void Machine::step(std::int64_t tick, std::span<AxisImage> images, std::span<con
     images[i].inputs.peers = is_incomplete(i, images) ? Peers::missing : Peers::ready;
   for (const std::size_t i : order_) {
     AxisImage& image = images[i];
-    image.inputs.master = master_of(i, images, masters);
-    image.inputs.master_offset = master_offset_of(i, images);
+    image.inputs.master = master_of(axes_[i].follow, images, masters);
+    image.inputs.master_offset = master_offset_of(axes_[i].follow, images);
+    image.inputs.second_master = master_of(axes_[i].second, images, masters);
+    image.inputs.second_offset = master_offset_of(axes_[i].second, images);
     image.inputs.group_broken = is_broken(image.tick.group, i, images);
     if (is_broken(image.tick.next.group, i, images)) image.inputs.peers = Peers::broken;
     if (axes_[i].group) gather(i, images);
@@ -235,34 +280,6 @@ void Machine::lead(std::size_t axis, const Membership& in, std::span<AxisImage> 
   }
   const bool enabled = group.state != State::disabled && group.state != State::error_stop;
   if (enabled) inputs.peers = Peers::grouped;
-}
-
-Jet Machine::master_of(std::size_t axis, std::span<const AxisImage> images,
-                       std::span<const Jet> masters) const {
-  const auto [what, index] = axes_[axis].follow;
-  switch (what) {
-    case Follow::What::nothing:
-      break;
-    case Follow::What::master:
-      return masters[index];
-    case Follow::What::setpoint: {
-      const Tick& leader = images[index].tick;
-      // It froze, or has the position of its drive: its followers must not follow that jump.
-      if (leader.frozen || leader.state == State::disabled) break;
-      return {leader.position, leader.velocity, leader.acceleration, 0};
-    }
-    case Follow::What::actual: {
-      const Feedback& leader = images[index].inputs.feedback;
-      if (!std::isfinite(leader.position) || !std::isfinite(leader.velocity)) break;
-      return {leader.position, leader.velocity, 0, 0};
-    }
-  }
-  return no_master;
-}
-
-double Machine::master_offset_of(std::size_t axis, std::span<const AxisImage> images) const {
-  const auto [what, index] = axes_[axis].follow;
-  return what == Follow::What::setpoint ? images[index].tick.offset : 0;
 }
 
 }  // namespace jounce

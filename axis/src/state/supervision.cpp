@@ -29,7 +29,8 @@ double furthest(const AxisConfig& config) noexcept {
 Inputs sound(const Inputs& inputs, const AxisConfig& config) noexcept {
   Inputs sound = inputs;
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  if (!axis_detail::usable(sound.master)) sound.master = {unknown, 0, 0, 0};
+  for (Jet* const master : {&sound.master, &sound.second_master})
+    if (!axis_detail::usable(*master)) *master = {unknown, 0, 0, 0};
   Feedback& drive = sound.feedback;
   for (auto [value, most] : {std::pair{&drive.position, furthest(config)},
                              {&drive.sensors.home.edge, furthest(config)},

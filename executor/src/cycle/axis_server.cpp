@@ -279,6 +279,16 @@ void AxisServer::obey(const command::GearInPos& /*gear*/, const CommandRequested
   couple(requested, request);
 }
 
+void AxisServer::obey(const command::CombineAxes& /*gear*/, const CommandRequested& requested,
+                      const Request& request) {
+  if (options_.follow.what != Follow::What::nothing &&
+      options_.second.what == Follow::What::nothing)
+    return decline(requested,
+                   "the axis follows one master only: add second = { axis = \"NAME\" } to [follow] "
+                   "in its spec");
+  couple(requested, request);
+}
+
 void AxisServer::couple(const CommandRequested& requested, const Request& request) {
   if (options_.group) return answer(request, Refusal{.cause = Cause::single_axis});
   motion_session_ = requested.session;

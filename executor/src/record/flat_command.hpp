@@ -36,12 +36,14 @@ void each_pair_of_command(C& c, Flat& flat, F f) {
   if constexpr (requires { c.position; }) f(c.position, flat.position);
   if constexpr (requires { c.tick; }) f(c.tick, flat.at);
   if constexpr (requires { c.when; }) f(c.when, flat.start_at);
-  if constexpr (requires { c.relative; }) f(c.relative, flat.relative);
+  if constexpr (std::is_same_v<T, command::SetPosition>) f(c.relative, flat.relative);
   if constexpr (requires { c.factor; }) f(c.factor, flat.factor);
   if constexpr (requires { c.direction; }) f(c.direction, flat.direction);
   if constexpr (requires { c.shift; }) f(c.shift, flat.distance);
   if constexpr (requires { c.until; }) f(c.until, flat.timeout);
   if constexpr (requires { c.buffer; }) f(c.buffer, flat.buffer);
+  if constexpr (requires { c.wait; }) f(c.wait, flat.timeout);
+  if constexpr (requires { c.strokes; }) f(c.strokes, flat.method);
   if constexpr (std::is_same_v<T, command::Home>) {
     f(c.offset, flat.position);
     f(c.method, flat.method);
@@ -58,6 +60,8 @@ void each_pair_of_command(C& c, Flat& flat, F f) {
     f(c.last_position, flat.distance);
   } else if constexpr (std::is_same_v<T, command::AbortTrigger>) {
     f(c.input, flat.method);
+  } else if constexpr (std::is_same_v<T, command::ChangeVelocity>) {
+    f(c.velocity, flat.dynamics.velocity);
   } else {
     if constexpr (requires { c.distance; }) f(c.distance, flat.position);
     if constexpr (requires { c.velocity; }) f(c.velocity, flat.position);

@@ -55,6 +55,9 @@ void each_input(Ours& c, Theirs& w, F f) {
   f("movement", c.movement, w.movement);
   for (std::size_t k = 0; k < 4; ++k) f("live_master", c.inputs.master[k], w.live_master[k]);
   f("live_master_offset", c.inputs.master_offset, w.live_master_offset);
+  for (std::size_t k = 0; k < 4; ++k)
+    f("second_master", c.inputs.second_master[k], w.second_master[k]);
+  f("second_offset", c.inputs.second_offset, w.second_offset);
   f("drive_position", c.inputs.feedback.position, w.drive_position);
   f("drive_velocity", c.inputs.feedback.velocity, w.drive_velocity);
   f("drive_torque", c.inputs.feedback.torque, w.drive_torque);
@@ -167,6 +170,7 @@ void each_of_master(Ours& m, Theirs& w, F f) {
   f("latency", m.tracker.latency, w.latency);
   f("longest_age", m.tracker.longest_age, w.longest_age);
   f("jump", m.tracker.jump, w.jump);
+  f("modulo", m.tracker.modulo, w.modulo);
 }
 
 template <class Ours, class Theirs, class F>

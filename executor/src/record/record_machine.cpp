@@ -55,7 +55,7 @@ axis_t on_wire(const RecordedAxis& a) {
 RecordedAxis ours(const axis_t& w) {
   if (w.version != version)
     throw InputError("version", std::to_string(w.version),
-                     "must be 6: replay the record with the version of jounce that wrote it");
+                     "must be 7: replay the record with the version of jounce that wrote it");
   RecordedAxis a{.axis = static_cast<std::size_t>(w.axis),
                  .name = get_text(w.name),
                  .units = {get_text(w.master_unit), get_text(w.position_unit)},

@@ -109,7 +109,8 @@ RecordedGear ours(const gear_t& w) {
                  .id = static_cast<std::uint64_t>(w.id),
                  .position = w.position};
   const auto kind = kind_of_number(w.kind);
-  if (kind != CommandKind::gear_in && kind != CommandKind::gear_in_pos)
+  if (kind != CommandKind::gear_in && kind != CommandKind::gear_in_pos &&
+      kind != CommandKind::combine_axes)
     throw InputError("kind", std::to_string(w.kind), "is not a gear command");
   CommandValues values{};
   std::copy(std::begin(w.value), std::end(w.value), values.begin());

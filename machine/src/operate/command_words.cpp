@@ -39,10 +39,9 @@ struct Form {
 const std::vector<Form>& all_forms() {
   static const std::vector<Form> forms = [] {
     std::vector<Form> all;
-    for (int number = 0; const auto kind = kind_of_number(number); ++number) {
-      const CommandInfo& command = info(*kind);
-      if (*command.word != 0) all.push_back({command.word, &command});
-      if (*kind == CommandKind::move_superimposed)
+    for (const CommandInfo* const command : sent_commands()) {
+      if (*command->word != 0) all.push_back({command->word, command});
+      if (command->kind == CommandKind::move_superimposed)
         all.push_back({"inch", &info(CommandKind::move_relative)});
     }
     return all;
@@ -129,6 +128,12 @@ std::string unit_of(Quantity quantity, const Units& units) {
       return units.x;
     case Quantity::time:
       return "s";
+    case Quantity::master_velocity:
+      return rate_unit(units.x, "s", 1);
+    case Quantity::master_acceleration:
+      return rate_unit(units.x, "s", 2);
+    case Quantity::master_jerk:
+      return rate_unit(units.x, "s", 3);
   }
   return "";
 }
@@ -203,14 +208,18 @@ void require_coordinates(const std::string& name, const std::string& text, std::
                          std::to_string(most));
 }
 
-double turns_of(const std::string& text) {
+double count_of(const std::string& name, const std::string& text, std::int32_t most) {
   if (text.empty()) return 0;
-  const auto turns = csv_number(text);
-  if (!turns || *turns != std::floor(*turns) || *turns < 0 || *turns > command::most_extra_turns)
-    throw InputError(
-        "--turns", text,
-        "must be a whole number from 0 to " + std::to_string(command::most_extra_turns));
-  return *turns;
+  const auto count = csv_number(text);
+  if (!count || *count != std::floor(*count) || *count < 0 || *count > most)
+    throw InputError(name, text, "must be a whole number from 0 to " + std::to_string(most));
+  return *count;
+}
+
+double not_negative(const std::string& name, const std::string& text, const std::string& unit) {
+  const double value = text.empty() ? 0 : number_of(name, text, unit);
+  if (value < 0) throw InputError(name, text, "must be 0 or more");
+  return value;
 }
 
 /// The method; 0: as the axis is configured.
@@ -223,7 +232,7 @@ double method_of(const std::string& text) {
 }
 
 /// The number of captures of a touch probe; 1 if it is not given.
-double count_of(const std::string& text) {
+double captures_of(const std::string& text) {
   if (text.empty()) return 1;
   const auto count = csv_number(text);
   if (!count || *count != std::floor(*count) || *count < 0 || *count > 1e9)
@@ -340,9 +349,13 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
     case FieldRange::whole_nonzero:
       return ratio_of(text).second;
     case FieldRange::count:
-      return option == "turns"   ? turns_of(text)
-             : option == "count" ? count_of(text)
-                                 : method_of(text);
+      if (option == "method") return method_of(text);
+      if (option == "count") return captures_of(text);
+      return count_of(
+          name, text,
+          option == "turns" ? command::most_extra_turns : std::numeric_limits<std::int32_t>::max());
+    case FieldRange::not_negative:
+      return not_negative(name, text, unit);
     case FieldRange::trigger_input:
       return input_of(text);
     case FieldRange::trigger_edge:

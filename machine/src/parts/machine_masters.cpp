@@ -24,7 +24,8 @@ TrackerSpec tracker_of(const TrackingSpec& t) {
           .settle = t.settle,
           .latency = t.latency,
           .longest_age = t.longest_age,
-          .jump = t.jump};
+          .jump = t.jump,
+          .modulo = t.modulo};
 }
 
 ExecutorOptions* axis_named(const std::string& name, MachineParts& parts) {

@@ -160,16 +160,17 @@ std::string meant(const std::string& name, const std::vector<Leader>& leaders, c
   return near.empty() ? else_ : ": did you mean " + near + "?";
 }
 
-Follow resolved(const Read& axis, const std::vector<Leader>& axes,
+/// The leader with the names in the table `table` of the axis: "follow", "follow.second". `unit`: its
+/// required unit; "": any.
+Follow resolved(const Read& axis, const FollowWhom& whom, const std::string& table,
+                const std::string& unit, const std::vector<Leader>& axes,
                 const std::vector<Leader>& masters) {
-  if (!axis.follow) return {};
-  const FollowWhom& whom = *axis.follow;
   const bool of_master = !whom.master.empty();
   const std::string& name = of_master ? whom.master : whom.axis;
   const std::vector<Leader>& leaders = of_master ? masters : axes;
   const auto refuse = [&](const std::string& rule) {
     throw axis.said_in->located(
-        InputError(axis.key + (of_master ? "follow.master" : "follow.axis"), name, rule));
+        InputError(axis.key + table + (of_master ? ".master" : ".axis"), name, rule));
   };
   const auto leader = std::find_if(leaders.begin(), leaders.end(),
                                    [&](const Leader& one) { return one.name == name; });
@@ -180,20 +181,24 @@ Follow resolved(const Read& axis, const std::vector<Leader>& axes,
     refuse("is not an axis of this machine" +
            meant(name, leaders, ": give its spec to `jounce run` too"));
   if (!of_master && name == axis.spec.name) refuse("is this axis itself: name another axis");
-  if (!axis.spec.master_unit.empty() && axis.spec.master_unit != leader->unit)
-    refuse("has the unit " + leader->unit + ", but units.master of this axis is " +
-           axis.spec.master_unit + ": use the same unit");
+  if (!unit.empty() && unit != leader->unit)
+    refuse("has the unit " + leader->unit + ", but units.master of this axis is " + unit +
+           ": use the same unit");
   Follow follow = leader->follow;
   if (whom.actual) follow.what = Follow::What::actual;
   return follow;
 }
 
-/// Sets the master of an axis. Throws InputError for a registration without a master.
-void add_follow(const Read& axis, const Follow& follow, ExecutorOptions& executor) {
-  executor.follow = follow;
-  if (executor.axis.registration && follow.what == Follow::What::nothing)
+/// Sets the leaders of an axis. Throws InputError for a registration without a master.
+void set_leaders(ExecutorOptions& executor, const Read& axis, const std::vector<Leader>& axes,
+                 const std::vector<Leader>& masters) {
+  if (!axis.follow && executor.axis.registration)
     throw axis.spec.document.located(InputError(
         "registration", "", "needs a master: add [follow] to the axis or to its machine"));
+  if (!axis.follow) return;
+  executor.follow = resolved(axis, *axis.follow, "follow", axis.spec.master_unit, axes, masters);
+  for (const FollowWhom& second : axis.follow->second)
+    executor.second = resolved(axis, second, "follow.second", "", axes, masters);
 }
 
 /// A file that the machine's spec names.
@@ -291,8 +296,7 @@ MachineParts machine_parts(const MachineOptions& options) {
   if (machine)
     for (const MachineSpec::Group& group : machine->groups)
       machine_detail::add_machine_group(group, machine->document, options, parts);
-  for (std::size_t i = 0; i < read.size(); ++i)
-    add_follow(read[i], resolved(read[i], axes, masters), parts.axes[i]);
+  for (std::size_t i = 0; i < read.size(); ++i) set_leaders(parts.axes[i], read[i], axes, masters);
   if (options.notify)
     for (auto& axis : parts.axes) axis.notify = notice_of(options, axis, parts.axes.size());
   try {

@@ -6,6 +6,7 @@
 #include "jounce/design/axes.hpp"
 #include "jounce/design/over_time.hpp"
 #include "jounce/plot/input_figure.hpp"
+#include "jounce/plot/load_figure.hpp"
 #include "jounce/proof/drive_figures.hpp"
 #include "jounce/proof/follower_figure.hpp"
 #include "jounce/proof/loop_figures.hpp"
@@ -42,6 +43,14 @@ Input before_of(const FigureRequest& request, const Input& input) {
   return over(request.over, only_axis(std::move(all), request.before));
 }
 
+/// The figure, and below it torque and power of a [load].
+Figure with_load(Figure figure, const std::vector<Input>& inputs) {
+  if (inputs.size() > 1) return figure;
+  if (auto load = load_figure(inputs.front()))
+    for (Panel& panel : load->panels) figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
 }  // namespace
 
 Figure any_figure(const FigureRequest& request) {
@@ -54,7 +63,7 @@ Figure any_figure(const FigureRequest& request) {
   }
   if (request.follower)
     return follower_figure(inputs.front());  // a spec with [follower] has one axis
-  if (request.before.empty()) return figure_of(inputs);
+  if (request.before.empty()) return with_load(figure_of(inputs), inputs);
   if (inputs.size() > 1)
     throw InputError("before", request.before, "compares one axis: name it with --axis");
   return figure_of(inputs.front(), before_of(request, inputs.front()));

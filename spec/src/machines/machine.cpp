@@ -67,19 +67,28 @@ void read_body(TomlReader& top, MachineSpec& machine) {
   top.finish();
 }
 
+FollowWhom read_leader(TomlReader& table) {
+  FollowWhom whom;
+  if (table.has("axis") == table.has("master"))
+    table.fail("axis", "", "cannot be combined with master: an axis follows one of the two");
+  if (table.has("master")) {
+    whom.master = table.text("master");
+  } else {
+    whom.axis = table.text("axis");
+    whom.actual = table.optional_choice("of", sides).value_or(0) == 1;
+  }
+  return whom;
+}
+
 }  // namespace
 
 std::optional<FollowWhom> spec_detail::read_whom(TomlReader& owner) {
   auto table = owner.optional_table("follow");
   if (!table) return std::nullopt;
-  FollowWhom whom;
-  if (table->has("axis") == table->has("master"))
-    table->fail("axis", "", "cannot be combined with master: an axis follows one of the two");
-  if (table->has("master")) {
-    whom.master = table->text("master");
-  } else {
-    whom.axis = table->text("axis");
-    whom.actual = table->optional_choice("of", sides).value_or(0) == 1;
+  FollowWhom whom = read_leader(*table);
+  if (auto second = table->optional_table("second")) {
+    whom.second.push_back(read_leader(*second));
+    second->finish();
   }
   table->finish();
   return whom;

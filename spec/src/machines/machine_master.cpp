@@ -56,6 +56,7 @@ TrackingSpec read_tracking(TomlReader& reader, const std::string& unit) {
   if (tracking.latency < 0)
     reader.fail("latency", number(tracking.latency), "must not be negative");
   may(reader, "jump", unit, tracking.jump);
+  may(reader, "modulo", unit, tracking.modulo);
   return tracking;
 }
 

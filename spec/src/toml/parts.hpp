@@ -90,7 +90,7 @@ std::optional<AxisSpec::Homing> read_homing(TomlReader& top, const Units& units)
 /// Reads [registration], if it exists.
 std::optional<LiveRegistrationSpec> read_registration(TomlReader& top, const Units& units,
                                                       const std::string& master_unit);
-/// Reads [follow]: the master of an axis.
+/// Reads [follow], the master of an axis, and in it the table `second`, its second master.
 std::optional<FollowWhom> read_whom(TomlReader& owner);
 /// Reads [master.NAME]: the masters of a machine.
 std::vector<MachineMasterSpec> read_masters(TomlReader& top);

@@ -19,6 +19,7 @@
 #include "jounce/axis/outputs.hpp"
 #include "jounce/axis/path_player.hpp"
 #include "jounce/axis/position_history.hpp"
+#include "jounce/axis/repetition.hpp"
 #include "jounce/axis/superimposed_move.hpp"
 #include "jounce/axis/supervision.hpp"
 #include "jounce/axis/touch_probe.hpp"
@@ -186,7 +187,7 @@ class MotionAxis {
 
   // axis.cpp: one tick
   void take(const Inputs& inputs);
-  void see_renamed(double by);
+  void see_renamed(const Inputs& before);
   void watch();
   void play();
   Cause advance(Setpoint& next);
@@ -203,7 +204,7 @@ class MotionAxis {
   [[nodiscard]] bool on_path() const { return base_ == Base::path; }
   [[nodiscard]] Movement* active() const;
   [[nodiscard]] MotionState last() const;
-  [[nodiscard]] Moment moment() const { return {0, dt(), inputs_.master}; }
+  [[nodiscard]] Moment moment() const { return {0, dt(), inputs_.master, inputs_.second_master}; }
   [[nodiscard]] double dt() const { return seconds((now_.skipped + 1) * config_.period); }
   [[nodiscard]] double requested_rate() const;
   [[nodiscard]] PathRequest request() const;
@@ -271,6 +272,19 @@ class MotionAxis {
   void add_correction(Setpoint& next) const;
   void probe();
 
+  // axis_phasing.cpp: the phase shift of a coupling
+  Rejection act(const command::PhasingAbsolute& what);
+  Rejection act(const command::PhasingRelative& what);
+  Rejection shift_phase(double target, const MoveDynamics& dynamics);
+
+  // axis_strokes.cpp: repetitive moves, and changes of the velocity of a move
+  Rejection act(const command::MoveRepetitive& what);
+  Rejection act(const command::ChangeVelocity& what);
+  Cause begin_strokes();
+  [[nodiscard]] bool repeats() const;
+  Rejection change_velocity(double velocity, const TimedState& from, double ahead);
+  void change_if_passed();
+
   // axis_homing.cpp: the search for the home position
   void seek();
   void find_home();
@@ -283,7 +297,8 @@ class MotionAxis {
   void begin_due();
   [[nodiscard]] std::optional<Moment> begins_at();
   [[nodiscard]] std::optional<Moment> crossing() const;
-  [[nodiscard]] std::optional<Refusal> too_fast(double master_velocity) const;
+  [[nodiscard]] std::optional<Refusal> against_demand(const Moment& start) const;
+  [[nodiscard]] double followed_ratio() const;
   [[nodiscard]] Refusal begin_refusal(Cause no, const MotionState& state) const;
   [[nodiscard]] std::optional<Refusal> against_switch(const Movement& path) const;
   void begin_pending(const Moment& at);
@@ -356,9 +371,11 @@ class MotionAxis {
   PathPlayer path_;
   LivePlayer live_;
   MovePlayer move_;
-  SuperimposedMove above_;        // superimposed on the motion
-  WaitingMoves next_;             // moves that wait for the end of the motion
-  std::optional<Command> later_;  // the command that waits for its tick
+  SuperimposedMove above_;                         // superimposed on the motion
+  WaitingMoves next_;                              // moves that wait for the end of the motion
+  std::optional<Command> later_;                   // the command that waits for its tick
+  std::optional<Repetition> repetition_;           // strokes of the move
+  std::optional<command::ChangeVelocity> change_;  // waits until the move passes its position
 
   Ending ending_ = Ending::none;
   double factor_ = 1;  // override

@@ -45,12 +45,8 @@ struct Stop {
 struct Abort {
   static constexpr auto kind = CommandKind::abort;
 };
-/// Ends a repeating table at the end of its present pass (Agito StopRep).
-struct Finish {
-  static constexpr auto kind = CommandKind::finish;
-};
-/// Starts a live movement without arming it first, even in motion: the executor's form of GearIn
-/// and GearInPos.
+/// Starts a live movement without arming it first, even in motion: the executor's form of GearIn,
+/// GearInPos and CombineAxes.
 struct Couple {
   static constexpr auto kind = CommandKind::gear_in;
   Movement* movement = nullptr;  ///< must live until the axis returns it
@@ -78,8 +74,8 @@ namespace jounce {
 
 /// The commands that an axis executes.
 using AxisCommand = Extended<SharedCommand, command::None, command::Arm, command::Disarm,
-                             command::Start, command::Stop, command::Abort, command::Finish,
-                             command::Couple, command::Release, command::Extend>::after;
+                             command::Start, command::Stop, command::Abort, command::Couple,
+                             command::Release, command::Extend>::after;
 static_assert(std::is_trivially_copyable_v<AxisCommand>);
 
 /// Returns the movement of an Arm, a Couple or an Extend; null for other commands.

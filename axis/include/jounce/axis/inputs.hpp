@@ -114,7 +114,10 @@ struct Inputs {
   /// Sum of all changes of the master by set_position so far, m. An active coupling uses the
   /// coordinate in which it was engaged.
   double master_offset = 0;
-  Feedback feedback = {};  ///< feedback of the drive
+  /// The second master of the axis, for command::CombineAxes: like `master`.
+  Jet second_master = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
+  double second_offset = 0;  ///< like master_offset, for the second master
+  Feedback feedback = {};    ///< feedback of the drive
   /// True if the positive limit switch is active. The axis also uses the switches in
   /// feedback.sensors.
   bool positive_switch = false;

@@ -48,6 +48,7 @@ class LiveCam final : public Movement {
   }
   [[nodiscard]] double place() const noexcept override { return place_; }
   [[nodiscard]] bool passes() const noexcept override { return true; }
+  [[nodiscard]] std::array<double, 3> slopes() const noexcept override { return slopes_; }
   [[nodiscard]] std::optional<Moment> pass_end(const Moment& now) const noexcept override;
 
   /// Number of periods of the cam that were completed since the start; a period that is passed
@@ -68,6 +69,7 @@ class LiveCam final : public Movement {
 
   std::shared_ptr<const Table> table_;
   Coupling coupling_;
+  std::array<double, 3> slopes_;
   Engaged engaged_;
   CamEnd end_;
   std::optional<Released> released_;

@@ -6,12 +6,13 @@
 
 #include "jounce/axis/axis_config.hpp"
 #include "jounce/axis/movement.hpp"
+#include "jounce/axis/phase_player.hpp"
 
 namespace jounce {
 
 /// Plays a movement that follows a live master. The movement counts time, and the coordinate of the
 /// master, from its own start. The player converts between these values and the present values of
-/// the axis.
+/// the axis. It adds the phase shift to the position of the master.
 ///
 ///     LivePlayer player(config.period);
 ///     player.begin(movement, tick);
@@ -22,18 +23,27 @@ namespace jounce {
 class LivePlayer {
  public:
   /// `period`: duration of a tick, ns.
-  explicit LivePlayer(std::int64_t period) noexcept : period_(period) {}
+  explicit LivePlayer(std::int64_t period) noexcept : period_(period), phase_(period) {}
 
   /// Begins to play the movement; its time is 0 in this tick. Call Movement::begin() first.
   void begin(Movement& movement, std::int64_t tick) noexcept {
     movement_ = &movement;
     origin_ = tick;
-    shift_ = 0;
+    shift_ = second_shift_ = 0;
+    phase_.end();
   }
   /// Ends the movement, if there is one.
-  void end() noexcept { movement_ = nullptr; }
-  /// Changes the coordinate of the master by this distance, m. The slave does not move.
+  void end() noexcept {
+    movement_ = nullptr;
+    phase_.end();
+  }
+  /// Changes the coordinate of the master, or of the second master, by this distance, m. The slave
+  /// does not move.
   void shift_master(double by) noexcept { shift_ += by; }
+  void shift_second(double by) noexcept { second_shift_ += by; }
+  /// The phase shift of the movement.
+  [[nodiscard]] PhasePlayer& phase() noexcept { return phase_; }
+  [[nodiscard]] const PhasePlayer& phase() const noexcept { return phase_; }
 
   /// The movement; null: none.
   [[nodiscard]] Movement* movement() const noexcept { return movement_; }
@@ -53,6 +63,7 @@ class LivePlayer {
     auto at = movement_->pass_end(to_movement(now, tick));
     if (!at) return at;
     at->t -= since(tick);
+    add_phase(at->master, -1, tick, at->t);
     at->master[0] += shift_;
     return at;
   }
@@ -62,15 +73,24 @@ class LivePlayer {
     return seconds((tick - origin_) * period_);
   }
   [[nodiscard]] Moment to_movement(Moment now, std::int64_t tick) const noexcept {
+    add_phase(now.master, 1, tick, now.t);
     now.t += since(tick);
     now.master[0] -= shift_;
+    now.second[0] -= second_shift_;
     return now;
+  }
+  void add_phase(Jet& master, double sign, std::int64_t tick, double t) const noexcept {
+    if (!phase_.shifts()) return;
+    const Jet phase = phase_.at(tick, t);
+    for (std::size_t k = 0; k < master.size(); ++k) master[k] += sign * phase[k];
   }
 
   std::int64_t period_;
   Movement* movement_ = nullptr;
   std::int64_t origin_ = 0;  // tick in which the time of the movement is 0
   double shift_ = 0;         // change of the master's coordinate since that tick, m
+  double second_shift_ = 0;  // likewise, of the second master
+  PhasePlayer phase_;
 };
 
 }  // namespace jounce

@@ -43,6 +43,7 @@ struct MachineAxis {
   AxisCompare compare = {};    ///< position compare
   /// A group is a virtual axis: its position is the length along its path. nullopt: a single axis.
   std::optional<AxisGroup> group = {};
+  Follow second = {};  ///< second live master, for command::CombineAxes
 };
 
 /// The process image of one axis: its inputs and its outputs in one tick.
@@ -112,10 +113,6 @@ class Machine {
   void step(std::int64_t tick, std::span<AxisImage> images, std::span<const Jet> masters = {});
 
  private:
-  [[nodiscard]] Jet master_of(std::size_t axis, std::span<const AxisImage> images,
-                              std::span<const Jet> masters) const;
-  [[nodiscard]] double master_offset_of(std::size_t axis, std::span<const AxisImage> images) const;
-
   std::vector<MachineAxis> axes_;
   std::size_t masters_;
   std::vector<MotionAxis> motion_;

@@ -7,6 +7,7 @@
 #include "jounce/axis/axis_config.hpp"
 #include "jounce/axis/move_plan.hpp"
 #include "jounce/axis/movement.hpp"
+#include "jounce/profiles/curve/modulo.hpp"
 #include "jounce/profiles/moves/profile.hpp"
 
 namespace jounce {
@@ -54,6 +55,14 @@ class MovePlayer {
   /// True if the move has ended.
   [[nodiscard]] bool is_over(std::int64_t tick) const noexcept { return beyond(tick) >= 0; }
 
+  /// Returns the time since the move passed this position, s, if it passed it after the tick `from`
+  /// and up to the tick `to`, in the given direction (shortest: in either). Otherwise returns
+  /// nullopt. Requires that the move does not reverse between the ticks.
+  [[nodiscard]] std::optional<double> passed(double position, Direction direction,
+                                             std::int64_t from, std::int64_t to) const noexcept;
+  /// Returns the state of the move `ago` s before the tick.
+  [[nodiscard]] MotionState state(std::int64_t tick, double ago) const noexcept;
+
   /// Returns the greatest magnitudes of the move, and of every move that is planned again with a
   /// factor up to max(factor, 1).
   [[nodiscard]] Peaks peaks_up_to(double factor) const noexcept;
@@ -62,6 +71,7 @@ class MovePlayer {
   bool adopt(const std::optional<Profile>& profile, const TimedState& from, const Goal& goal,
              double ahead) noexcept;
   [[nodiscard]] double time(std::int64_t tick) const noexcept;
+  [[nodiscard]] double position(double t) const noexcept;
 
   std::int64_t period_;
   Goal goal_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -32,6 +34,9 @@ struct Moment {
   double t = 0;     ///< time of the movement, s; see Course
   double dt = 0;    ///< time since the previous step, s: more than a period if ticks were skipped
   Jet master = {};  ///< live master of the axis: m, m/s, ...; NaN: no master, or lost
+  Jet second = {};  ///< second live master of the axis, like `master`
+  /// At a start: the ratio at which the axis follows its master up to now, u/m; 0: it does not.
+  double ratio = 0;
 };
 
 /// Independent variable of a movement. It determines how the axis holds, slows down and stops the
@@ -134,9 +139,19 @@ class Movement {
     return std::numeric_limits<double>::quiet_NaN();
   }
   /// For a gear: the velocity of the slave divided by that of the master, when it is engaged, u/m;
-  /// for any other movement 0. The axis rejects the start of a gear that would exceed its velocity
-  /// limit at the present velocity of the master.
+  /// for any other movement 0.
   [[nodiscard]] virtual double ratio() const noexcept { return 0; }
+  /// For a live movement: the greatest magnitudes that the slave needs at the start `start`, after
+  /// begin(), if its master keeps its velocity. The axis rejects a start that needs more than its
+  /// limits. By default, the velocity of a gear that is engaged.
+  [[nodiscard]] virtual Peaks demand(const Moment& start) const noexcept {
+    return {.velocity = std::abs(ratio() * start.master[1])};
+  }
+  /// For a live movement: the greatest magnitudes of the first three derivatives of the slave with
+  /// respect to its master, u/m, u/m^2, u/m^3, which limit a phase shift (phase_player.hpp).
+  [[nodiscard]] virtual std::array<double, 3> slopes() const noexcept {
+    return {std::abs(ratio()), 0, 0};
+  }
   /// For a live movement: true if the axis keeps its velocity when the movement ends; false if it
   /// comes to rest.
   [[nodiscard]] virtual bool keeps_velocity() const noexcept { return false; }

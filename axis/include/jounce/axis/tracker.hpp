@@ -23,6 +23,10 @@ struct TrackerSpec {
   double longest_age = 0.1;  ///< time without a measurement after which the master is lost, s, > 0
   /// A measurement further than this from the estimate is a jump, m; 0: velocity * longest_age.
   double jump = 0;
+  /// Period of the measured position, m: a modulo encoder, whose position repeats after each turn.
+  /// The master counts the turns. Between two measurements, the position must deviate from the
+  /// extrapolation by less than half a period. 0: the position does not repeat.
+  double modulo = 0;
 };
 
 /// Throws InputError for a value out of range.
@@ -84,6 +88,8 @@ class Tracked {
 
   TrackerSpec spec_;
   double seen_ = std::numeric_limits<double>::quiet_NaN();
+  /// Last measurement, with its turns, m; it remains after a loss.
+  double last_ = std::numeric_limits<double>::quiet_NaN();
   Estimate estimate_;
   bool following_ = false;  // the output follows the estimate
   double time_ = 0;         // time of the output

@@ -98,6 +98,9 @@ enum class Cause : std::uint8_t {
   no_touch_probe = 77,
   probe_window = 78,
 
+  // Moves and jogs: rejected commands.
+  not_a_move = 79,
+
   // Reasons why the last motion ended without a fault; none: it reached its end.
   stopped = 80,
   halted = 81,

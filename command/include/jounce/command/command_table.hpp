@@ -39,6 +39,8 @@ struct CommandInfo {
 
 /// Returns one row for each command, in the order of CommandKind.
 std::span<const CommandInfo> all_commands();
+/// Returns the rows of the commands that a client sends, in the order of their numbers.
+std::span<const CommandInfo* const> sent_commands();
 /// Returns the row of a command.
 const CommandInfo& info(CommandKind kind);
 

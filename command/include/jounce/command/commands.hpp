@@ -113,10 +113,15 @@ enum class CommandKind : std::uint8_t {
   move_direct_relative,
   group_wait,
   group_jog,
+  phasing_absolute,
+  phasing_relative,
+  combine_axes,
+  change_velocity,
+  move_repetitive,
   touch_probe,
   abort_trigger,
 };
-inline constexpr std::size_t command_kinds = 41;  ///< number of kinds
+inline constexpr std::size_t command_kinds = 46;  ///< number of kinds
 
 }  // namespace jounce
 
@@ -319,6 +324,56 @@ constexpr void each_field(C& c, F f) {
   f(hold_to_run, c.hold_to_run);
 }
 
+/// Moves between the present position and `position`, again and again (MotionMode 2 of Agito). Ends
+/// with a Finish, a stop or another motion, or after a number of strokes.
+struct MoveRepetitive {
+  static constexpr auto kind = CommandKind::move_repetitive;
+  double position = 0;         ///< the other end of the strokes, u
+  MoveDynamics dynamics = {};  ///< of each stroke
+  double wait = 0;             ///< rest between two strokes (RptWait of Agito), s
+  std::int32_t strokes = 0;    ///< number of strokes, each from one end to the other; 0: no limit
+};
+template <Of<MoveRepetitive> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"position", Quantity::position, FieldRange::finite, "to", "Move to this position"},
+    c.position);
+  each_field(c.dynamics, f);
+  f(Field{"wait", Quantity::time, FieldRange::not_negative, "wait",
+          "repeat: rest between two strokes, s; default: 0"},
+    c.wait);
+  f(Field{"strokes", Quantity::none, FieldRange::count, "strokes",
+          "repeat: end after this number of strokes; default: strokes until finish or halt"},
+    c.strokes);
+}
+
+/// Finishes the present stroke of a repetitive move, or the present pass of a table that repeats.
+/// The axis then rests (StopRep of Agito).
+struct Finish {
+  static constexpr auto kind = CommandKind::finish;
+};
+
+/// Changes the velocity of the present move. The move keeps its target, or its direction. The
+/// change takes effect at once, or when the axis passes a position (SpeedChgPos, SpeedChgNew and
+/// SpeedChgDir of Agito).
+struct ChangeVelocity {
+  static constexpr auto kind = CommandKind::change_velocity;
+  double velocity = as_configured;  ///< new velocity: a magnitude, u/s; must be given
+  double position = as_configured;  ///< position of the change, u; NaN: at once
+  /// positive or negative: only if the axis passes the position in this direction; shortest: in
+  /// either direction.
+  Direction direction = Direction::shortest;
+};
+template <Of<ChangeVelocity> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"velocity", Quantity::velocity, FieldRange::positive, "VALUE"}, c.velocity);
+  f(Field{"position", Quantity::position, FieldRange::given, "past",
+          "change-velocity: when the setpoint passes this position; default: at once"},
+    c.position);
+  f(Field{"direction", Quantity::none, FieldRange::direction, "direction",
+          "With --past: only if the axis passes the position in this direction"},
+    c.direction);
+}
+
 /// Brings the axis to rest. Any other motion can interrupt a halt at once, unlike a stop.
 struct Halt {
   static constexpr auto kind = CommandKind::halt;
@@ -335,12 +390,18 @@ struct GearIn {
   std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
   std::int32_t denominator = 0;
   MoveDynamics dynamics = {};  ///< the member `velocity` is not used
+  /// Travel of the master during which the ratio changes, m (masterSlope of Googol); 0: a ramp over
+  /// time, by `dynamics`.
+  double clutch = 0;
 };
 template <Of<GearIn> C, class F>
 constexpr void each_field(C& c, F f) {
   f(numerator, c.numerator);
   f(denominator, c.denominator);
   each_field_of_ramp(c.dynamics, f);
+  f(Field{"clutch", Quantity::master, FieldRange::not_negative, "clutch",
+          "gear-in: change the ratio during this distance of the master, not by a ramp over time"},
+    c.clutch);
 }
 
 /// Couples the axis to its live master at a ratio, so that the axis is in step, at its own sync
@@ -371,6 +432,62 @@ constexpr void each_field(C& c, F f) {
   f(Field{"avoid reversal", Quantity::none, FieldRange::flag, "avoid-reversal",
           "gear-in-pos: reject a motion against the direction of the gear"},
     c.avoid_reversal);
+}
+
+/// Couples the axis to the sum of its two live masters, each at a ratio (MC_CombineAxes): the axis
+/// moves by numerator / denominator for each m of its master, plus second_numerator /
+/// second_denominator for each m of its second master. A negative ratio subtracts. The axis engages
+/// as with GearIn.
+struct CombineAxes {
+  static constexpr auto kind = CommandKind::combine_axes;
+  std::int32_t numerator = 0;  ///< the denominators must not be 0
+  std::int32_t denominator = 0;
+  std::int32_t second_numerator = 0;
+  std::int32_t second_denominator = 0;
+  MoveDynamics dynamics = {};  ///< the member `velocity` is not used
+};
+template <Of<CombineAxes> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(numerator, c.numerator);
+  f(denominator, c.denominator);
+  f(Field{"numerator of the second master", Quantity::none, FieldRange::whole, "second",
+          "combine: ratio to the second master, such as 1:2; negative: subtract its motion"},
+    c.second_numerator);
+  f(Field{"denominator of the second master", Quantity::none, FieldRange::whole_nonzero, "second"},
+    c.second_denominator);
+  each_field_of_ramp(c.dynamics, f);
+}
+
+/// Shifts the position of the live master, as the axis sees it: the axis moves ahead of its master
+/// or behind it, and stays coupled (MC_PhasingAbsolute, MC_PhasingRelative). A phase shift counts
+/// from the beginning of the coupling. `dynamics` are those of the shift, in units of the master; a
+/// value that is not given is what the limits of the axis permit.
+template <bool relative_>
+struct Phasing {
+  static constexpr bool relative = relative_;
+  static constexpr auto kind =
+      relative ? CommandKind::phasing_relative : CommandKind::phasing_absolute;
+  double shift = 0;  ///< phase shift after the command, or its change, m
+  MoveDynamics dynamics = {};
+};
+using PhasingAbsolute = Phasing<false>;
+using PhasingRelative = Phasing<true>;
+template <class C, class F>
+requires(Of<C, PhasingAbsolute> || Of<C, PhasingRelative>)  //
+    constexpr void each_field(C& c, F f) {
+  const auto as_of_master = [](Field field, Quantity quantity) {
+    field.quantity = quantity;
+    return field;
+  };
+  f(C::relative
+        ? Field{"change of the phase shift", Quantity::master, FieldRange::finite, "by",
+                "Move by this distance"}
+        : Field{"phase shift", Quantity::master, FieldRange::finite, "to", "Move to this position"},
+    c.shift);
+  f(as_of_master(velocity, Quantity::master_velocity), c.dynamics.velocity);
+  f(as_of_master(acceleration, Quantity::master_acceleration), c.dynamics.acceleration);
+  f(as_of_master(deceleration, Quantity::master_acceleration), c.dynamics.deceleration);
+  f(as_of_master(jerk, Quantity::master_jerk), c.dynamics.jerk);
 }
 
 /// Leaves the gear; the axis keeps its velocity.
@@ -638,7 +755,9 @@ using SharedCommand =
                  command::Home, command::Hold, command::Resume, command::Override,
                  command::MoveAbsolute, command::MoveRelative, command::MoveAdditive,
                  command::MoveSuperimposed, command::MoveVelocity, command::Halt, command::GearOut,
-                 command::CamOut, command::TouchProbe, command::AbortTrigger>;
+                 command::CamOut, command::Finish, command::MoveRepetitive, command::ChangeVelocity,
+                 command::PhasingAbsolute, command::PhasingRelative, command::TouchProbe,
+                 command::AbortTrigger>;
 
 /// A command that a client sends to an axis.
 ///
@@ -649,7 +768,7 @@ using ClientCommand =
              command::MoveLinearAbsolute, command::MoveLinearRelative,
              command::MoveCircularAbsolute, command::MoveCircularRelative,
              command::MoveDirectAbsolute, command::MoveDirectRelative, command::GroupWait,
-             command::GroupJog>::type;
+             command::GroupJog, command::CombineAxes>::type;
 static_assert(std::is_trivially_copyable_v<ClientCommand>);
 
 /// Returns the kind of a command in any variant of commands.

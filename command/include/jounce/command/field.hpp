@@ -10,13 +10,16 @@ namespace jounce {
 /// Physical quantity of a field, which determines its unit: u is the unit of the axis, m the unit
 /// of its master.
 enum class Quantity : std::uint8_t {
-  none,          ///< a plain number
-  position,      ///< u
-  velocity,      ///< u/s
-  acceleration,  ///< u/s^2
-  jerk,          ///< u/s^3
-  master,        ///< m
-  time,          ///< s
+  none,                 ///< a plain number
+  position,             ///< u
+  velocity,             ///< u/s
+  acceleration,         ///< u/s^2
+  jerk,                 ///< u/s^3
+  master,               ///< m
+  time,                 ///< s
+  master_velocity,      ///< m/s
+  master_acceleration,  ///< m/s^2
+  master_jerk,          ///< m/s^3
 };
 
 /// Permitted values of a field. words() in command_values.hpp returns a description of each range.
@@ -35,6 +38,7 @@ enum class FieldRange : std::uint8_t {
   count,          ///< a whole number from 0 to 2147483647
   trigger_input,  ///< 1 to 6
   trigger_edge,   ///< 0 to 2
+  not_negative,   ///< 0 or more
 };
 
 /// One field of a command.

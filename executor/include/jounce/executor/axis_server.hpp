@@ -88,6 +88,8 @@ class AxisServer {
   void obey(const command::GearIn& gear, const CommandRequested& requested, const Request& request);
   void obey(const command::GearInPos& gear, const CommandRequested& requested,
             const Request& request);
+  void obey(const command::CombineAxes& gear, const CommandRequested& requested,
+            const Request& request);
   void obey(const command::QueueSwitch& what, const CommandRequested& requested,
             const Request& request);
   void obey(const command::QueueClear& what, const CommandRequested& requested,

@@ -34,6 +34,7 @@ struct ExecutorOptions {
   AxisSwitches switches = {};             ///< cam switches
   AxisCompare compare = {};               ///< position compare
   Follow follow = {};                     ///< live master of the axis
+  Follow second = {};                     ///< its second live master, for command::CombineAxes
   std::shared_ptr<AxisDrive> drive = {};  ///< drive that receives the setpoints; null: no drive
   Units units{};  ///< units of the axis; tables in other units are rejected; empty: not checked
   ReceiverOptions receiver{};  ///< options of its receiver, with the name of the axis

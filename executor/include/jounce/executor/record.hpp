@@ -71,7 +71,7 @@ struct RecordedJob {
 struct RecordedGear {
   std::size_t axis = 0;                    ///< index of the axis
   std::uint64_t id = 0;                    ///< id of the movement
-  ClientCommand gear = command::GearIn{};  ///< the command, GearIn or GearInPos
+  ClientCommand gear = command::GearIn{};  ///< the command: GearIn, GearInPos, CombineAxes
   double position = 0;                     ///< position of the slave, u
 };
 

@@ -21,6 +21,7 @@ struct TrackingSpec {
   double settle = 0.01;         ///< s, time in which the output returns to the estimate
   double latency = 0;           ///< s, additional age of each measurement when it arrives
   double longest_age = 0.1;     ///< s, time without a measurement after which the master is lost
+  double modulo = 0;            ///< u, period of the measured position; 0: it does not repeat
   double jump = 0;  ///< u, a greater step between measurements is a jump; 0: velocity * longest_age
 };
 

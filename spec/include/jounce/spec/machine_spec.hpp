@@ -15,6 +15,9 @@ struct FollowWhom {
   std::string axis = {};    ///< another axis of the same machine
   bool actual = false;      ///< true: the actual position of its drive; false: its setpoint
   std::string master = {};  ///< a master of the machine, instead of `axis`
+  /// The second leader, for `jounce order NAME combine`: the key `second`, with the same keys. At
+  /// most one.
+  std::vector<FollowWhom> second = {};
 };
 
 /// A spec of kind "machine": the axes that `jounce run` computes in one cycle.

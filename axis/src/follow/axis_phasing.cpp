@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "jounce/axis/axis.hpp"
+
+// The phase shift of an axis that follows a live master.
+
+namespace jounce {
+
+MotionAxis::Rejection MotionAxis::shift_phase(double target, const MoveDynamics& dynamics) {
+  if (base_ != Base::live) return Refusal{Cause::no_master_input};
+  if (!std::isfinite(target)) return Refusal{Cause::no_value, target};
+  const Peaks engaging = live_->peaks();
+  const Peaks above = above_.peaks();
+  const PhaseBase base{live_->slopes(),
+                       inputs_.master,
+                       {.velocity = engaging.velocity + above.velocity,
+                        .acceleration = engaging.acceleration + above.acceleration,
+                        .jerk = engaging.jerk + above.jerk}};
+  return live_.phase().begin(now_.tick, target, dynamics, base, config_);
+}
+
+MotionAxis::Rejection MotionAxis::act(const command::PhasingAbsolute& what) {
+  return shift_phase(what.shift, what.dynamics);
+}
+
+MotionAxis::Rejection MotionAxis::act(const command::PhasingRelative& what) {
+  return shift_phase(live_.phase().at(now_.tick)[0] + what.shift, what.dynamics);
+}
+
+}  // namespace jounce
