@@ -18,6 +18,7 @@ constexpr Cause syn = Cause::synchronized;
 constexpr Cause uns = Cause::not_synchronized;
 constexpr Cause stp = Cause::stopping;
 constexpr Cause nil = Cause::no_movement;
+constexpr Cause ncp = Cause::no_cut_plan;
 
 // clang-format off
 //                          dis  sta  dsc  syn  stp  err  cnt  hom
@@ -31,6 +32,7 @@ constexpr ByState places   {ok,  ok,  mov, syn, mov, err, mov, mov};
 constexpr ByState holds    {off, nil, ok,  ok,  stp, err, ok,  mov};
 constexpr ByState finishes {off, nil, ok,  ok,  stp, err, nil, mov};
 constexpr ByState uncouples{off, uns, uns, ok,  stp, err, uns, uns};
+constexpr ByState cuts     {off, ncp, ncp, ok,  stp, err, ncp, ncp};
 // clang-format on
 
 constexpr CommandSender own = CommandSender::owner;
@@ -105,6 +107,8 @@ constexpr std::array rows{
         "MC_MoveDirectRelative", own, begins, moves),
     sent<command::GroupWait>("group_wait", 28, "wait", "", own, begins, moves),
     sent<command::GroupJog>("group_jog", 29, "jog", "", own, begins, moves),
+    sent<command::Cut>("cut", 30, "cut", "", own, cuts),
+    sent<command::Park>("park", 31, "park", "", own, cuts),
 };
 // clang-format on
 

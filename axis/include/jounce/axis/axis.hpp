@@ -225,6 +225,8 @@ class MotionAxis {
   Rejection act(const command::Couple& what);
   Rejection act(const command::GearOut& /*out*/) { return decouple(); }
   Rejection act(const command::CamOut& /*out*/) { return decouple(); }
+  Rejection act(const command::Cut& what);
+  Rejection act(const command::Park& it);
   Rejection act(const command::Release& /*it*/) { return end_motion(Ending::release); }
   Rejection act(const command::Extend& what);
   Rejection power(bool on);
@@ -292,6 +294,8 @@ class MotionAxis {
   bool replan_move();
   void brake(double deceleration);
   void leave(Goal::Kind kind);
+
+  // axis_cut.cpp: act() of Cut and Park
 
   // axis_buffer.cpp: commands that wait for a tick, and moves that wait for the present motion
   Rejection postpone(const Command& command);

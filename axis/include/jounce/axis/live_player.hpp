@@ -34,6 +34,8 @@ class LivePlayer {
   void end() noexcept { movement_ = nullptr; }
   /// Changes the coordinate of the master by this distance, m. The slave does not move.
   void shift_master(double by) noexcept { shift_ += by; }
+  /// The sum of these changes since the start of the movement, m.
+  [[nodiscard]] double master_shift() const noexcept { return shift_; }
 
   /// The movement; null: none.
   [[nodiscard]] Movement* movement() const noexcept { return movement_; }

@@ -13,6 +13,7 @@
 namespace jounce {
 
 struct AxisConfig;
+class LiveCuts;
 
 /// The commanded point of an axis at one instant. Units: u is the unit of the axis, m the unit of
 /// its master.
@@ -147,6 +148,8 @@ class Movement {
   [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
     return std::nullopt;
   }
+  /// For a plan of cuts: the plan; otherwise null.
+  [[nodiscard]] virtual LiveCuts* cuts() noexcept { return nullptr; }
   /// For a path: the length of one run of its table (a pass), s of path time; 0 for a stream of
   /// rows.
   [[nodiscard]] virtual double pass() const noexcept { return 0; }

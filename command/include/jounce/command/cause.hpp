@@ -91,6 +91,13 @@ enum class Cause : std::uint8_t {
   axis_away = 73,
   not_a_group = 74,
 
+  // Cuts: rejected commands.
+  no_cut_plan = 90,
+  cut_length = 91,
+  cut_position = 92,
+  cut_pending = 93,
+  web_stands = 94,
+
   // Reasons why the last motion ended without a fault; none: it reached its end.
   stopped = 80,
   halted = 81,

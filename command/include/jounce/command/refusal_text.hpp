@@ -9,7 +9,8 @@ namespace jounce {
 
 /// Returns Refusal::text() with units: "velocity_limit: The motion exceeds the velocity limit of
 /// the axis: 678.45 mm/s at 0.61 s, limit 500 mm/s." `unit`: unit of the axis's position; "": no
-/// unit.
-std::string text(const Refusal& refusal, const std::string& unit);
+/// unit. `master_unit`: unit of the position of its master.
+std::string text(const Refusal& refusal, const std::string& unit,
+                 const std::string& master_unit = "");
 
 }  // namespace jounce
