@@ -263,6 +263,8 @@ constexpr std::array entries{
           "The web does not move forward, so no next cut is possible at once.",
           "Give the position of the cut (--position), or repeat the command when the web moves "
           "forward."},
+    Entry{Cause::cutter_away, "cutter_away", "The cutter does not stand at its home position.",
+          "Move the axis to its home position: `jounce order NAME move --to POSITION`."},
 };
 
 /// True for the rejections with a measured value and a limit.
@@ -354,8 +356,11 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
            " is not in this direction from " + six_digits(refusal.limit) + unit_of(cause, unit) +
            ".";
   if (is_cut(cause)) return words + ": " + cut_text(refusal, master_unit) + ".";
-  if (!is_measured(cause)) return words + ".";
+  if (!is_measured(cause) && cause != Cause::cutter_away) return words + ".";
   const auto shown = [&](double number) { return six_digits(number) + unit_of(cause, unit); };
+  if (cause == Cause::cutter_away)
+    return words + ": home is at " + shown(refusal.value) + ", the axis at " +
+           shown(refusal.limit) + ".";
   if (cause == Cause::start_position)
     return words + ": " +
            (std::isnan(refusal.value) ? "" : "it begins at " + shown(refusal.value) + "; ") +

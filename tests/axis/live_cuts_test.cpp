@@ -267,8 +267,9 @@ TEST(LiveCuts, BeginsAtHomeOnly) {
   const Tick tick = site.step({command::Couple{&site.cuts}});
   const auto& no = tick.refused ? tick.refused : tick.dropped;
   ASSERT_TRUE(no.has_value());
-  EXPECT_EQ(no->cause, Cause::start_position);
+  EXPECT_EQ(no->cause, Cause::cutter_away);
   EXPECT_NEAR(no->value, pi, 1e-12) << "the nearest home position";
+  EXPECT_EQ(no->limit, 0.5);
 }
 
 TEST(LiveCuts, RenamedMasterShiftsItsPositions) {

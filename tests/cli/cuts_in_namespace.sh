@@ -37,9 +37,9 @@ until "$1" order shear cut --position ${demand}mm > answer 2>&1; do
   demand=$((demand + 1))
 done
 refused 'cut_pending' "$1" order shear cut --position 9000mm
-sleep 6
-"$1" order shear cut || fail "no cut as soon as possible"
-sleep 1
+sleep 6.5
+"$1" order shear cut > answer 2>&1 || grep -q cut_pending answer || fail "no cut as soon as possible: $(cat answer)"
+sleep 1.6
 "$1" order shear park || fail "the shear does not park"
 "$1" order knife park || fail "the knife does not park"
 wait $executor || { cat said; fail "the run ended badly"; }
@@ -47,6 +47,6 @@ wait $executor || { cat said; fail "the run ended badly"; }
 soonest=$(sed -n 's/^ *next cut *\([0-9.]*\) mm.*/\1/p' report)
 /usr/bin/python3 "$here/judge_cuts.py" run.shear.csv --slope 1 --turn 0 --sync 150 --velocity 2000 --acceleration 10000 \
   --home 0 --first 600 --lengths 1300,1400 --demand "$demand" --soonest "$soonest" || fail "the shear"
-/usr/bin/python3 "$here/judge_cuts.py" run.knife.csv --slope 1.1999116128394203 --turn 360 --sync 16.6 --velocity 4800 \
+/usr/bin/python3 "$here/judge_cuts.py" run.knife.csv --slope 1.1999116128394203 --turn 360 --sync 16.6 --velocity 6000 \
   --acceleration 171887.4 --home 180 --first 311.9277372439294 --lengths 250,800,120,400 || fail "the knife"
 "$1" replay run.lcmlog || fail "the replay differs"

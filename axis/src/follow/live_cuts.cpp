@@ -48,7 +48,7 @@ Cause LiveCuts::begin(const MotionState& axis, const Moment& now) noexcept {
   const double turn = task_->cutter.turn();
   base_ = turn > 0 ? std::round(axis.position / turn + 0.5) * turn : 0;
   place_ = base_ + task_->cutter.home() - turn;
-  if (!(std::abs(axis.position - place_) <= near_)) return Cause::start_position;
+  if (!(std::abs(axis.position - place_) <= near_)) return Cause::cutter_away;
   plan_ = CutPlan(task_, now.master[0]);
   parks_ = false;
   home_.reset();

@@ -104,10 +104,13 @@ void add_speeds(std::vector<SyncFigure>& all, const Spec& spec) {
   const CutLengths cuts = cut_lengths(spec);
   const double line = spec.master->velocity;
   const CutLimits limits{spec.slave, std::numeric_limits<double>::infinity()};
-  if (const auto least = cuts.shortest(line, limits))
+  if (const auto least = cuts.shortest(line, limits)) {
+    const std::string limit = cuts.fastest(*least, limits).limit;
     all.push_back({"shortest cut", *least, spec.units.x,
-                   fmt::format("at {} {}, limited by the slave's {}", rounded(line),
-                               speed_unit(spec), cuts.fastest(*least, limits).limit)});
+                   fmt::format("at {} {}, ", rounded(line), speed_unit(spec)) +
+                       (limit == "length" ? "because no travel of the master is left for the return"
+                                          : "limited by the slave's " + limit)});
+  }
 }
 
 std::vector<SyncFigure> figures_of(const RotaryKnifeSpec& knife, const Spec& spec) {

@@ -34,7 +34,7 @@ class LiveCuts final : public Movement {
   /// `id` is the id of the motion in Tick::job. `config`: the axis, with its limits.
   LiveCuts(std::uint64_t id, std::shared_ptr<const CutTask> task, const AxisConfig& config);
 
-  /// Returns none, no_master_input, in_motion, or start_position if the axis does not stand at a home
+  /// Returns none, no_master_input, in_motion, or cutter_away if the axis does not stand at a home
   /// position of the cutter.
   Cause begin(const MotionState& axis, const Moment& now) noexcept override;
   Setpoint at(const Moment& now) noexcept override;

@@ -129,8 +129,8 @@ class Movement {
   /// For a path: true if its available part stays within the range that was checked at arming. If
   /// false, the axis checks before every setpoint that it can still stop within its limits.
   [[nodiscard]] virtual bool bounded() const noexcept { return true; }
-  /// After begin() returned Cause::start_position: the required position of the axis, u; NaN:
-  /// unknown.
+  /// After begin() returned Cause::start_position or Cause::cutter_away: the required position of
+  /// the axis, u; NaN: unknown.
   [[nodiscard]] virtual double place() const noexcept {
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -97,6 +97,7 @@ enum class Cause : std::uint8_t {
   cut_position = 92,
   cut_pending = 93,
   web_stands = 94,
+  cutter_away = 95,
 
   // Reasons why the last motion ended without a fault; none: it reached its end.
   stopped = 80,
