@@ -269,11 +269,44 @@ constexpr std::array entries{
     Entry{Cause::group_stopped, "group_stopped",
           "Another axis of the same start did not start, was stopped, or had a fault.",
           "Look at the other axes of this start: one of them reports the reason."},
+    Entry{Cause::no_cut_plan, "no_cut_plan", "The axis does not cut: no plan of cuts is running.",
+          "Start the plan of its cutter: `jounce order NAME start`. The spec of the axis names the "
+          "cutter (`cutter` in [axis])."},
+    Entry{Cause::cut_length, "cut_length",
+          "The cutter cannot make a piece of this length at the speed of its line.",
+          "Give a possible length. For shorter pieces, run a slower line: lower the line speed in "
+          "the spec of the cutter. `jounce map` computes the greatest line speed for each length."},
+    Entry{Cause::cut_position, "cut_position", "The cut would be before the next possible cut.",
+          "Give a later position, or leave out --position to cut at the next possible one."},
+    Entry{Cause::cut_pending, "cut_pending", "A cut on demand has not been made yet.",
+          "Repeat the command after this cut."},
+    Entry{Cause::web_stands, "web_stands",
+          "The web does not move forward, so no next cut is possible at once.",
+          "Give the position of the cut (--position), or repeat the command when the web moves "
+          "forward."},
+    Entry{Cause::cutter_away, "cutter_away", "The cutter does not stand at its home position.",
+          "Move the axis to its home position: `jounce order NAME move --to POSITION`."},
 };
 
 /// True for the rejections with a measured value and a limit.
 bool is_measured(Cause cause) {
   return cause >= Cause::start_position && cause <= Cause::acceleration_step;
+}
+
+/// True for the rejections of cuts, whose numbers count in the unit of the master.
+bool is_cut(Cause cause) {
+  return cause >= Cause::cut_length && cause <= Cause::cut_pending;
+}
+
+/// The numbers of such a rejection.
+std::string cut_text(const Refusal& refusal, const std::string& unit) {
+  const auto at = [&](double number) {
+    return six_digits(number) + (unit.empty() ? "" : " " + unit);
+  };
+  if (refusal.cause == Cause::cut_length)
+    return at(refusal.value) + ", nearest possible length " + at(refusal.limit);
+  if (refusal.cause == Cause::cut_pending) return "it is at " + at(refusal.limit);
+  return "cut at " + at(refusal.value) + ", next possible cut at " + at(refusal.limit);
 }
 
 /// " mm/s", the unit of the numbers of a rejection; "" if it is not known.
@@ -359,7 +392,7 @@ const char* meaning(Cause cause) {
   return entry(cause).meaning;
 }
 
-std::string text(const Refusal& refusal, const std::string& unit,
+std::string text(const Refusal& refusal, const std::string& unit, const std::string& master_unit,
                  std::span<const std::string> axes) {
   const Cause cause = refusal.cause;
   std::string words = std::string(name(cause)) + ": " + meaning(cause);
@@ -374,8 +407,12 @@ std::string text(const Refusal& refusal, const std::string& unit,
     return words + ": " + six_digits(refusal.value) + unit_of(cause, unit) +
            " is not in this direction from " + six_digits(refusal.limit) + unit_of(cause, unit) +
            ".";
-  if (!is_measured(cause)) return words + ".";
+  if (is_cut(cause)) return words + ": " + cut_text(refusal, master_unit) + ".";
+  if (!is_measured(cause) && cause != Cause::cutter_away) return words + ".";
   const auto shown = [&](double number) { return six_digits(number) + unit_of(cause, unit); };
+  if (cause == Cause::cutter_away)
+    return words + ": home is at " + shown(refusal.value) + ", the axis at " +
+           shown(refusal.limit) + ".";
   if (cause == Cause::start_position)
     return words + ": " +
            (std::isnan(refusal.value) ? "" : "it begins at " + shown(refusal.value) + "; ") +

@@ -18,6 +18,7 @@ constexpr Cause syn = Cause::synchronized;
 constexpr Cause uns = Cause::not_synchronized;
 constexpr Cause stp = Cause::stopping;
 constexpr Cause nil = Cause::no_movement;
+constexpr Cause ncp = Cause::no_cut_plan;
 
 // clang-format off
 //                          dis  sta  dsc  syn  stp  err  cnt  hom
@@ -32,6 +33,7 @@ constexpr ByState holds    {off, nil, ok,  ok,  stp, err, ok,  mov};
 constexpr ByState finishes {off, nil, ok,  ok,  stp, err, nil, mov};
 constexpr ByState changes  {off, nil, ok,  syn, stp, err, ok,  mov};
 constexpr ByState uncouples{off, uns, uns, ok,  stp, err, uns, uns};
+constexpr ByState cuts     {off, ncp, ncp, ok,  stp, err, ncp, ncp};
 // clang-format on
 
 constexpr CommandSender own = CommandSender::owner;
@@ -111,6 +113,8 @@ constexpr std::array rows{
     sent<command::CombineAxes>("combine_axes", 43, "combine", "MC_CombineAxes", own, begins, moves),
     sent<command::ChangeVelocity>("change_velocity", 44, "change-velocity", "", own, changes),
     sent<command::MoveRepetitive>("move_repetitive", 45, "repeat", "", own, from_rest, moves),
+    sent<command::Cut>("cut", 32, "cut", "", own, cuts),
+    sent<command::Park>("park", 33, "park", "", own, cuts),
     sent<command::TouchProbe>("touch_probe", 30, "touch-probe", "MC_TouchProbe", own, always),
     sent<command::AbortTrigger>("abort_trigger", 31, "abort-trigger", "MC_AbortTrigger", own, always),
 };

@@ -15,7 +15,6 @@
 #include "design/src/cam_of.hpp"
 #include "design/src/motions/motion.hpp"
 #include "design/src/path/path_motion.hpp"
-#include "design/src/sync/sync_cam.hpp"
 #include "design/src/table_of.hpp"
 
 namespace jounce {

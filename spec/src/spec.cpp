@@ -83,6 +83,9 @@ MasterRun master_run(TomlReader& top, const Spec& spec) {
   if (const auto* made = std::get_if<NamedCam>(&spec.subject))
     return {made->cam.length(), repeats(made->cam.outside())};
   const auto period = spec.master_period();
+  const auto* sync = std::get_if<SyncSpec>(&spec.subject);
+  if (!period && sync != nullptr && std::holds_alternative<CutListSpec>(*sync))
+    return {sync_cam_of(*sync).cam.length(), false};
   return {period, period.has_value()};
 }
 

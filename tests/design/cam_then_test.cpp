@@ -185,13 +185,13 @@ TEST(CamThen, ErrorsNameTheOperatorAndWhatToDo) {
   EXPECT_THAT(error_of("{ operator = \"inverse\" }"),
               HasSubstr("the slave passes its positions 2 times. Give a master position inside the "
                         "rise or fall that you need, such as 60"));
-  EXPECT_THAT(error_of("{ operator = \"inverse\", at = 60 }"), HasSubstr("at rest"));
+  EXPECT_THAT(error_of("{ operator = \"inverse\", at = 60, from = 0 }"), HasSubstr("at rest"));
   EXPECT_THAT(error_of("{ operator = \"superpose\", with = \"none.toml\" }"),
               HasSubstr("then[1].with"));
   EXPECT_THAT(error_of("{ operator = \"superpose\", with = \"../googol-move/move.toml\" }"),
               HasSubstr("is a spec over time: give a cam"));
   EXPECT_THAT(error_of("{ operator = \"superpose\", with = \"../rotary-knife/knife.toml\" }"),
-              HasSubstr("must be of kind \"cam\""));
+              HasSubstr("has the unit in, which cannot be converted to deg"));
   EXPECT_THAT(error_of("{ operator = \"superpose\", with = \"new.toml\" }"),
               HasSubstr("refers back to this file"));
   EXPECT_THAT(error_of("", "start = { master = 0, slave = 0 }\n"),

@@ -13,6 +13,7 @@
 #include "jounce/axis/fifo_movement.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/axis/live_clutch.hpp"
+#include "jounce/axis/live_cuts.hpp"
 #include "jounce/axis/live_gear.hpp"
 #include "jounce/drive/shared_drive.hpp"
 #include "jounce/drive/simulated_drive.hpp"
@@ -207,6 +208,28 @@ TEST(Quiet, CamsBehindALiveMasterAndASwapOfThem) {
   stage.order(0, {command::Abort{}}, 5);
   EXPECT_EQ(stage.run(1, 500).state, State::error_stop) << "a frozen master is lost";
   EXPECT_EQ(stage.noise(), Noise{});
+}
+
+TEST(Quiet, CutsOnDemandAndTheWayHome) {
+  FlyingShear shear{.cut_length = 20, .line_speed = 100, .sync_time = 0.05};
+  shear.limits = limits(1000, 1e4);
+  RotaryKnifeSpec knife{.diameter = 10, .cut_length = 20, .sync_angle = 0.5};
+  knife.dwell = true;
+  for (const CutMachine& machine : {CutMachine(shear), CutMachine(knife)}) {
+    const auto task = std::make_shared<const CutTask>(CutJob{
+        {machine, {.lengths = {20, 90}}}, {.speed = 100, .rates = {}, .slave = limits(1000, 1e4)}});
+    LiveCuts cuts(1, task, config);
+    Stage stage;
+    stage.order(1, {command::SetPosition{.position = task->cutter.home()}});
+    stage.order(0, {command::MoveVelocity{.velocity = 100}}, 60);
+    stage.order(1, {command::Couple{.movement = &cuts}}, 800);
+    stage.order(1, {command::Cut{.length = 25}}, 800);
+    stage.order(1, {command::Cut{.waste = 80}}, 500);
+    stage.order(1, {command::Cut{}}, 600);
+    EXPECT_GT(cuts.plan().cuts(), 5);
+    EXPECT_EQ(stage.order(1, {command::Park{}}, 900).state, State::standstill);
+    EXPECT_EQ(stage.noise(), Noise{});
+  }
 }
 
 TEST(Quiet, MovesThatArePlannedAnewAgainAndAgain) {

@@ -42,6 +42,18 @@ TEST(CommandWords, TheFirstOptionSelectsTheCommand) {
               HasSubstr("needs one of --to, --by"));
 }
 
+TEST(CommandWords, ACutHasAtMostOneNumber) {
+  const Units units{"m", "mm"};
+  CommandWords words{.what = "cut", .value = "", .options = {{"position", "9.5m"}}, .flags = {}};
+  const auto cut = std::get<command::Cut>(command_of(words, units));
+  EXPECT_EQ(cut.position, 9.5);
+  EXPECT_TRUE(std::isnan(cut.length) && std::isnan(cut.waste));
+  words.options["waste"] = "1m";
+  EXPECT_EQ(test::error_of([&] { (void)command_of(words, units); }),
+            "--waste = 1m: cannot be combined with --position: give at most one of --length, "
+            "--position, --waste");
+}
+
 TEST(CommandWords, AMoveOfAGroupHasCoordinates) {
   const CommandWords words{.what = "move-linear",
                            .options = {{"to", "1cm,,5"},

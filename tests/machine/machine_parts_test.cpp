@@ -62,6 +62,47 @@ TEST_F(MachineParts, RejectAHomingThatNoDriveCanDo) {
             "");
 }
 
+TEST_F(MachineParts, HaveTheCutterThatTheirSpecNames) {
+  const auto write = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  };
+  const auto parts_of = [&](const std::string& cutter, double velocity = 2000) {
+    write("cutter.toml", cutter);
+    const std::string spec =
+        write("shear.toml",
+              "jounce = 1\nkind = \"axis\"\nname = \"shear\"\nunits = { position = \"mm\", master = "
+              "\"mm\" }\n[axis]\ncutter = \"cutter.toml\"\n[limits]\nacceleration = 10000\n"
+              "velocity = " +
+                  std::to_string(velocity) + "\n");
+    return machine_parts({.files = {spec}});
+  };
+  const auto error_of = [&](const std::string& cutter, double velocity = 2000) {
+    return test::error_of([&] { (void)parts_of(cutter, velocity); });
+  };
+  const auto shear = [](const std::string& unit, const std::string& more = "") {
+    return "jounce = 1\nkind = \"shear\"\nunits = { position = \"mm\", master = \"" + unit +
+           "\" }\n[shear]\nlengths = [\"1.2 m\", \"1 m\"]\nline_speed = \"60 m/min\"\n"
+           "sync_time = \"150 ms\"\n" +
+           more + "[limits.slave]\nvelocity = 2000\nacceleration = 10000\n";
+  };
+  const auto parts = parts_of(shear("mm"));
+  ASSERT_TRUE(parts.axes[0].cutter);
+  const CutTask& task = *parts.axes[0].cutter->task;
+  EXPECT_EQ(task.list.lengths, (std::vector<double>{1200, 1000}));
+  EXPECT_NEAR(task.possible.front().from, 966.42464345, 1e-6);
+  EXPECT_THAT(error_of(shear("m")),
+              testing::HasSubstr("shear.toml:6:10: axis.cutter = \"cutter.toml\": has units.master = "
+                                 "\"m\", but the axis has mm: use the same unit"));
+  EXPECT_THAT(error_of("jounce = 1\nkind = \"drive\"\n[drive]\ninertia = 1\n"),
+              testing::HasSubstr("cutter.toml"));
+  EXPECT_THAT(error_of("jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\n"
+                       "profile = \"trapezoid\"\nto = 1\nvelocity = 1\nacceleration = 1\n"),
+              testing::HasSubstr("must be a spec of kind \"knife\" or \"shear\""));
+  EXPECT_THAT(error_of(shear("mm"), 1100), testing::HasSubstr("cutter.toml"))
+      << "with the lower limit of the axis, 1000 mm is too short";
+}
+
 TEST_F(MachineParts, FollowEachOtherByName) {
   const std::string leader = axis("line"), slave = axis("knife", "[follow]\naxis = \"line\"\n");
   const auto parts = machine_parts({.files = {slave, leader}});

@@ -9,8 +9,6 @@
 #include "jounce/design/make.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "design/src/sync/sync_cam.hpp"
-
 namespace jounce::point_file_test {
 namespace {
 

@@ -183,7 +183,7 @@ std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
 
 /// The answer of the armed movement to an axis in this state.
 Refusal MotionAxis::begin_refusal(Cause no, const MotionState& state) const {
-  const bool placed = no == Cause::start_position;
+  const bool placed = no == Cause::start_position || no == Cause::cutter_away;
   return {.cause = no,
           .value = placed ? armed_->place() : state.position,
           .limit = placed ? state.position : 0};

@@ -85,6 +85,10 @@ std::optional<CutLengths> lengths_of(const FlyingShear& spec) {
   return all;
 }
 
+std::optional<CutLengths> lengths_of(const CutListSpec& spec) {
+  return std::visit([](const auto& machine) { return lengths_of(machine); }, spec.machine);
+}
+
 }  // namespace
 
 CutLengths cut_lengths(const Spec& spec) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <fmt/format.h>
@@ -71,6 +72,15 @@ Report findings_of(const FlyingShear& shear, const Spec& spec) {
   return f.value < f.limit ? Report{{f}} : Report{};
 }
 
+/// The findings of the knife itself; a list has no piece for which it would reverse.
+Report findings_of(const CutListSpec& cuts, const Spec& spec) {
+  const auto* knife = std::get_if<RotaryKnifeSpec>(&cuts.machine);
+  if (knife == nullptr) return {};
+  Report report = findings_of(*knife, spec);
+  std::erase_if(report.findings, [](const Finding& f) { return f.rule == "knife/reversal"; });
+  return report;
+}
+
 template <class Kind>
 std::vector<SyncFigure> figures_of(const Kind&, const Spec&) {
   return {};
@@ -94,10 +104,13 @@ void add_speeds(std::vector<SyncFigure>& all, const Spec& spec) {
   const CutLengths cuts = cut_lengths(spec);
   const double line = spec.master->velocity;
   const CutLimits limits{spec.slave, std::numeric_limits<double>::infinity()};
-  if (const auto least = cuts.shortest(line, limits))
+  if (const auto least = cuts.shortest(line, limits)) {
+    const std::string limit = cuts.fastest(*least, limits).limit;
     all.push_back({"shortest cut", *least, spec.units.x,
-                   fmt::format("at {} {}, limited by the slave's {}", rounded(line),
-                               speed_unit(spec), cuts.fastest(*least, limits).limit)});
+                   fmt::format("at {} {}, ", rounded(line), speed_unit(spec)) +
+                       (limit == "length" ? "because no travel of the master is left for the return"
+                                          : "limited by the slave's " + limit)});
+  }
 }
 
 std::vector<SyncFigure> figures_of(const RotaryKnifeSpec& knife, const Spec& spec) {
@@ -153,6 +166,42 @@ std::vector<SyncFigure> figures_of(const FlyingShear& shear, const Spec& spec) {
   return all;
 }
 
+std::string pieces_of(const CutList& list) {
+  const std::size_t n = list.lengths.size();
+  return fmt::format("{} piece{}", n, n == 1 ? "" : "s") + (list.waste ? " and one of waste" : "");
+}
+
+/// The slowest piece of a list: the line must not be faster.
+CutSpeed slowest_piece(const CutListSpec& cuts, const Spec& spec) {
+  const CutLengths lengths = cut_lengths(spec);
+  const CutLimits limits{spec.slave, std::numeric_limits<double>::infinity()};
+  CutSpeed least = lengths.fastest(cuts.list[0], limits);
+  for (std::size_t i = 1; i < cuts.list.size(); ++i)
+    if (const CutSpeed next = lengths.fastest(cuts.list[i], limits); next.speed < least.speed)
+      least = next;
+  return least;
+}
+
+std::vector<SyncFigure> figures_of(const CutListSpec& cuts, const Spec& spec) {
+  const Cutter cutter(cuts.machine);
+  const std::string& m = spec.units.x;
+  double pass = 0;
+  for (std::size_t i = 0; i < cuts.list.size(); ++i) pass += cuts.list[i];
+  std::vector<SyncFigure> all{
+      {"one pass", pass, m, pieces_of(cuts.list)},
+      {"from home", cutter.approach(), m, "travel of the web from home to a cut"},
+      {"to home", cutter.retreat(), m, "travel of the web from a cut to home"},
+      {"next cut", cutter.approach() + cutter.retreat(), m,
+       "after a cut, if the cutter has begun to return home"}};
+  add_speeds(all, spec);
+  const CutSpeed least = slowest_piece(cuts, spec);
+  if (std::isfinite(least.speed))
+    all.push_back({"fastest line", least.speed, speed_unit(spec),
+                   fmt::format("for the piece of {} {}, limited by the slave's {}",
+                               rounded(least.length), m, least.limit)});
+  return all;
+}
+
 template <class Find>
 auto of_sync(const Spec& spec, Find&& find) -> decltype(find(GearSpec{})) {
   const auto* sync = std::get_if<SyncSpec>(&spec.subject);
@@ -176,7 +225,9 @@ std::vector<SyncFigure> sync_figures(const Spec& spec) {
 
 bool is_made_for_a_speed(const Spec& spec) {
   const auto* sync = std::get_if<SyncSpec>(&spec.subject);
-  return sync != nullptr && std::holds_alternative<FlyingShear>(*sync);
+  if (sync == nullptr) return false;
+  const auto cuts = cut_list_of(*sync);
+  return cuts && std::holds_alternative<FlyingShear>(cuts->machine);
 }
 
 bool stays_in_gear(const Spec& spec) {

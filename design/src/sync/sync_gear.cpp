@@ -6,65 +6,9 @@
 #include <string>
 
 #include "jounce/profiles/curve/extrema.hpp"
-#include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
 namespace jounce::design_detail {
-namespace {
-
-/// The error with the key in the document instead of the generator's field. The clutch of
-/// `distance` is the first change of the course.
-InputError in_document(const InputError& error) {
-  std::string key = error.key();
-  for (const auto& [ours, theirs] : {std::pair{"change[1].at", "engage_at"},
-                                     {"change[1].distance", "distance"},
-                                     {"change[1].law", "law"},
-                                     {"change[1].ratio", "numerator"}})
-    if (key == ours) key = theirs;
-  if (key.starts_with("change[")) {
-    const auto end = key.find(']');
-    key = "change[" + std::to_string(std::stoi(key.substr(7, end - 7)) - 1) + key.substr(end);
-  }
-  return {"gear." + key, error.value(), error.rule()};
-}
-
-/// The error of an engagement in which the slave must reverse, with the change that avoids it.
-InputError must_reverse(const GearInPosSpec& spec, GearInPosStatus status) {
-  const EngageWindow window = engage_window(spec);
-  const bool forward = spec.numerator > 0;  // the denominator is
-  const std::string remedy =
-      window.exists
-          ? "use " + six_digits_up(window.least) + " to " + six_digits_down(window.greatest)
-          : std::string("slave_start must be ") + (forward ? "below" : "above") +
-                " slave_sync_position = " + number(spec.slave_sync_position);
-  return {"master_start_distance", spec.master_start_distance,
-          std::string("makes the slave reverse") +
-              (spec.slave_period ? ", even with five more turns" : "") + ": " + remedy +
-              ", or set avoid_reversal = false (error " + std::to_string(static_cast<int>(status)) +
-              " of the PMC600)"};
-}
-
-}  // namespace
-
-SyncCam made_gear(const GearCourse& spec) {
-  try {
-    return gear_course(spec);
-  } catch (const InputError& error) {
-    throw in_document(error);
-  }
-}
-
-SyncCam made_gear(const GearInPosPart& spec) {
-  try {
-    const GearInPos gear = gear_in_pos(spec.gear);
-    if (!gear) throw must_reverse(spec.gear, gear.status);
-    return sync_cam(gear, spec.master_start, spec.master_end);
-  } catch (const InputError& error) {
-    throw InputError("gear." + error.key(), error.value(), error.rule());
-  }
-}
-
 Report check_gear(const GearCourse& course, const Units& units) {
   double ratio = course.ratio;
   for (const RatioChange& change : course.changes)

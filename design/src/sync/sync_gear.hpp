@@ -6,11 +6,6 @@
 
 namespace jounce::design_detail {
 
-/// The cam of a gear that engages. Throws InputError with keys of the document, also if GearInPos
-/// is impossible.
-SyncCam made_gear(const GearCourse& spec);
-SyncCam made_gear(const GearInPosPart& spec);
-
 /// Findings that the cam alone does not show, in the units of the spec: "gear/ratio_step" for a
 /// clutch without a distance at the start of the cam; "gear/reversal" for an engagement that must
 /// reverse.

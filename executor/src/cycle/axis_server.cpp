@@ -299,11 +299,26 @@ void AxisServer::couple(const CommandRequested& requested, const Request& reques
     MadeMovement gear{.movement = gear_of(requested.what, id, options_.axis, last_.position)};
     if (options_.recorder != nullptr)
       options_.recorder->note(RecordedGear{axis_, id, requested.what, last_.position});
-    commands_.send({command::Couple{gear.movement.get(), requested.at}}, request);
-    movements_[id] = {std::move(gear), {}};
+    couple(std::move(gear), requested.at, request);
   } catch (const InputError& error) {
     decline(requested, error.what());
   }
+}
+
+void AxisServer::couple(MadeMovement made, std::int64_t at, const Request& request) {
+  record(made);
+  commands_.send({command::Couple{made.movement.get(), at}}, request);
+  const std::uint64_t id = made.movement->id();
+  movements_[id] = {std::move(made), {}};
+}
+
+/// Starts the plan of cuts of the axis's own cutter.
+void AxisServer::start_cuts(const CommandRequested& requested, const Request& request) {
+  motion_session_ = requested.session;
+  if (options_.follow.what == Follow::What::nothing)
+    return answer(request, Refusal{.cause = Cause::no_master_input});
+  if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
+  couple(movement_of(*options_.cutter, ++numbers_, options_.axis), requested.at, request);
 }
 
 /// Arms and starts the axis's own table. It is accepted when it is armed: nothing can prevent the
@@ -311,10 +326,12 @@ void AxisServer::couple(const CommandRequested& requested, const Request& reques
 void AxisServer::obey(const command::StartTable& /*it*/, const CommandRequested& requested,
                       const Request& request) {
   if (options_.group) return play_program(requested, request);
+  if (options_.cutter) return start_cuts(requested, request);
   if (!options_.table)
     return decline(
         requested,
-        "the spec of the axis has no table of its own to start: send a table with `jounce stream`");
+        "the spec of the axis has no table and no cutter of its own to start: send a table with "
+        "`jounce stream`, or add cutter = \"FILE\" to its [axis]");
   const Request armed{requested.session, requested.command, Kind::arm};
   if (moving()) return answer(armed, Refusal{.cause = Cause::in_motion});
   const ArmRequested own{.session = requested.session,
@@ -500,7 +517,7 @@ void AxisServer::answer(const Request& request, const std::optional<Refusal>& re
   if (!refused || request.kind == Kind::stop)
     return receiver_.accept(request.session, request.command);
   const std::string reason =
-      text(*refused, options_.units.position,
+      text(*refused, options_.units.position, options_.units.x,
            options_.group ? std::span<const std::string>(options_.group->names)
                           : std::span<const std::string>{});
   receiver_.refuse(request.session, request.command, reason,

@@ -7,6 +7,7 @@
 #include "jounce/axis/group_path.hpp"
 #include "jounce/axis/job.hpp"
 #include "jounce/axis/live_cam.hpp"
+#include "jounce/axis/live_cuts.hpp"
 #include "jounce/path/program_numbers.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -40,6 +41,23 @@ MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t
   } catch (const std::bad_alloc&) {
     return {};
   }
+}
+
+ExecutorCutter executor_cutter(const CutJob& job, const Units& units) {
+  ExecutorCutter cutter{.task = std::make_shared<const CutTask>(job), .numbers = {}};
+  Columns columns;
+  columns.p = numbers_of(job);
+  for (std::size_t i = 0; i < columns.p.size(); ++i) columns.x.push_back(static_cast<double>(i));
+  cutter.numbers.table = std::make_shared<const Table>(Domain::master, Interpolation::linear,
+                                                       Extrapolation::hold, std::move(columns));
+  cutter.numbers.units = units;
+  cutter.numbers.hash = content_hash(*cutter.numbers.table, units);
+  return cutter;
+}
+
+MadeMovement movement_of(const ExecutorCutter& cutter, std::uint64_t id, const AxisConfig& config) {
+  return {.movement = std::make_shared<LiveCuts>(id, cutter.task, config),
+          .source = MadeFrom{{.id = id, .live = true, .cuts = true}, cutter.numbers}};
 }
 
 MadeMovement movement_of(std::shared_ptr<const GroupProgram> program, std::uint64_t id) {

@@ -41,6 +41,8 @@ void each_pair_of_command(C& c, Flat& flat, F f) {
   if constexpr (requires { c.direction; }) f(c.direction, flat.direction);
   if constexpr (requires { c.shift; }) f(c.shift, flat.distance);
   if constexpr (requires { c.until; }) f(c.until, flat.timeout);
+  if constexpr (requires { c.length; }) f(c.length, flat.distance);
+  if constexpr (requires { c.waste; }) f(c.waste, flat.timeout);
   if constexpr (requires { c.buffer; }) f(c.buffer, flat.buffer);
   if constexpr (requires { c.wait; }) f(c.wait, flat.timeout);
   if constexpr (requires { c.strokes; }) f(c.strokes, flat.method);

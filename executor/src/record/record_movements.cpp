@@ -69,7 +69,7 @@ job_t on_wire(const RecordedJob& j) {
   w.id = static_cast<std::int64_t>(j.id);
   std::copy(j.time.begin(), j.time.end(), w.time);
   if (j.cam) std::copy(j.cam->begin(), j.cam->end(), w.cam);
-  w.live = j.live ? 1 : 0;
+  w.live = j.live ? j.cuts ? 2 : 1 : 0;
   w.tick = j.tick;
   w.position = j.position;
   each_coupling(j.coupling, w, Put{});
@@ -81,6 +81,7 @@ RecordedJob ours(const job_t& w) {
   RecordedJob j{.axis = static_cast<std::size_t>(w.axis),
                 .id = static_cast<std::uint64_t>(w.id),
                 .live = w.live != 0,
+                .cuts = w.live == 2,
                 .tick = w.tick,
                 .position = w.position};
   std::copy(std::begin(w.time), std::end(w.time), j.time.begin());

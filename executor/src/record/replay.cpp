@@ -11,6 +11,7 @@
 
 #include "jounce/axis/group_path.hpp"
 #include "jounce/axis/live_cam.hpp"
+#include "jounce/axis/live_cuts.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/src/cycle/commands.hpp"
@@ -95,7 +96,12 @@ class Replayer {
   }
 
   void take(const RecordedJob& job) {
-    if (job.live)
+    if (job.cuts)
+      keep(job.axis,
+           std::make_shared<LiveCuts>(
+               job.id, std::make_shared<const CutTask>(cut_job_of(table(job.time)->columns().p)),
+               config(job.axis)));
+    else if (job.live)
       keep(job.axis, std::make_shared<LiveCam>(job.id, table(job.time), job.coupling, job.end));
     else
       keep(job.axis,

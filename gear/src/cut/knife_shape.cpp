@@ -113,30 +113,33 @@ KnifeShape::KnifeShape(std::vector<Segment> rise, const KnifeSync& sync, double 
       sync_(sync),
       travel_(travel),
       cv_(extrema(Cam(rise_), 1).max.value),
-      jerk_taken_(starts_without_jerk(rise_)) {}
+      jerk_taken_(starts_without_jerk(rise_)) {
+  double z = 0;
+  for (const Segment& piece : rise_) from_.push_back(std::exchange(z, z + piece.length));
+  from_.push_back(1);
+}
 
 std::pair<double, double> KnifeShape::bend(double b) const {
   const double c0 = sync_.acceleration * b * b / 2;
   return {c0, jerk_taken_ ? sync_.jerk * b * b * b / 6 + 4 * c0 : 0};  // (3)
 }
 
-std::vector<Segment> KnifeShape::recovery(double b, double start) const {
+Segment KnifeShape::piece(std::size_t i, double b, double start) const {
   const auto [c0, c1] = bend(b);
   const double straight = sync_.velocity * b;
   Segment rest;  // equation (1) without f
   rest.length = b;
   rest.degree = c1 != 0 ? 7 : c0 != 0 ? 5 : 1;
   rest.c = {start, straight, c0, -4 * c0 + c1, 5 * c0 - 5 * c1, -2 * c0 + 9 * c1, -7 * c1, 2 * c1};
+  const Segment own = part(rest, from_[i], from_[i + 1]);
+  Segment f = scaled(rise_[i], travel_ - straight);
+  f.length = own.length;
+  return *sum(own, f);  // fits: f has one kind of sines, the rest none
+}
+
+std::vector<Segment> KnifeShape::recovery(double b, double start) const {
   std::vector<Segment> all;
-  double z = 0;
-  for (const Segment& piece : rise_) {
-    const double end = &piece == &rise_.back() ? 1 : z + piece.length;
-    Segment own = part(rest, z, end);
-    Segment f = scaled(piece, travel_ - straight);
-    f.length = own.length;
-    all.push_back(*sum(own, f));  // fits: f has one kind of sines, the rest none
-    z = end;
-  }
+  for (std::size_t i = 0; i < pieces(); ++i) all.push_back(piece(i, b, start));
   return all;
 }
 

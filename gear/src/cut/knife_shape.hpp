@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "jounce/profiles/curve/segment.hpp"
@@ -36,6 +38,12 @@ class KnifeShape {
 
   /// The recovery over the length b (m), which begins at `start` rad.
   [[nodiscard]] std::vector<Segment> recovery(double b, double start) const;
+  /// Number of its segments.
+  [[nodiscard]] std::size_t pieces() const { return rise_.size(); }
+  /// Start of the segment `i`, as a share of the recovery.
+  [[nodiscard]] double from(std::size_t i) const { return from_[i]; }
+  /// The segment `i` of the recovery over the length b; does not allocate.
+  [[nodiscard]] Segment piece(std::size_t i, double b, double start) const;
   /// Velocity in its middle, rad/m: the least or the greatest velocity.
   [[nodiscard]] double middle_velocity(double b) const;
   /// The length b for which the knife just comes to rest in the middle.
@@ -46,6 +54,7 @@ class KnifeShape {
   [[nodiscard]] std::pair<double, double> bend(double b) const;
 
   std::vector<Segment> rise_;
+  std::vector<double> from_;  ///< start of each segment of the rise, and 1
   KnifeSync sync_;
   double travel_;
   double cv_;  ///< f'(1/2)

@@ -12,7 +12,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-#include "gear/src/cut/knife_shape.hpp"
+#include "gear/src/cut/knife_parts.hpp"
 
 // Angles are in rad here. R = D / 2 is the radius of the cutting circle, k the speed ratio, x the
 // web since the cut, psi the knife's angle from straight down. The cutting circle touches the
@@ -51,6 +51,7 @@
 namespace jounce {
 namespace {
 
+using gear_detail::Knife;
 using gear_detail::KnifeShape;
 using gear_detail::KnifeSync;
 
@@ -58,15 +59,6 @@ using std::numbers::pi;
 
 constexpr double finest_matching = 1e-14;  ///< share of the sync angle
 constexpr double same_length = 1e-12;      ///< relative
-
-/// The numbers of a spec; angles in rad.
-struct Knife {
-  double pitch = 0;  ///< angle between two blades
-  double contact = 0;
-  KnifeSync sync = {};
-  KnifeShape shape;
-  double unit = 1;  ///< u per rad
-};
 
 bool is_rise_at_rest(Law law) {
   const Ends ends = info(law).ends;
@@ -152,7 +144,9 @@ void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double
                          ", with horizontal matching");
 }
 
-Knife knife_of(const RotaryKnifeSpec& spec) {
+}  // namespace
+
+Knife gear_detail::knife_of(const RotaryKnifeSpec& spec) {
   require_valid(spec);
   const double unit = spec.turn / (2 * pi);
   const double pitch = 2 * pi / static_cast<double>(spec.blades);
@@ -167,6 +161,23 @@ Knife knife_of(const RotaryKnifeSpec& spec) {
           KnifeShape(normalized(spec.law, spec.form), sync, pitch - 2 * half), unit};
 }
 
+gear_detail::KnifeZone gear_detail::zone_of(const Knife& knife, const RotaryKnifeSpec& spec) {
+  return knife_zone(knife.sync, spec.matching == KnifeMatching::horizontal,
+                    spec.tolerance * knife.sync.angle);
+}
+
+Cam gear_detail::closed(std::vector<Segment> segments, double length, double end) {
+  Segment& last = segments.back();
+  for (int i = 0; i < 6; ++i) {
+    const double missing = length - Cam(segments).end();
+    last.length += i == 0 ? missing : 0.75 * missing;  // not all: a tie would round the other way
+    last.c[0] += end - value(last, 1);
+  }
+  return Cam(std::move(segments), 0, Extrapolation::advance);
+}
+
+namespace {
+
 /// True if the cut is a straight line; this is possible with surface matching only.
 bool is_gear(const RotaryKnifeSpec& spec, double synchronous) {
   return spec.matching == KnifeMatching::surface &&
@@ -175,11 +186,6 @@ bool is_gear(const RotaryKnifeSpec& spec, double synchronous) {
 
 double synchronous_length(const RotaryKnifeSpec& spec) {
   return pi * spec.diameter / static_cast<double>(spec.blades) / spec.speed_ratio;
-}
-
-/// Lcrit: the longest cut without a stop.
-double longest_cut(const Knife& knife) {
-  return 2 * knife.sync.length + knife.shape.longest();
 }
 
 /// The segments of a cut under construction, each with its name.
@@ -192,18 +198,6 @@ struct Parts {
     names.insert(names.end(), all.size(), name);
   }
 };
-
-/// The cam whose last break is exactly at `length`, and whose last value is exactly `end`;
-/// otherwise a million cuts would drift. The correction is within the rounding of the joints.
-Cam closed(std::vector<Segment> segments, double length, double end) {
-  Segment& last = segments.back();
-  for (int i = 0; i < 6; ++i) {
-    const double missing = length - Cam(segments).end();
-    last.length += i == 0 ? missing : 0.75 * missing;  // not all: a tie would round the other way
-    last.c[0] += end - value(last, 1);
-  }
-  return Cam(std::move(segments), 0, Extrapolation::advance);
-}
 
 void add_recovery(Parts& parts, const Knife& knife, double length, bool dwell) {
   const double free = length - 2 * knife.sync.length;
@@ -221,27 +215,26 @@ void add_recovery(Parts& parts, const Knife& knife, double length, bool dwell) {
 }  // namespace
 
 SyncCam rotary_knife(const RotaryKnifeSpec& spec) {
-  const Knife knife = knife_of(spec);
+  const Knife knife = gear_detail::knife_of(spec);
   const double length = spec.cut_length;
   const double turn = spec.turn / static_cast<double>(spec.blades);
   if (is_gear(spec, synchronous_length(spec)))
     return {
         Cam({line(length, 0, turn)}, 0, Extrapolation::advance), {"sync"}, {{0, length, "sync"}}};
-  const gear_detail::KnifeZone zone = gear_detail::knife_zone(
-      knife.sync, spec.matching == KnifeMatching::horizontal, spec.tolerance * knife.sync.angle);
+  const gear_detail::KnifeZone zone = gear_detail::zone_of(knife, spec);
   Parts parts;
   parts.add(zone.leaving, "sync");
-  add_recovery(parts, knife, length, spec.dwell && length > longest_cut(knife));
+  add_recovery(parts, knife, length, spec.dwell && length > knife.longest());
   parts.add(zone.entering(knife.pitch), "sync");
   for (Segment& segment : parts.segments) segment = scaled(segment, knife.unit);
   const double half = knife.sync.length;
-  return {closed(std::move(parts.segments), length, turn),
+  return {gear_detail::closed(std::move(parts.segments), length, turn),
           std::move(parts.names),
           {{0, half, "sync"}, {length - half, length, "sync"}}};
 }
 
 RotaryKnifeFigures figures(const RotaryKnifeSpec& spec) {
-  const Knife knife = knife_of(spec);
+  const Knife knife = gear_detail::knife_of(spec);
   const double unit = knife.unit;
   RotaryKnifeFigures f;
   f.synchronous = synchronous_length(spec);
@@ -250,7 +243,7 @@ RotaryKnifeFigures figures(const RotaryKnifeSpec& spec) {
   f.sync_length = 2 * knife.sync.length;
   f.recovery_angle = knife.pitch * unit - f.sync_angle;
   f.recovery_length = spec.cut_length - f.sync_length;
-  f.longest = longest_cut(knife);
+  f.longest = knife.longest();
   f.rho = knife.sync.velocity * f.recovery_length * unit / f.recovery_angle;
   if (spec.dwell) f.dwell = std::max(0.0, spec.cut_length - f.longest);
   f.surface_ratio =
@@ -258,9 +251,7 @@ RotaryKnifeFigures figures(const RotaryKnifeSpec& spec) {
   const bool slips = spec.matching == KnifeMatching::surface;
   const double s = std::sin(knife.sync.angle / 2);
   f.speed_error = slips ? 2 * s * s : 0;  // 1 - cos
-  if (!slips)
-    f.strays =
-        unit * gear_detail::knife_zone(knife.sync, true, spec.tolerance * knife.sync.angle).strays;
+  if (!slips) f.strays = unit * gear_detail::zone_of(knife, spec).strays;
   return f;
 }
 

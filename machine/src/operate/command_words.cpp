@@ -452,6 +452,23 @@ void require_held(const CommandWords& words, const std::string& seconds) {
                        (words.what == "jog" ? ": add --hold-to-run" : ""));
 }
 
+namespace {
+
+/// Rejects more than one of these options.
+void require_one(const CommandWords& words, const std::vector<std::string>& options) {
+  std::string first;
+  for (const std::string& option : options) {
+    if (text_of(words, option).empty()) continue;
+    if (!first.empty())
+      throw InputError(dashed(option), text_of(words, option),
+                       "cannot be combined with " + dashed(first) + ": give at most one of " +
+                           listed(options, dashed));
+    first = option;
+  }
+}
+
+}  // namespace
+
 ClientCommand command_of(const CommandWords& words, const Units& units) {
   const Form form = form_of(words);
   const CommandKind kind = form.command->kind;
@@ -467,6 +484,7 @@ ClientCommand command_of(const CommandWords& words, const Units& units) {
   }
   if (const std::string rule = contradiction(kind, values); !rule.empty())
     throw InputError(words.what, words.value, "the " + rule);
+  if (kind == CommandKind::cut) require_one(words, {"length", "position", "waste"});
   if (const std::string distance = text_of(words, "start-distance");
       !distance.empty() && quantity(distance, units.x) == 0)
     throw InputError("--start-distance", distance,

@@ -17,6 +17,7 @@
 #include "jounce/spec/axis_drive.hpp"
 
 #include "machine/src/parts/axis_drive.hpp"
+#include "machine/src/parts/machine_cutter.hpp"
 #include "machine/src/parts/machine_groups.hpp"
 #include "machine/src/parts/machine_masters.hpp"
 
@@ -125,6 +126,7 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
     executor.compare.list->pulse *= seconds_per_unit(spec);
   }
   executor.units = {spec.master_unit, spec.units.position};
+  executor.cutter = machine_detail::machine_cutter(spec, executor.axis);
   executor.receiver.executor = spec.name;
   executor.receiver.session_timeout = silence_of(spec);
   executor.adopt_start = options.adopt_start;

@@ -52,12 +52,23 @@ CamSource of_table(TableFile file, const std::string& path, TomlReader& owner, c
   return {{std::move(cam), std::move(names)}, file.units};
 }
 
+/// The cam of a synchronous slave: of a shear, at the line speed of its spec.
+CamSource of_sync(const SyncSpec& sync, const Spec& spec) {
+  try {
+    SyncCam made = sync_cam_of(sync);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < made.cam.segments().size(); ++i)
+      names.push_back(std::to_string(i + 1) +
+                      (i < made.segments.size() ? " " + made.segments[i] : ""));
+    return {{std::move(made.cam), std::move(names)}, spec.units, spec.time_unit};
+  } catch (const InputError& error) {
+    throw spec.document.located(error);
+  }
+}
+
 CamSource of_spec(const Spec& spec, const std::string& path, TomlReader& owner, const char* key) {
   if (!spec.over_master()) owner.fail(key, '"' + path + '"', "is a spec over time: give a cam");
-  if (!spec.is_cam())
-    owner.fail(key, '"' + path + '"',
-               "must be of kind \"cam\": for another kind, give its table, of `jounce design " +
-                   shown_name(path) + " -o cam.csv`");
+  if (const auto* sync = std::get_if<SyncSpec>(&spec.subject)) return of_sync(*sync, spec);
   if (const auto* made = std::get_if<NamedCam>(&spec.subject))
     return {*made, spec.units, spec.time_unit};
   try {

@@ -15,8 +15,8 @@ struct CamSource {
   std::string time_unit = "s";
 };
 
-/// Reads the cam that the file under `key` describes: a spec of kind "cam", or a table over a
-/// master in any known format. The path is relative to the document. Throws InputError for a file
+/// Reads the cam that the file under `key` describes: a spec of a cam or of a synchronous slave, or a
+/// table over a master in any known format. The path is relative to the document. Throws InputError for a file
 /// without a cam, for a table without units, and for a file that refers to itself.
 CamSource read_cam_source(TomlReader& owner, const char* key);
 

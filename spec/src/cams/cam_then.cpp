@@ -183,6 +183,18 @@ const Inverse& branch_of(TomlReader& then, const Inversion& all, const std::opti
                 number((all.branches[0].master_from() + all.branches[0].master_to()) / 2));
 }
 
+/// Share of the branch that the default of `from` or `to` leaves out at an end where the slave rests:
+/// the inverse is infinitely steep there.
+constexpr double left_out_at_rest = 0.01;
+
+/// The default of `from` (side: right) or `to` (side: left).
+double end_of_inverse(const Inverse& branch, Side side) {
+  const double end = side == Side::right ? branch.start() : branch.end();
+  if (std::isfinite(branch.at(end, side).geo_velocity)) return end;
+  const double leave = left_out_at_rest * (branch.end() - branch.start());
+  return side == Side::right ? end + leave : end - leave;
+}
+
 NamedCam inverse(TomlReader& then, const NamedCam& f, Units& units) {
   if (!is_position_unit(units.x))
     then.fail("operator", "\"inverse\"",
@@ -191,8 +203,10 @@ NamedCam inverse(TomlReader& then, const NamedCam& f, Units& units) {
                   "angle, or pulses");
   const Inversion all = inverted(f.cam);
   const Inverse& branch = branch_of(then, all, then.optional_number("at", units.x));
-  const double from = then.optional_number("from", units.position).value_or(branch.start());
-  const double to = then.optional_number("to", units.position).value_or(branch.end());
+  const double from =
+      then.optional_number("from", units.position).value_or(end_of_inverse(branch, Side::right));
+  const double to =
+      then.optional_number("to", units.position).value_or(end_of_inverse(branch, Side::left));
   const double tolerance =
       then.optional_positive("tolerance", units.x).value_or(fit * f.cam.length());
   const Fitted<OverMaster> made = inverse_within(branch, from, to, tolerance);

@@ -29,13 +29,38 @@ double read_turn(TomlReader& knife, const Units& units, double diameter) {
 
 const std::vector<std::string> matchings{"surface", "horizontal"};
 
+CutList checked(CutList list, const Cutter& cutter) {
+  require_valid(list, cutter);
+  return list;
+}
+
 }  // namespace
 
-RotaryKnifeSpec read_knife(TomlReader knife, const Units& units) {
+std::optional<CutList> read_cut_list(TomlReader& cutter, const std::string& master) {
+  CutList list;
+  if (cutter.has("lengths")) list.lengths = cutter.number_list("lengths", master);
+  if (cutter.has("lengths") && list.lengths.empty())
+    cutter.fail("lengths", "[]", "must have at least one length");
+  if (cutter.has("lengths") && cutter.has("cut_length"))
+    cutter.fail("lengths", "", "cannot be combined with cut_length: give one of the two");
+  list.first = cutter.optional_positive("first", master);
+  list.waste = cutter.optional_positive("waste", master);
+  if (list.lengths.empty() && !list.first && !list.waste) return std::nullopt;
+  if (list.lengths.empty()) list.lengths = {cutter.number("cut_length", master)};
+  return list;
+}
+
+SyncSpec with_list(CutMachine machine, std::optional<CutList> list) {
+  if (list) return CutListSpec{std::move(machine), std::move(*list)};
+  return std::visit([](auto& only) -> SyncSpec { return std::move(only); }, machine);
+}
+
+SyncSpec read_knife(TomlReader knife, const Units& units) {
   RotaryKnifeSpec spec;
   spec.diameter = knife.number("diameter", units.x);
   spec.blades = knife.optional_count("blades").value_or(1);
-  spec.cut_length = knife.number("cut_length", units.x);
+  auto list = read_cut_list(knife, units.x);
+  spec.cut_length = list ? list->lengths.front() : knife.number("cut_length", units.x);
   spec.turn = read_turn(knife, units, spec.diameter);
   // An angle of the knife is in degrees if the unit of the slave is not an angle.
   const bool angular = factor("rev", units.position).has_value();
@@ -53,6 +78,7 @@ RotaryKnifeSpec read_knife(TomlReader knife, const Units& units) {
   spec.tolerance = knife.optional_number("tolerance", "1").value_or(spec.tolerance);
   knife.finish();
   try {
+    if (list) return with_list(spec, checked(*list, Cutter(spec)));
     (void)figures(spec);
   } catch (const InputError& error) {
     throw InputError(knife.path(error.key()), error.value(), error.rule());

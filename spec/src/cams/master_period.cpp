@@ -33,6 +33,13 @@ std::optional<double> period(const Indexer& spec) {
   return spec.cycle;
 }
 
+std::optional<double> period(const CutListSpec& spec) {
+  if (spec.list.first) return std::nullopt;
+  double length = 0;
+  for (std::size_t i = 0; i < spec.list.size(); ++i) length += spec.list[i];
+  return length;
+}
+
 }  // namespace
 
 std::optional<double> master_period(const SyncSpec& spec) {

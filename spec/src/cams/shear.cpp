@@ -32,7 +32,6 @@ double angle_of(TomlReader& shear) {
 
 void read_lengths(TomlReader& shear, const Spec& spec, FlyingShear& to) {
   const std::string& master = spec.units.x;
-  to.cut_length = shear.number("cut_length", master);
   to.line_speed = shear.number("line_speed", rate_unit(master, spec.time_unit, 1));
   to.sync_time = shear.optional_number("sync_time", spec.time_unit);
   to.sync_length = shear.optional_number("sync_length", master);
@@ -44,8 +43,10 @@ void read_lengths(TomlReader& shear, const Spec& spec, FlyingShear& to) {
 
 }  // namespace
 
-FlyingShear read_shear(TomlReader shear, Spec& spec) {
+SyncSpec read_shear(TomlReader shear, Spec& spec) {
   FlyingShear made;
+  auto list = read_cut_list(shear, spec.units.x);
+  made.cut_length = list ? list->lengths.front() : shear.number("cut_length", spec.units.x);
   read_lengths(shear, spec, made);
   made.limits = spec.slave;
   made.safety = shear.optional_number("safety", "1").value_or(1);
@@ -57,13 +58,15 @@ FlyingShear read_shear(TomlReader shear, Spec& spec) {
   }
   made.ratio = ratio_of(shear, spec.units);
   made.angle = angle_of(shear);
-  for (const auto& [key, value] :
-       {std::pair{"cut_length", made.cut_length}, {"line_speed", made.line_speed}})
+  for (const auto& [key, value] : {std::pair{list ? "lengths" : "cut_length", made.cut_length},
+                                   {"line_speed", made.line_speed}})
     if (!(value > 0)) shear.fail(key, number(value), "must be greater than 0");
   shear.finish();
+  SyncSpec sync = with_list(made, list);
   // The line is the master, so a spec without [master] gets one from the shear.
-  spec.master = MasterSpec{made.line_speed, 3 * made.cut_length, {}};
-  return made;
+  const double run = list ? sync_cam_of(sync).cam.length() : 3 * made.cut_length;
+  spec.master = MasterSpec{made.line_speed, run, {}};
+  return sync;
 }
 
 Indexer read_indexer(TomlReader indexer, const Units& units) {

@@ -54,6 +54,7 @@ AxisSpec read_axis(TomlReader axis, const Units& units) {
     axis.fail("cycle", number(spec.cycle), "must be between 10 us and 1 s");
   spec.position = axis.optional_number("position", units.position).value_or(0);
   spec.require_home = axis.optional_flag("require_home").value_or(false);
+  spec.cutter = axis.optional_text("cutter").value_or("");
   read_watch(axis, units, spec);
   read_patience(axis, spec);
   axis.finish();

@@ -33,12 +33,16 @@ SyncSpec read_gear(TomlReader gear, const Units& units);
 
 /// Reads [follow] with [[segment]] or [[follow.table]], or [[point]] and [[zone]].
 FollowPart read_follow(TomlReader& top, const Units& units);
-/// Reads [knife].
-RotaryKnifeSpec read_knife(TomlReader knife, const Units& units);
+/// Reads the list of pieces of a cutter: lengths, first, waste. nullopt: none of them is given.
+std::optional<CutList> read_cut_list(TomlReader& cutter, const std::string& master);
+/// The cutter with its list, if there is one.
+SyncSpec with_list(CutMachine machine, std::optional<CutList> list);
+/// Reads [knife]: a RotaryKnifeSpec or a CutListSpec.
+SyncSpec read_knife(TomlReader knife, const Units& units);
 
 /// Reads [shear], for the limits of [limits.slave] that were read before, and sets its implied
-/// master.
-FlyingShear read_shear(TomlReader shear, Spec& spec);
+/// master: a FlyingShear or a CutListSpec.
+SyncSpec read_shear(TomlReader shear, Spec& spec);
 /// Reads [indexer].
 Indexer read_indexer(TomlReader indexer, const Units& units);
 

@@ -244,6 +244,8 @@ class MotionAxis {
     return probes_.start(what, inputs_.feedback, config_);
   }
   Rejection act(const command::AbortTrigger& what) { return probes_.abort(what.input); }
+  Rejection act(const command::Cut& what);
+  Rejection act(const command::Park& it);
   Rejection act(const command::Release& /*it*/) { return end_motion(Ending::release); }
   Rejection act(const command::Extend& what);
   Rejection power(bool on);
@@ -332,6 +334,8 @@ class MotionAxis {
   bool replan_move();
   void brake(double deceleration);
   void leave(Goal::Kind kind);
+
+  // axis_cut.cpp: act() of Cut and Park
 
   // axis_buffer.cpp: commands that wait for a tick, and moves that wait for the present motion
   Rejection postpone(const Command& command);

@@ -44,6 +44,8 @@ class LivePlayer {
   /// The phase shift of the movement.
   [[nodiscard]] PhasePlayer& phase() noexcept { return phase_; }
   [[nodiscard]] const PhasePlayer& phase() const noexcept { return phase_; }
+  /// The sum of these changes since the start of the movement, m.
+  [[nodiscard]] double master_shift() const noexcept { return shift_; }
 
   /// The movement; null: none.
   [[nodiscard]] Movement* movement() const noexcept { return movement_; }

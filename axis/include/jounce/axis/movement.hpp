@@ -15,6 +15,7 @@
 namespace jounce {
 
 struct AxisConfig;
+class LiveCuts;
 
 /// The commanded point of an axis at one instant. Units: u is the unit of the axis, m the unit of
 /// its master.
@@ -133,8 +134,8 @@ class Movement {
   /// For a path: true if its available part stays within the range that was checked at arming. If
   /// false, the axis checks before every setpoint that it can still stop within its limits.
   [[nodiscard]] virtual bool bounded() const noexcept { return true; }
-  /// After begin() returned Cause::start_position: the required position of the axis, u; NaN:
-  /// unknown.
+  /// After begin() returned Cause::start_position or Cause::cutter_away: the required position of
+  /// the axis, u; NaN: unknown.
   [[nodiscard]] virtual double place() const noexcept {
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -162,6 +163,8 @@ class Movement {
   [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
     return std::nullopt;
   }
+  /// For a plan of cuts: the plan; otherwise null.
+  [[nodiscard]] virtual LiveCuts* cuts() noexcept { return nullptr; }
   /// For a path: the length of one run of its table (a pass), s of path time; 0 for a stream of
   /// rows.
   [[nodiscard]] virtual double pass() const noexcept { return 0; }

@@ -101,6 +101,14 @@ enum class Cause : std::uint8_t {
   // Moves and jogs: rejected commands.
   not_a_move = 79,
 
+  // Cuts: rejected commands.
+  no_cut_plan = 90,
+  cut_length = 91,
+  cut_position = 92,
+  cut_pending = 93,
+  web_stands = 94,
+  cutter_away = 95,
+
   // Reasons why the last motion ended without a fault; none: it reached its end.
   stopped = 80,
   halted = 81,

@@ -118,10 +118,12 @@ enum class CommandKind : std::uint8_t {
   combine_axes,
   change_velocity,
   move_repetitive,
+  cut,
+  park,
   touch_probe,
   abort_trigger,
 };
-inline constexpr std::size_t command_kinds = 46;  ///< number of kinds
+inline constexpr std::size_t command_kinds = 48;  ///< number of kinds
 
 }  // namespace jounce
 
@@ -499,6 +501,32 @@ struct CamOut {
   static constexpr auto kind = CommandKind::cam_out;
 };
 
+/// Changes the cuts of a running plan of cuts. At most one of the numbers may be given. Without a
+/// number: adds a cut at the next possible position of the web.
+struct Cut {
+  static constexpr auto kind = CommandKind::cut;
+  double length = as_configured;    ///< length of all pieces that begin at the next cut or later, m
+  double position = as_configured;  ///< adds a cut at this position of the web (the master), m
+  double waste = as_configured;     ///< length of a piece of waste that begins at the next cut, m
+};
+template <Of<Cut> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"length", Quantity::master, FieldRange::given, "length",
+          "cut: length of all pieces that begin at the next cut or later"},
+    c.length);
+  f(Field{"position", Quantity::master, FieldRange::given, "position",
+          "cut: add a cut at this position of the web. Without --length, --position and --waste: "
+          "at the next possible position"},
+    c.position);
+  f(Field{"waste", Quantity::master, FieldRange::given, "waste",
+          "cut: length of a piece of waste that begins at the next cut"},
+    c.waste);
+}
+/// Ends a running plan of cuts: the cutter returns to its home position.
+struct Park {
+  static constexpr auto kind = CommandKind::park;
+};
+
 /// Continues a static queue (tables in two banks) with the other bank, at the end of the present
 /// bank.
 struct QueueSwitch {
@@ -756,8 +784,8 @@ using SharedCommand =
                  command::MoveAbsolute, command::MoveRelative, command::MoveAdditive,
                  command::MoveSuperimposed, command::MoveVelocity, command::Halt, command::GearOut,
                  command::CamOut, command::Finish, command::MoveRepetitive, command::ChangeVelocity,
-                 command::PhasingAbsolute, command::PhasingRelative, command::TouchProbe,
-                 command::AbortTrigger>;
+                 command::PhasingAbsolute, command::PhasingRelative, command::Cut, command::Park,
+                 command::TouchProbe, command::AbortTrigger>;
 
 /// A command that a client sends to an axis.
 ///

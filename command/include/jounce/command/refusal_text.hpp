@@ -10,8 +10,9 @@ namespace jounce {
 
 /// Returns Refusal::text() with units: "velocity_limit: The motion exceeds the velocity limit of
 /// the axis: 678.45 mm/s at 0.61 s, limit 500 mm/s." `unit`: unit of the axis's position; "": no
-/// unit. `axes`: names of the axes of the group that rejected.
+/// unit. `master_unit`: unit of the position of its master. `axes`: names of the axes of the group
+/// that rejected.
 std::string text(const Refusal& refusal, const std::string& unit,
-                 std::span<const std::string> axes = {});
+                 const std::string& master_unit = "", std::span<const std::string> axes = {});
 
 }  // namespace jounce

@@ -106,6 +106,8 @@ class AxisServer {
   void take_step(const GroupQueue::Extend& step);
   void take_step(const GroupQueue::Reply& reply);
   void couple(const CommandRequested& requested, const Request& request);
+  void couple(MadeMovement made, std::int64_t at, const Request& request);
+  void start_cuts(const CommandRequested& requested, const Request& request);
   [[nodiscard]] bool untimed(const CommandRequested& requested);
   void answer_queue(const Request& request, bool done);
   void decline(const CommandRequested& requested, const std::string& reason);

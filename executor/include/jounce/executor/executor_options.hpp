@@ -13,6 +13,7 @@
 #include "jounce/axis/group_program.hpp"
 #include "jounce/axis/machine.hpp"
 #include "jounce/executor/cycle.hpp"
+#include "jounce/gear/cut_plan.hpp"
 #include "jounce/stream/receiver/receiver.hpp"
 
 namespace jounce {
@@ -28,6 +29,14 @@ struct ExecutorGroup {
   std::shared_ptr<const GroupProgram> program = {};  ///< path that StartTable plays; null: none
 };
 
+/// The cutter of an axis (docs/gear/cuts.md).
+struct ExecutorCutter {
+  std::shared_ptr<const CutTask> task;  ///< the cutter and its list
+  StoredTable numbers;                  ///< numbers_of() the task in the column p, for the record
+};
+/// Makes a cutter. Throws InputError like the constructor of CutTask. `units`: those of the axis.
+ExecutorCutter executor_cutter(const CutJob& job, const Units& units);
+
 /// Options of one axis, or of one group, of an executor.
 struct ExecutorOptions {
   AxisConfig axis;                        ///< configuration
@@ -42,6 +51,8 @@ struct ExecutorOptions {
                                ///< enable it
   std::optional<StoredTable> table = {};  ///< table over time that the command StartTable plays;
                                           ///< nullopt: none
+  /// Cutter whose plan the command StartTable starts; nullopt: none.
+  std::optional<ExecutorCutter> cutter = {};
   /// for a group: its axes; nullopt: the options are for a single axis
   std::optional<ExecutorGroup> group = {};
   /// True: at standstill, arming a table sets the position of the axis to the start of the table.

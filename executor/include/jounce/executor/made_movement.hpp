@@ -39,6 +39,9 @@ struct MadeMovement {
 MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t period,
                          double position);
 
+/// Makes the plan of cuts of an axis.
+MadeMovement movement_of(const ExecutorCutter& cutter, std::uint64_t id, const AxisConfig& config);
+
 /// Makes the movement of a group from its program.
 MadeMovement movement_of(std::shared_ptr<const GroupProgram> program, std::uint64_t id);
 

@@ -54,13 +54,14 @@ struct RecordedTable {
   Columns columns = {};                         ///< columns of this part
 };
 
-/// The arguments of a Job or a LiveCam. Hashes identify the tables.
+/// The arguments of a Job, a LiveCam or a LiveCuts. Hashes identify the tables.
 struct RecordedJob {
   std::size_t axis = 0;            ///< index of the axis
   std::uint64_t id = 0;            ///< id of the movement
   Sha256 time{};                   ///< hash of the table over time; for a live cam, of the cam
   std::optional<Sha256> cam = {};  ///< hash of the cam over a virtual master; nullopt: none
   bool live = false;               ///< true: a cam that follows the live master of the axis
+  bool cuts = false;               ///< true, with live: a plan of cuts; `time` has its numbers
   double tick = 1e-3;              ///< length of a tick, s
   CouplingSpec coupling = {};      ///< coupling of the cam
   double position = 0;             ///< position of the slave at the start, u

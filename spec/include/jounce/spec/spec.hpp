@@ -133,6 +133,7 @@ struct AxisSpec {
   /// s; after this time without a message, the session ends and the axis is free.
   double session_timeout = 1;
   bool require_home = false;  ///< true: motions to absolute positions are rejected before homing
+  std::string cutter = {};    ///< spec of its knife or shear, relative to the axis' file; "": none
   std::optional<Homing> homing = {};
   std::optional<FollowWhom> follow = {};                  ///< the leader that the axis follows
   std::optional<LiveRegistrationSpec> registration = {};  ///< [registration]

@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "jounce/gear/cut_list.hpp"
 #include "jounce/gear/flying_shear.hpp"
 #include "jounce/gear/follow_plan.hpp"
 #include "jounce/gear/follow_start.hpp"
@@ -40,9 +41,16 @@ struct FollowPart {
 };
 
 /// A spec of a synchronous slave. For the kinds "knife", "shear" and "indexer" it is the parameter
-/// struct of the generator.
+/// struct of the generator; for a knife or a shear with a list of pieces, a CutListSpec.
 using SyncSpec = std::variant<GearSpec, GearCourse, GearInPosPart, FollowPart, RotaryKnifeSpec,
-                              FlyingShear, Indexer>;
+                              FlyingShear, Indexer, CutListSpec>;
+
+/// Returns the cutter of a spec of kind "knife" or "shear", with its list: without one, a list of one
+/// piece. nullopt for other kinds.
+std::optional<CutListSpec> cut_list_of(const SyncSpec& spec);
+
+/// Makes the cam of a synchronous slave. Throws InputError with the keys of the document.
+SyncCam sync_cam_of(const SyncSpec& spec);
 
 /// Returns the travel of the master (m) after which the motion of the slave repeats; nullopt if the
 /// motion does not repeat.
