@@ -10,6 +10,7 @@
 #include "jounce/base/file.hpp"
 #include "jounce/base/notice.hpp"
 #include "jounce/executor/run_executor.hpp"
+#include "jounce/executor/trace.hpp"
 #include "jounce/machine/machine_parts.hpp"
 #include "jounce/machine/run_text.hpp"
 #include "jounce/profiles/error.hpp"
@@ -33,20 +34,19 @@ struct RunArguments {
 };
 
 /// The live page of --web: `jounce page` in another process.
-std::unique_ptr<web::PageProcess> page_of(const RunArguments& options,
+std::unique_ptr<web::PageProcess> page_of(const RunArguments& options, const Trace* trace,
                                           const std::vector<ExecutorOptions>& axes) {
-  if (!options.web) return nullptr;
+  if (trace == nullptr) return nullptr;
   std::vector<std::string> words{"jounce", "page", "--of-run", "--url", options.link.url};
   if (!options.link.key.empty()) words.insert(words.end(), {"--key", options.link.key});
   for (const auto& axis : axes) words.push_back(axis.receiver.executor);
   auto page = std::make_unique<web::PageProcess>(
-      *options.web, std::move(words),
-      [](const std::string& notice) { print_notice("jounce: " + notice); });
+      *options.web, std::move(words), trace, [](const auto& s) { print_notice("jounce: " + s); });
   fmt::print(stderr, "jounce: live page at {}\n", page->address());
   return page;
 }
 
-/// A spec is not lost to a log of the same name.
+/// No spec, and no other file that these name, is lost to a log of the same name.
 void require_other_files(const RunArguments& options) {
   const RecorderOptions& record = options.run.record;
   for (const std::string& spec : options.machine.files) {
@@ -56,7 +56,6 @@ void require_other_files(const RunArguments& options) {
   }
 }
 
-/// Neither is any other file that these name.
 void require_no_inputs(const RunArguments& options, const std::vector<ExecutorOptions>& axes) {
   const RecorderOptions& record = options.run.record;
   if (!options.machine.log.empty())
@@ -73,8 +72,10 @@ int run_executor(const RunArguments& options) {
   require_no_inputs(options, axes);
   Link link(options.link);
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
-  const auto page = page_of(options, axes);
+  const auto trace = options.web ? std::make_unique<Trace>(Trace::of(axes)) : nullptr;
+  const auto page = page_of(options, trace.get(), axes);
   RunOptions how = options.run;
+  how.trace = trace.get();
   how.up = [&axes = axes, &options] {  // a run without output looks like a program that hangs
     fmt::print(stderr, "jounce: {}\n", up_text(axes, options.machine.enable));
   };

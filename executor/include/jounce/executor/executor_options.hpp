@@ -18,6 +18,7 @@
 namespace jounce {
 
 class Recorder;
+class Trace;
 
 /// A group of an executor (docs/executor/groups.md).
 struct ExecutorGroup {
@@ -52,6 +53,7 @@ struct ExecutorOptions {
   std::optional<std::filesystem::path> log{};               ///< tick log, a CSV file; nullopt: none
   std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
   Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: no record
+  Trace* trace = nullptr;        ///< receives the ticks and tables of the axis; null: no trace
 };
 
 }  // namespace jounce
