@@ -87,15 +87,14 @@ int run_order(const OrderArguments& options) {
 
 /// The options that the commands have.
 void add_options(const Verb& verb, CommandWords& words) {
-  for (const auto& [name, help, range] : command_options()) {
+  for (const auto& [name, help, range, quantity, choices] : command_options()) {
     if (range == FieldRange::flag) {
       verb.flag("--" + name, words.flags[name], help);
       continue;
     }
     const Option option = verb.option("--" + name, words.options[name], help);
-    if (range == FieldRange::direction) option.check(one_of({"shortest", "positive", "negative"}));
+    if (!choices.empty()) option.check(one_of(choices));
     if (range != FieldRange::buffer_mode) continue;
-    option.check(one_of({"low", "previous", "next", "high", "look-ahead"}));
     verb.flag("--buffered", words.flags["buffered"],
               "move, jog, and moves of a group: begin when the present motion has ended");
   }

@@ -11,6 +11,7 @@
 
 #include "jounce/base/notice.hpp"
 #include "jounce/executor/run_executor.hpp"
+#include "jounce/executor/trace.hpp"
 #include "jounce/machine/machine_parts.hpp"
 #include "jounce/machine/run_text.hpp"
 #include "jounce/profiles/error.hpp"
@@ -34,15 +35,14 @@ struct RunArguments {
 };
 
 /// The live page of --web: `jounce page` in another process.
-std::unique_ptr<web::PageProcess> page_of(const RunArguments& options,
+std::unique_ptr<web::PageProcess> page_of(const RunArguments& options, const Trace* trace,
                                           const std::vector<ExecutorOptions>& axes) {
-  if (!options.web) return nullptr;
+  if (trace == nullptr) return nullptr;
   std::vector<std::string> words{"jounce", "page", "--of-run", "--url", options.link.url};
   if (!options.link.key.empty()) words.insert(words.end(), {"--key", options.link.key});
   for (const auto& axis : axes) words.push_back(axis.receiver.executor);
   auto page = std::make_unique<web::PageProcess>(
-      *options.web, std::move(words),
-      [](const std::string& notice) { print_notice("jounce: " + notice); });
+      *options.web, std::move(words), trace, [](const auto& s) { print_notice("jounce: " + s); });
   fmt::print(stderr, "jounce: live page at {}\n", page->address());
   return page;
 }
@@ -56,8 +56,10 @@ int run_executor(const RunArguments& options) {
       files, [&, &axes = axes] { require_no_inputs(options.machine, options.run.record, axes); });
   KeyedLink link = open_link(options.link);
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
-  const auto page = page_of(options, axes);
+  const auto trace = options.web ? std::make_unique<Trace>(Trace::of(axes)) : nullptr;
+  const auto page = page_of(options, trace.get(), axes);
   RunOptions how = options.run;
+  how.trace = trace.get();
   how.up = [&axes = axes, &options] {  // a run without output looks like a program that hangs
     fmt::print(stderr, "jounce: {}\n", up_text(axes, options.machine.enable));
   };

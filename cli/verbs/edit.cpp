@@ -8,12 +8,11 @@
 #include "jounce/base/interrupt.hpp"
 #include "jounce/edit/editor.hpp"
 
+#include "cli/common/templates.hpp"
 #include "cli/common/verb.hpp"
 
 namespace jounce::cli {
 namespace {
-
-constexpr auto interrupt_interval = std::chrono::milliseconds(100);
 
 struct EditArguments {
   std::string spec;
@@ -22,9 +21,10 @@ struct EditArguments {
 
 int run_edit(const EditArguments& options) {
   const Interrupt interrupt;
-  const Editor editor(options.spec, web::Listening(static_cast<std::uint16_t>(options.port)));
+  const Editor editor(options.spec, web::Listening(static_cast<std::uint16_t>(options.port)),
+                      templates());
   fmt::print(stderr, "jounce: editor of {} at {}\n", options.spec, editor.address());
-  while (!interrupt.asked()) std::this_thread::sleep_for(interrupt_interval);
+  while (!interrupt.asked()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   if (!editor.is_saved())
     fmt::print(stderr, "jounce: the unsaved text is in {}; `jounce edit {}` continues with it\n",
                editor.side_file(), options.spec);

@@ -15,10 +15,8 @@ namespace jounce::cli {
 namespace {
 
 struct ReportArguments {
-  std::string file;
-  std::string axis, machine;
-  std::string before;
-  std::string log;
+  std::string file, axis, machine, before;
+  ReportOptions page;
   std::string output = "-";
 };
 
@@ -27,9 +25,8 @@ int run_report(const ReportArguments& options) {
   const Input input = load_program_axis(options.file, options.machine, options.axis);
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
-  const auto [page, all] = with_option_names({"before"}, [&] {
-    return report_page(input, before, {.log = options.log, .drive_samples = 2000});
-  });
+  const auto [page, all] =
+      with_option_names({"before"}, [&] { return report_page(input, before, options.page); });
   write_file(options.output, html(page));
   if (options.output != "-") fmt::print("{}: {}\n", input.name, one_line(all, input.labels));
   return all.ok() ? fine : finding;
@@ -46,7 +43,10 @@ void add_report(CommandLine& line) {
   verb.axis(options->axis);
   verb.machine(options->machine);
   verb.option("--before", options->before, "Spec or table to draw paler underneath");
-  verb.option("--log", options->log, "Tick log of an executor to compare with the exact curve");
+  verb.option("--log", options->page.proof.log,
+              "Tick log of an executor to compare with the exact curve");
+  verb.option("--optimum", options->page.optimum,
+              "Output of `jounce optimize --json` to show: gain, bound and active limits");
   verb.option("-o,--output", options->output, "Page to write; - is standard output")
       .check(output_file({".html", ".htm"}));
   verb.work([options] { return run_report(*options); });

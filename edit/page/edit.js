@@ -88,7 +88,7 @@ function showNotices() {
   const name = state.file.split('/').at(-1);
   notice('conflict', state.on_disk === 'changed' ? `Another program has changed ${name}, and this text has unsaved changes. Nothing was replaced.` : null, true, [
     ['Compare', compare], ['Use the text of the file', () => act('/conflict', {use: 'file'})], ['Keep this text', () => act('/conflict', {use: 'mine'})]]);
-  notice('missing', state.on_disk === 'missing' ? `${name} does not exist on the disk. Save writes it again.` : null, true);
+  notice('missing', state.on_disk === 'missing' ? `${name} does not exist on the disk. Save writes it.` : null, state.text !== '');
   notice('recovered', state.recovered ? `This text was not saved when an earlier editor ended. Undo shows the text of ${name}.` : null, false, [['Undo', () => act('/undo')]]);
   notice('side', state.side_error ? `The unsaved text cannot be kept beside the file: ${state.side_error}` : null, true);
 }
@@ -129,6 +129,11 @@ function showAnalysis(answer) {
   }
   $('segments').hidden = answer.cam === null;
   if (answer.cam) table.take(answer.cam, laws, stale ? null : picture?.views[0]);
+  const {units} = answer.cam ?? {};
+  points.take(['point', `master [${units?.master}]`, `slave [${units?.slave}]`], answer.cam ? pointRows(answer.cam) : []);
+  switches.take(['switch', `on from [${units?.master}]`, `to [${units?.master}]`], answer.cam ? switchRowsOf(answer.cam) : []);
+  showMeasured();
+  showGallery();
   $('optimize').hidden = !answer.can_optimize;
   showFindings(answer.result);
   $('check').hidden = answer.check === '';
@@ -262,15 +267,73 @@ function differenceText(before, now) {
   return pre;
 }
 
-async function compare() {
+/// Compares the text with the saved file (against = "file") or with the newest commit ("head").
+async function compareWith(against) {
+  const words = {file: 'the file', head: 'the newest commit'};
+  const other = against === 'file' ? 'head' : 'file';
+  const title = `Comparison with ${words[against]}`;
+  const switching = html('button', {type: 'button', textContent: `Compare with ${words[other]}`, onclick: () => compareWith(other)});
   try {
     await inTurn(sendTyped);
-    const {before, difference, charts} = await request('GET', '/difference');
-    if (before === state.text) return openWindow('Comparison with the file', html('p', {textContent: 'The text is that of the file.'}));
-    openWindow('Comparison with the file', differenceText(before, state.text), comparisonPicture(charts, 'difference'), html('pre', {textContent: difference, tabIndex: 0}));
+    const {before, difference, charts} = await request('GET', `/difference?against=${against}`);
+    if (before === state.text) return openWindow(title, switching, html('p', {textContent: `The text is that of ${words[against]}.`}));
+    openWindow(title, switching, differenceText(before, state.text), comparisonPicture(charts, 'difference'), html('pre', {textContent: difference, tabIndex: 0}));
+  } catch (error) {
+    if (against === 'head') return openWindow(title, switching, html('p', {textContent: error.message}));
+    say(error.message, true);
+  }
+}
+const compare = () => compareWith('file');
+
+// ---- measured points -----------------------------------------------------------------------------
+
+let measured = null;  // {name, text, pairs}
+
+async function takePoints(file) {
+  const text = await file.text(), pairs = pairsOf(text);
+  if (pairs.length < 2) return say(`${file.name}: no line has two numbers: give the columns master and slave`, true);
+  measured = {name: file.name, text, pairs, units: unitsOf(text)};
+  $('fit-tolerance').value = '';
+  return showMeasured();
+}
+
+function showMeasured() {
+  $('fit').hidden = measured === null;
+  const units = shownCam?.units;
+  const fits = measured && units && [units.master, units.slave].every((unit, i) => (measured.units[i] ?? unit) === unit);
+  const shown = fits ? measured.pairs : undefined;
+  if (picture && picture.measured !== shown) picture.lay(shown);
+  if (measured === null) return;
+  const most = fits ? farthest(picture.views[0].curves[0], measured.pairs) : null;
+  $('fit-facts').textContent = `${measured.name}: ${measured.pairs.length} points`
+    + (units && !fits ? `; the picture does not show them: their units are ${measured.units.join(' and ')}, those of the cam ${units.master} and ${units.slave}` : '')
+    + (most ? `; greatest distance ${number(most.distance)} ${units.slave} at ${number(most.x)} ${units.master}` : '');
+}
+
+async function fitPoints() {
+  const units = state.cam?.units;
+  try {
+    await inTurn(sendTyped);
+    const result = await request('POST', '/fit', {name: measured.name, points: measured.text, tolerance: $('fit-tolerance').value.trim(),
+      ...($('fit-period').value.trim() && {period: $('fit-period').value.trim()}),
+      ...(units && {master_unit: units.master, position_unit: units.slave})});
+    const take = html('button', {type: 'button', textContent: 'Take the fitted cam', onclick: () => { $('window').close(); act('/document', {text: result.spec}); }});
+    openWindow('Cam through the measured points', take, comparisonPicture(result.charts, 'fitted'), html('pre', {textContent: result.text, tabIndex: 0}));
   } catch (error) {
     say(error.message, true);
   }
+}
+
+// ---- templates -----------------------------------------------------------------------------------
+
+let templates = null;
+
+async function showGallery() {
+  $('gallery').hidden = state.text.trim() !== '';
+  if ($('gallery').hidden || templates) return;
+  templates = await request('GET', '/templates');
+  $('gallery').querySelector('.cards').replaceChildren(...templates.map(({kind, text, picture: drawing}) => html('button', {type: 'button', className: 'card', onclick: () => act('/document', {text})},
+    html('b', {textContent: kind}), drawing ? html('img', {alt: `Curve of the template ${kind}`, src: `data:image/svg+xml,${encodeURIComponent(drawing)}`}) : html('small', {textContent: text.split('\n')[0].replace(/^# ?/, '')}))));
 }
 
 const short = (value) => value === null ? '∞' : number(value, 4);
@@ -313,6 +376,9 @@ const table = new SegmentTable($('knots'), {
   },
   hover: (k) => picture?.highlight(k === null || !shownCam?.knots[k] ? null : [shownCam.knots[k - 1].master, shownCam.knots[k].master]),
 });
+
+const points = new NumberTable($('points'), {change, refuse: (words) => say(words, true)});
+const switches = new NumberTable($('switches'), {change, refuse: (words) => say(words, true)});
 
 // ---- the optimizer -------------------------------------------------------------------------------
 
@@ -367,6 +433,16 @@ function listen() {
   $('redo').onclick = () => act('/redo');
   $('save').onclick = save;
   $('difference').onclick = compare;
+  $('measured').onclick = () => $('measured-file').click();
+  $('measured-file').onchange = () => { if ($('measured-file').files.length > 0) takePoints($('measured-file').files[0]); $('measured-file').value = ''; };
+  $('fit-form').onsubmit = (event) => { event.preventDefault(); fitPoints(); };
+  $('fit-remove').onclick = () => { measured = null; showMeasured(); };
+  addEventListener('dragover', (event) => { if (event.dataTransfer?.types.includes('Files')) event.preventDefault(); });
+  addEventListener('drop', (event) => {
+    if (!event.dataTransfer?.files.length) return;
+    event.preventDefault();
+    takePoints(event.dataTransfer.files[0]);
+  });
   $('report').onclick = () => exported(`/report?axis=${axis}`, `${stem()}.html`, 'text/html');
   $('table').onclick = () => exported(`/table?form=${$('form').value}&axis=${axis}`, `${stem()}${endings[$('form').value] ?? '.txt'}`, 'text/plain');
   $('split').onclick = () => split(picture.x);

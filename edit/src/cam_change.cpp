@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "edit/src/cam_change.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -221,6 +222,25 @@ ChangedText scale(const CamSource& source, const JsonReader& change) {
   return {source.with(with_slave(source.cam, by)), "scale the slave"};
 }
 
+/// Moves a point of a segment through points.
+ChangedText move_point(const CamSource& source, const JsonReader& change) {
+  const std::size_t i = source.segment(change);
+  CamSpec cam = source.cam;
+  auto& points = cam.segments[i].points;
+  if (points.empty()) throw InputError("segment", std::to_string(i + 1), "has no points");
+  const std::size_t k = change.index("point", 1, points.size()) - 1;
+  points[k].master = change.number("master");
+  if (points[k].slave) points[k].slave = change.number("slave");
+  return {source.with(cam), fmt::format("move point {} of {}", k + 1, source.segment_name(i))};
+}
+
+ChangedText move_switch(const CamSource& source, const JsonReader& change) {
+  const std::size_t count = source.spec.switches.table.switches.size();
+  const std::size_t i = change.index("switch", 1, std::max<std::size_t>(count, 1)) - 1;
+  return {with_switch(source.spec, i, change.number("first"), change.optional_number("last")),
+          fmt::format("move switch {}", i + 1)};
+}
+
 /// A change by name, and its keys beside "do".
 struct Action {
   const char* name;
@@ -242,6 +262,8 @@ const std::vector<Action>& actions() {
       {"mirror", {"axis"}, mirror},
       {"shift", {"axis", "by"}, shift},
       {"scale", {"axis", "by"}, scale},
+      {"point", {"segment", "point", "master", "slave"}, move_point},
+      {"switch", {"switch", "first", "last"}, move_switch},
   };
   return all;
 }

@@ -36,6 +36,28 @@ Json knot_json(const CamSpec& cam, std::size_t i) {
           {"sets_acceleration", settable.acceleration}};
 }
 
+/// The points of a segment; null if they are in another file, or too many for handles.
+Json points_json(const Spec& spec, const CamSegment& segment, std::size_t i) {
+  constexpr std::size_t most_points = 500;
+  const std::string first = "segment[" + std::to_string(i + 1) + "].points[1]";
+  if (segment.points.size() > most_points || !spec.document.places.contains(first)) return nullptr;
+  Json all = Json::array();
+  for (const CamPoint& point : segment.points) all.push_back({point.master, optional(point.slave)});
+  return all;
+}
+
+/// The switches that use the position of the master.
+Json switches_json(const Spec& spec) {
+  Json all = Json::array();
+  if (spec.switches.of != SwitchesOf::master) return all;
+  for (const CamSwitch& each : spec.switches.table.switches)
+    all.push_back({{"track", each.track},
+                   {"first", each.first_on_position},
+                   {"last", optional(each.last_on_position)},
+                   {"duration", optional(each.duration)}});
+  return all;
+}
+
 Json segment_json(const Spec& spec, const CamSegment& segment, std::size_t i) {
   Json json{{"name", segment.name},
             {"law", name(segment.law)},
@@ -43,6 +65,7 @@ Json segment_json(const Spec& spec, const CamSegment& segment, std::size_t i) {
             {"straight", optional(segment.form.straight)},
             {"shares", Json()},
             {"points", segment.points.size()},
+            {"through", points_json(spec, segment, i)},
             {"line", line_of(spec, "segment[" + std::to_string(i + 1) + "]")}};
   if (segment.form.shares) json["shares"] = *segment.form.shares;
   return json;
@@ -66,7 +89,8 @@ std::string cam_json(const Spec& spec) {
                 {"geo_velocity", rate_unit(units.position, units.x, 1)},
                 {"geo_acceleration", rate_unit(units.position, units.x, 2)}}},
               {"knots", std::move(knots)},
-              {"segments", std::move(segments)}}
+              {"segments", std::move(segments)},
+              {"switches", switches_json(spec)}}
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -13,14 +13,17 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/design/convert.hpp"
+#include "jounce/design/fit.hpp"
 #include "jounce/design/law_guide.hpp"
 #include "jounce/edit/session.hpp"
+#include "jounce/lint/committed.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/web/gate.hpp"
 
 #include "edit/src/analysis.hpp"
 #include "edit/src/cam_change.hpp"
 #include "edit/src/exports.hpp"
+#include "edit/src/gallery.hpp"
 #include "edit/src/json_reader.hpp"
 #include "edit/src/only_one.hpp"
 #include "edit/src/optimum_job.hpp"
@@ -64,18 +67,8 @@ std::string job_members(const OptimumJob::State& job) {
                      json_text(job.step), json_text(job.error));
 }
 
-/// The value of a key in the part of an address behind the ?: "form=csv&axis=1". "": it is missing.
-std::string query_value(const std::string& query, const std::string& key) {
-  const std::string all = "&" + query + "&";
-  const std::string begin = "&" + key + "=";
-  const auto at = all.find(begin);
-  if (at == std::string::npos) return "";
-  const auto value = at + begin.size();
-  return all.substr(value, all.find('&', value) - value);
-}
-
-std::size_t axis_of(const std::string& query) {
-  const std::string text = query_value(query, "axis");
+std::size_t axis_of(const Request& request) {
+  const std::string text = request.value("axis");
   std::size_t axis = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), axis);
   if (error == std::errc() ? end != text.data() + text.size() : !text.empty())
@@ -86,9 +79,11 @@ std::size_t axis_of(const std::string& query) {
 }  // namespace
 
 struct Editor::Impl {
-  Impl(const std::string& file, web::Listening listening)
-      : only_one(file),
+  Impl(const std::string& file, web::Listening listening,
+       std::map<std::string, std::string> its_templates)
+      : only_one((edit_detail::require_spec(file), file)),
         session(file),
+        templates(std::move(its_templates)),
         token(web::new_token()),
         server(std::move(listening), token,
                {.files = {{"/", "text/html; charset=utf-8", edit_detail::page()},
@@ -97,7 +92,8 @@ struct Editor::Impl {
                 .commands = {"GET /document", "POST /document", "POST /change", "POST /preview",
                              "POST /undo", "POST /redo", "POST /save", "POST /conflict",
                              "GET /laws", "GET /forms", "GET /difference", "GET /table",
-                             "GET /report", "POST /optimize", "GET /optimum", "POST /optimum"},
+                             "GET /report", "GET /templates", "POST /fit", "POST /optimize",
+                             "GET /optimum", "POST /optimum"},
                 .event = [this](std::int64_t& seen) { return event(seen); },
                 .obey = [this](const Request& request) { return answer(request); },
                 .urgent = [](const Request& /*request*/) { return false; },
@@ -147,10 +143,11 @@ struct Editor::Impl {
     if (request.is_get) {
       if (path == "/laws") return {200, laws_json()};
       if (path == "/forms") return {200, nlohmann::json(form_names()).dump()};
-      if (path == "/difference") return difference();
-      if (path == "/table") return table(request.query);
+      if (path == "/difference") return difference(request.value("against"));
+      if (path == "/templates") return {200, edit_detail::gallery(templates)};
+      if (path == "/table") return table(request);
       if (path == "/report")
-        return {200, edit_detail::exported_report(path_of(), text(), axis_of(request.query)),
+        return {200, edit_detail::exported_report(path_of(), text(), axis_of(request)),
                 "text/html; charset=utf-8"};
       return path == "/optimum" ? optimum() : document();
     }
@@ -164,6 +161,7 @@ struct Editor::Impl {
       return step(body, &EditSession::save,
                   "the file has changed on the disk: resolve the conflict");
     if (path == "/conflict") return resolve(body);
+    if (path == "/fit") return fit(body);
     return path == "/optimize" ? optimize(body) : end_optimum(body);
   }
 
@@ -264,25 +262,42 @@ struct Editor::Impl {
 
   // ---- exports ----------------------------------------------------------------------------------
 
-  Answer difference() {
-    std::string before;
+  /// Fits a cam to measured points; changes nothing.
+  Answer fit(const JsonReader& body) {
+    body.require_only({"name", "points", "tolerance", "period", "master_unit", "position_unit"});
+    const auto given = [&](const char* key) { return body.has(key) ? body.word(key) : ""; };
+    const FittedCam fitted = fitted_cam(body.word("points"), body.word("name"),
+                                        {.tolerance = given("tolerance"),
+                                         .period = given("period"),
+                                         .master_unit = given("master_unit"),
+                                         .position_unit = given("position_unit")});
+    return {200, fmt::format(R"({{"ok":true,"spec":{},"text":{},"within":{},{}}})",
+                             json_text(fitted.text), json_text(fit_text(fitted)), fitted.ok(),
+                             edit_detail::difference_members(path_of(), text(), fitted.text))};
+  }
+
+  Answer difference(const std::string& against) {
+    if (against != "" && against != "file" && against != "head")
+      throw InputError("against", against, "must be file or head");
+    std::string before = against == "head" ? committed_text(path_of()) : "";
     std::string now;
     {
       const std::scoped_lock lock(mutex);
-      before = session.on_disk() == EditSession::OnDisk::changed ? session.file_text()
-                                                                 : session.saved_text();
+      if (against != "head")
+        before = session.on_disk() == EditSession::OnDisk::changed ? session.file_text()
+                                                                   : session.saved_text();
       now = session.text();
     }
     return {200, fmt::format(R"({{"ok":true,"before":{},{}}})", json_text(before),
                              edit_detail::difference_members(path_of(), before, now))};
   }
 
-  Answer table(const std::string& query) {
-    const std::string form = query_value(query, "form");
-    return {
-        200,
-        edit_detail::exported_table(path_of(), text(), form.empty() ? "csv" : form, axis_of(query)),
-        "text/plain; charset=utf-8"};
+  Answer table(const Request& request) {
+    const std::string form = request.value("form");
+    return {200,
+            edit_detail::exported_table(path_of(), text(), form.empty() ? "csv" : form,
+                                        axis_of(request)),
+            "text/plain; charset=utf-8"};
   }
 
   // ---- the optimizer ----------------------------------------------------------------------------
@@ -349,6 +364,7 @@ struct Editor::Impl {
   edit_detail::OnlyOne only_one;
   std::mutex mutex;  // guards the session and the job
   EditSession session;
+  const std::map<std::string, std::string> templates;
   std::unique_ptr<OptimumJob> job;
   std::mutex kept_mutex;  // guards the next one
   std::optional<std::pair<std::string, std::shared_ptr<const Analysis>>> kept;
@@ -359,8 +375,9 @@ struct Editor::Impl {
   web::Server server;  // last: its threads use the others
 };
 
-Editor::Editor(const std::string& file, web::Listening listening)
-    : impl_(std::make_unique<Impl>(file, std::move(listening))) {}
+Editor::Editor(const std::string& file, web::Listening listening,
+               std::map<std::string, std::string> templates)
+    : impl_(std::make_unique<Impl>(file, std::move(listening), std::move(templates))) {}
 Editor::~Editor() = default;
 
 std::string Editor::address() const {

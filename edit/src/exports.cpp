@@ -21,8 +21,6 @@
 namespace jounce::edit_detail {
 namespace {
 
-constexpr std::size_t drive_samples = 2000;  ///< number in a figure, as in `jounce report`
-
 std::vector<Input> inputs_of_text(const std::string& path, const std::string& text) {
   return inputs_of(parse_spec(text, path), path);
 }
@@ -52,7 +50,7 @@ std::string exported_table(const std::string& path, const std::string& text,
 
 std::string exported_report(const std::string& path, const std::string& text, std::size_t axis) {
   const Input input = axis_of_text(path, text, axis);
-  return html(report_page(input, std::nullopt, {.drive_samples = drive_samples}).page);
+  return html(report_page(input, std::nullopt).page);
 }
 
 std::string difference_members(const std::string& path, const std::string& before,

@@ -32,7 +32,10 @@ EditSession::EditSession(std::string path) : path_(std::move(path)) {
     throw InputError("", "", "is standard input: give the name of a file, which Save can write")
         .at(path_);
   stamp_ = stamp_of(path_);
-  set_base(read_edited_file(path_));
+  if (stamp_.empty())
+    on_disk_ = OnDisk::missing;
+  else
+    set_base(read_edited_file(path_));
   versions_.push_back({base_, ""});
   recover();
 }

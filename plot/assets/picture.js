@@ -188,7 +188,7 @@ function draw(root, view, {from, to, difference, piece, ranges}, width) {
   const cursor = svg('g', {class: 'cursor'});
   root.setAttribute('viewBox', `0 0 ${width} ${height}`);
   root.replaceChildren(...children, cursor);
-  return {toX, toValue: (x) => from + (x - left) / (right - left) * (to - from), panels, cursor, left, right};
+  return {toX, toValue: (x) => from + (x - left) / (right - left) * (to - from), panels, cursor, left, right, rows: outputs.map(([y]) => y)};
 }
 
 const widthOf = (words) => look.letter * [...words].length;  // px, an estimate for digits and letters

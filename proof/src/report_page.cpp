@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/proof/report_page.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "jounce/base/file.hpp"
 #include "jounce/design/cam_check.hpp"
 #include "jounce/design/load_figures.hpp"
 #include "jounce/plot/chart_data.hpp"
@@ -18,7 +20,7 @@
 #include "jounce/proof/follower_figure.hpp"
 #include "jounce/proof/loop_figures.hpp"
 
-#include "proof/src/path_section.hpp"
+#include "proof/src/page_sections.hpp"
 #include "proof/src/text/loop_text.hpp"
 
 namespace jounce {
@@ -76,13 +78,27 @@ Facts facts(const Input& input) {
   return f;
 }
 
+/// The findings; of very many, the first ones: a table of 200 000 knots can have a step at each knot.
+DataTable first_findings(const Report& report, const Labels& labels) {
+  constexpr std::size_t most = 300;
+  if (report.findings.size() <= most) return findings_table(report, labels);
+  Report first = report;
+  std::stable_partition(first.findings.begin(), first.findings.end(),
+                        [](const Finding& finding) { return finding.broken; });
+  first.findings.resize(most);
+  return findings_table(first, labels,
+                        fmt::format("The first {} of {} findings, the broken ones first; `jounce "
+                                    "check` shows all of them",
+                                    most, report.findings.size()));
+}
+
 Section proof_section(const Proof& proof, const Input& input) {
   Section section{"Proof", {}};
   section.blocks.emplace_back(
       Prose{"The witness integrates only the jerk, three times, with SUNDIALS CVODES, and compares "
             "the result with the position, velocity and acceleration of the curve and its table. "
             "It reads the table as the executor does."});
-  DataTable table = findings_table(proof.report, input.labels);
+  DataTable table = first_findings(proof.report, input.labels);
   section.blocks.emplace_back(std::move(table));
   if (proof.drive) {
     section.blocks.emplace_back(
@@ -132,9 +148,9 @@ Report check_of(const Input& input) {
 }  // namespace
 
 ReportPage report_page(const Input& input, const std::optional<Input>& before,
-                       const ProofOptions& options) {
+                       const ReportOptions& options) {
   const Report report = check_of(input);
-  const Proof proof = prove(input, options);
+  const Proof proof = prove(input, options.proof);
   Report all = report;
   all.findings.insert(all.findings.end(), proof.report.findings.begin(),
                       proof.report.findings.end());
@@ -152,12 +168,17 @@ ReportPage report_page(const Input& input, const std::optional<Input>& before,
                                          : "Marked are the exact extrema.",
                                   chart_data(input, before)},
                             extrema_table(input)}});
+  if (!options.optimum.empty())
+    page.sections.push_back(
+        optimum_section(read_file(options.optimum), options.optimum, input.labels));
   if (input.plan) page.sections.push_back(path_section(input));
   if (auto load = load_figure(input))
     page.sections.push_back(load_section(std::move(*load), input));
-  page.sections.push_back({"Limits and joints", {findings_table(report, input.labels)}});
+  if (input.spec && input.spec->disc) page.sections.push_back(disc_section(input));
+  page.sections.push_back({"Limits and joints", {first_findings(report, input.labels)}});
   page.sections.push_back(proof_section(proof, input));
   page.sections.push_back({"Table", {facts(input)}});
+  if (input.spec) page.sections.push_back(spec_section(input, all));
   return {std::move(page), std::move(all)};
 }
 

@@ -44,14 +44,16 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-/// A table of the text: the start, a segment, its end, or one of its points.
+/// A table of the text: the start, a segment, its end, one of its points, or a switch, whose index is
+/// `segment`.
 struct CamPlace {
-  enum class Of { start, segment, end, point } of;
+  enum class Of { start, segment, end, point, cam_switch } of;
   std::size_t segment = 0;
   std::size_t point = 0;
 
   [[nodiscard]] std::string path() const {
     if (of == Of::start) return "start";
+    if (of == Of::cam_switch) return fmt::format("switch[{}]", segment + 1);
     const std::string own = fmt::format("segment[{}]", segment + 1);
     if (of == Of::segment) return own;
     return of == Of::end ? own + ".end" : fmt::format("{}.points[{}]", own, point + 1);
@@ -60,6 +62,7 @@ struct CamPlace {
   /// Null: the text does not have the table.
   [[nodiscard]] const toml::table* in(const toml::table& root) const {
     if (of == Of::start) return root["start"].as_table();
+    if (of == Of::cam_switch) return root["switch"][segment].as_table();
     const auto own = root["segment"][segment];
     if (of == Of::segment) return own.as_table();
     return of == Of::end ? own["end"].as_table() : own["points"][point].as_table();
@@ -104,6 +107,14 @@ class CamText {
         std::tie(after.control.values, after.control.knots))
       throw spec_.document.located(
           InputError(at.path() + ".control", "", "must be changed as text: the law is b_spline"));
+  }
+
+  void switch_positions(std::size_t i, const CamSwitch& before, const CamSwitch& after) {
+    const CamPlace at{CamPlace::Of::cam_switch, i};
+    number(at, "first_on_position", spec_.units.x, before.first_on_position,
+           after.first_on_position, "track");
+    number(at, "last_on_position", spec_.units.x, before.last_on_position, after.last_on_position,
+           "track");
   }
 
   [[nodiscard]] bool has_no_slave(const CamPlace& at) const {
@@ -357,6 +368,20 @@ std::string with_cam(const Spec& spec, const CamSpec& cam) {
       text.knot(end, a.end, b.end);
     from = &b.end;
   }
+  return text.result();
+}
+
+std::string with_switch(const Spec& spec, std::size_t at, double first_on,
+                        std::optional<double> last_on) {
+  const auto& switches = spec.switches.table.switches;
+  if (at >= switches.size())
+    throw InputError("switch", std::to_string(at + 1),
+                     fmt::format("must be 1 to {}", switches.size()));
+  CamSwitch changed = switches[at];
+  changed.first_on_position = first_on;
+  if (changed.last_on_position) changed.last_on_position = last_on;
+  CamText text(spec);
+  text.switch_positions(at, switches[at], changed);
   return text.result();
 }
 

@@ -56,6 +56,40 @@ TEST(CamChange, ADwellMovesWithItsKnot) {
   EXPECT_EQ(cam.segments[2].end.slave, 0);
 }
 
+const std::string through_points = R"(jounce = 1
+kind = "cam"
+periodic = true
+units = { master = "deg", position = "mm" }
+start = { master = 0, slave = 0 }
+[[segment]]
+law = "quintic_spline"
+points = [ { master = 90, slave = 20 }, { master = 180, slave = 30 } ]  # measured
+end = { master = 360, slave = 0 }
+[switches]
+of = "master"
+[[switch]]
+track = 2
+first_on_position = 350
+last_on_position = 20
+)";
+
+TEST(CamChange, APointMovesAndItsCommentStays) {
+  EXPECT_THAT(
+      changed(through_points, R"({"do":"point","segment":1,"point":2,"master":185,"slave":31.5})"),
+      HasSubstr("{ master = 185, slave = 31.5 } ]  # measured"));
+  EXPECT_THAT(
+      refused(R"({"do":"point","segment":1,"point":3,"master":185,"slave":31.5})", through_points),
+      HasSubstr("point"));
+  EXPECT_THAT(refused(R"({"do":"point","segment":1,"point":1,"master":1,"slave":1})"),
+              HasSubstr("has no points"));
+}
+
+TEST(CamChange, ASwitchMoves) {
+  EXPECT_THAT(changed(through_points, R"({"do":"switch","switch":1,"first":340,"last":25})"),
+              HasSubstr("first_on_position = 340\nlast_on_position = 25"));
+  EXPECT_THAT(refused(R"({"do":"switch","switch":1,"first":340,"last":25})"), HasSubstr("switch"));
+}
+
 TEST(CamChange, BothEndsOfAPeriodMoveTogether) {
   const CamSpec cam = cam_of(changed(feeder, R"({"do":"set","knot":3,"key":"slave","value":5})"));
   EXPECT_EQ(cam.start.slave, 5);

@@ -5,6 +5,7 @@
 With a picture: draws PICTURE.png, PICTURE-dark.png and PICTURE-narrow.png of the first page.
 """
 import json
+import math
 import pathlib
 import signal
 import subprocess
@@ -510,6 +511,98 @@ def contrast():
     browser.call("Emulation.setEmulatedMedia", features=[])
 
 
+SPLINE = """\
+jounce = 1
+kind = "cam"
+name = "spline"
+periodic = true
+units = { master = "deg", position = "mm" }
+start = { master = 0, slave = 0 }
+
+[[segment]]
+law = "quintic_spline"
+points = [ { master = 90, slave = 20 }, { master = 180, slave = 30 } ]   # measured
+end = { master = 360, slave = 0 }
+
+[switches]
+of = "master"
+
+[[switch]]
+track = 2
+first_on_position = 100   # glue
+last_on_position = 140
+"""
+
+
+def drag_grip(query, dx, dy):
+    """Drags the handle that a query finds."""
+    x, y = json.loads(browser.run(f"(() => {{ const box = document.querySelector('{query}').getBoundingClientRect();"
+                                  " return JSON.stringify([box.x + box.width / 2, box.y + box.height / 2]); })()"))
+    mouse("mouseMoved", x, y)
+    mouse("mousePressed", x, y, button="left", buttons=1, clickCount=1)
+    for step in range(1, 6):
+        mouse("mouseMoved", x + dx * step / 5, y + dy * step / 5, button="left", buttons=1)
+    browser.wait_for("!asked")
+    mouse("mouseReleased", x + dx, y + dy, button="left", clickCount=1)
+    settle()
+
+
+def field(section, label, value):
+    """Types a number into a table of points or switches."""
+    browser.run(f"(() => {{ const i = document.querySelector('#{section} input[aria-label=\"{label}\"]'); i.value = '{value}'; "
+                "i.dispatchEvent(new Event('change')); })()")
+    settle()
+
+
+def points_and_switches():
+    """A new file begins with a template; points and switches move by mouse and keyboard; measured points are fitted."""
+    file = pathlib.Path(folder) / "new.toml"
+    editor = Editor(file)
+    try:
+        browser.open(editor.address)
+        browser.wait_for("document.querySelectorAll('#gallery .card img').length >= 8")
+        assert browser.run("[...document.querySelectorAll('#gallery img')].every((i) => i.complete && i.naturalWidth > 0)")
+        browser.run("[...document.querySelectorAll('#gallery .card')].find((c) => c.textContent.startsWith('cam')).click()")
+        browser.wait_for("document.querySelector('figure.live') !== null && document.getElementById('gallery').hidden")
+        assert "kind = \"cam\"" in text() and not file.exists()
+        browser.run("act('/document', {text: " + json.dumps(SPLINE) + "})")
+        browser.wait_for(f"{TEXT} === {json.dumps(SPLINE)} && document.querySelector('.grip[data-point=\"2\"]') !== null")
+        settle()
+        before = text()
+        drag_grip('.grip[data-point="2"]', 30, -20)
+        line = only_line_differs(before, text(), "points = [ { master = 90, slave = 20 }, ")
+        assert line.endswith("]   # measured") and "master = 180, slave = 30" not in line, line
+        before = text()
+        drag_grip('.grip[data-switch="1"][data-edge="0"]', -25, 0)
+        line = only_line_differs(before, text(), "first_on_position = ")
+        assert float(line.split()[2]) < 100 and line.endswith("# glue"), line
+        before = text()
+        field("points", "slave [mm]: 1 of segment 1", 21.5)
+        only_line_differs(before, text(), "points = [ { master = 90, slave = 21.5 }, ")
+        before = text()
+        field("switches", "to [deg]: switch 1, track 2", 150)
+        assert only_line_differs(before, text(), "last_on_position") == "last_on_position = 150"
+        # Measured points: the greatest distance is that of the curve of the library.
+        csv = "master [deg],slave [mm]\\n" + "\\n".join(f"{x},{20 - 20 * math.cos(math.radians(x)):.4f}" for x in range(0, 361, 10))
+        browser.run(f"takePoints(new File(['{csv}'], 'measured.csv'))")
+        browser.wait_for("document.querySelectorAll('.measured circle').length > 30")
+        said = browser.run("document.getElementById('fit-facts').textContent")
+        assert said.startswith("measured.csv: 37 points; greatest distance "), said
+        browser.run("document.getElementById('fit-tolerance').value = '0.05'; document.getElementById('fit-period').value = '360'; "
+                    "document.getElementById('fit-form').requestSubmit()")
+        browser.wait_for("document.getElementById('window').open && document.querySelector('#window figure.live') !== null")
+        browser.run("document.querySelector('#window-body button').click()")
+        browser.wait_for(f"{TEXT}.includes('Fitted by')")
+        settle()
+        distance = float(browser.run("document.getElementById('fit-facts').textContent").split("greatest distance ")[1].split(" ")[0])
+        assert distance <= 0.05, distance
+        browser.run("act('/undo')")
+        browser.wait_for(f"!{TEXT}.includes('Fitted by')")
+        assert browser.run("errors.join('; ')") == "", browser.run("errors.join('; ')")
+    finally:
+        editor.end()
+
+
 def draw(editor):
     open_page(editor)
     browser.picture(picture + ".png")
@@ -538,6 +631,7 @@ def test():
     finally:
         said = editor.end()
     assert "the unsaved text is in" in said, said
+    points_and_switches()
     optimizer()
     print("edited")
 

@@ -3,6 +3,9 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
 #include <string>
 #include <thread>
 
@@ -338,6 +341,74 @@ TEST_F(Editors, AFileHasOneEditor) {
               HasSubstr("is open in another `jounce edit`"));
   editor.reset();
   EXPECT_NO_THROW(Editor(path, web::Listening(0)));
+}
+
+TEST_F(Editors, AFileThatIsNoSpecIsRejectedLikeByOtherVerbs) {
+  const auto rejection = [&](const std::string& name, const std::string& text) {
+    write_file(in(name.c_str()), text);
+    return test::why([&] { Editor other(in(name.c_str()), web::Listening(0)); });
+  };
+  EXPECT_THAT(rejection("passwd", "root:x:0:0:root:/root:/bin/sh\n"),
+              HasSubstr("is not a spec, a table, a G-code program or a controller file"));
+  EXPECT_THAT(rejection("a.bin", std::string("\x7f"
+                                             "ELF\0\0",
+                                             6)),
+              HasSubstr("zero byte"));
+  EXPECT_THAT(rejection("a.csv", "X,Y\n0,0\n1,2\n"), Not(std::string()));
+  EXPECT_THAT(rejection("other.toml", "hello = 3\n"), HasSubstr("a spec begins with"));
+  EXPECT_EQ(rejection("broken.toml", "jounce = 1\nkind = \n"), "") << "the editor repairs it";
+  EXPECT_EQ(rejection("empty.toml", "\n"), "");
+}
+
+TEST_F(Editors, ANewFileBeginsWithATemplate) {
+  editor.reset();
+  editor =
+      std::make_unique<Editor>(in("new.toml"), web::Listening(0),
+                               std::map<std::string, std::string>{{"cam", feeder}, {"bad", "x"}});
+  const std::string address = editor->address();
+  token = address.substr(address.find('#') + 1);
+  client = std::make_unique<httplib::Client>(address.substr(0, address.find("/#")));
+  json document = get("/document");
+  EXPECT_EQ(document["text"], "");
+  EXPECT_EQ(document["on_disk"], "missing");
+  const json templates = get("/templates");
+  ASSERT_EQ(templates.size(), 2U);
+  EXPECT_EQ(templates[0]["picture"], "");
+  EXPECT_THAT(templates[1]["picture"].get<std::string>(), HasSubstr("<svg"));
+  document =
+      post("/document", {{"revision", document["revision"]}, {"text", templates[1]["text"]}});
+  EXPECT_EQ(document["charts"].size(), 1U);
+  EXPECT_FALSE(std::filesystem::exists(in("new.toml")));
+  document = post("/save", {{"revision", document["revision"]}});
+  EXPECT_EQ(document["saved"], true);
+  EXPECT_EQ(read_file(in("new.toml")), feeder);
+}
+
+TEST_F(Editors, MeasuredPointsAreFitted) {
+  const json fitted =
+      post("/fit", {{"name", "points.csv"},
+                    {"points", "master [deg],slave [mm]\n0,0\n25,6\n50,25\n75,44\n100,50\n"},
+                    {"tolerance", "0.1"}});
+  EXPECT_EQ(fitted["within"], true);
+  EXPECT_THAT(fitted["spec"].get<std::string>(), HasSubstr("kind = \"cam\""));
+  EXPECT_EQ(fitted["charts"].size(), 1U);
+  EXPECT_EQ(get("/document")["text"], feeder) << "a fit changes nothing";
+  post("/fit", {{"name", "points.csv"}, {"points", "no numbers"}, {"tolerance", "0.1"}}, 400);
+}
+
+TEST_F(Editors, TheNewestCommitIsCompared) {
+  EXPECT_THAT(get("/difference?against=head", 400)["reason"].get<std::string>(),
+              HasSubstr("is not in the newest commit"));
+  const std::string git = "git -C '" + folder() + "' -c user.name=a -c user.email=a@b.c ";
+  ASSERT_EQ(
+      std::system(
+          (git + "init -q && " + git + "add feeder.toml && " + git + "commit -q -m x").c_str()),
+      0);
+  change({{"do", "move"}, {"knot", 1}, {"master", 100}, {"slave", 60}});
+  const json difference = get("/difference?against=head");
+  EXPECT_EQ(difference["before"], feeder);
+  EXPECT_THAT(difference["difference"].get<std::string>(), HasSubstr("60"));
+  get("/difference?against=tail", 400);
 }
 
 TEST_F(Editors, OtherKindsHaveTheirCurves) {

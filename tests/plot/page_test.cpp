@@ -162,6 +162,30 @@ TEST(Html, SetsNumbersToTheRight) {
   EXPECT_EQ(markup.with("td").size(), 9U);  // the short row is filled
 }
 
+TEST(Html, ShowsAListingWithItsRemarks) {
+  std::string text;
+  for (int line = 1; line <= 2000; ++line) text += "line " + std::to_string(line) + " <b>\n";
+  Listing listing{.caption = "a.toml", .text = text};
+  listing.remarks.push_back({1000, "too fast & too far", true, DataTable::Place{3, 3}});
+  const std::string page = html({.title = "t", .sections = {{"Spec", {listing}}}});
+  EXPECT_THAT(page, HasSubstr("line 1000 &lt;b&gt;"));
+  EXPECT_THAT(page, HasSubstr("<tr class=\"remark\" data-from=\"3\" data-to=\"3\">"));
+  EXPECT_THAT(page, HasSubstr("too fast &amp; too far"));
+  EXPECT_THAT(page, HasSubstr("line 1003 "));
+  EXPECT_THAT(page, Not(HasSubstr("line 1004 "))) << "only the surroundings of a long text";
+  listing.text = "one\ntwo";
+  EXPECT_THAT(html({.title = "t", .sections = {{"Spec", {listing}}}}), HasSubstr("<td>two</td>"));
+}
+
+TEST(Html, ShowsADrawingAsAnImage) {
+  const Image image{"<svg xmlns=\"x\"/>", "A \"plate\"", "caption"};
+  const std::string page = html({.title = "t", .sections = {{"Disc", {image}}}});
+  // printf '<svg xmlns="x"/>' | base64
+  EXPECT_THAT(page, HasSubstr("src=\"data:image/svg+xml;base64,PHN2ZyB4bWxucz0ieCIvPg==\""));
+  EXPECT_THAT(page, HasSubstr("alt=\"A &quot;plate&quot;\""));
+  EXPECT_THAT(page, HasSubstr("img-src data:"));
+}
+
 TEST(Html, SplitsProseIntoParagraphs) {
   const Markup markup(
       html({.title = "t", .sections = {{"", {Prose{"\n\none\ntwo\n\n\n\nthree\n\n"}}}}}), true);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/base/file.hpp"
 #include "jounce/proof/report_page.hpp"
 
 #include "support/errors.hpp"
@@ -43,11 +44,65 @@ TEST(Proof, ALogThatIsNoneIsRefused) {
   EXPECT_NE(test::error_of([&] { prove(input, {.log = examples + "pmc600-cam/cam.toml"}); }), "");
 }
 
+template <class Part>
+const Part* part_of(const Page& page, const std::string& heading) {
+  for (const Section& section : page.sections)
+    if (section.heading == heading)
+      for (const Block& block : section.blocks)
+        if (const auto* part = std::get_if<Part>(&block)) return part;
+  return nullptr;
+}
+
+TEST(ReportPage, ShowsTheSpecWithItsFindingsAtTheirLines) {
+  const Input input = example("pmc600-cam/cam.toml");
+  const Page page = report_page(input, std::nullopt).page;
+  const auto* listing = part_of<Listing>(page, "Spec");
+  ASSERT_NE(listing, nullptr);
+  EXPECT_EQ(listing->text, input.spec->document.text);
+  std::size_t broken = 0;
+  for (const auto& remark : listing->remarks) {
+    broken += remark.broken ? 1U : 0U;
+    EXPECT_GT(remark.line, 0);
+  }
+  EXPECT_EQ(broken, 2U) << "as printed, the cam breaks both limits";
+}
+
+TEST(ReportPage, ShowsThePlateOfADiscAndThePlaneOfAPath) {
+  const Page cam = report_page(example("valve-cam/valve.toml"), std::nullopt).page;
+  const auto* plate = part_of<Image>(cam, "Disc");
+  ASSERT_NE(plate, nullptr);
+  EXPECT_THAT(plate->svg, ::testing::HasSubstr("class=\"cam\""));
+  const Page path = report_page(example("path-square/deviation.toml"), std::nullopt).page;
+  const auto* plane = part_of<Image>(path, "Path");
+  ASSERT_NE(plane, nullptr);
+  EXPECT_THAT(plane->svg, ::testing::HasSubstr("speed"));
+}
+
+TEST(ReportPage, ShowsTheResultOfTheOptimizer) {
+  const std::string file = ::testing::TempDir() + "/optimum.json";
+  write_file(file, R"({"status":"converged","reason":"none better","evaluations":9,"objectives":[
+    {"objective":"peak geo_jerk","unit":"mm/deg^3","given":2,"reached":1.5,"bound":1.2,"gap":0.2}],
+    "active":[{"rule":"limit/geo_velocity","quantity":"geo_velocity","where":12,"value":3,"limit":3}],
+    "peaks":[{"quantity":"geo_velocity","unit":"mm/deg","given":2,"optimized":3,"limit":3}]})");
+  const Input input = example("pmc600-cam/cam.toml");
+  const Page page = report_page(input, std::nullopt, {.optimum = file}).page;
+  const auto* objectives = part_of<DataTable>(page, "Optimization");
+  ASSERT_NE(objectives, nullptr);
+  EXPECT_THAT(objectives->rows.at(0).cells, ::testing::ElementsAre("peak geo_jerk", "mm/deg^3", "2",
+                                                                   "1.5", "25 %", "1.2", "20 %"));
+  const std::string shown = html(page);
+  EXPECT_THAT(shown, ::testing::HasSubstr("data-from=\"12\""));
+  EXPECT_THAT(shown, ::testing::HasSubstr("50 %"));
+  write_file(file, "{}");
+  EXPECT_THAT(test::why([&] { report_page(input, std::nullopt, {.optimum = file}); }),
+              ::testing::HasSubstr("is not the output of `jounce optimize --json`"));
+}
+
 TEST(ReportPage, HoldsTheFindingsOfCheckAndProof) {
   const Input input = example("pmc600-cam/cam.toml");
   const ReportPage page = report_page(input, std::nullopt, {});
   EXPECT_GT(page.findings.findings.size(), prove(input).report.findings.size());
-  EXPECT_EQ(page.page.sections.size(), 4U);
+  EXPECT_EQ(page.page.sections.size(), 5U);
   EXPECT_EQ(page.findings.ok(), page.page.verdict->ok);
 }
 

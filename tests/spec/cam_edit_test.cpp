@@ -141,6 +141,18 @@ TEST(WithCam, ChangesPointsOfTheText) {
             replaced(spline, "slave = 20 }", "slave = 21.5 }"));
 }
 
+TEST(WithSwitch, ChangesTheEdgesOfASwitch) {
+  const std::string with =
+      text +
+      "\n[switches]\nof = \"master\"\n[[switch]]\ntrack = 1\nfirst_on_position = 30  # "
+      "glue\nlast_on_position = \"0.25 rev\"\n";
+  const Spec spec = parse_spec(with, "a.toml");
+  EXPECT_EQ(with_switch(spec, 0, 45, 90),
+            replaced(with, "first_on_position = 30", "first_on_position = 45"));
+  EXPECT_EQ(with_switch(spec, 0, 30, 180), replaced(with, "\"0.25 rev\"", "\"0.5 rev\""));
+  EXPECT_THAT(test::why([&] { (void)with_switch(spec, 1, 0, 1); }), HasSubstr("must be 1 to 1"));
+}
+
 TEST(WithCam, RefusesAnotherNumberOfPoints) {
   EXPECT_THAT(test::why([] {
                 (void)changed(text, [](CamSpec& cam) { cam.segments[1].points.resize(1); });

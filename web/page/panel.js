@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // The live page of `jounce page`: statuses come as server-sent events, commands go as POSTs.
 
 const token = location.hash.slice(1);  // after #: a browser never sends that part
-const window_s = 10;
-const axes = new Map();  // by name: {element, parts, samples}
+const axes = new Map();  // by name: {element, parts, scope, sliding}
 
 const moving = ['discrete_motion', 'synchronized_motion', 'continuous_motion', 'homing'];
 const classOf = (state) => state === 'error_stop' ? 'fault' : moving.includes(state) ? 'moving'
@@ -35,11 +33,11 @@ function say(text, ok) {
   line.classList.toggle('no', !ok);
 }
 
-/// Whether the axis has accepted it.
-async function send(axis, what, value, hold) {
-  const body = {axis, what, value, hold};  // JSON leaves out what is undefined
+/// Sends a command; true if the axis has accepted it.
+async function post(path, body) {
+  const {axis, what} = body;
   try {
-    const answer = await fetch('/order', {method: 'POST', keepalive: true, headers: {'X-Jounce-Token': token, 'Content-Type': 'application/json'},
+    const answer = await fetch(path, {method: 'POST', keepalive: true, headers: {'X-Jounce-Token': token, 'Content-Type': 'application/json'},
       body: JSON.stringify(body)});
     const text = await answer.text();
     const reason = answer.headers.get('Content-Type').startsWith('application/json') ? JSON.parse(text).reason : text;
@@ -50,6 +48,7 @@ async function send(axis, what, value, hold) {
     return false;
   }
 }
+const send = (axis, what, value, hold) => post('/order', {axis, what, value, hold});  // JSON leaves out what is undefined
 
 /// Shows the question; true once it was answered with yes.
 function confirmed([question, yes]) {
@@ -123,12 +122,14 @@ function viewOf(name) {
   const element = document.getElementById('axis').content.firstElementChild.cloneNode(true);
   const parts = {};
   for (const part of element.querySelectorAll('[data-is]')) parts[part.dataset.is] = part;
-  const view = {element, parts, samples: [], sliding: false};
+  const view = {element, parts, sliding: false, units: {unit: '', master: ''}};
   parts.name.textContent = name;
-  for (const input of element.querySelectorAll('button,input')) input.disabled = token === '';
+  for (const input of element.querySelectorAll('.controls button,.controls input,.rare button,.orders button')) input.disabled = token === '';
   wire(name, view);
   document.getElementById('axes').append(element);
   axes.set(name, view);
+  view.scope = new Scope(name, element.querySelector('.scope'));
+  view.orders = new Orders(name, element.querySelector('.orders'), () => view.units);
   return view;
 }
 
@@ -160,71 +161,9 @@ function show(axis) {
     parts.slider.value = Math.round(axis.override * 100);
     parts.override.textContent = `${Math.round(axis.override * 100)} %`;
   }
-  parts['position-title'].textContent = `position${unit && ` [${unit}]`}`;
-  parts['velocity-title'].textContent = `velocity${unit && ` [${unit}/s]`}`;
-  parts['error-title'].textContent = `following error${unit && ` [${unit}]`}`;
-  parts['error-plot'].hidden = axis.error === null;
-  const last = view.samples.at(-1);
-  if (axis.samples.length && last && axis.samples[0][0] < last[0]) view.samples = [];  // it was started again
-  view.samples.push(...axis.samples);
-  const newest = view.samples.at(-1)?.[0] ?? 0;
-  while (view.samples.length && view.samples[0][0] < newest - window_s) view.samples.shift();
-}
-
-/// A step of 1, 2 or 5 times a power of ten, so that at most `most` of them fit the span.
-function step(span, most) {
-  const raw = span / most, power = 10 ** Math.floor(Math.log10(raw));
-  return [1, 2, 5, 10].map((k) => k * power).find((s) => s >= raw);
-}
-
-function range(values) {
-  let low = Infinity, high = -Infinity;
-  for (const v of values) { if (v === null) continue; low = Math.min(low, v); high = Math.max(high, v); }
-  if (low > high) return [-1, 1];
-  const pad = (high - low) * 0.08 || Math.abs(high) * 0.1 || 1;
-  return [low - pad, high + pad];
-}
-
-function draw(canvas, samples, column) {
-  const box = canvas.getBoundingClientRect(), scale = devicePixelRatio || 1;
-  if (box.width === 0) return;
-  canvas.width = box.width * scale;
-  canvas.height = box.height * scale;
-  const ink = canvas.getContext('2d'), css = getComputedStyle(document.documentElement);
-  const color = (name) => css.getPropertyValue(`--${name}`);
-  ink.scale(scale, scale);
-  ink.font = '11px system-ui,sans-serif';
-  const left = 46, right = box.width - 4, top = 6, bottom = box.height - 18;
-  const end = samples.at(-1)?.[0] ?? 0;
-  const [low, high] = range(samples.map((s) => s[column]));
-  const x = (t) => right - (end - t) / window_s * (right - left);
-  const y = (v) => bottom - (v - low) / (high - low) * (bottom - top);
-  ink.textAlign = 'right';
-  ink.textBaseline = 'middle';
-  ink.lineWidth = 1;
-  ink.strokeStyle = color('grid');
-  ink.fillStyle = color('soft');
-  const rise = step(high - low, 4);
-  for (let v = Math.ceil(low / rise) * rise; v <= high; v += rise) {
-    ink.beginPath(); ink.moveTo(left, y(v)); ink.lineTo(right, y(v)); ink.stroke();
-    ink.fillText(Number(v.toPrecision(6)), left - 6, y(v));
-  }
-  ink.textBaseline = 'top';
-  for (let t = -window_s; t <= 0; t += 5) {
-    ink.textAlign = t === 0 ? 'right' : t === -window_s ? 'left' : 'center';
-    ink.fillText(t === 0 ? 'now' : `${t} s`.replace('-', '−'), x(end + t), bottom + 4);
-  }
-  ink.strokeStyle = color(['', 'one', 'two', 'four'][column]);
-  ink.lineWidth = 1.5;
-  ink.lineJoin = 'round';
-  ink.beginPath();
-  let pen = false;
-  for (const s of samples) {
-    if (s[column] === null) { pen = false; continue; }
-    if (pen) ink.lineTo(x(s[0]), y(s[column])); else ink.moveTo(x(s[0]), y(s[column]));
-    pen = true;
-  }
-  ink.stroke();
+  view.units = {unit, master: axis.master_unit || axis.masters[0]?.unit || ''};
+  view.scope.units = view.units;
+  active.set(axis.name, axis.table);
 }
 
 /// The upper end of the bin, in us, in which this share of all is reached; bin k ends at 2^k us.
@@ -250,22 +189,18 @@ function showCycle(axis) {
 
 /// Bars of a histogram; heights by the logarithm, so that one cycle in a million is seen.
 function drawBins(canvas) {
-  const counts = canvas.counts, box = canvas.getBoundingClientRect(), scale = devicePixelRatio || 1;
-  if (!counts || box.width === 0) return;
-  canvas.width = box.width * scale;
-  canvas.height = box.height * scale;
-  const ink = canvas.getContext('2d'), css = getComputedStyle(document.documentElement);
-  ink.scale(scale, scale);
-  ink.font = '11px system-ui,sans-serif';
+  const counts = canvas.counts, surface = ink_of(canvas);
+  if (!counts || !surface) return;
+  const {ink, box} = surface;
   const bottom = box.height - 18, wide = box.width / counts.length;
   const most = Math.log10(1 + Math.max(10, ...counts));
   ink.textBaseline = 'top';
   ink.textAlign = 'right';
   counts.forEach((n, bin) => {
-    ink.fillStyle = css.getPropertyValue('--one');
+    ink.fillStyle = color_of('one');
     const high = Math.log10(1 + n) / most * (bottom - 6);
     ink.fillRect(bin * wide + 1, bottom - high, wide - 2, high);
-    ink.fillStyle = css.getPropertyValue('--soft');
+    ink.fillStyle = color_of('soft');
     if (bin % 3 === 0) ink.fillText(bin === counts.length - 1 ? 'more' : bin < 10 ? `${2 ** bin} µs` : `${Math.round(2 ** bin / 1000)} ms`, Math.max(26, (bin + 1) * wide), bottom + 4);
   });
   ink.fillRect(0, bottom, box.width, 1);
@@ -273,19 +208,30 @@ function drawBins(canvas) {
 
 function paint() {
   for (const canvas of document.querySelectorAll('canvas[data-bins]')) drawBins(canvas);
-  for (const view of axes.values())
-    for (const canvas of view.element.querySelectorAll('canvas[data-plot]'))
-      draw(canvas, view.samples, Number(canvas.dataset.plot));
   dirty = false;
 }
+
+const path = new Path(document.getElementById('path'));
+setInterval(() => { if (!document.hidden) showTables().catch(() => {}); }, 1000);
+
+/// Draws everything again: the colors or the widths have changed.
+function redraw() {
+  for (const view of axes.values()) view.scope.draw();
+  path.draw();
+  tables_shown = '';
+}
+matchMedia('(prefers-color-scheme:dark)').addEventListener('change', redraw);
+addEventListener('resize', redraw);
 
 let dirty = false;
 const link = document.getElementById('link');
 document.getElementById('look').hidden = token !== '';
 
 function take(event) {
-  const axesNow = JSON.parse(event).axes;
+  const {axes: axesNow, log} = JSON.parse(event);
   axesNow.forEach(show);
+  showEvents(log);
+  path.offer(axesNow.map((axis) => axis.name));
   showCycle(axesNow.find((axis) => axis.heard !== null));
   if (!dirty) { dirty = true; requestAnimationFrame(paint); }
 }

@@ -2,11 +2,14 @@
 #include "web/src/board.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "jounce/base/hash.hpp"
 #include "jounce/command/cause.hpp"
+#include "jounce/command/causes.hpp"
 
 namespace jounce::web {
 namespace {
@@ -19,12 +22,29 @@ ordered_json cause_of(std::int32_t number) {
   return {{"number", number}, {"name", name(cause)}, {"meaning", meaning(cause)}};
 }
 
+/// The entry of the catalog; null for none.
+const CauseInfo* info_of(Cause cause) {
+  for (const CauseInfo& info : all_causes())
+    if (info.cause == cause && cause != Cause::none) return &info;
+  return nullptr;
+}
+
+/// The first bytes of the hash of a table; "": none.
+std::string table_hex(const std::array<std::uint8_t, 8>& table) {
+  Sha256 whole{};
+  std::copy(table.begin(), table.end(), whole.begin());
+  const bool none = std::all_of(table.begin(), table.end(), [](auto byte) { return byte == 0; });
+  return none ? "" : hex(whole).substr(0, 2 * table.size());
+}
+
 ordered_json facts(const wire::Status& s) {
   return {{"state", name(s.state)},
           {"next", name(s.next)},
           {"tick", s.tick},
           {"cycle_ms", static_cast<double>(s.cycle_ns) * 1e-6},
           {"unit", s.units.position},
+          {"master_unit", s.units.x},
+          {"table", table_hex(s.table)},
           {"master", s.master_position},
           {"position", s.slave_position},
           {"velocity", s.slave_velocity},
@@ -60,10 +80,15 @@ Board::Board(std::vector<std::string> axes) {
   for (std::size_t i = 0; i < axes.size(); ++i) axes_[i].name = std::move(axes[i]);
 }
 
-void Board::take(const std::string& axis, const wire::Status& status, Nanos now) {
+Board::AxisView* Board::find(const std::string& axis) {
   const auto at = std::find_if(axes_.begin(), axes_.end(),
                                [&](const AxisView& view) { return view.name == axis; });
-  if (at == axes_.end()) return;
+  return at == axes_.end() ? nullptr : &*at;
+}
+
+void Board::take(const std::string& axis, const wire::Status& status, Nanos now) {
+  AxisView* const at = find(axis);
+  if (at == nullptr) return;
   const bool known = at->heard >= Nanos{} && at->status.boot == status.boot;
   if (known && status.tick <= at->status.tick) return;
   at->status = status;
@@ -86,6 +111,38 @@ void Board::take(const std::string& axis, const wire::MasterStatus& master) {
   }
 }
 
+void Board::note(const AxisView& view, double time, const char* kind, Cause cause) {
+  log_.push_back({++count_, view.name, time, kind,
+                  cause == Cause::none ? jounce::name(view.last->state) : jounce::name(cause),
+                  cause});
+  if (log_.size() > most_entries) log_.pop_front();
+}
+
+void Board::take(const std::string& axis, const std::vector<TraceTick>& ticks,
+                 std::int64_t period) {
+  AxisView* const view = find(axis);
+  if (view == nullptr) return;
+  for (const TraceTick& tick : ticks) {
+    const bool begins = !view->last || tick.tick <= view->last->tick;
+    const TraceTick before = begins ? tick : *view->last;
+    view->last = tick;
+    const double time = static_cast<double>(tick.tick) * static_cast<double>(period) * 1e-9;
+    if (begins || tick.state != before.state) note(*view, time, "state", Cause::none);
+    if (tick.refused != Cause::none) note(*view, time, "rejected", tick.refused);
+    if (tick.dropped != Cause::none) note(*view, time, "dropped", tick.dropped);
+    if (tick.fault != Cause::none && (begins || tick.fault != before.fault))
+      note(*view, time, "fault", tick.fault);
+    else if (tick.reason != Cause::none && tick.reason != before.reason)
+      note(*view, time, "ended", tick.reason);
+  }
+}
+
+std::optional<Units> Board::units(const std::string& axis) const {
+  for (const AxisView& view : axes_)
+    if (view.name == axis && view.heard >= Nanos{}) return view.status.units;
+  return std::nullopt;
+}
+
 std::string Board::json_since(std::int64_t& seen, Nanos now) const {
   ordered_json axes = ordered_json::array();
   for (const AxisView& view : axes_) {
@@ -101,10 +158,21 @@ std::string Board::json_since(std::int64_t& seen, Nanos now) const {
       if (s.number > seen) samples.push_back({s.time, s.position, s.velocity, s.error});
     axes.push_back(std::move(axis));
   }
+  ordered_json log = ordered_json::array();
+  for (const Entry& entry : log_) {
+    if (entry.number <= seen) continue;
+    const CauseInfo* const cause = info_of(entry.cause);
+    log.push_back({{"axis", entry.axis},
+                   {"time", entry.time},
+                   {"kind", entry.kind},
+                   {"name", entry.name},
+                   {"text", cause == nullptr ? "" : cause->meaning},
+                   {"remedy", cause == nullptr ? "" : cause->remedy}});
+  }
   seen = count_;
   // Texts from the wire are UTF-8; other content of a board must not throw either.
-  return ordered_json{{"axes", std::move(axes)}}.dump(-1, ' ', false,
-                                                      ordered_json::error_handler_t::replace);
+  return ordered_json{{"axes", std::move(axes)}, {"log", std::move(log)}}.dump(
+      -1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 bool Board::has(const std::string& axis) const {

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "jounce/executor/trace.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
@@ -27,6 +29,7 @@ class Board {
   static constexpr std::size_t most_samples = 2000;  ///< greatest number of samples of each axis
   /// Greatest number of masters of each axis; without a key, any program can send some.
   static constexpr std::size_t most_masters = 64;
+  static constexpr std::size_t most_entries = 200;  ///< greatest number of events in the list
 
   /// `axes`: names of the axes.
   explicit Board(std::vector<std::string> axes);
@@ -39,11 +42,20 @@ class Board {
   /// cycle is the earliest.
   void take(const std::string& axis, const wire::MasterStatus& master);
 
+  /// Adds the changes in these ticks of an axis to the list of events: states, faults, rejected
+  /// commands, and the ends of motions. `period`: duration of a tick, ns. The ticks follow those of
+  /// the previous call.
+  void take(const std::string& axis, const std::vector<TraceTick>& ticks, std::int64_t period);
+
+  /// Returns the units of an axis; nullopt if no status has arrived.
+  [[nodiscard]] std::optional<Units> units(const std::string& axis) const;
+
   /// Returns the state of all axes as JSON, with the samples whose number is above `seen`; sets
   /// `seen` to the newest number. NaN becomes null. The form is {"axes": [{"name", "state", "heard"
   /// (s since the last status), "position", ..., "samples": [[time s, position, velocity, following
-  /// error], ...], "masters": [{"name", "unit", "lost", "position", "velocity", "age_ms"}]}]},
-  /// where time is tick * cycle.
+  /// error], ...], "masters": [{"name", "unit", "lost", "position", "velocity", "age_ms"}]}],
+  /// "log": [{"axis", "time", "kind", "name", "text", "remedy"}]}, where time is tick * cycle.
+  /// `kind` is state, fault, rejected, dropped or ended.
   [[nodiscard]] std::string json_since(std::int64_t& seen, Nanos now) const;
 
   /// True if the axis is in the list.
@@ -60,9 +72,22 @@ class Board {
     Nanos heard{-1};
     std::deque<Sample> samples{};
     std::map<std::string, wire::MasterStatus> masters{};  // by name
+    std::optional<TraceTick> last{};                      // the last tick of the log
   };
 
+  struct Entry {
+    std::int64_t number;  // see Sample
+    std::string axis;
+    double time;
+    std::string kind;
+    std::string name;
+    Cause cause;
+  };
+  AxisView* find(const std::string& axis);
+  void note(const AxisView& view, double time, const char* kind, Cause cause);
+
   std::vector<AxisView> axes_;
+  std::deque<Entry> log_;
   std::int64_t count_ = 0;
 };
 

@@ -31,6 +31,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int page_socket = 3;          // descriptor of the listening socket in the child
+constexpr int page_trace = 4;           // descriptor of the trace in the child, if there is one
+constexpr int above_both = 10;          // descriptors that do not collide with these
 constexpr std::size_t most_starts = 5;  // in `memory`
 constexpr Nanos memory = 60s;
 constexpr Nanos pause = 1s;     // before it is started again
@@ -46,12 +48,14 @@ constexpr Nanos patience = 1s;  // wait for a page that shall end
 /// executor, which still has axes to stop.
 class Spawn {
  public:
-  Spawn(int input, int socket) {
+  Spawn(int input, int socket, int trace) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_adddup2(&actions_, input,
                                      STDIN_FILENO);  // first: it may be page_socket
     posix_spawn_file_actions_adddup2(&actions_, socket, page_socket);
-    posix_spawn_file_actions_addclosefrom_np(&actions_, page_socket + 1);
+    if (trace >= 0) posix_spawn_file_actions_adddup2(&actions_, trace, page_trace);
+    posix_spawn_file_actions_addclosefrom_np(&actions_,
+                                             trace >= 0 ? page_trace + 1 : page_socket + 1);
     posix_spawnattr_init(&attributes_);
     sigset_t none, all;
     sigemptyset(&none);
@@ -88,14 +92,14 @@ class Spawn {
 /// A started page: it ends where the pipe to it is closed.
 class Child {
  public:
-  Child(const std::vector<std::string>& words, int socket, const std::string& token) {
+  Child(const std::vector<std::string>& words, int socket, int trace, const std::string& token) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) fail(errno, "a pipe to the live page");
     input_ = ends[1];
     const std::string line = token + "\n";  // fits the pipe, which has a reader: this one
     if (write(input_, line.data(), line.size()) < 0) fail(errno, "a pipe to the live page");
     try {
-      child_ = Spawn(ends[0], socket).start(words);
+      child_ = Spawn(ends[0], socket, trace).start(words);
     } catch (...) {
       close(ends[0]);
       close(input_);
@@ -150,10 +154,11 @@ void wait_for_end_of_input() {
 }  // namespace
 
 struct PageProcess::Impl {
-  Impl(std::uint16_t port, std::vector<std::string> arguments,
+  Impl(std::uint16_t port, std::vector<std::string> arguments, const Trace* to_read,
        std::function<void(const std::string& notice)> say)
       : listening(port), words(std::move(arguments)), notify(std::move(say)) {
-    auto first = std::make_unique<Child>(words, listening.descriptor(), token);
+    if (to_read != nullptr) trace = above(to_read->reading_descriptor());
+    auto first = child_now();
     starts.push_back(steady_now());
     keeper = std::thread([this, child = std::move(first)]() mutable { keep(std::move(child)); });
   }
@@ -164,6 +169,18 @@ struct PageProcess::Impl {
     }
     end.notify_all();
     keeper.join();
+    if (trace >= 0) close(trace);
+  }
+
+  /// Moves a descriptor to a number that is free in the child.
+  static int above(int descriptor) {
+    const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, above_both);
+    close(descriptor);
+    if (moved < 0) fail(errno, "the trace of the live page");
+    return moved;
+  }
+  std::unique_ptr<Child> child_now() {
+    return std::make_unique<Child>(words, listening.descriptor(), trace, token);
   }
 
   /// Waits so long, or until the end; whether it has come.
@@ -182,7 +199,7 @@ struct PageProcess::Impl {
       notify("the live page has ended and is started again; the axes continue");
       if (ends_within(pause)) return;
       try {
-        child = std::make_unique<Child>(words, listening.descriptor(), token);
+        child = child_now();
       } catch (const std::system_error& error) {
         return notify(std::string("the live page is not started again: ") + error.what() +
                       "; the axes continue");
@@ -202,6 +219,7 @@ struct PageProcess::Impl {
   const std::vector<std::string> words;
   const std::function<void(const std::string& notice)> notify;
   const std::string token = new_token();
+  int trace = -1;  // descriptor for the children; -1: none
   std::deque<Nanos> starts;
   std::mutex mutex;
   std::condition_variable end;
@@ -209,9 +227,9 @@ struct PageProcess::Impl {
   std::thread keeper;
 };
 
-PageProcess::PageProcess(std::uint16_t port, std::vector<std::string> words,
+PageProcess::PageProcess(std::uint16_t port, std::vector<std::string> words, const Trace* trace,
                          std::function<void(const std::string& notice)> notify)
-    : impl_(std::make_unique<Impl>(port, std::move(words), std::move(notify))) {}
+    : impl_(std::make_unique<Impl>(port, std::move(words), trace, std::move(notify))) {}
 PageProcess::~PageProcess() = default;
 
 std::string PageProcess::address() const {
@@ -222,6 +240,8 @@ bool serve_for_parent(PanelOptions options, MakeLink make_link) {
   give_way();
   options.token = line_in();
   if (options.token.empty()) return false;
+  if (auto trace = Trace::opened(page_trace); trace && trace->axes() == options.axes.size())
+    options.trace = std::make_shared<const Trace>(*std::move(trace));
   const Panel panel(options, Listening::inherited(page_socket), std::move(make_link));
   wait_for_end_of_input();
   return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/web/panel.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <thread>
@@ -11,11 +12,14 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/sender/operate.hpp"
 #include "jounce/web/server.hpp"
 
 #include "web/src/board.hpp"
 #include "web/src/page.hpp"
 #include "web/src/page_command.hpp"
+#include "web/src/scope.hpp"
+#include "web/src/word_order.hpp"
 
 namespace jounce::web {
 namespace {
@@ -39,14 +43,19 @@ struct Panel::Impl {
       : options(its_options),
         make_link(std::move(its_make_link)),
         jogs(make_link, options.key),
-        board(options.axes) {
+        board(options.axes),
+        boots(options.axes.size()),
+        seen_ticks(options.axes.size(), -1) {
+    if (!options.trace)
+      own.emplace(Trace::of(std::vector<std::int64_t>(options.axes.size(), 1'000'000)));
     open_ears();
     server.emplace(std::move(listening), options.token,
                    Site{.files = files_of(page(options.title, options.warning)),
-                        .commands = {"POST /order"},
+                        .commands = {"POST /order", "POST /command"},
+                        .readings = {"/trace", "/tables", "/commands"},
                         .event = [this](std::int64_t& seen) { return event(seen); },
-                        .obey = [this](const Request& request) { return obey(request.body); },
-                        .urgent = [](const Request& request) { return is_stop(request.body); },
+                        .obey = [this](const Request& request) { return obey(request); },
+                        .urgent = [](const Request& request) { return is_stop(request); },
                         .freshness = longest_wait});
     listener = std::thread([this] { listen(); });
   }
@@ -71,6 +80,7 @@ struct Panel::Impl {
       try {
         if (!ears) open_ears();
         take_next();
+        take_ticks();
       } catch (const std::exception&) {
         ears.reset();
         std::this_thread::sleep_for(again);
@@ -82,10 +92,49 @@ struct Panel::Impl {
     const auto message = next_message(*ears, turn, rejects, options.key);
     if (!message) return;
     const std::scoped_lock lock(mutex);
-    if (const auto* const status = std::get_if<wire::Status>(&message->body))
+    if (const auto* const status = std::get_if<wire::Status>(&message->body)) {
       board.take(message->executor, *status, steady_now());
-    else if (const auto* const master = std::get_if<wire::MasterStatus>(&message->body))
+      if (own && board.has(message->executor)) trace_status(message->executor, *status);
+    } else if (const auto* const master = std::get_if<wire::MasterStatus>(&message->body))
       board.take(message->executor, *master);
+  }
+
+  [[nodiscard]] const Trace& trace() const { return own ? *own : *options.trace; }
+
+  std::size_t index_of(const std::string& axis) const {
+    const auto at = std::find(options.axes.begin(), options.axes.end(), axis);
+    if (at == options.axes.end()) throw InputError("axis", axis, "is not an axis of this page");
+    return static_cast<std::size_t>(at - options.axes.begin());
+  }
+
+  /// A status message as a tick of the trace.
+  void trace_status(const std::string& name, const wire::Status& status) {
+    const std::size_t axis = index_of(name);
+    if (std::exchange(boots[axis], status.boot) != status.boot) {
+      own->clear(axis);
+      seen_ticks[axis] = -1;
+    }
+    if (const auto newest = own->newest(axis); newest && status.tick <= *newest) return;
+    own->set_period(axis, status.cycle_ns);
+    own->add(axis, {.tick = status.tick,
+                    .values = {status.slave_position, status.actual_position,
+                               status.following_error, status.slave_velocity, wire::Status::unknown,
+                               status.torque, status.master_position, wire::Status::unknown},
+                    .state = status.state,
+                    .fault = static_cast<Cause>(status.last_error),
+                    .reason = static_cast<Cause>(status.reason)});
+  }
+
+  /// Adds the new ticks of all axes to the list of events.
+  void take_ticks() {
+    for (std::size_t axis = 0; axis < options.axes.size(); ++axis) {
+      const auto newest = trace().newest(axis);
+      if (!newest || *newest == seen_ticks[axis]) continue;
+      const auto ticks = trace().ticks(axis, seen_ticks[axis] + 1, *newest);
+      seen_ticks[axis] = *newest;
+      const std::scoped_lock lock(mutex);
+      board.take(options.axes[axis], ticks, trace().period(axis));
+    }
   }
 
   std::string event(std::int64_t& seen) {
@@ -93,7 +142,9 @@ struct Panel::Impl {
     return board.json_since(seen, steady_now());
   }
 
-  static bool is_stop(const std::string& body) {
+  static bool is_stop(const Request& request) {
+    if (request.path != "/order") return false;
+    const std::string& body = request.body;
     try {
       const std::string what = read_command(body).what;
       return what == "stop" || what == "release";
@@ -102,12 +153,15 @@ struct Panel::Impl {
     }
   }
 
-  Answer obey(const std::string& body) {
+  Answer obey(const Request& request) {
     try {
-      const PageCommand command = read_command(body);
-      if (!board.has(command.axis))
-        throw InputError("axis", command.axis, "is not an axis of this page");
-      const CallOutcome outcome = outcome_of(command);
+      if (request.path == "/trace")
+        return {200,
+                scope_json(trace(), index_of(request.value("axis")), scope_query(request), !own)};
+      if (request.path == "/tables") return {200, tables_json(trace(), options.axes)};
+      if (request.path == "/commands") return {200, word_orders_json()};
+      const CallOutcome outcome = request.path == "/command" ? outcome_of_words(request.body)
+                                                             : outcome_of_order(request.body);
       return answer(outcome.ok()                            ? 200
                     : outcome.error == StreamError::refused ? 409
                                                             : 504,
@@ -119,7 +173,22 @@ struct Panel::Impl {
     }
   }
 
-  CallOutcome outcome_of(const PageCommand& command) {
+  CallOutcome outcome_of_words(const std::string& body) {
+    const WordOrder order = read_word_order(body);
+    index_of(order.axis);
+    std::optional<Units> units;
+    {
+      const std::scoped_lock lock(mutex);
+      units = board.units(order.axis);
+    }
+    if (!units) throw TransportError(order.axis + " has sent no message yet");
+    const auto link = make_link();
+    return send_command(*link, order.axis, command_of(order.words, *units), -1, options.key);
+  }
+
+  CallOutcome outcome_of_order(const std::string& body) {
+    const PageCommand command = read_command(body);
+    index_of(command.axis);
     if (command.what == "jog") return jogs.jog(command.axis, command.value, command.hold);
     if (command.what == "release") {
       jogs.release(command.axis, command.hold);
@@ -132,10 +201,13 @@ struct Panel::Impl {
   const PanelOptions options;
   const MakeLink make_link;
   Jogs jogs;
+  std::optional<Trace> own;         // from status messages, if there is no trace of the executor
   std::unique_ptr<Transport> ears;  // link of the listener thread
   Rejects rejects;                  // likewise
   std::mutex mutex;                 // guards the changing parts of the board
   Board board;
+  std::vector<std::int64_t> boots;       // from the last status of each axis; by the listener
+  std::vector<std::int64_t> seen_ticks;  // newest tick of each axis in the log; by the listener
   std::optional<Server> server;
   std::atomic<bool> running{true};
   std::thread listener;

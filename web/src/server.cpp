@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
 #include <limits>
 #include <list>
@@ -62,10 +63,21 @@ void guard(http::fields& fields) {
   for (const auto& [name, value] : headers) fields.set(name, value);
 }
 
+bool is_one_of(const std::vector<std::string>& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
 }  // namespace
 
 struct Server::Impl {
   class Connection;
+  /// The threads for requests of one kind, and the number of these requests.
+  struct Lane {
+    Lane(std::size_t count, int greatest) : threads(count), most(greatest) {}
+    asio::thread_pool threads;
+    int waiting = 0;  // used by the thread of the connections
+    int most;
+  };
 
   Impl(Listening listening, std::string its_token, Site its_site);
   ~Impl();
@@ -78,13 +90,13 @@ struct Server::Impl {
   Site site;
   std::uint16_t port;
   int readers = 0;
-  int commands = 0;
   asio::io_context io;
   tcp::acceptor acceptor{io};
   asio::steady_timer pause{io};
   std::list<std::weak_ptr<Connection>> connections;  // oldest first
-  asio::thread_pool urgent{4};
-  asio::thread_pool others{4};
+  Lane urgent{4, std::numeric_limits<int>::max()};
+  Lane others{4, most_commands};
+  Lane readings{2, most_readings};
   std::thread thread;  // last: it uses the others
 };
 
@@ -141,10 +153,10 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
       for (const SiteFile& file : server_.site.files)
         if (target == file.path) return answer(200, file.text, file.type);
       if (target == "/events") return events();
+      if (is_one_of(server_.site.readings, request_.path)) return hand_on(server_.readings);
     }
-    const auto& known = server_.site.commands;
     const std::string command = std::string(request.method_string()) + ' ' + request_.path;
-    if (std::find(known.begin(), known.end(), command) != known.end())
+    if (is_one_of(server_.site.commands, command))
       return request_.is_get ? take_question() : take_command();
     answer(404, "there is no such page\n");
   }
@@ -154,7 +166,7 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
   /// A command without a body.
   void take_question() {
     if (!trusted_) return answer(403, "to read this, open the address that jounce printed\n");
-    hand_on();
+    hand_on_command();
   }
 
   void take_command() {
@@ -169,32 +181,35 @@ class Server::Impl::Connection : public std::enable_shared_from_this<Connection>
                      [self = shared_from_this()](error_code error, std::size_t /*size*/) {
                        if (error) return;
                        self->request_.body = std::move(self->body_->get().body());
-                       self->hand_on();
+                       self->hand_on_command();
                      });
   }
 
-  void hand_on() {
-    const bool at_once = server_.site.urgent && server_.site.urgent(request_);
-    if (!at_once && server_.commands >= Server::most_commands)
+  void hand_on(Lane& lane) {
+    if (lane.waiting >= lane.most)
       return answer(503, "too many requests wait: repeat this one later\n");
-    if (!at_once) ++server_.commands;
+    ++lane.waiting;
     stream_.expires_never();  // the axis has its own timeout
     const auto came = std::chrono::steady_clock::now();
-    asio::post(at_once ? server_.urgent : server_.others, [self = shared_from_this(), at_once,
-                                                           came] {
+    asio::post(lane.threads, [self = shared_from_this(), &lane, came] {
       // The sender may be gone: an old command causes no motion.
       const auto& limit = self->server_.site.freshness;
-      const bool late = !at_once && limit && std::chrono::steady_clock::now() - came > *limit;
+      const bool late = &lane == &self->server_.others && limit &&
+                        std::chrono::steady_clock::now() - came > *limit;
       Answer said =
           late
               ? Answer{503,
                        R"({"ok":false,"reason":"the command waited too long for an axis: repeat it"})"}
               : self->obeyed();
-      asio::post(self->server_.io, [self, said = std::move(said), at_once] {
-        if (!at_once) --self->server_.commands;
+      asio::post(self->server_.io, [self, said = std::move(said), &lane] {
+        --lane.waiting;
         self->answer(said.status, said.body, said.type);
       });
     });
+  }
+  void hand_on_command() {
+    const bool at_once = server_.site.urgent && server_.site.urgent(request_);
+    hand_on(at_once ? server_.urgent : server_.others);
   }
 
   [[nodiscard]] Answer obeyed() const {
@@ -318,9 +333,9 @@ Server::Impl::Impl(Listening listening, std::string its_token, Site its_site)
 Server::Impl::~Impl() {
   io.stop();
   thread.join();
-  others.stop();
-  urgent.join();
-  others.join();
+  others.threads.stop();
+  readings.threads.stop();
+  for (Lane* lane : {&urgent, &others, &readings}) lane->threads.join();
 }
 
 void Server::Impl::accept() {
@@ -367,6 +382,24 @@ bool Server::Impl::make_room_for_reader(bool trusted) {
     return true;
   }
   return false;
+}
+
+std::string Request::value(const std::string& key) const {
+  const std::string all = "&" + query + "&";
+  const auto at = all.find("&" + key + "=");
+  if (at == std::string::npos) return "";
+  const auto begin = at + key.size() + 2;
+  const std::string raw = all.substr(begin, all.find('&', begin) - begin);
+  std::string text;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const digits = raw.data() + i + 1;
+    const bool is_escape = raw[i] == '%' && i + 2 < raw.size() &&
+                           std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
+    text += is_escape ? static_cast<char>(byte) : raw[i];
+    if (is_escape) i += 2;
+  }
+  return text;
 }
 
 Server::Server(Listening listening, std::string token, Site site)

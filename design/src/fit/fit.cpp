@@ -162,8 +162,8 @@ void close(Measurement& m, const std::string& text) {
   if (!m.columns.a.empty()) m.columns.a.push_back(m.columns.a.front());
 }
 
-Measurement measurement_of(const std::string& path, const FitOptions& options) {
-  const std::string text = point_file_bytes(path);
+Measurement measurement_of(const std::string& text, const std::string& path,
+                           const FitOptions& options) {
   if (!spec_kind(text).empty())
     throw InputError("FILE", path,
                      "is a spec: fit reads points or a table. Make its table with `jounce design`");
@@ -185,8 +185,12 @@ std::string stem(const std::string& path) {
 }  // namespace
 
 FittedCam fitted_cam(const std::string& path, const FitOptions& options) {
+  return fitted_cam(point_file_bytes(path), path, options);
+}
+
+FittedCam fitted_cam(const std::string& text, const std::string& path, const FitOptions& options) {
   constexpr double table_share = 0.1;  // share of the tolerance, for the table of the spec
-  const Measurement m = measurement_of(path, options);
+  const Measurement m = measurement_of(text, path, options);
   FittedCam made;
   made.source = path == "-" ? "standard input" : path;
   made.units = m.units;

@@ -9,6 +9,7 @@
 #include "jounce/command/command_table.hpp"
 #include "jounce/command/refusal_text.hpp"
 #include "jounce/executor/recorder.hpp"
+#include "jounce/executor/trace.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/src/cycle/commands.hpp"
@@ -85,6 +86,7 @@ void AxisServer::close() {
 void AxisServer::handle(const TableReady& ready) {
   notify("table " + hex(ready.table.hash).substr(0, 16) + ", " +
          std::to_string(ready.table.table->size()) + " knots");
+  if (options_.trace != nullptr) options_.trace->add(axis_, ready.table);
 }
 
 std::optional<Refusal> AxisServer::unfit(const ArmRequested& arm) const {
@@ -528,6 +530,7 @@ void AxisServer::answer(const Request& request, const std::optional<Refusal>& re
 void AxisServer::take_ticks() {
   for (Tick tick; exchange_.ticks.pop(tick);) {
     if (log_) write(tick);
+    if (options_.trace != nullptr) options_.trace->add(axis_, trace_tick(tick));
     for (const std::string& notice : notices_of(last_, tick, options_.units.position))
       notify(notice);
     if (tick.fault != last_.fault && tick.fault != Cause::none)

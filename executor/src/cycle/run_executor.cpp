@@ -192,7 +192,10 @@ ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>
   const Deadline deadline(run);
   const SignalWatch watch;
   const executor_detail::RunRecord recording = executor_detail::record_of(run, axes);
-  for (auto& axis : axes) axis.recorder = recording.recorder.get();
+  for (auto& axis : axes) {
+    axis.recorder = recording.recorder.get();
+    axis.trace = run.trace;
+  }
   Machine machine(machine_of(axes), run.masters.size());
   MachineExchange exchange(machine.size(), machine.masters());
   Dispatcher dispatcher(link, axes, exchange, steady_now, run.masters, std::move(claim));

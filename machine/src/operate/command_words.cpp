@@ -64,6 +64,19 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
+std::vector<std::string> choices_of(FieldRange range) {
+  switch (range) {
+    case FieldRange::direction:
+      return {"shortest", "positive", "negative"};
+    case FieldRange::buffer_mode:
+      return {"low", "previous", "next", "high"};
+    case FieldRange::path_buffer:
+      return {"low", "previous", "next", "high", "look-ahead"};
+    default:
+      return {};
+  }
+}
+
 /// The options of a word, VALUE among them: first those that select the command.
 std::vector<std::string> taken_by(const std::string& word) {
   std::vector<std::string> names;
@@ -108,6 +121,15 @@ Form form_of(const CommandWords& words) {
   if (chosen == nullptr && forms.front().selector() == value_word) return forms.front();
   if (chosen == nullptr) throw InputError(words.what, "", "needs one of " + list);
   return *chosen;
+}
+
+/// An option of a word: its first field.
+CommandOption option_of(const std::string& word, const std::string& name) {
+  for (const Form& form : forms_of(word))
+    for (const Field& field : form.command->fields)
+      if (form.takes(field) && form.option(field) == name)
+        return {name, field.help, field.range, field.quantity, choices_of(field.range)};
+  return {name, ""};
 }
 
 // ---- values ------------------------------------------------------------------------------------
@@ -407,20 +429,28 @@ std::vector<CommandOption> command_options() {
   std::stable_partition(words.begin(), words.end(),
                         [](const std::string& word) { return word == move_word; });
   std::vector<CommandOption> options;
-  const auto add = [&](const Form& form, const std::string& name) {
-    const bool known = std::any_of(options.begin(), options.end(),
-                                   [&](const CommandOption& one) { return one.name == name; });
-    if (name == value_word || known) return;
-    for (const Field& field : form.command->fields)
-      if (form.takes(field) && form.option(field) == name) {
-        options.push_back({name, field.help, field.range});
-        return;
-      }
-  };
   for (const std::string& word : words)
-    for (const std::string& name : taken_by(word))
-      for (const Form& form : forms_of(word)) add(form, name);
+    for (CommandOption& option : options_of(word)) {
+      const auto known = std::find_if(options.begin(), options.end(),
+                                      [&](const auto& one) { return one.name == option.name; });
+      if (option.name != value_word && known == options.end())
+        options.push_back(std::move(option));
+      else if (option.name != value_word)
+        for (const std::string& choice : option.choices) add_once(known->choices, choice);
+    }
   return options;
+}
+
+std::vector<CommandOption> options_of(const std::string& word) {
+  std::vector<CommandOption> options;
+  for (const std::string& name : taken_by(word)) options.push_back(option_of(word, name));
+  return options;
+}
+
+bool is_of_groups(const std::string& word) {
+  const std::vector<Form> forms = forms_of(word);
+  return std::all_of(forms.begin(), forms.end(),
+                     [](const Form& form) { return is_path_kind(form.command->kind); });
 }
 
 void require_taken(const CommandWords& words) {

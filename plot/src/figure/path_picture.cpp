@@ -70,6 +70,14 @@ void add_marks(const Plan& plan, std::size_t x, std::size_t y, PathFigure& figur
   }
 }
 
+PathFigure empty_figure(const Spec& spec, const std::string& x, const std::string& y,
+                        const Units& units) {
+  return {.title = spec.name,
+          .x_label = x + " [" + units.position + "]",
+          .y_label = y + " [" + units.position + "]",
+          .speed_label = "speed [" + rate_unit(units.position, units.x, 1) + "]"};
+}
+
 }  // namespace
 
 PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane) {
@@ -87,10 +95,7 @@ PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane)
     fail(plane, "must name two different axes with the same unit");
   std::vector<const Trajectory*> curves;
   for (const Input& input : axes) curves.push_back(&std::get<Trajectory>(*input.curve));
-  PathFigure figure{.title = axes.front().spec->name,
-                    .x_label = axes[x].axis + " [" + units.position + "]",
-                    .y_label = axes[y].axis + " [" + units.position + "]",
-                    .speed_label = "speed [" + rate_unit(units.position, units.x, 1) + "]"};
+  PathFigure figure = empty_figure(*axes.front().spec, axes[x].axis, axes[y].axis, units);
   for (const double t : times_of(curves)) {
     figure.x.push_back(curves[x]->at(t).position);
     figure.y.push_back(curves[y]->at(t).position);
@@ -100,6 +105,26 @@ PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane)
     figure.speed.push_back(std::sqrt(square));
   }
   add_marks(plan, x, y, figure);
+  return figure;
+}
+
+std::optional<PathFigure> path_figure(const Input& axis) {
+  constexpr int instants = 2000;
+  if (!axis.plan || axis.spec->axes.size() < 2) return std::nullopt;
+  const Plan& plan = *axis.plan;
+  PathFigure figure =
+      empty_figure(*axis.spec, axis.spec->axes[0].name, axis.spec->axes[1].name, axis.spec->units);
+  std::vector<Motion> axes(plan.path().axes());
+  for (int k = 0; k <= instants; ++k) {
+    plan.at(plan.duration() * k / instants, axes);
+    double square = 0;
+    for (std::size_t i = 0; i < plan.given().path_axes; ++i)
+      square += std::pow(axes[i].velocity, 2);
+    figure.x.push_back(axes[0].position);
+    figure.y.push_back(axes[1].position);
+    figure.speed.push_back(std::sqrt(square));
+  }
+  add_marks(plan, 0, 1, figure);
   return figure;
 }
 

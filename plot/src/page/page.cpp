@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -46,6 +48,11 @@ td.n,th.n{text-align:right;white-space:nowrap}
 td.m,th.m{padding-right:0;width:1.4em}td.m{color:var(--limit);font-weight:700}
 tr.broken{background:color-mix(in srgb,var(--limit) 9%,transparent)}
 td.w{min-width:14em}
+.drawing img{display:block;max-width:100%;height:auto}
+.code td{border:0;padding:.05em .65em;white-space:pre;font-family:ui-monospace,Consolas,monospace}
+.code td.no{text-align:right;color:var(--soft);user-select:none}
+.code .remark td,.code .remark button{white-space:normal;font-family:system-ui,sans-serif;color:var(--limit)}
+.code .remark.fine td,.code .remark.fine button{color:var(--soft)}
 figure{margin:1em 0 1.6em}figcaption{font-size:.875rem;margin-top:.4em}
 .jf{display:block;width:100%;height:auto}.jf.narrow{display:none}
 footer{margin-top:3em;padding-top:.8em;border-top:1px solid var(--grid);font-size:.8125rem}
@@ -55,7 +62,7 @@ dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.5em}
 @media print{@page{margin:14mm}body{font-size:10pt;line-height:1.4}main{max-width:none;padding:0}
 h2{margin:1.3em 0 .5em;break-after:avoid}figure{margin:.6em 0 1em}.verdict{margin-top:.8em}
 figure,tr,.verdict{break-inside:avoid}.scroll{overflow:visible}
-table{font-size:7pt}th,td{padding:.3em .4em}td.w{min-width:10em}}
+table{font-size:7pt}th,td{padding:.3em .4em}td.w{min-width:10em}.code td{white-space:pre-wrap}}
 )";
 
 std::string prose(const std::string& text) {
@@ -103,12 +110,14 @@ const char* kind(const DataTable& table, std::size_t column) {
   return is_numeric(table, column) ? " class=\"n\"" : wide ? " class=\"w\"" : "";
 }
 
+std::string place_of(const std::optional<DataTable::Place>& place) {
+  return place ? fmt::format(" data-from=\"{}\" data-to=\"{}\"", place->from, place->to) : "";
+}
+
 std::string table_row(const DataTable::Row& row, const std::vector<const char*>& kinds,
                       bool marked) {
   std::string out = row.broken ? "<tr class=\"broken\"" : "<tr";
-  if (row.place)
-    out += fmt::format(" data-from=\"{}\" data-to=\"{}\"", row.place->from, row.place->to);
-  out += ">";
+  out += place_of(row.place) + ">";
   if (marked) out += row.broken ? "<td class=\"m\" title=\"broken\">✗</td>" : "<td></td>";
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     out +=
@@ -155,11 +164,75 @@ std::string chart(const Chart& block) {
   return out + "</figure>\n";
 }
 
+/// The digits of base 64 (RFC 4648).
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  std::uint32_t bits = 0;
+  int held = 0;
+  for (const char byte : bytes) {
+    bits = bits << 8U | static_cast<unsigned char>(byte);
+    for (held += 8; held >= 6; held -= 6)
+      out += digits[bits >> static_cast<unsigned>(held - 6) & 63U];
+  }
+  if (held > 0) out += digits[bits << static_cast<unsigned>(6 - held) & 63U];
+  return out.append((4 - out.size() % 4) % 4, '=');
+}
+
+/// An image, so that the style sheet of the drawing does not apply to the page.
+std::string image(const Image& block) {
+  return fmt::format(
+      "<figure class=\"drawing\"><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">\n"
+      "<figcaption>{}</figcaption>\n</figure>\n",
+      escaped(block.title), base64(block.svg), escaped(block.caption));
+}
+
+constexpr int whole_listing = 1500;  // lines; of a longer text, only the surroundings of remarks
+constexpr int surroundings = 3;      // lines before and after a remark
+
+std::string listing(const Listing& block) {
+  std::vector<std::string_view> lines;
+  for (std::size_t at = 0; at < block.text.size();) {
+    const std::size_t end = std::min(block.text.find('\n', at), block.text.size());
+    lines.push_back(std::string_view(block.text).substr(at, end - at));
+    at = end + 1;
+  }
+  const auto count = static_cast<int>(lines.size());
+  const auto is_shown = [&](int line) {
+    return count <= whole_listing ||
+           std::any_of(block.remarks.begin(), block.remarks.end(), [&](const auto& remark) {
+             return std::abs(remark.line - line) <= surroundings;
+           });
+  };
+  std::string out = fmt::format(
+      "<div class=\"scroll\" tabindex=\"0\"><table class=\"code\">\n<caption>{}</caption>\n",
+      escaped(block.caption));
+  bool gap = false;
+  for (int line = 1; line <= count; ++line) {
+    if (!is_shown(line)) {
+      if (!std::exchange(gap, true)) out += "<tr><td class=\"no\">⋮</td><td></td></tr>\n";
+      continue;
+    }
+    gap = false;
+    out += fmt::format("<tr><td class=\"no\">{}</td><td>{}</td></tr>\n", line,
+                       escaped(lines[static_cast<std::size_t>(line - 1)]));
+    for (const Listing::Remark& remark : block.remarks)
+      if (remark.line == line)
+        out += fmt::format("<tr class=\"remark{}\"{}><td class=\"m\">{}</td><td>{}</td></tr>\n",
+                           remark.broken ? "" : " fine", place_of(remark.place),
+                           remark.broken ? "✗" : "", escaped(remark.text));
+  }
+  return out + "</table></div>\n";
+}
+
 struct Write {
   std::string operator()(const Prose& block) const { return prose(block.text); }
   std::string operator()(const Facts& block) const { return facts(block); }
   std::string operator()(const DataTable& block) const { return table(block); }
   std::string operator()(const Chart& block) const { return chart(block); }
+  std::string operator()(const Image& block) const { return image(block); }
+  std::string operator()(const Listing& block) const { return listing(block); }
 };
 
 bool has_script(const Page& page) {
@@ -172,23 +245,10 @@ bool has_script(const Page& page) {
   });
 }
 
-/// The hash in base 64 (RFC 4648), as a Content-Security-Policy has it.
-std::string base64(const Sha256& hash) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  std::uint32_t bits = 0;
-  int held = 0;
-  for (const std::uint8_t byte : hash) {
-    bits = bits << 8U | byte;
-    for (held += 8; held >= 6; held -= 6)
-      out += digits[bits >> static_cast<unsigned>(held - 6) & 63U];
-  }
-  return out + digits[bits << 2U & 63U] + "=";  // 256 bits: 42 digits, 4 bits, one digit of padding
-}
-
+/// The hash of the script, as a Content-Security-Policy has it.
 std::string script_source() {
-  return fmt::format("; script-src 'sha256-{}'", base64(sha256(plot_files::report_script)));
+  const Sha256 hash = sha256(plot_files::report_script);
+  return fmt::format("; script-src 'sha256-{}'", base64(std::string(hash.begin(), hash.end())));
 }
 
 std::string head(const Page& page) {

@@ -45,6 +45,8 @@ struct FittedCam {
 /// is fitted at its knots and at places between them. Throws InputError, with the place in the
 /// file, or with the name of a member of FitOptions.
 FittedCam fitted_cam(const std::string& path, const FitOptions& options);
+/// Like fitted_cam(), for the contents of a file with this name.
+FittedCam fitted_cam(const std::string& text, const std::string& name, const FitOptions& options);
 
 /// Returns the output of `jounce fit`: each segment with its distance from the points, and the
 /// greatest distances.

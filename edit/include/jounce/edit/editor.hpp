@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -20,9 +21,12 @@ namespace jounce {
 /// the file.
 class Editor {
  public:
-  /// Opens the file, and serves the page until the object is destroyed. Throws InputError for a
-  /// file that cannot be read, and for a file that another editor has open.
-  Editor(const std::string& file, web::Listening listening);
+  /// Opens the file, and serves the page until the object is destroyed. If the file does not exist
+  /// or is empty, the page offers the `templates`: the text of an example spec by its kind. Throws
+  /// InputError for a file that cannot be read or is not a spec, and for a file that another editor
+  /// has open. A spec with errors is accepted.
+  Editor(const std::string& file, web::Listening listening,
+         std::map<std::string, std::string> templates = {});
   ~Editor();
   Editor(const Editor&) = delete;
   Editor& operator=(const Editor&) = delete;

@@ -19,6 +19,7 @@
 namespace jounce {
 
 class Recorder;
+class Trace;
 
 /// A group of an executor (docs/executor/groups.md).
 struct ExecutorGroup {
@@ -66,6 +67,7 @@ struct ExecutorOptions {
   bool logs_probes = false;  ///< true: the log has a column for the captures of the touch probes
   std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
   Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: no record
+  Trace* trace = nullptr;        ///< receives the ticks and tables of the axis; null: no trace
 };
 
 }  // namespace jounce

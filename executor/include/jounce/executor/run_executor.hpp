@@ -27,6 +27,7 @@ struct RunOptions {
   double watchdog = 0.5;
   /// Files of the record; its notices are sent to the first axis's `notify`.
   RecorderOptions record = {};
+  Trace* trace = nullptr;  ///< receives the ticks of all axes, in their order; null: no trace
   /// Called when the executor owns the names of its axes, its files are open, and it accepts
   /// commands.
   std::function<void()> up = {};

@@ -39,7 +39,14 @@ struct CommandOption {
   std::string help;  ///< help text
   /// Permitted values. FieldRange::flag means that the option has no value.
   FieldRange range = FieldRange::finite;
+  Quantity quantity = Quantity::none;     ///< physical quantity
+  std::vector<std::string> choices = {};  ///< permitted words; empty: a number or a list
 };
+/// Returns the options of a word; its value has the name "VALUE". A word with the option "blend"
+/// also takes the flag "buffered".
+std::vector<CommandOption> options_of(const std::string& word);
+/// True if only a group executes the word.
+bool is_of_groups(const std::string& word);
 /// Returns all options, each one once. The options of "move" come first.
 std::vector<CommandOption> command_options();
 

@@ -50,8 +50,29 @@ struct Chart {
   std::string data{};
 };
 
+/// A drawing with a scale of its own, such as the plate of a disc cam.
+struct Image {
+  std::string svg{};      ///< an SVG document
+  std::string title{};    ///< the content in words, for readers who cannot see it
+  std::string caption{};  ///< text below the drawing
+};
+
+/// A text with the numbers of its lines, and remarks below them.
+struct Listing {
+  struct Remark {
+    int line = 0;                                ///< line of the text, from 1
+    std::string text{};                          ///< the remark
+    bool broken = false;                         ///< true: the remark is on a broken limit
+    std::optional<DataTable::Place> place = {};  ///< see DataTable::Row
+  };
+
+  std::string caption{};  ///< text above the lines
+  std::string text{};     ///< the text
+  std::vector<Remark> remarks{};
+};
+
 /// Any part of a section.
-using Block = std::variant<Prose, Facts, DataTable, Chart>;
+using Block = std::variant<Prose, Facts, DataTable, Chart, Image, Listing>;
 
 /// A section of a page.
 struct Section {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,9 @@ namespace jounce {
 /// (key "plane") if the axes have no path, if an axis does not exist, or if the two axes have
 /// different units.
 PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane);
+
+/// Returns the path of an axis that follows one, in the plane of the first two axes with the same
+/// unit, drawn at 2000 equally spaced instants. Returns nullopt if there are no such axes.
+std::optional<PathFigure> path_figure(const Input& axis);
 
 }  // namespace jounce

@@ -8,6 +8,12 @@
 
 namespace jounce {
 
+/// Options of report_page().
+struct ReportOptions {
+  ProofOptions proof = {.drive_samples = 2000};  ///< options of the proof on the page
+  std::string optimum = {};  ///< file with the output of `jounce optimize --json`; "": none
+};
+
 /// The page of `jounce report`, and all findings on the page.
 struct ReportPage {
   Page page;        ///< the page
@@ -15,9 +21,10 @@ struct ReportPage {
 };
 
 /// Returns the page: the curve (if `before` is given, over its pale curve), the extrema of each
-/// segment, limits and breaks, the proof, and the table. Throws InputError like prove(), and with
-/// the key "before" if one input is over time and the other over a master.
+/// segment, the result of the optimizer, the path or the disc, limits and breaks, the proof, the
+/// table, and the spec with its findings. Throws InputError like prove(), with the key "before" if
+/// one input is over time and the other over a master, and for a file `optimum` of another kind.
 ReportPage report_page(const Input& input, const std::optional<Input>& before,
-                       const ProofOptions& options);
+                       const ReportOptions& options = {});
 
 }  // namespace jounce

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "jounce/cam/design/design.hpp"
@@ -20,6 +21,12 @@ namespace jounce {
 /// Requires that `cam` has as many segments as the spec. Throws InputError for a change of points
 /// that are in another file, of a knot that such a file gives, and of the number of points.
 std::string with_cam(const Spec& spec, const CamSpec& cam);
+
+/// Returns the text of a cam spec with other positions of the switch with the index `at`: the key
+/// `first_on_position` and, if the text has it, `last_on_position`, in the unit of the master. Throws
+/// InputError for a switch that the text does not have.
+std::string with_switch(const Spec& spec, std::size_t at, double first_on,
+                        std::optional<double> last_on);
 
 /// Returns the text of a cam spec with one more segment. It has the index `at`, from 0 to the number
 /// of segments. Requires a text that parse_spec() accepts as a cam.

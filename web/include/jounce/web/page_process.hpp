@@ -14,7 +14,7 @@ namespace jounce::web {
 
 /// The parent's side of a live page: the page is served while this object exists.
 ///
-///     const PageProcess page(8080, {"jounce", "page", "--of-run", "feeder"}, notify);
+///     const PageProcess page(8080, {"jounce", "page", "--of-run", "feeder"}, &trace, notify);
 ///     print(page.address());
 ///
 /// The child process runs this program again (/proc/self/exe), with the given words as its
@@ -25,10 +25,11 @@ namespace jounce::web {
 /// for any reason, the child ends, too. No function waits for the child.
 class PageProcess {
  public:
-  /// `words` are the arguments of the child, beginning with the name of the program. `notify`
+  /// `words` are the arguments of the child, beginning with the name of the program. `trace`: memory
+  /// with the ticks of its axes, which the child reads; null: none. `notify`
   /// receives a sentence when the child ends; it is called from another thread. Throws InputError
   /// for a port that is in use, and std::system_error if no process can be started.
-  PageProcess(std::uint16_t port, std::vector<std::string> words,
+  PageProcess(std::uint16_t port, std::vector<std::string> words, const Trace* trace,
               std::function<void(const std::string& notice)> notify);
   ~PageProcess();
   PageProcess(const PageProcess&) = delete;

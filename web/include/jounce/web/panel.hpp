@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/executor/trace.hpp"
 #include "jounce/stream/security/key.hpp"
 #include "jounce/stream/transport/transport.hpp"
 #include "jounce/web/jogs.hpp"
@@ -22,6 +23,8 @@ struct PanelOptions {
   std::string title{};              ///< title of the page
   std::string token{};              ///< token that commands need; see new_token()
   std::string warning{};            ///< text at the top of the page; "": none
+  /// Ticks of the axes, in their order, from the executor. Null: the page uses the status messages.
+  std::shared_ptr<const Trace> trace{};
 };
 
 /// A live page: the present state of several axes, and the commands of an operator.

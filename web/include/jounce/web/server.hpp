@@ -12,12 +12,16 @@
 
 namespace jounce::web {
 
-/// A command to a server: a request that needs the token.
+/// A request to a server, for a command or a reading of its site.
 struct Request {
   bool is_get = false;  ///< GET, without a body; otherwise POST
   std::string path{};   ///< "/order"
   std::string query{};  ///< the part of the address behind the ?
   std::string body{};
+
+  /// Returns the value of a key of the query, such as "form" in "form=csv&axis=1", without its
+  /// percent escapes; "": it is missing.
+  [[nodiscard]] std::string value(const std::string& key) const;
 };
 
 /// The answer to a command.
@@ -38,6 +42,8 @@ struct SiteFile {
 struct Site {
   std::vector<SiteFile> files{};
   std::vector<std::string> commands{};  ///< methods and paths: "POST /order"
+  /// Paths that GET reads without the token: "/trace". They go to obey(), in threads of their own.
+  std::vector<std::string> readings{};
   /// Returns the next event of /events, as JSON; "": there is no event at this time. `seen` is 0 for
   /// a new reader; the function sets it to the number of the event that this reader has received.
   std::function<std::string(std::int64_t& seen)> event{};
@@ -78,8 +84,8 @@ class Listening {
 ///     const Server server(Listening(8080), token, site);    // 0: any free port
 ///     print("http://127.0.0.1:{}/#{}", server.port(), token);
 ///
-/// **Requests**: GET for the files of the site; GET /events (server-sent events, at most 20 a
-/// second); the commands of the site. A connection serves one request. A request with an objection()
+/// **Requests**: GET for the files and the readings of the site; GET /events (server-sent events, at
+/// most 20 a second); the commands of the site. A connection serves one request. A request with an objection()
 /// is rejected with status 403. A command without the header X-Jounce-Token is rejected in the same
 /// way, before its body is read. The page can load nothing from other servers and cannot be shown in
 /// a frame.
@@ -94,6 +100,7 @@ class Server {
   static constexpr int most_guests = 64;  ///< greatest number of connections without the token
   /// Greatest number of commands that wait for an axis at a time, except stops.
   static constexpr int most_commands = 16;
+  static constexpr int most_readings = 8;  ///< greatest number of readings that wait
   /// Time limit for a whole request, and for an answer, s.
   static constexpr int request_seconds = 5;
 

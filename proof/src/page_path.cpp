@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proof/src/path_section.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -9,6 +7,9 @@
 #include "jounce/base/units.hpp"
 #include "jounce/design/path_text.hpp"
 #include "jounce/plot/label.hpp"
+#include "jounce/plot/path_picture.hpp"
+
+#include "proof/src/page_sections.hpp"
 
 namespace jounce {
 namespace {
@@ -57,7 +58,16 @@ DataTable places_of(const PathSummary& s, const Units& units) {
 Section path_section(const Input& input) {
   const PathSummary summary = summary_of(*input.spec, *input.plan);
   const Units& units = input.spec->units;
-  return {"Path", {facts_of(summary, units), places_of(summary, units)}};
+  Section section{"Path", {}};
+  if (const auto figure = path_figure(input))
+    section.blocks.emplace_back(
+        Image{svg(*figure), "The path, colored by its speed",
+                "The path in the plane of " + input.spec->axes[0].name + " and " +
+                    input.spec->axes[1].name +
+                    ". Its color shows the speed. Marked are the places that cost most time."});
+  section.blocks.emplace_back(facts_of(summary, units));
+  section.blocks.emplace_back(places_of(summary, units));
+  return section;
 }
 
 }  // namespace jounce
