@@ -79,10 +79,10 @@ class Listening {
 ///     print("http://127.0.0.1:{}/#{}", server.port(), token);
 ///
 /// **Requests**: GET for the files of the site; GET /events (server-sent events, at most 20 a
-/// second); the commands of the site. A connection serves one request. A request with an objection()
-/// is rejected with status 403. A command without the header X-Jounce-Token is rejected in the same
-/// way, before its body is read. The page can load nothing from other servers and cannot be shown in
-/// a frame.
+/// second); the commands of the site. A connection serves one request. A request with an
+/// objection() (gate.hpp) is rejected with status 403. A command without the header X-Jounce-Token
+/// is rejected in the same way, before its body is read. The page can load nothing from other
+/// servers and cannot be shown in a frame.
 ///
 /// **Limits.** A request has at most 8 KB of head and Site::most_body of body, must state the length
 /// of its body, and must arrive within request_seconds. The number of connections without the token is
