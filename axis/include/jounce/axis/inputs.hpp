@@ -11,7 +11,8 @@
 
 namespace jounce {
 
-/// Greatest accepted magnitude of an input number; it is also the bound of move_to().
+/// Greatest accepted magnitude of an input number; it is also the bound of move_to()
+/// (moves/move.hpp).
 inline constexpr double most_magnitude = 1e50;
 
 /// A switch or an index of the machine, as a drive reports it for one cycle.

@@ -6,10 +6,10 @@
 namespace jounce {
 
 /// Adds the findings of a cam that check_all() does not report: warnings, and the characteristic
-/// values of its rises with their lower bounds (certificates()). If the spec has [limits.slave] and
-/// [master], also adds the findings on the slave's motion over time, and the fastest master at
-/// which the slave stays within these limits. Omits steps of derivatives up to the order
-/// `continuity`, because check_all() reports them. Adds nothing for a motion over time.
+/// values of its rises with their lower bounds (certificates() in certificate.hpp). If the spec has
+/// [limits.slave] and [master], also adds the findings on the slave's motion over time, and the
+/// fastest master at which the slave stays within these limits. Omits steps of derivatives up to
+/// the order `continuity`, because check_all() reports them. Adds nothing for a motion over time.
 void add_cam_findings(Report& report, const Input& input, int continuity);
 
 /// Returns all findings of `jounce check`, sorted: the findings of check_all() and of

@@ -80,8 +80,8 @@ TableForm table_form(const std::string& name, const std::string& path);
 std::optional<Interpolation> interpolation_named(const std::string& word);
 
 /// Returns the interpolation of a table in this form, from the first of these sources that gives
-/// one: the controller's format; `wanted`; the controller (controller_table()) with the name
-/// `controller`; `table`.
+/// one: the controller's format; `wanted`; the controller (controller_table() in table_target.hpp)
+/// with the name `controller`; `table`.
 Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wanted,
                        const std::string& controller, const Table& table);
 

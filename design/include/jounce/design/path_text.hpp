@@ -41,7 +41,7 @@ struct PathSummary {
 };
 
 /// Checks the motion along the path, with the override of the spec, against [path.limits] and the
-/// limits of the commands; see check_along().
+/// limits of the commands; see check_along() (jounce/path/along.hpp).
 Report path_report(const Spec& spec, const Plan& played);
 
 /// Returns the places of events. Requires events in the order of the program. The place of an event

@@ -23,7 +23,8 @@ Reference table_reference(const Input& input);
 Trajectory master_of(const Input& input);
 
 /// Returns the slave's exact motion over the spec's unit of time: the trajectory, or the curve of a
-/// cam that follows its master. Exact, or within 1e-9 of the stroke (see composed_within()).
+/// cam that follows its master. Exact, or within 1e-9 of the stroke (see composed_within() in
+/// composed.hpp).
 Trajectory motion_over_time(const Input& input);
 
 /// Return, for a reference: a view of it, its duration (s), and its motion at t (s).

@@ -68,7 +68,7 @@ struct RecordedJob {
   CamEnd end = CamEnd::brake;      ///< behavior at the end of a live cam
 };
 
-/// The arguments of the movement of a gear: see gear_of().
+/// The arguments from which the movement of a gear is made.
 struct RecordedGear {
   std::size_t axis = 0;                    ///< index of the axis
   std::uint64_t id = 0;                    ///< id of the movement

@@ -51,7 +51,7 @@ struct CutSpeed {
   double where = 0;  ///< m, position on the cam at which the slave reaches the limit
 };
 /// Returns the greatest line speed for a length. Throws InputError unless the length and the line
-/// speed of the limits are positive, and like greatest_master_velocity().
+/// speed of the limits are positive, and like greatest_master_velocity() (master_limits.hpp).
 CutSpeed fastest_cut(const CamOfLength& cams, double length, const CutLimits& limits);
 
 /// Returns the speed for a length without a given cam: for a shear that is designed anew for every

@@ -42,7 +42,7 @@ struct FlyingShear {
   /// permit.
   std::optional<double> sync_time = {};    ///< s, > 0
   std::optional<double> sync_length = {};  ///< m, > 0
-  std::optional<double> stroke = {};       ///< u, > 0: greatest distance from home
+  std::optional<double> stroke = {};       ///< u, > 0: limit of the distance from home
 
   /// Travel of the line (m) while the carriage accelerates, brakes, and returns. If
   /// acceleration_length is omitted, it is computed from the limits, and the limit of the

@@ -22,8 +22,9 @@ namespace jounce {
 /// For a jaw that moves along with the film and returns, see FlyingShear; for a rotating jaw, see
 /// the rotary knife.
 ///
-/// **Throws** InputError for numbers that are not finite or positive, a motion that does not fit
-/// into its part of the cycle, and a law that does not go from rest to rest.
+/// **Throws** InputError for a number that is not finite, or is outside the range that its comment
+/// gives; for a motion that does not fit into its part of the cycle; and for a law that does not go
+/// from rest to rest.
 struct Indexer {
   double distance = 0;  ///< u, not 0; the sign is the direction
   double cycle = 0;     ///< m, > 0: length of a cycle of the master

@@ -46,10 +46,13 @@ double least_peak_power(const KnotInterval& interval);
 /// between the fixed knots. The bound is for the case that this objective alone is minimized.
 ///
 /// The cam is divided at the knots whose master, slave and geo_velocity are fixed. The bound of
-/// each interval is the least value that the functions above return. If the slave is fixed at knots
-/// within the interval, the bound also accounts for these points. A segment without free quantities
-/// has its exact value. A first or last interval whose outer end is free counts as 0. If no cam can
-/// satisfy the velocity limit, the result is infinite (for peak_acceleration only).
+/// each interval is the result of the function above that belongs to the objective. The bound of a
+/// peak is the greatest bound of the intervals. The bound of the rms acceleration is sqrt(s / L),
+/// with the sum s of the bounds of the intervals (least_square_acceleration()) and the length L of
+/// the cam. If the slave is fixed at knots within the interval, the bound also accounts for these
+/// points. A segment without free quantities has its exact value. A first or last interval whose
+/// outer end is free counts as 0. If no cam can satisfy the velocity limit, the result is infinite
+/// (for peak_acceleration only).
 double lower_bound(const CamProblem& problem, Objective objective);
 
 }  // namespace jounce

@@ -21,7 +21,6 @@
 /// | optimize() | CamProblem: free knots | CamSpec |
 /// | optimize_shape() | ShapeProblem: a free function | std::vector<Segment> |
 /// | optimize_cam_shapes() | CamShapeProblem: free segments of a cam | CamSpec |
-/// | optimize_against() | CamShapeProblem, through a drive | CamSpec |
 /// | spline_times() | SplineTimesSpec: times of a spline | SplineTimes |
 /// | search() | any function of numbers | std::vector<double> |
 namespace jounce {

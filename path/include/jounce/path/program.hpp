@@ -74,8 +74,8 @@ struct PathSettings {
 /// axes are *followers*: they move in proportion to the length. If a command moves only followers,
 /// its length is measured in the followers.
 ///
-/// **Throws** InputError with the source line if a value is not finite or out of range, or if an
-/// arc or a curve does not begin at position().
+/// **Throws** InputError with the source line if a value is not finite, if it is out of range, or
+/// if an arc or a curve does not begin at position().
 class Program {
  public:
   /// `axes`: 1 to max_axes. `path_axes`: number of path axes; 0: all axes.

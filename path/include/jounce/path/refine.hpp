@@ -16,11 +16,11 @@ namespace jounce {
 /// within their limits. So the guarantees of Plan also hold for the result. In a refined law, the
 /// velocity along a corner may vary.
 ///
-/// Other functions treat a refined law like a window law: halted() follows it to its next rest, and
-/// played() replaces it by a station law. A *run* is a part of the path from rest to rest. The
-/// longest runs are refined first. At most 500 short runs or 13 very long runs are refined. A run
-/// of more than about 1250 corners or 120 000 pieces of an average keeps its law. CPU time for a run
-/// of 2000 pieces: about 1 s. The result is deterministic.
+/// Other functions treat a refined law like a window law: halted() (hold.hpp) follows it to its
+/// next rest, and played() (override.hpp) replaces it by a station law. A *run* is a part of the
+/// path from rest to rest. The longest runs are refined first. At most 500 short runs or 13 very
+/// long runs are refined. A run of more than about 1250 corners or 120 000 pieces of an average
+/// keeps its law. CPU time for a run of 2000 pieces: about 1 s. The result is deterministic.
 Plan refined(const Plan& plan);
 
 }  // namespace jounce

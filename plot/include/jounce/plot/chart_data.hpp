@@ -24,7 +24,7 @@ constexpr std::size_t most_chart_bytes = 700'000;
 /// (most_chart_bytes) has `edges`, and `low` and `high`: the exact extrema of the value and of its
 /// derivatives between two edges.
 ///
-/// Throws InputError (key "before") like figure_of().
+/// Throws InputError (key "before") like figure_of() (input_figure.hpp).
 std::string chart_data(const Input& input, const std::optional<Input>& before = std::nullopt);
 
 }  // namespace jounce

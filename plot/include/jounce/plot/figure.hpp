@@ -78,8 +78,8 @@ struct Figure {
 struct SvgOptions {
   double width = 860;         ///< width, px
   double panel_height = 120;  ///< height of each plot without its labels, px
-  bool inlined = false;       ///< true: for html(); the page then contains the style sheet and sets
-                              ///< the size
+  bool inlined = false;       ///< true: for html() (page.hpp); the page then contains the style
+                              ///< sheet and sets the size
 };
 
 /// Returns the figure as an SVG document. Labels are text; the document has no script and loads

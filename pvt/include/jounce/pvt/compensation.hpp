@@ -60,7 +60,8 @@ struct CompensationSpec {
 /// at() does not allocate or throw. The constructor throws InputError, with keys that count from 1
 /// ("values[3]"), in these cases: no or more than three references; an interval that is not
 /// positive; fewer than two points; a number of values that differs from the number of grid points;
-/// a value that is not finite or above `most`; the cubic rule with three references.
+/// a value that is not finite, or whose magnitude is above `most`; the cubic rule with three
+/// references.
 class Compensation {
  public:
   static constexpr std::size_t most_references = 3;  ///< greatest number of references
@@ -109,7 +110,8 @@ class Compensation {
 /// degree 11; with two or three references, if the sum of their degrees is at most 11. Otherwise
 /// the result is within `tolerance` > 0 (unit of the motion), with a certified error (see
 /// fitted.hpp). Outside, it has the policy of the motion. Throws InputError if the intervals differ
-/// by more than rounding, if the number of references is wrong, and like composed_within().
+/// by more than rounding, if the number of references is wrong, and like composed_within()
+/// (composed.hpp).
 Fitted<OverTime> compensated(const Trajectory& motion, const Compensation& compensation,
                              std::span<const Trajectory> references, double tolerance);
 

@@ -19,7 +19,7 @@
 ///     const Report report = velocity_steps(g);                             // lists these steps
 ///
 /// The manual states only that the stages are continuous. These functions use the rules of the
-/// blocks with the same names in REXYGEN:
+/// blocks with the same names in the control software REXYGEN:
 ///
 ///     block                  between the points       continuous      begins with
 ///     MC_PositionProfile     cubic, or linear         velocity        the axis' position and velocity
@@ -35,8 +35,9 @@
 /// CODESYS puts the axis into error stop unless another block takes over; velocity_steps()
 /// (warnings.hpp) reports such an end.
 ///
-/// **Throws** InputError with the number of the controller's error: 325, 350, 375 for the number of
-/// points; 326, 351, 376 for a stage without duration.
+/// **Throws** InputError with the number of the controller's error, for tables of positions,
+/// velocities and accelerations, in this order: 325, 350, 375 for the number of points; 326, 351,
+/// 376 for a stage without duration.
 namespace jounce::pmc600 {
 
 /// Greatest number of points in MC_TP_REF, MC_TV_REF, MC_TA_REF.

@@ -22,7 +22,7 @@ namespace jounce {
 ///     fifos.reset({.each = 32, .total = 64, .stream = true});
 ///     while (more && fifos.push(0, next()) == RowRule::none) ...   // producer thread
 ///     fifos.start(0, 0, 0);                                         // player thread
-///     const Jet now = fifos.at(t);                               // each cycle; t does not descend
+///     const Jet now = fifos.at(t);                               // each cycle
 ///
 /// **Two threads.** One *producer* pushes rows, clears FIFOs and queues switches. One *player*
 /// selects, starts and plays FIFOs. Neither thread waits for the other. No row is read while it is
@@ -51,8 +51,9 @@ namespace jounce {
 /// number, not on the timing of the threads. Without numbers, every action is visible at once.
 /// clear() has no number.
 ///
-/// **Rates**: see SegmentRow. An open rate is the end rate of the previous row; in the first row of
-/// a pass it is the end rate of the previous pass (0 in the first pass).
+/// **Rates**: see SegmentRow. If both rates of a row are open (not given), the row begins at the
+/// end rate of the previous row. The first row of a pass then begins at the end rate of the
+/// previous pass (0 in the first pass).
 ///
 /// **Backwards.** If x decreases, the axis moves backwards to the beginning of the pass (in a
 /// stream: of the FIFO). There it stands still until x returns.
@@ -79,7 +80,7 @@ class SegmentFifos {
     taken,    ///< a FIFO is selected and waits for start()
     moving,   ///< the FIFO is played
     ended,    ///< the last row has been played and ended at rest
-    cut_off,  ///< the last row ended at a nonzero rate: an underrun, or a table with an open end
+    cut_off,  ///< the last row ended at a nonzero rate: an underrun, or a table that ends in motion
     left,     ///< leave() was called before the end
     /// x was not finite, or more than 2^53 passes away. The axis keeps its position until the next
     /// start.
@@ -123,7 +124,7 @@ class SegmentFifos {
 
   // ---- producer ----------------------------------------------------------------------------------
 
-  /// Sets the number of the following actions.
+  /// Sets the number that the following actions have (see **Numbers**).
   void stamp(std::uint64_t number) { stamp_ = number; }
   /// Adds a row, or returns the reason for rejecting the row. The check of the limits is exact, by
   /// equations (1) to (3) of segment_row.cpp. A table ignores the mark `last`.
@@ -141,8 +142,8 @@ class SegmentFifos {
   void set_loops(std::int64_t loops) { loops_.store(loops); }
   [[nodiscard]] std::int64_t loops() const { return loops_.load(); }
   /// Queues a switch to the other FIFO at the end of the pass; before the start, at the end of the
-  /// first pass. Returns false for a stream, if the tables have ended, were left or are lost, or if
-  /// the other FIFO has no rows.
+  /// first pass. Returns false in these cases: the FIFOs are a stream; the state is `ended`,
+  /// `cut_off`, `left` or `lost`; the other FIFO has no rows.
   bool queue_switch();
 
   // ---- player ------------------------------------------------------------------------------------
@@ -179,7 +180,7 @@ class SegmentFifos {
   struct End {
     double x = 0;         ///< s or m
     double position = 0;  ///< u
-    double rate = 0;      ///< u per x
+    double rate = 0;      ///< u/s or u/m
   };
   [[nodiscard]] const End& end() const { return end_; }
 

@@ -13,7 +13,7 @@ namespace jounce {
 
 /// A row: one segment of a motion that is sent row by row (a rolling stream, the FIFO of a
 /// controller). It gives the end of the segment and the data of its polynomial. x is the time or
-/// the position of the master. u is the axis' unit.
+/// the position of the master. u is the axis' unit, m the master's.
 ///
 ///     const SegmentRow row{.x_end = 1024, .p_end = 1024, .v_start = 0, .degree = 2};
 ///     const Jet now = point(row, {0, 0}, 0, 512);          // 256, rate 1: Googol example 7-3
@@ -38,10 +38,10 @@ struct SegmentRow {
 
   double x_end = 0;       ///< s or m: end of the row, beyond the end of the previous row
   double p_end = 0;       ///< u, position at the end
-  double v_start = open;  ///< u per x, rate at the start
-  double v_end = open;    ///< u per x, rate at the end
-  double a_start = 0;     ///< u per x^2, for degree 5
-  double a_end = 0;       ///< u per x^2, for degree 5
+  double v_start = open;  ///< u/s or u/m, rate at the start
+  double v_end = open;    ///< u/s or u/m, rate at the end
+  double a_start = 0;     ///< u/s^2 or u/m^2, for degree 5
+  double a_end = 0;       ///< u/s^2 or u/m^2, for degree 5
   int degree = 2;         ///< 1, 2, 3 or 5
   bool last = false;      ///< true: the last row of a stream
 };
@@ -76,9 +76,9 @@ const char* explain(RowRule rule);
 /// Limits of rows, with respect to x; infinite: no limit.
 struct RowLimits {
   static constexpr double none = std::numeric_limits<double>::infinity();  ///< no limit
-  double velocity = none;       ///< greatest rate, u per x
-  double acceleration = none;   ///< greatest second derivative, u per x^2
-  double jerk = none;           ///< greatest third derivative, u per x^3
+  double velocity = none;       ///< greatest rate, u/s or u/m
+  double acceleration = none;   ///< greatest second derivative, u/s^2 or u/m^2
+  double jerk = none;           ///< greatest third derivative, u/s^3 or u/m^3
   double velocity_step = none;  ///< greatest step of the rate from one row to the next
   double position_min = -none;  ///< u, in the coordinates of the rows
   double position_max = none;   ///< u

@@ -33,8 +33,8 @@ struct Grid {
 struct Columns {
   std::vector<double> x;  ///< s or m: time or position of the master, strictly ascending
   std::vector<double> p;  ///< u, position
-  std::vector<double> v;  ///< dp/dx, u per x
-  std::vector<double> a;  ///< d2p/dx2, u per x^2
+  std::vector<double> v;  ///< dp/dx, u/s or u/m
+  std::vector<double> a;  ///< d2p/dx2, u/s^2 or u/m^2
 };
 
 /// A table: knots in columns, and the interpolation rule between them. Controllers and the executor

@@ -53,7 +53,8 @@ std::string rounded(double value);
 /// the smallest margin.
 std::string one_line(const Report& report, const Labels& labels);
 
-/// True if the finding is the peak of a derivative that has no limit, see add_not_limited().
+/// True if the finding is the peak of a derivative that has no limit, see add_not_limited()
+/// (jounce/design/input.hpp).
 bool is_unlimited(const Finding& finding);
 
 /// True if the report has a finding that compares the motion with a limit of the machine. Findings

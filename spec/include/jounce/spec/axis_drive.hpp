@@ -44,8 +44,8 @@ struct AxisDriveSpec {
 struct Spec;
 
 /// Returns [drive] of a spec of kind "axis", read from its document; nullopt if the spec has no
-/// [drive]. Throws InputError, with the place in the document, like read_spec(), because the file
-/// of the model may have changed since the spec was read.
+/// [drive]. Throws InputError, with the place in the document, like read_spec() (spec.hpp), because
+/// the file of the model may have changed since the spec was read.
 std::optional<AxisDriveSpec> axis_drive(const Spec& spec);
 
 }  // namespace jounce

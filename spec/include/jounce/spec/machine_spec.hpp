@@ -60,8 +60,8 @@ struct MachineSpec {
 };
 
 /// Reads a machine. Returns nullopt if the file is a spec of another kind, or not a spec. Throws
-/// InputError, with the place, like read_spec(), and for an unknown key, an axis without a spec,
-/// and an axis that occurs twice.
+/// InputError, with the place, like read_spec() (spec.hpp), and for an unknown key, an axis without
+/// a spec, and an axis that occurs twice.
 std::optional<MachineSpec> read_machine(const std::string& path);
 /// Reads a machine spec from text; messages use `name` as the file name.
 std::optional<MachineSpec> parse_machine(std::string text, std::string name);

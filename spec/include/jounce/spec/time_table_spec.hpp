@@ -42,8 +42,9 @@ Trajectory motion_of(const TimeTableSpec& spec);
 /// the PMC600.
 std::vector<std::string> labels_of(const TimeTableSpec& spec);
 
-/// Returns the findings of check_pt() or velocity_steps(), and of overshoot(), for the table. For a
-/// table with several passes, they cover all passes together.
+/// Returns the findings of check_pt() or velocity_steps(), and of overshoot(), for the table
+/// (jounce/pvt/pt.hpp, warnings.hpp). For a table with several passes, they cover all passes
+/// together.
 Report warnings_of(const TimeTableSpec& spec);
 
 }  // namespace jounce

@@ -23,9 +23,9 @@ struct SpecOptimum {
 using OptimumProgress = std::function<bool(double done, const std::string& step)>;
 
 /// Prepares a spec for optimum_of(). A path without [[optimize.parameter]] gets its corners as
-/// parameters (corner_parameters()), and its timing law is refined (jounce/path/refine.hpp).
-/// `seconds` > 0: time limit, in place of the time limit of the spec. Throws InputError like
-/// corner_parameters(), and with the key `seconds`.
+/// parameters (corner_parameters() in tune.hpp), and its timing law is refined
+/// (jounce/path/refine.hpp). `seconds` > 0: time limit, in place of the time limit of the spec.
+/// Throws InputError like corner_parameters(), and with the key `seconds`.
 void prepare_optimum(Spec& spec, std::optional<double> seconds = {});
 
 /// Optimizes everything that a spec leaves free: the numbers of [[optimize.parameter]] if the spec
@@ -40,7 +40,7 @@ void prepare_optimum(Spec& spec, std::optional<double> seconds = {});
 /// consistent.
 SpecOptimum optimum_of(const Spec& spec, const OptimumProgress& keep_going = {});
 
-/// Optimizes segments of free shape for a drive that follows the cam; see optimize_against().
+/// Optimizes segments of free shape for a drive that follows the cam (docs/optimize/against.md).
 /// `drive` is a spec of kind "drive"; its unit of position must convert to the position unit of the
 /// cam. Throws InputError like optimum_of(), and for a spec without a [master].
 SpecOptimum optimum_against(const Spec& spec, const Spec& drive,

@@ -28,7 +28,8 @@ struct SweepFiles {
   [[nodiscard]] std::string journal() const;
 };
 
-/// Writes the files of a finished sweep, all or none. Throws like write_files().
+/// Writes the files of a finished sweep, all or none. Throws like write_files()
+/// (jounce/base/file.hpp).
 void write_sweep(const SweepFiles& files, const SweepSpec& spec, const SweepResult& result);
 
 /// Returns a sentence on a sweep that was stopped: the number of finished cases, and how to continue.

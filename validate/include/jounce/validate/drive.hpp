@@ -257,7 +257,8 @@ struct DriveResult {
   ///   values;
   /// - "drive/saturation": always; broken if the torque reached its limit;
   /// - "drive/stability": broken if the loop is unstable (loop.hpp); otherwise absent;
-  /// - "drive/exact": if there are samples and exact_opinion() returns a finding;
+  /// - "drive/exact": if there are samples and exact_opinion() (linear_drive.hpp) returns a
+  ///   finding;
   /// - "drive/integration": if the integration failed. Then a limit that was not exceeded before
   ///   the failure has no finding.
   Report report;
@@ -288,11 +289,11 @@ struct DriveResult {
 /// through the steps of the solver, within 1e-4 of their value. The frequency is computed from the
 /// zeros of the load's velocity, while the vibration is at least 1 % of its peak.
 ///
-/// **Periodic.** One period is integrated from the exact steady state (exact_period()). The finding
-/// "drive/periodic" gives the difference between the end and the start of the period, as a share of
-/// the stroke or of the peak torque. The rule is broken if the difference exceeds a hundred
-/// tolerances. It is also broken if the torque reaches its limit, because the initial state is
-/// computed without this limit.
+/// **Periodic.** One period is integrated from the exact steady state (exact_period() in
+/// linear_drive.hpp). The finding "drive/periodic" gives the difference between the end and the
+/// start of the period, as a share of the stroke or of the peak torque. The rule is broken if the
+/// difference exceeds a hundred tolerances. It is also broken if the torque reaches its limit,
+/// because the initial state is computed without this limit.
 ///
 /// **Errors.** Throws InputError for a drive, an option or a limit out of range, and for a Table
 /// over a master. If `periodic`, also throws for a signal without segments, a nonlinear drive, and

@@ -5,9 +5,10 @@
 
 namespace jounce {
 
-/// Observes the integrations of the calling thread: witness(), run(), follow(), identify(). While an
-/// object exists, each step of an integration calls `each_step`. An exception of the function ends
-/// the integration, and reaches the caller. At most one object exists in a thread at a time.
+/// Observes the integrations of the calling thread: witness(), drive_through(), follow(),
+/// identify(). While an object exists, each step of an integration calls `each_step`. An exception
+/// of the function ends the integration, and reaches the caller. At most one object exists in a
+/// thread at a time.
 ///
 ///     const IntegrationWatch watch([&] { if (interrupted) throw Stopped(); });
 ///     const Proof proof = prove(input);

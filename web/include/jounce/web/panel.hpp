@@ -21,7 +21,7 @@ struct PanelOptions {
   std::vector<std::string> axes{};  ///< names of the axes on the page
   std::optional<wire::Key> key{};   ///< key of the executors; nullopt: none
   std::string title{};              ///< title of the page
-  std::string token{};              ///< token that commands need; see new_token()
+  std::string token{};              ///< token that commands need; see new_token() (gate.hpp)
   std::string warning{};            ///< text at the top of the page; "": none
   /// Ticks of the axes, in their order, from the executor. Null: the page uses the status messages.
   std::shared_ptr<const Trace> trace{};

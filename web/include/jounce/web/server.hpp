@@ -85,7 +85,8 @@ class Listening {
 ///     print("http://127.0.0.1:{}/#{}", server.port(), token);
 ///
 /// **Requests**: GET for the files and the readings of the site; GET /events (server-sent events, at
-/// most 20 a second); the commands of the site. A connection serves one request. A request with an objection()
+/// most 20 a second); the commands of the site. A connection serves one request. A request with an
+/// objection() (gate.hpp)
 /// is rejected with status 403. A command without the header X-Jounce-Token is rejected in the same
 /// way, before its body is read. The page can load nothing from other servers and cannot be shown in
 /// a frame.

@@ -22,10 +22,10 @@ namespace jounce {
 /// this header depend on the policy of the cam outside its interval: periodic (wrap or advance),
 /// hold, or refuse.
 ///
-/// **Values** do not change: a jump at a break remains, and check_continuity() reports it. If a
-/// **cut** is nearer to a break than 1e-13 of the master positions, the cut is made at the break.
-/// Segments that are not cut stay the same to the last digit. The two parts of a cut segment have
-/// lengths whose sum is exactly the length of the segment.
+/// **Values** do not change: a jump at a break remains, and check_continuity() (limits/limits.hpp)
+/// reports it. If a **cut** is nearer to a break than 1e-13 of the master positions, the cut is
+/// made at the break. Segments that are not cut stay the same to the last digit. The two parts of a
+/// cut segment have lengths whose sum is exactly the length of the segment.
 ///
 /// **Errors.** Each function documents when it throws InputError.
 

@@ -37,7 +37,7 @@ struct CouplingSpec {
   double master_scaling = 1;    ///< > 0
   double master_offset = 0;     ///< m, added after scaling
   double slave_scaling = 1;     ///< > 0; for a negative scale, mirror the cam
-                                ///< (mirrored_about_slave())
+                                ///< (mirrored_about_slave() in algebra.hpp)
   double slave_offset = 0;      ///< u, added after scaling
   bool master_absolute = true;  ///< false: the master's position at the engagement counts as 0
   bool slave_absolute = true;   ///< false: the cam is shifted to the slave's position at the
@@ -78,8 +78,9 @@ enum class CouplingStatus : std::uint8_t {
   /// exists.
   master_stands,
   no_ramp,        ///< the limits or the state contain numbers beyond 1e50, so no correction exists
-  window_missed,  ///< the master passed an engage position, but no cycle was in the window around
-                  ///< it
+  /// The master passed the position of a Trigger (coupling_cycle.hpp), but no cycle was in the
+  /// window around this position.
+  window_missed,
 };
 /// Returns the status as a word: "would_reverse", ...
 const char* name(CouplingStatus status);
@@ -91,7 +92,7 @@ const char* explain(CouplingStatus status);
 ///
 ///     CouplingSpec spec{.start = StartMode::ramp_in, .velocity_diff = 100, .acceleration = 1000};
 ///     const Coupling coupling(design(cam_spec).cam, spec);
-///     const Jet master{90, 200, 0, 0};                              // at 90 m with 200 m/s
+///     const Jet master{90, 200, 0, 0};                              // position 90, velocity 200
 ///     if (!check(coupling, {.position = 5}, master).ok()) ...       // would it jump?
 ///     const Engagement in = engage(coupling, {.position = 5}, master, 0);
 ///     const Jet slave = point(coupling, in.engaged, {92, 200, 0, 0}, 0.01);
@@ -99,15 +100,18 @@ const char* explain(CouplingStatus status);
 /// The slave's setpoint is the cam at its master, plus the remainder of a correction:
 ///
 ///     (1)  y(t) = slave_scaling CAM(X(t)) + n advance + origin + c(t)
-///          X(t) = master_scaling x(t) + master offset
+///          X(t) = master_scaling x(t) + master_offset
 ///
-/// x is the master position, n the number of whole periods, and `advance` the change of the slave
-/// in each period. `origin` is slave_offset or, for a relative cam, the shift to the slave. The
-/// correction c begins at the difference between slave and cam (position, velocity, acceleration)
-/// and ends at rest at zero, within velocity_diff, acceleration, deceleration and jerk. So the
-/// slave does not jump, for any motion of the master, with one exception: it jumps when the master
-/// enters a cam that begins with a nonzero velocity. docs/cam/coupling.md describes the origins,
-/// the start modes and the end of a period. Throws InputError like require_valid().
+/// x is the master position (with master_absolute = false, since the engagement), n the number of
+/// whole periods, and `advance` the change of the slave in each period. `origin` is slave_offset
+/// or, for a relative cam, the shift to the slave. With the start modes absolute and relative, c is
+/// zero, so the slave may jump at the engagement. With the other start modes, c begins at the
+/// difference between slave and cam (position, velocity, acceleration) and ends at rest at zero:
+/// over time within velocity_diff, acceleration, deceleration and jerk, or over the given distance
+/// of the master. So the slave does not jump at the engagement, for any motion of the master. With
+/// every start mode, it jumps when the master enters a cam that begins with a nonzero velocity, and
+/// at the end of each period by period_jump(). docs/cam/coupling.md describes the origins, the
+/// start modes and the end of a period. Throws InputError like require_valid().
 class Coupling {
  public:
   explicit Coupling(Cam cam, const CouplingSpec& spec = {});
@@ -120,8 +124,10 @@ class Coupling {
   /// Placement of the cam before the engagement. For a relative cam, master and slave are assumed
   /// at 0.
   [[nodiscard]] const Placement& placement() const { return placement_; }
-  /// Jump of the slave's setpoint at the end of each period, u. For an absolute slave: the scaled
-  /// stroke of a period, reduced by whole slave periods. For a relative slave: 0.
+  /// Jump of the slave's setpoint at the end of each period, u. For an absolute slave with a cam
+  /// that wraps: n slave_period - d. Here d is the last minus the first position of the cam,
+  /// scaled, and n is the whole number for which the jump is smallest (without a slave_period: 0).
+  /// Otherwise 0.
   [[nodiscard]] double period_jump() const { return period_jump_; }
   /// Range of the slave's position, largest slope and largest curvature over the master: u, u/m,
   /// u/m^2. The last entry is not used.
@@ -145,7 +151,7 @@ struct Engaged {
   bool lost = false;  ///< true while the master is NaN; the slave is then at rest
 };
 
-/// Result of engage() and exchange().
+/// Result of engage() and of exchange() (coupling_cycle.hpp).
 struct Engagement {
   CouplingStatus status = CouplingStatus::ok;
   Engaged engaged{};   ///< state after the engagement; valid if the status is ok
@@ -190,8 +196,8 @@ inline Jet point(const Coupling& coupling, const Engaged& engaged, const Jet& ma
 /// A jump counts if it exceeds 1e-9 of the slave's range and 1e-12 of its position.
 Report check(const Coupling& coupling, const MotionState& slave, const Jet& master);
 
-/// Reports the ends at which a cam that runs once moves by more than 1e-9 of its greatest slope.
-/// The rules are "coupling/begin" and "coupling/end"; they are never broken. CamEnd in
+/// Reports the ends at which a cam that runs once has a slope greater than 1e-9 of its greatest
+/// slope. The rules are "coupling/begin" and "coupling/end"; they are never broken. CamEnd in
 /// jounce/axis/live_cam.hpp selects the behavior of the slave at such an end.
 Report check_ends(const Cam& cam);
 

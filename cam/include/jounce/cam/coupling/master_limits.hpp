@@ -43,7 +43,7 @@ struct MasterLimit {
 /// **Steps.** No speed is permitted in these cases: f steps (inside, or at the end of a period) and
 /// any limit is given; f' steps and acceleration or jerk has a limit; f'' steps and the jerk has a
 /// limit. The value is then 0, and `where` is the position of the step. A step counts if it exceeds
-/// 1e-9 of the travel or of the derivative's peak, as in rises().
+/// 1e-9 of the travel or of the derivative's peak, as in rises() (design/rise.hpp).
 ///
 /// A value of 0 also means that the given acceleration and jerk of the master alone exceed a limit.
 /// Omitted limits do not apply; position limits are ignored. Throws InputError if a limit is not

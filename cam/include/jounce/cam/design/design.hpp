@@ -67,7 +67,7 @@ struct CamSpec {
   /// from its start and continues from there (Extrapolation::advance).
   std::optional<double> slave_period = {};
   /// True: two adjoining lines may have different velocities, for a controller that joins positions
-  /// by straight lines. check_continuity() reports the step.
+  /// by straight lines. check_continuity() (limits/limits.hpp) reports the step.
   bool velocity_steps = false;
 };
 

@@ -33,8 +33,8 @@ enum class Pieces { lines, arcs };
 /// the cam is undercut, the contour includes the loops of the parallel curve.
 ///
 /// Throws InputError("distance", ...) if the distance is not finite, InputError("tolerance", ...)
-/// if the tolerance is not positive or below 1e-10 of the cam's size, and InputError("cam", ...) if
-/// the velocity steps, because the contour would have a corner.
+/// if the tolerance is not positive, or is below 1e-10 of the cam's size, and InputError("cam",
+/// ...) if the velocity steps, because the contour would have a corner.
 Contour contour(const Disc& disc, double distance, double tolerance, Pieces pieces = Pieces::arcs);
 
 }  // namespace jounce

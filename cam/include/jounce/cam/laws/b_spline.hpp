@@ -50,8 +50,8 @@ Segment bezier(double length, std::span<const double> control);
 
 /// Returns Bezier curves of one degree between successive breaks (m). Neighboring curves share a
 /// control value, so the number of control values is (breaks - 1) * degree + 1. The value is
-/// continuous; the continuity of derivatives depends on the control values (see
-/// check_continuity()). Throws InputError like bezier(), for a degree outside 1 to 11, for breaks
+/// continuous; the continuity of derivatives depends on the control values (see check_continuity()
+/// in limits/limits.hpp). Throws InputError like bezier(), for a degree outside 1 to 11, for breaks
 /// that do not ascend, and for a wrong number of control values.
 std::vector<Segment> bezier_chain(std::span<const double> breaks, std::span<const double> control,
                                   int degree);

@@ -74,7 +74,8 @@ const ExchangeFormat* exchange_format_named(const std::string& word);
 const ExchangeFormat* exchange_format_of_path(const std::string& path);
 /// Returns the format that the content of a file has; null if it has none of these formats. If the
 /// content fits several formats, the ending of `path` selects one. A spec does not have one of
-/// these formats, nor does a table of Jounce in CSV or JSON (is_table()).
+/// these formats, nor does a table of Jounce in CSV or JSON (is_table() in
+/// jounce/io/table_file.hpp).
 const ExchangeFormat* exchange_format_of_text(const std::string& text,
                                               const std::string& path = "");
 

@@ -11,7 +11,8 @@
 
 namespace jounce {
 
-/// The axes of two files in pairs (paired_axes()), and their comparisons.
+/// The axes of two files in pairs (paired_axes() in jounce/design/version.hpp), and their
+/// comparisons.
 struct FileDifference {
   std::vector<std::pair<Input, Input>> axes;
   std::vector<Comparison> comparisons;  ///< one for each pair
@@ -19,19 +20,19 @@ struct FileDifference {
   [[nodiscard]] bool equal() const;
 };
 
-/// Compares the axes of two files; the paths are the names of the files. `tolerance` returns the
-/// tolerance for the numbers of an axis with the given labels. With `axis`, only this axis. Throws
-/// InputError like paired_axes() and compare().
+/// Compares the axes of two files. `before_path` and `after_path` are the file names, for messages.
+/// `tolerance` returns the tolerance for the numbers of an axis with the given labels. With `axis`,
+/// only this axis. Throws InputError like paired_axes() and compare().
 FileDifference file_difference(std::vector<Input> before, std::vector<Input> after,
                                const std::string& before_path, const std::string& after_path,
                                const std::function<Tolerance(const Labels&)>& tolerance,
                                const std::string& axis = "");
 
-/// Returns the answer of `jounce diff`: for two paths their durations and lengths, then each
-/// comparison.
+/// Returns the answer of `jounce diff`: for two paths of several axes their durations and lengths,
+/// then each comparison.
 std::string to_text(const FileDifference& difference);
 /// Returns {"equal": ..., ...} for one axis, or {"axes": {...}, "equal": ...} for several; with
-/// "path" for two paths.
+/// "path" for two paths of several axes.
 std::string to_json(const FileDifference& difference);
 
 }  // namespace jounce

@@ -25,7 +25,8 @@ Curve<Over> between(const Curve<Over>& f, double from, double to);
 
 /// Returns f delayed by `delay`, over [start, end + late]. Requires 0 <= delay <= late, in the unit
 /// of the curve's variable. Before and after its motion f is at rest. If f is periodic, the
-/// interval of the result is [start, end]. Filters such as shaped() add several delayed curves.
+/// interval of the result is [start, end]. Filters such as shaped() (vibration/shaper.hpp) add
+/// several delayed curves.
 template <class Over>
 Curve<Over> delayed(const Curve<Over>& f, double delay, double late);
 

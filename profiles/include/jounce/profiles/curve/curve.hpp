@@ -105,7 +105,7 @@ Curve<Over> reversed(const Curve<Over>& f);
 
 /// Returns f followed by g, which is moved along the variable to begin at the end of f. Values do
 /// not change: if g begins with another value, the result has a step, which check_continuity()
-/// reports. The result has the policy of f.
+/// (limits/limits.hpp) reports. The result has the policy of f.
 template <class Over>
 Curve<Over> concatenated(const Curve<Over>& f, const Curve<Over>& g);
 

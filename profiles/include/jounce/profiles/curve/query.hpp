@@ -82,7 +82,8 @@ std::optional<double> peak_velocity(double distance, const SpanEnds& ends,
 
 /// Returns the duration of the fastest motion over the given distance > 0, between the velocities
 /// of `ends`. The motion consists of a ramp to the peak velocity, a cruise, and a ramp to the exit
-/// velocity. The duration equals the duration of move_to() between the same states.
+/// velocity. The duration equals the duration of move_to() (moves/move.hpp) between the same
+/// states.
 std::optional<double> minimum_duration(double distance, const SpanEnds& ends,
                                        const Ramp& ramp) noexcept;
 

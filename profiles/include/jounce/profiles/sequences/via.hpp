@@ -80,7 +80,7 @@ struct ViaMotion {
 /// - if there are no axes or fewer than two points;
 /// - if a point, a rate or a stretch has the wrong number of axes, or `stretches` the wrong size;
 ///   if a point equals the previous one, or has a position outside the position bounds; if a
-///   position, velocity or acceleration is not finite or above 1e30 in magnitude;
+///   position, velocity or acceleration is not finite, or is above 1e30 in magnitude;
 /// - for bounds that move_to() rejects; for a bound of the velocity, acceleration or jerk that is
 ///   not 0, infinite, or from 1e-30 to 1e30 in magnitude; for a limit of the norm that is neither
 ///   infinite nor from 1e-30 to 1e30, or a limit of its position; and for bounds that do not limit

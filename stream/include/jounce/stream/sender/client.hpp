@@ -52,7 +52,7 @@ class Client {
   CallOutcome home(double position);
   /// Starts a homing by a method of CiA 402. `offset`: position value of the axis at the home
   /// position. Method 0 and offset NaN: as configured. The call returns when the search has begun;
-  /// see await_home().
+  /// see await_home() (operate.hpp).
   CallOutcome search_home(int method = 0, double offset = as_configured);
   CallOutcome hold() { return command(command::Hold{}); }
   CallOutcome resume() { return command(command::Resume{}); }
