@@ -86,10 +86,9 @@ class Listening {
 ///
 /// **Requests**: GET for the files and the readings of the site; GET /events (server-sent events, at
 /// most 20 a second); the commands of the site. A connection serves one request. A request with an
-/// objection() (gate.hpp)
-/// is rejected with status 403. A command without the header X-Jounce-Token is rejected in the same
-/// way, before its body is read. The page can load nothing from other servers and cannot be shown in
-/// a frame.
+/// objection() (gate.hpp) is rejected with status 403. A command without the header X-Jounce-Token
+/// is rejected in the same way, before its body is read. The page can load nothing from other
+/// servers and cannot be shown in a frame.
 ///
 /// **Limits.** A request has at most 8 KB of head and Site::most_body of body, must state the length
 /// of its body, and must arrive within request_seconds. The number of connections without the token is
