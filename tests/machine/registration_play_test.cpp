@@ -167,9 +167,11 @@ TEST(RegistrationPlay, BringsThePrintsIntoRegisterWithMarksThatDrift) {
   EXPECT_EQ(run.count(wire::EventKind::mark, wire::MarkEvent::stray), 1);
   // EndOfProfile of MC_CamIn: at each 400 mm of the corrected master, which ends at 23968 mm.
   double passes = 0;
-  for (const auto& [count, event] : run.events)
-    if (event.kind == wire::EventKind::end_of_profile)
-      EXPECT_NEAR(event.position, 400 * ++passes, 1e-6);
+  for (const auto& [count, event] : run.events) {
+    if (event.kind != wire::EventKind::end_of_profile) continue;
+    passes += 1;
+    EXPECT_NEAR(event.position, 400 * passes, 1e-6);
+  }
   EXPECT_EQ(passes, 59);
 }
 
