@@ -171,15 +171,24 @@ Feedback DriveOnMachine::feedback() noexcept {
 
 void DriveOnMachine::command(const DriveSetpoint& setpoint) noexcept {
   last_master_ = std::exchange(master_, setpoint.master);
+  before_ = std::exchange(commanded_, setpoint.tick);
+  tick_ = setpoint.tick + 1;
   drive_->command(setpoint);
 }
 
+void DriveOnMachine::begin(std::int64_t tick) noexcept {
+  tick_ = tick;
+  drive_->begin(tick);
+}
+
 void DriveOnMachine::detect(double from, double to, Triggers& triggers) noexcept {
+  const double ago = static_cast<double>(tick_ - commanded_) * period_;
+  const double step = static_cast<double>(commanded_ - before_) * period_;
   for (const SimulatedMarks& marks : marks_) {
     if (marks.spec().on_master)
-      marks.step(last_master_, master_, period_, period_, triggers);
+      marks.step(last_master_, master_, step, ago, triggers);
     else
-      marks.step(from, to, period_, 0, triggers);
+      marks.step(from, to, ago, 0, triggers);
   }
   const auto changes = triggers.change.begin();
   for (auto change = changes; change != changes + triggers.count; ++change)

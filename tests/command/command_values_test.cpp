@@ -32,6 +32,10 @@ double some(FieldRange range, double number) {
       return 4;
     case FieldRange::whole:
       return -number;
+    case FieldRange::trigger_input:
+      return 3;
+    case FieldRange::trigger_edge:
+      return 2;
     case FieldRange::whole_nonzero:
     case FieldRange::count:
       break;

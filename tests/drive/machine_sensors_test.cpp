@@ -138,17 +138,30 @@ TEST(MachineMarks, OnTheMasterAreReportedByTheDrive) {
   spec.marks.push_back({.input = 3, .on_master = true, .first = 10, .distance = 100, .width = 4});
   DriveOnMachine drive(std::make_shared<NullDrive>(), spec, 1e-3);
   EXPECT_EQ(drive.feedback().triggers.wired, 0b100);
-  drive.command({.master = 8});
+  drive.command({.tick = 5, .master = 8});
   EXPECT_EQ(drive.feedback().triggers.count, 0);
-  drive.command({.master = 12});
+  drive.command({.tick = 6, .master = 12});
   const Triggers seen = drive.feedback().triggers;
   ASSERT_EQ(seen.count, 1);
   EXPECT_EQ(seen.on, 0b100);
   EXPECT_EQ(seen.change[0].input, 3);
   EXPECT_NEAR(seen.change[0].age, 1.5e-3, 1e-15);
   EXPECT_TRUE(std::isnan(seen.change[0].position));
-  drive.command({});  // the master is lost
+  drive.command({.tick = 7});  // the master is lost
   EXPECT_EQ(drive.feedback().triggers.count, 0);
+}
+
+// Two cycles are left out before the second setpoint, and three before the feedback.
+TEST(MachineMarks, HaveTheirAgeAfterLateCycles) {
+  MachineSensorsSpec spec;
+  spec.marks.push_back({.on_master = true, .first = 10, .distance = 100, .width = 4});
+  DriveOnMachine drive(std::make_shared<NullDrive>(), spec, 1e-3);
+  drive.command({.tick = 5, .master = 8});
+  drive.command({.tick = 8, .master = 12});
+  drive.begin(12);
+  const Triggers seen = drive.feedback().triggers;
+  ASSERT_EQ(seen.count, 1);
+  EXPECT_NEAR(seen.change[0].age, 4e-3 + 1.5e-3, 1e-15);
 }
 
 TEST(MachineMarks, InvalidOnesAreRejectedByTheirKeys) {

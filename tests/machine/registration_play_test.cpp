@@ -165,6 +165,14 @@ TEST(RegistrationPlay, BringsThePrintsIntoRegisterWithMarksThatDrift) {
   EXPECT_EQ(run.count(wire::EventKind::mark, wire::MarkEvent::accepted), 57);
   EXPECT_EQ(run.count(wire::EventKind::mark, wire::MarkEvent::missing), 3);
   EXPECT_EQ(run.count(wire::EventKind::mark, wire::MarkEvent::stray), 1);
+  // EndOfProfile of MC_CamIn: at each 400 mm of the corrected master, which ends at 23968 mm.
+  double passes = 0;
+  for (const auto& [count, event] : run.events) {
+    if (event.kind != wire::EventKind::end_of_profile) continue;
+    passes += 1;
+    EXPECT_NEAR(event.position, 400 * passes, 1e-6);
+  }
+  EXPECT_EQ(passes, 59);
 }
 
 // Without a stretch, the correction of the slave stays small and keeps the prints in register.

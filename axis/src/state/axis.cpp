@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "axis/src/motion/setpoint_check.hpp"
 
@@ -38,7 +39,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.dropped.reset();
   now_.handed_back = {};
   now_.frozen = false;
-  now_.end_of_profile = std::numeric_limits<double>::quiet_NaN();
+  if (base_ != Base::live) now_.end_of_profile = std::numeric_limits<double>::quiet_NaN();
   joint_ = false;
   const bool rested = !moving();
   if (state_ == State::homing && !moving()) state_ = State::standstill;
@@ -168,7 +169,14 @@ Cause MotionAxis::advance(Setpoint& next) {
 }
 
 Cause MotionAxis::advance_live(Setpoint& next) {
-  if (const auto end = live_.pass_end(moment(), now_.tick)) now_.end_of_profile = -end->t;
+  // A pass that ends exactly in a tick is found in this tick and in the next one; a master may also
+  // rest at the end of a pass.
+  const double reported = now_.end_of_profile + dt();
+  now_.end_of_profile = std::numeric_limits<double>::quiet_NaN();
+  const bool moved = inputs_.master[0] != last_master_[0];
+  if (const auto end = live_.pass_end(moment(), now_.tick);
+      end && moved && !(std::abs(reported + end->t) < dt() / 2))
+    now_.end_of_profile = -end->t;
   next = live_.at(moment(), now_.tick);
   const bool fails = registration_ && registration_->spec().on_loss == MarkLoss::fault;
   if (fails && registration_->reading().lost) return Cause::marks_lost;

@@ -59,7 +59,7 @@ void Cycle::once() {
   const std::int64_t woken = pacer_.now();
   const std::int64_t missed = std::max<std::int64_t>((woken - due) / period, 0);
   const std::int64_t tick = next_ + missed;
-  read();
+  read(tick);
   look(tick);
   machine_.step(tick, images_, masters_);
   write();
@@ -67,14 +67,17 @@ void Cycle::once() {
   next_ = tick + 1;
 }
 
-void Cycle::read() {
+void Cycle::read(std::int64_t tick) {
   const bool watchdog = silent();
   for (std::size_t i = 0; i < images_.size(); ++i) {
     AxisImage& image = images_[i];
     if (!exchange_.axes[i]->commands.pop(image.command)) image.command = {};
     image.inputs.watchdog = watchdog;
     image.inputs.rows = exchange_.axes[i]->rows.load(std::memory_order_acquire);
-    if (AxisDrive* const drive = options_.drives[i]) image.inputs.feedback = drive->feedback();
+    if (AxisDrive* const drive = options_.drives[i]) {
+      drive->begin(tick);
+      image.inputs.feedback = drive->feedback();
+    }
   }
 }
 

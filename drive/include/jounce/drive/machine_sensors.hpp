@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -74,6 +75,7 @@ class DriveOnMachine final : public AxisDrive {
   /// key of [drive] for an invalid value: "machine.home_switch.width", ...
   DriveOnMachine(std::shared_ptr<AxisDrive> drive, const MachineSensorsSpec& spec, double period);
 
+  void begin(std::int64_t tick) noexcept override;
   void command(const DriveSetpoint& setpoint) noexcept override;
   [[nodiscard]] Feedback feedback() noexcept override;
 
@@ -87,6 +89,8 @@ class DriveOnMachine final : public AxisDrive {
   std::optional<SimulatedSwitch> home_, negative_, positive_;
   std::vector<SimulatedMarks> marks_;
   std::optional<double> last_;  // u, of the machine
+  // Ticks of the next feedback and of the last two setpoints.
+  std::int64_t tick_ = 0, commanded_ = -1, before_ = -2;
   // Master in the last two cycles.
   double master_ = std::numeric_limits<double>::quiet_NaN();
   double last_master_ = std::numeric_limits<double>::quiet_NaN();

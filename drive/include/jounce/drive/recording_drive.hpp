@@ -22,6 +22,7 @@ class RecordingDrive final : public AxisDrive {
   /// kept. Throws InputError for a capacity of 0.
   RecordingDrive(AxisDrive& behind, std::size_t capacity);
 
+  void begin(std::int64_t tick) noexcept override { behind_.begin(tick); }
   void command(const DriveSetpoint& setpoint) noexcept override;
   [[nodiscard]] Feedback feedback() noexcept override { return behind_.feedback(); }
 

@@ -142,7 +142,7 @@ class Cycle {
   [[nodiscard]] const CycleCounts& counts() const { return counts_; }
 
  private:
-  void read();
+  void read(std::int64_t tick);
   void look(std::int64_t tick);
   void write();
   [[nodiscard]] bool silent();
