@@ -168,12 +168,13 @@ double factor_of(const std::string& text) {
 }
 
 /// "3:2" or "3".
-std::pair<double, double> ratio_of(const std::string& text) {
+std::pair<double, double> ratio_of(const std::string& name, const std::string& text) {
+  if (text.empty()) throw InputError(name, "", "is missing: give a ratio, such as 3:2");
   const auto colon = text.find(':');
   const auto numerator = csv_number(text.substr(0, colon));
   const auto denominator = csv_number(colon == std::string::npos ? "1" : text.substr(colon + 1));
   if (!numerator || !denominator)
-    throw InputError(value_word, text, "must be a ratio of whole numbers, such as 3:2");
+    throw InputError(name, text, "must be a ratio of whole numbers, such as 3:2");
   return {*numerator, *denominator};
 }
 
@@ -305,9 +306,9 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
     case FieldRange::path_buffer:
       return buffer_mode_of(words);
     case FieldRange::whole:
-      return ratio_of(text).first;
+      return ratio_of(name, text).first;
     case FieldRange::whole_nonzero:
-      return ratio_of(text).second;
+      return ratio_of(name, text).second;
     case FieldRange::count:
       if (option == "method") return method_of(text);
       return count_of(
