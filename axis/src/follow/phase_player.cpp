@@ -12,7 +12,7 @@ namespace {
 
 using profiles_detail::rounded_input;
 
-constexpr double share_of_cam = 0.5;  ///< of the acceleration limit, see the header
+constexpr double share_of_cam = 0.5;  ///< share of the acceleration limit; see the header
 
 /// (1), (2), (3) for a shift with these magnitudes, m/s, m/s^2, m/s^3.
 Peaks needed(const PhaseBase& base, const Peaks& shift) {
