@@ -415,6 +415,9 @@ ClientCommand command_of(const CommandWords& words, const Units& units) {
   }
   if (const std::string rule = contradiction(kind, values); !rule.empty())
     throw InputError(words.what, words.value, "the " + rule);
+  if (const std::string direction = text_of(words, "direction");
+      kind == CommandKind::change_velocity && !direction.empty() && text_of(words, "past").empty())
+    throw InputError("--direction", direction, "has no effect without --past: add --past POSITION");
   if (const std::string distance = text_of(words, "start-distance");
       !distance.empty() && quantity(distance, units.x) == 0)
     throw InputError("--start-distance", distance,
