@@ -22,7 +22,7 @@ double trapezoid(double distance, double v, double a, double t) {
   return v * (t - v / a / 2);
 }
 
-/// Where strokes between 0 and `stroke` are, T s each and `wait` s apart, t s after their start.
+/// The position of strokes between 0 and `stroke`, `wait` s apart, t s after their start.
 double of_strokes(double stroke, double v, double a, double wait, double t) {
   const double T =
       stroke / std::min(v, std::sqrt(stroke * a)) + std::min(v, std::sqrt(stroke * a)) / a;

@@ -49,7 +49,8 @@ TEST(Phasing, ShiftsAGearByTheRatio) {
   Slave slave(gear, 100, limits(1000, 1e5));
   slave.follow_for(200);
   const double before = slave.follow().position;
-  const command::PhasingAbsolute shift{5, {.velocity = 20, .acceleration = 100}};
+  const command::PhasingAbsolute shift{5,
+                                       {.velocity = 20, .acceleration = 100, .deceleration = 100}};
   EXPECT_EQ(refusal(slave.follow({shift})), Cause::none);
   for (int k = 1; k < 1000; ++k) {
     const Tick now = slave.follow();
@@ -72,7 +73,8 @@ TEST(Phasing, ASlaveOfACamIsOnTheCamAtTheShiftedMaster) {
   LiveCam cam(1, table, {.start = StartMode::absolute});
   Slave slave(cam, 100, limits(1e3, 1e5));
   slave.follow_for(500);
-  const Command shift{command::PhasingRelative{-30, {.velocity = 50, .acceleration = 500}}};
+  const Command shift{
+      command::PhasingRelative{-30, {.velocity = 50, .acceleration = 500, .deceleration = 500}}};
   EXPECT_EQ(refusal(slave.follow(shift)), Cause::none);
   for (int k = 1; k < 2000; ++k) {
     const Tick now = slave.follow();

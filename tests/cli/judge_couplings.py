@@ -51,7 +51,7 @@ def main(line_log, corrector_log, label_log):
     judged = sum(within_limits(*one) for one in (("line", line), ("corrector", corrector), ("label", label)))
     ticks = [t for t in sorted(label) if t in line and t in corrector]
     coupled = [t for t in ticks if label[t]["state"] == "synchronized_motion"]
-    start = coupled[0] - 1
+    start = coupled[0]
     x0, y0 = number(line[start], "position"), number(label[start], "position")
     shift = {t: number(label[t], "master") - number(line[t], "position") for t in coupled}
     first_shift = next(t for t in coupled if shift[t] > 1e-9)

@@ -29,7 +29,7 @@ rejected no_master_input corrector combine 1:1 --second 1:1
 rejected "must be greater than 0" line change-velocity 0mm/s
 rejected "must be 0 or more" corrector repeat --to 1 --wait -1s
 rejected "must be a ratio" label combine 1:1 --second half
-rejected "is missing" label combine 1:1
+rejected "second: is missing" label combine 1:1
 order line jog 300mm/s
 order label gear-in 1:1 --clutch 200mm
 rejected in_motion label gear-in 2:1 --clutch 100mm # the clutch has not ended

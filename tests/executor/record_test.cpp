@@ -296,7 +296,7 @@ TEST_F(Recorded, ForeignFilesAreRefusedAndForeignChannelsLeftOut) {
 // Records from before the replay of outputs.
 TEST(RecordedEvents, OfAnAxisOfVersionTwoAreRefusedInOneError) {
   std::string bytes = encoded(RecordedAxis{});
-  ASSERT_EQ(bytes[9], 6) << "the version, big-endian, after eight bytes of the type";
+  ASSERT_EQ(bytes[9], 7) << "the version, big-endian, after eight bytes of the type";
   bytes[9] = 2;
   try {
     decoded("JOUNCE.axis", bytes);

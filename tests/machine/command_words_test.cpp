@@ -93,6 +93,46 @@ TEST(CommandWords, AMoveOfAGroupHasCoordinates) {
   EXPECT_TRUE(holds_to_run(jog));
 }
 
+TEST(CommandWords, APhaseShiftIsInTheUnitsOfTheMaster) {
+  const auto shift = std::get<command::PhasingRelative>(command_of(
+      {.what = "phasing", .options = {{"by", "0.5 rev"}, {"velocity", "10 rev/s"}}}, mm));
+  EXPECT_DOUBLE_EQ(shift.shift, 180);
+  EXPECT_DOUBLE_EQ(shift.dynamics.velocity, 3600);
+  EXPECT_TRUE(std::isnan(shift.dynamics.jerk));
+}
+
+TEST(CommandWords, CommandsThatChangeAMotion) {
+  const auto both = std::get<command::CombineAxes>(
+      command_of({.what = "combine", .value = "3:2", .options = {{"second", "-1"}}}, mm));
+  EXPECT_EQ(both.numerator, 3);
+  EXPECT_EQ(both.denominator, 2);
+  EXPECT_EQ(both.second_numerator, -1);
+  EXPECT_EQ(both.second_denominator, 1);
+  const auto strokes = std::get<command::MoveRepetitive>(command_of(
+      {.what = "repeat", .options = {{"to", "4"}, {"wait", "200 ms"}, {"strokes", "3"}}}, mm));
+  EXPECT_DOUBLE_EQ(strokes.wait, 0.2);
+  EXPECT_EQ(strokes.strokes, 3);
+  const auto change = std::get<command::ChangeVelocity>(
+      command_of({.what = "change-velocity",
+                  .value = "50",
+                  .options = {{"past", "10cm"}, {"direction", "negative"}}},
+                 mm));
+  EXPECT_DOUBLE_EQ(change.position, 100);
+  EXPECT_EQ(change.direction, Direction::negative);
+  EXPECT_EQ(test::error_of([] { command_of({.what = "combine", .value = "1:1"}, mm); }),
+            "--second: is missing: give a ratio, such as 3:2");
+  EXPECT_THAT(
+      test::error_of([] {
+        command_of(
+            {.what = "change-velocity", .value = "5", .options = {{"direction", "positive"}}}, mm);
+      }),
+      HasSubstr("has no effect without --past"));
+  EXPECT_THAT(test::error_of([] {
+                command_of({.what = "repeat", .options = {{"to", "5"}, {"wait", "-1"}}}, mm);
+              }),
+              HasSubstr("must be 0 or more"));
+}
+
 TEST(CommandWords, AWrongCoordinateIsNamed) {
   const auto rule = [](const char* what, std::map<std::string, std::string> options) {
     return test::rule_of([&] { command_of({.what = what, .options = options}, mm); });

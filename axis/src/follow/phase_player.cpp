@@ -12,7 +12,7 @@ namespace {
 
 using profiles_detail::rounded_input;
 
-constexpr double share_of_cam = 0.5;  ///< of the acceleration limit, see the header
+constexpr double share_of_cam = 0.5;  ///< share of the acceleration limit; see the header
 
 /// (1), (2), (3) for a shift with these magnitudes, m/s, m/s^2, m/s^3.
 Peaks needed(const PhaseBase& base, const Peaks& shift) {
@@ -98,7 +98,12 @@ std::optional<Refusal> PhasePlayer::begin(std::int64_t tick, double target,
   const Jet now = at(tick);
   const auto profile = plan({now[0], now[1], now[2]}, {Goal::Kind::position, target, d}, 1, master);
   if (!profile) return Refusal{Cause::no_such_move, target, 0};
-  const Peaks need = needed(base, jounce::peaks(*profile));
+  // The shift that is replaced may be faster than these dynamics.
+  const Peaks reached = jounce::peaks(*profile);
+  const double most = std::max(d.acceleration, d.deceleration);
+  const Peaks need =
+      needed(base, {std::max(reached.velocity, d.velocity), std::max(reached.acceleration, most),
+                    std::max(reached.jerk, std::isfinite(d.jerk) ? d.jerk : 0)});
   if (const auto no = against(need, config.limits)) return no;
   const Peaks without = needed(base, {});
   added_ = {need.velocity - without.velocity, need.acceleration - without.acceleration,

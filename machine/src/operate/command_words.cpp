@@ -193,12 +193,13 @@ double factor_of(const std::string& text) {
 }
 
 /// "3:2" or "3".
-std::pair<double, double> ratio_of(const std::string& text) {
+std::pair<double, double> ratio_of(const std::string& name, const std::string& text) {
+  if (text.empty()) throw InputError(name, "", "is missing: give a ratio, such as 3:2");
   const auto colon = text.find(':');
   const auto numerator = csv_number(text.substr(0, colon));
   const auto denominator = csv_number(colon == std::string::npos ? "1" : text.substr(colon + 1));
   if (!numerator || !denominator)
-    throw InputError(value_word, text, "must be a ratio of whole numbers, such as 3:2");
+    throw InputError(name, text, "must be a ratio of whole numbers, such as 3:2");
   return {*numerator, *denominator};
 }
 
@@ -367,9 +368,9 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
     case FieldRange::path_buffer:
       return buffer_mode_of(words);
     case FieldRange::whole:
-      return ratio_of(text).first;
+      return ratio_of(name, text).first;
     case FieldRange::whole_nonzero:
-      return ratio_of(text).second;
+      return ratio_of(name, text).second;
     case FieldRange::count:
       if (option == "method") return method_of(text);
       if (option == "count") return captures_of(text);
@@ -515,6 +516,9 @@ ClientCommand command_of(const CommandWords& words, const Units& units) {
   if (const std::string rule = contradiction(kind, values); !rule.empty())
     throw InputError(words.what, words.value, "the " + rule);
   if (kind == CommandKind::cut) require_one(words, {"length", "position", "waste"});
+  if (const std::string direction = text_of(words, "direction");
+      kind == CommandKind::change_velocity && !direction.empty() && text_of(words, "past").empty())
+    throw InputError("--direction", direction, "has no effect without --past: add --past POSITION");
   if (const std::string distance = text_of(words, "start-distance");
       !distance.empty() && quantity(distance, units.x) == 0)
     throw InputError("--start-distance", distance,

@@ -331,7 +331,7 @@ constexpr void each_field(C& c, F f) {
 struct MoveRepetitive {
   static constexpr auto kind = CommandKind::move_repetitive;
   double position = 0;         ///< the other end of the strokes, u
-  MoveDynamics dynamics = {};  ///< of each stroke
+  MoveDynamics dynamics = {};  ///< dynamics of each stroke
   double wait = 0;             ///< rest between two strokes (RptWait of Agito), s
   std::int32_t strokes = 0;    ///< number of strokes, each from one end to the other; 0: no limit
 };

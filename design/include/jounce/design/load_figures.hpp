@@ -21,7 +21,8 @@ struct LoadFigure {
 /// (docs/optimize/cams.md, equations (4) to (6) and (9)): "peak torque", "rms torque", "peak power"
 /// (not with friction or a lever), "motor heating" (if winding_loss is given). Empty for a spec
 /// without [load] or [master]. The peak of the torque is exact; with the sine of a lever it is
-/// within 1e-8 of its value. The peak of the power is within 1e-9. The rms is a quadrature with a relative error of about 1e-10.
+/// within 1e-8 of its value. The peak of the power is within 1e-9. The rms is a quadrature with a
+/// relative error of about 1e-10.
 std::vector<LoadFigure> load_figures(const Spec& spec, const Cam& cam);
 
 /// The motor's torque and mechanical power over the master.
