@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "jounce/axis/command.hpp"
 
 #include "executor/src/record/flat_command.hpp"
@@ -45,7 +48,16 @@ inline Command any(const AnyCommand& command) {
   return command;
 }
 
-/// Kinds that an axis executes, `none` among them: the first ones. `extend` is only for a group.
-inline constexpr std::size_t axis_kinds = std::variant_size_v<AxisCommand> - 1;
+/// Kinds that an axis executes, `none` among them; `extend` is only for a group.
+inline std::vector<CommandKind> axis_kinds() {
+  std::vector<CommandKind> all;
+  for (std::size_t k = 0; k < command_kinds; ++k) {
+    const auto kind = static_cast<CommandKind>(k);
+    if (made<AxisCommand>(kind) && kind != CommandKind::extend) all.push_back(kind);
+  }
+  return all;
+}
+/// Number of these kinds that any axis can obey: the first ones. A plan of cuts has further ones.
+inline constexpr auto usual_kinds = static_cast<std::size_t>(CommandKind::gear_in_pos);
 
 }  // namespace jounce::test

@@ -138,7 +138,7 @@ class Operator {
     if (last_.armed != 0 && random_.below(2) == 0)
       return {.kind = Kind::start, .start_at = static_cast<StartAt>(random_.below(3) / 2)};
     static constexpr std::array rare{Kind::abort, Kind::disable, Kind::set_position, Kind::home};
-    Kind kind = static_cast<Kind>(1 + random_.below(static_cast<int>(axis_kinds) - 1));
+    Kind kind = static_cast<Kind>(1 + random_.below(static_cast<int>(usual_kinds) - 1));
     for (const Kind seldom : rare)
       if (kind == seldom && random_.below(5) != 0) kind = Kind::move_absolute;
     AnyCommand command{.kind = kind, .position = place(), .factor = random_.uniform(0, 1.3)};
@@ -201,7 +201,7 @@ TEST(RandomOrders, TheLogKeepsTheLimits) {
     stopped += static_cast<int>(tick.stopped);
     for (const auto& [kind, count] : hand.told()) told[kind] += count;
   }
-  EXPECT_EQ(told.size(), axis_kinds - 1) << "every kind was obeyed";
+  EXPECT_EQ(told.size(), usual_kinds - 1) << "every kind was obeyed";
   EXPECT_GT(finished, 2 * runs);
   EXPECT_GT(stopped, runs);
   EXPECT_GT(limits_met, runs);
