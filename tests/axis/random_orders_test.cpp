@@ -22,9 +22,9 @@
 namespace jounce::random_orders_test {
 namespace {
 
-/// Number of kinds without the touch probes, which are the last ones.
+/// Number of kinds without the last four: cuts, which need a plan of cuts, and touch probes.
 inline int motion_kinds() {
-  return static_cast<int>(test::axis_kinds().size()) - 2;
+  return static_cast<int>(test::axis_kinds().size()) - 4;
 }
 
 using namespace test;
@@ -143,7 +143,7 @@ class Operator {
     if (last_.armed != 0 && random_.below(2) == 0)
       return {.kind = Kind::start, .start_at = static_cast<StartAt>(random_.below(3) / 2)};
     static constexpr std::array rare{Kind::abort, Kind::disable, Kind::set_position, Kind::home};
-    // The touch probes move nothing; without them, the sequence of commands stays the same.
+    // Without the last four, the sequence of commands stays the same.
     Kind kind = axis_kinds()[1 + static_cast<std::size_t>(random_.below(motion_kinds() - 1))];
     for (const Kind seldom : rare)
       if (kind == seldom && random_.below(5) != 0) kind = Kind::move_absolute;

@@ -69,12 +69,12 @@ TEST_F(MachineParts, HaveTheCutterThatTheirSpecNames) {
   };
   const auto parts_of = [&](const std::string& cutter, double velocity = 2000) {
     write("cutter.toml", cutter);
-    const std::string spec =
-        write("shear.toml",
-              "jounce = 1\nkind = \"axis\"\nname = \"shear\"\nunits = { position = \"mm\", master = "
-              "\"mm\" }\n[axis]\ncutter = \"cutter.toml\"\n[limits]\nacceleration = 10000\n"
-              "velocity = " +
-                  std::to_string(velocity) + "\n");
+    const std::string spec = write(
+        "shear.toml",
+        "jounce = 1\nkind = \"axis\"\nname = \"shear\"\nunits = { position = \"mm\", master = "
+        "\"mm\" }\n[axis]\ncutter = \"cutter.toml\"\n[limits]\nacceleration = 10000\n"
+        "velocity = " +
+            std::to_string(velocity) + "\n");
     return machine_parts({.files = {spec}});
   };
   const auto error_of = [&](const std::string& cutter, double velocity = 2000) {
@@ -91,9 +91,10 @@ TEST_F(MachineParts, HaveTheCutterThatTheirSpecNames) {
   const CutTask& task = *parts.axes[0].cutter->task;
   EXPECT_EQ(task.list.lengths, (std::vector<double>{1200, 1000}));
   EXPECT_NEAR(task.possible.front().from, 966.42464345, 1e-6);
-  EXPECT_THAT(error_of(shear("m")),
-              testing::HasSubstr("shear.toml:6:10: axis.cutter = \"cutter.toml\": has units.master = "
-                                 "\"m\", but the axis has mm: use the same unit"));
+  EXPECT_THAT(
+      error_of(shear("m")),
+      testing::HasSubstr("shear.toml:6:10: axis.cutter = \"cutter.toml\": has units.master = "
+                         "\"m\", but the axis has mm: use the same unit"));
   EXPECT_THAT(error_of("jounce = 1\nkind = \"drive\"\n[drive]\ninertia = 1\n"),
               testing::HasSubstr("cutter.toml"));
   EXPECT_THAT(error_of("jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\n"
