@@ -161,7 +161,7 @@ function showFindings({findings}) {
   const bad = shown.filter(({level}) => level === 'broken' || level === 'error').length;
   const warnings = shown.filter(({level}) => level === 'warning').length;
   const verdict = $('verdict');
-  verdict.hidden = false;
+  verdict.hidden = !$('gallery').hidden;
   verdict.className = `verdict ${bad ? 'no' : 'ok'}`;
   verdict.children[0].textContent = bad ? '✗' : '✓';
   verdict.children[1].textContent = bad ? `${bad} ${bad === 1 ? 'finding needs' : 'findings need'} a change: ${raisedUnit(shown[0].message)}`
@@ -328,12 +328,15 @@ async function fitPoints() {
 
 let templates = null;
 
+/// The first sentence of the comment at the beginning of a text.
+const aboutOf = (text) => text.split(/\n(?!#)/)[0].replace(/\n?# ?/g, ' ').trim().split(/[.:] /)[0];
+
 async function showGallery() {
   $('gallery').hidden = state.text.trim() !== '';
   if ($('gallery').hidden || templates) return;
   templates = await request('GET', '/templates');
   $('gallery').querySelector('.cards').replaceChildren(...templates.map(({kind, text, picture: drawing}) => html('button', {type: 'button', className: 'card', onclick: () => act('/document', {text})},
-    html('b', {textContent: kind}), drawing ? html('img', {alt: `Curve of the template ${kind}`, src: `data:image/svg+xml,${encodeURIComponent(drawing)}`}) : html('small', {textContent: text.split('\n')[0].replace(/^# ?/, '')}))));
+    html('b', {textContent: kind}), drawing ? html('img', {alt: `Curve of the template ${kind}`, src: `data:image/svg+xml,${encodeURIComponent(drawing)}`}) : html('small', {textContent: aboutOf(text)}))));
 }
 
 const short = (value) => value === null ? '∞' : number(value, 4);

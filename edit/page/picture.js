@@ -77,6 +77,15 @@ class CamPicture extends Report {
     this.svg.append(this.measuredPoints(), group);
   }
 
+  /// Ranges that the y axes show at least: those at the beginning of a drag, or those of the measured points.
+  get ranges() {
+    const {measured, view} = this;
+    if (this.held || !measured || this.index !== 0) return this.held;
+    const slaves = measured.filter(([master]) => master >= this.from && master <= this.to).map(([, slave]) => slave);
+    const least = slaves.reduce((low, slave) => Math.min(low, slave), Infinity), most = slaves.reduce((high, slave) => Math.max(high, slave), -Infinity);
+    return view.panels.map((_, k) => k === 0 ? [least, most] : [Infinity, -Infinity]);
+  }
+
   /// Measured points under the handles.
   measuredPoints() {
     const {toX, panels: [{toY, top, bottom}], left, right} = this.drawing;
@@ -115,7 +124,7 @@ class CamPicture extends Report {
       per_x: scale * (this.to - this.from) / (right - left), per_y: -scale * (high - low) / look.panel * panel.size,
       step_x: tickStep(this.to - this.from, (right - left) / snap_px), step_y: tickStep(high - low, look.panel / snap_px) * panel.size,
     };
-    this.ranges = panels.map((each) => [each.low, each.high]);
+    this.held = panels.map((each) => [each.low, each.high]);
     this.plot.focus({preventScroll: true});
     this.plot.setPointerCapture(event.pointerId);
     return true;
@@ -154,7 +163,7 @@ class CamPicture extends Report {
   release(keep) {
     const {change} = this.drag;
     this.drag = null;
-    this.ranges = null;
+    this.held = null;
     this.change();
     if (keep && change) this.actions.drop(change); else this.actions.cancel();
     return true;

@@ -143,7 +143,7 @@ TEST(WithCam, ChangesPointsOfTheText) {
 
 TEST(WithSwitch, ChangesTheEdgesOfASwitch) {
   const std::string with =
-      text +
+      std::string(text) +
       "\n[switches]\nof = \"master\"\n[[switch]]\ntrack = 1\nfirst_on_position = 30  # "
       "glue\nlast_on_position = \"0.25 rev\"\n";
   const Spec spec = parse_spec(with, "a.toml");

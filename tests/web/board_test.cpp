@@ -56,6 +56,32 @@ TEST(Board, GivesEachReaderEachSampleOnce) {
   EXPECT_EQ(next(board, late)["axes"][0]["samples"].size(), 3U);
 }
 
+TEST(Board, ListsEventsOfAllTicksWithTheirRemedy) {
+  Board board({"feeder"});
+  const auto tick = [](std::int64_t number, State state) {
+    return TraceTick{.tick = number, .state = state};
+  };
+  TraceTick refused = tick(11, State::standstill);
+  refused.refused = Cause::velocity_limit;
+  TraceTick moving = tick(12, State::discrete_motion);
+  TraceTick failed = tick(13, State::error_stop);
+  failed.fault = Cause::following_error;
+  failed.reason = Cause::following_error;
+  board.take("feeder", {tick(10, State::standstill), refused, moving}, 1'000'000);
+  board.take("feeder", {failed, tick(14, State::error_stop)}, 1'000'000);
+  board.take("stranger", {tick(10, State::standstill)}, 1'000'000);
+  std::int64_t seen = 0;
+  const json log = next(board, seen)["log"];
+  std::vector<std::string> kinds;
+  for (const json& event : log) kinds.push_back(event["kind"]);
+  EXPECT_THAT(kinds, testing::ElementsAre("state", "rejected", "state", "state", "fault"));
+  EXPECT_EQ(log[1]["name"], "velocity_limit");
+  EXPECT_EQ(log[1]["time"], 0.011);
+  EXPECT_EQ(log[4]["text"], meaning(Cause::following_error));
+  EXPECT_NE(log[4]["remedy"], "");
+  EXPECT_TRUE(next(board, seen)["log"].empty()) << "each reader gets each event once";
+}
+
 TEST(Board, TakesNothingOldAndNothingOfOthers) {
   Board board({"feeder"});
   board.take("feeder", at(5, 5), 0s);

@@ -110,7 +110,7 @@ def test():
     browser.wait_for("document.getElementById('said').textContent.includes('was rejected')")
     browser.open(address.split("#")[0])
     shows("state", "standstill")
-    assert browser.run("[...document.querySelectorAll('button[data-what],section input')].every(b => b.disabled)")
+    assert browser.run("[...document.querySelectorAll('button[data-what],.controls input')].every(b => b.disabled)")
     assert browser.run("!document.getElementById('look').hidden")
 
 

@@ -83,6 +83,43 @@ TEST(Panel, HandsOrdersOnAndTheAxisAnswerBack) {
   EXPECT_EQ(stop->body, R"({"ok":true,"reason":""})");
 }
 
+TEST(Panel, EverybodyReadsTracesAndNobodyCommandsWithoutTheToken) {
+  Shown shown;
+  nlohmann::json trace;
+  for (int turn = 0; turn < 200 && trace["newest"].is_null(); ++turn) {
+    const auto answer = shown.client.Get("/trace?axis=feeder&span=1&buckets=0");
+    ASSERT_TRUE(answer);
+    ASSERT_EQ(answer->status, 200) << answer->body;
+    trace = nlohmann::json::parse(answer->body);
+    std::this_thread::sleep_for(10ms);
+  }
+  EXPECT_EQ(trace["source"], "status");
+  EXPECT_EQ(trace["low"]["position"].back(), 12.5);
+  EXPECT_EQ(shown.client.Get("/trace?axis=knife")->status, 400);
+  EXPECT_EQ(shown.client.Get("/trace?axis=feeder&span=-1")->status, 400);
+  EXPECT_EQ(shown.client.Get("/tables")->status, 200);
+  EXPECT_EQ(shown.client.Get("/commands")->status, 200);
+  EXPECT_EQ(shown.client.Get("/trace?axis=feeder", {{"Origin", "http://evil.example"}})->status,
+            403);
+  EXPECT_EQ(
+      shown.client.Post("/command", R"({"axis":"feeder","what":"enable"})", "application/json")
+          ->status,
+      403);
+  EXPECT_EQ(shown.client.Post("/trace", "", "text/plain")->status, 404);
+}
+
+TEST(Panel, CommandsInWordsAreReadLikeThoseOfJounceOrder) {
+  Shown shown;
+  for (const char* body :
+       {"", R"({"axis":"feeder","what":"fly"})", R"({"axis":"knife","what":"enable"})",
+        R"({"axis":"feeder","what":"move","options":{"to":"3 apples"}})"}) {
+    const auto answer =
+        shown.client.Post("/command", {{"X-Jounce-Token", shown.token}}, body, "application/json");
+    ASSERT_TRUE(answer) << body;
+    EXPECT_TRUE(answer->status == 400 || answer->status == 504) << body << answer->body;
+  }
+}
+
 TEST(Panel, OrdersNothingOfWhatItDoesNotUnderstand) {
   Shown shown;
   for (const char* body : {"", "{", R"({"axis":"feeder","what":"jump"})",

@@ -167,14 +167,23 @@ class Scope {
     const trigger = mode === 'off' ? {} : {
       signal: this.part('signal').value, level: this.part('level').valueAsNumber || 0, edge: this.part('edge').value,
       before: span * Number(this.part('before').value) / 100,
-      ...(mode === 'single' ? {after: this.armed ?? -1, pick: 'first'} : {})};
+      ...(mode === 'single' ? {after: this.armed ?? -1, pick: 'first'} : {after: this.searched(mode, span)})};
     const data = await question('/trace', {axis: this.name, span, buckets, modulo: this.modulo, ...trigger});
     if (this.frozen || mode !== this.mode || span !== this.span) return;  // the operator was faster
+    if (this.data && data.newest < this.data.newest) { this.data = null; this.armed = null; }  // the executor was started again
     this.waits = mode !== 'off' && data.trigger === null;
     if (this.data && this.waits && mode !== 'auto') this.data = {...this.data, newest: data.newest};  // the old picture stays
     else this.data = data;
     if (mode === 'single' && !this.waits) return this.freeze();
     this.draw();
+  }
+
+  /// The search for a trigger begins behind this cycle: at the last trigger; auto drops one that is old.
+  searched(mode, span) {
+    if (!this.data) return -1;
+    const {newest, trigger, period} = this.data;
+    const recent = mode === 'auto' ? newest - Math.round((2 * span + 1) / period) : -1;
+    return Math.max(-1, recent, (trigger ?? 0) - 1);
   }
 
   // ---- the visible window ------------------------------------------------------------------------

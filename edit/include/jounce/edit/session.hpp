@@ -36,8 +36,8 @@ class EditSession {
   };
 
   /// Reads the file, and the side file of an earlier session if there is one. A file that does not
-  /// exist has an empty text, and save() makes it. Throws InputError if the file cannot be read, or if a session did not write the file with the name of the side
-  /// file.
+  /// exist has an empty text, and save() makes it. Throws InputError if the file cannot be read, or
+  /// if a session did not write the file with the name of the side file.
   explicit EditSession(std::string path);
 
   [[nodiscard]] const std::string& path() const { return path_; }
