@@ -4,7 +4,8 @@
 let commands = null;  // the answer of /commands
 
 const unit_for = (quantity, {unit, master}) => ({position: unit, velocity: unit && `${unit}/s`, acceleration: unit && `${unit}/s^2`,
-  jerk: unit && `${unit}/s^3`, master, time: 's'})[quantity] ?? '';
+  jerk: unit && `${unit}/s^3`, master, 'master velocity': master && `${master}/s`,
+  'master acceleration': master && `${master}/s^2`, 'master jerk': master && `${master}/s^3`, time: 's'})[quantity] ?? '';
 
 /// A field for an option of a command.
 function fieldOf(option, units) {

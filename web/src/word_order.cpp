@@ -36,6 +36,12 @@ const char* quantity_word(Quantity quantity) {
       return "master";
     case Quantity::time:
       return "time";
+    case Quantity::master_velocity:
+      return "master velocity";
+    case Quantity::master_acceleration:
+      return "master acceleration";
+    case Quantity::master_jerk:
+      return "master jerk";
   }
   return "";
 }
