@@ -226,7 +226,7 @@ TEST(Quiet, CutsOnDemandAndTheWayHome) {
     stage.order(1, {command::Cut{.length = 25}}, 800);
     stage.order(1, {command::Cut{.waste = 80}}, 500);
     stage.order(1, {command::Cut{}}, 600);
-    EXPECT_GT(cuts.plan().cuts(), 5);
+    EXPECT_GE(cuts.plan().cuts(), 5);
     EXPECT_EQ(stage.order(1, {command::Park{}}, 900).state, State::standstill);
     EXPECT_EQ(stage.noise(), Noise{});
   }

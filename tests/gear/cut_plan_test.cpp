@@ -374,8 +374,29 @@ TEST(CutNumbers, AreTheWholeJob) {
   const std::vector<double> numbers = numbers_of(job);
   EXPECT_EQ(numbers_of(cut_job_of(numbers)), numbers);
   job = job_of(carriage(), {1000});
-  EXPECT_EQ(numbers_of(cut_job_of(numbers_of(job))), numbers_of(job));
+  auto& shear = std::get<FlyingShear>(job.spec.machine);
+  shear.return_law = Law::triple_harmonic;
+  shear.return_form.harmonics = {7.5, -0.25};
+  const CutJob again = cut_job_of(numbers_of(job));
+  EXPECT_EQ(numbers_of(again), numbers_of(job));
+  const auto& read = std::get<FlyingShear>(again.spec.machine);
+  EXPECT_EQ(read.return_law, Law::triple_harmonic);
+  EXPECT_EQ(read.return_form.harmonics, shear.return_form.harmonics);
+  EXPECT_EQ(again.spec.list.lengths, job.spec.list.lengths);
   EXPECT_THROW((void)cut_job_of(std::vector<double>{0, 1}), InputError);
+  // A damaged record, each number in turn: the answer is a task or an InputError.
+  for (const CutMachine& machine : {CutMachine(drum()), CutMachine(carriage())}) {
+    const std::vector<double> good = numbers_of(job_of(machine, {1000}));
+    for (std::size_t i = 0; i < good.size(); ++i)
+      for (const double bad : {-1e300, 1e300, 0.5, -1.0}) {
+        std::vector<double> damaged = good;
+        damaged[i] = bad;
+        try {
+          (void)CutTask(cut_job_of(damaged));
+        } catch (const InputError&) {  // the expected answer to most of them
+        }
+      }
+  }
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ TEST(CutListSpec, ReportsTheSlowestPiece) {
 
 TEST(CutListSpec, RejectsWrongLists) {
   EXPECT_THAT(refusal(shear("lengths = [1000, 500]")),
-              HasSubstr("s.toml:5:18: shear.lengths[2] = 500 mm: must be at least 966.425"));
+              HasSubstr("s.toml:5:11: shear.lengths[2] = 500 mm: must be at least 966.425"));
   EXPECT_THAT(refusal(knife("lengths = [250, 900]")),
               HasSubstr("knife.lengths[2] = 900 mm: must be at most"));
   EXPECT_THAT(refusal(knife("lengths = []")), HasSubstr("must have at least one length"));

@@ -16,15 +16,35 @@
 namespace jounce {
 namespace {
 
+/// The number of a law, of a choice or of blades. A record may contain any number.
+int whole(double number, int most) {
+  if (number >= 0 && number <= most && number == std::trunc(number))
+    return static_cast<int>(number);
+  throw InputError("cutter", number, "must be a whole number from 0 to " + std::to_string(most));
+}
+
+int choices(Law /*law*/) {
+  return static_cast<int>(all_laws().size());
+}
+int choices(KnifeMatching /*matching*/) {
+  return 2;
+}
+
+constexpr int most_blades = 1000;
+
 template <class F>
 void each_number(LawForm& form, F f) {
-  bool has_shares = form.shares.has_value();
   f(form.inflection);
   f(form.straight);
-  f(has_shares);
-  if (has_shares && !form.shares) form.shares.emplace();
-  if (form.shares)
-    for (double& share : *form.shares) f(share);
+  const auto each = [&](auto& list) {
+    bool given = list.has_value();
+    f(given);
+    if (given && !list) list.emplace();
+    if (list)
+      for (double& number : *list) f(number);
+  };
+  each(form.shares);
+  each(form.harmonics);
 }
 
 template <class F>
@@ -113,11 +133,13 @@ CutJob cut_job_of(std::span<const double> numbers) {
     if constexpr (std::is_same_v<Member, std::optional<double>>)
       member = number > 0 ? std::optional(number) : std::nullopt;
     else if constexpr (std::is_enum_v<Member>)
-      member = static_cast<Member>(static_cast<int>(number));
+      member = static_cast<Member>(whole(number, choices(member) - 1));
     else if constexpr (std::is_same_v<Member, bool>)
       member = number != 0;
+    else if constexpr (std::is_same_v<Member, std::size_t>)
+      member = static_cast<std::size_t>(whole(number, most_blades));
     else
-      member = static_cast<Member>(number);
+      member = number;
   });
   job.spec.list.lengths.assign(numbers.begin() + static_cast<std::ptrdiff_t>(at), numbers.end());
   return job;
