@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "jounce/design/input.hpp"
-#include "jounce/plot/curve_figure.hpp"
 #include "jounce/plot/input_figure.hpp"
+
+#include "plot/src/figure/curve_figure.hpp"
 
 namespace jounce {
 namespace {

@@ -7,8 +7,9 @@
 #include "jounce/design/over_time.hpp"
 #include "jounce/plot/input_figure.hpp"
 #include "jounce/proof/drive_figures.hpp"
-#include "jounce/proof/follower_figure.hpp"
-#include "jounce/proof/loop_figures.hpp"
+
+#include "proof/src/figure/follower_figure.hpp"
+#include "proof/src/figure/loop_figures.hpp"
 
 namespace jounce {
 namespace {
