@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/check_text.hpp"
+#include "design/src/check_text.hpp"
 
 #include <algorithm>
 #include <cmath>

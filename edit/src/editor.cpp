@@ -15,7 +15,6 @@
 #include "jounce/design/convert.hpp"
 #include "jounce/design/fit.hpp"
 #include "jounce/design/law_guide.hpp"
-#include "jounce/edit/session.hpp"
 #include "jounce/lint/committed.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/web/gate.hpp"
@@ -28,6 +27,7 @@
 #include "edit/src/only_one.hpp"
 #include "edit/src/optimum_job.hpp"
 #include "edit/src/page.hpp"
+#include "edit/src/session.hpp"
 
 namespace jounce {
 namespace {

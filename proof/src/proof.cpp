@@ -10,9 +10,9 @@
 #include "jounce/base/file.hpp"
 #include "jounce/design/driven.hpp"
 #include "jounce/design/reference.hpp"
-#include "jounce/proof/follower_figure.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
+#include "proof/src/figure/follower_figure.hpp"
 #include "proof/src/robustness.hpp"
 #include "proof/src/text/drive_text.hpp"
 #include "proof/src/text/follower_text.hpp"

@@ -17,9 +17,9 @@
 #include "jounce/plot/load_figure.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/proof/drive_figures.hpp"
-#include "jounce/proof/follower_figure.hpp"
-#include "jounce/proof/loop_figures.hpp"
 
+#include "proof/src/figure/follower_figure.hpp"
+#include "proof/src/figure/loop_figures.hpp"
 #include "proof/src/page_sections.hpp"
 #include "proof/src/text/loop_text.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/cam/laws/hermite.hpp"
+#include "cam/src/laws/hermite.hpp"
 
 #include <cmath>
 

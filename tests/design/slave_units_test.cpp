@@ -8,9 +8,10 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/design/cam_check.hpp"
-#include "jounce/design/check_text.hpp"
 #include "jounce/design/diagnostics.hpp"
 #include "jounce/design/over_time.hpp"
+
+#include "design/src/check_text.hpp"
 
 namespace jounce::slave_units_test {
 namespace {

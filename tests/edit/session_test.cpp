@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/edit/session.hpp"
+#include "edit/src/session.hpp"
 
 #include <cstdio>
 

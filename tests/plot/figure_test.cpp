@@ -37,8 +37,8 @@ std::vector<std::string> texts(const Markup& markup, std::string_view kind = {})
 }
 
 /// The estimated place of each text.
-std::vector<Box> text_boxes(const Markup& markup) {
-  std::vector<Box> boxes;
+std::vector<Rectangle> text_boxes(const Markup& markup) {
+  std::vector<Rectangle> boxes;
   for (const Element& e : markup.with("text")) {
     const double size = e.has_class("title")   ? title_font
                         : e.has_class("label") ? label_font

@@ -8,7 +8,7 @@
 namespace jounce::placing_test {
 namespace {
 
-constexpr Box box{10, 10, 20, 20};
+constexpr Rectangle box{10, 10, 20, 20};
 
 TEST(Crosses, SeesEveryWayThroughABox) {
   EXPECT_TRUE(crosses(box, {0, 15}, {30, 15}));
@@ -28,20 +28,20 @@ TEST(Overlap, LeavesTouchingBoxesAlone) {
 
 TEST(Place, PrefersTheFirstThatIsClear) {
   const Surroundings around{{0, 0, 100, 100}, {{0, 0, 30, 30}}, {{{0, 50}, {100, 50}}}};
-  const std::array candidates{Box{20, 20, 40, 40}, Box{40, 45, 60, 55}, Box{40, 60, 60, 70},
-                              Box{40, 80, 60, 90}};
+  const std::array candidates{Rectangle{20, 20, 40, 40}, Rectangle{40, 45, 60, 55},
+                              Rectangle{40, 60, 60, 70}, Rectangle{40, 80, 60, 90}};
   EXPECT_EQ(place(around, candidates), 2U);  // not on what is taken, not on the line
 }
 
 TEST(Place, CrossesALineIfItMust) {
   const Surroundings around{{0, 0, 100, 60}, {}, {{{0, 50}, {100, 50}}}};
-  const std::array candidates{Box{40, 45, 60, 75}, Box{40, 45, 60, 55}};
+  const std::array candidates{Rectangle{40, 45, 60, 75}, Rectangle{40, 45, 60, 55}};
   EXPECT_EQ(place(around, candidates), 1U);  // the first leaves the frame
 }
 
 TEST(Place, SaysWhenThereIsNoRoom) {
   const Surroundings around{{0, 0, 100, 100}, {{0, 0, 100, 100}}, {}};
-  EXPECT_FALSE(place(around, std::array{Box{40, 40, 60, 60}}).has_value());
+  EXPECT_FALSE(place(around, std::array{Rectangle{40, 40, 60, 60}}).has_value());
   EXPECT_FALSE(place(around, {}).has_value());
 }
 

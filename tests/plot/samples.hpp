@@ -2,8 +2,9 @@
 #pragma once
 
 #include "jounce/cam/design/design.hpp"
-#include "jounce/plot/curve_figure.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
+
+#include "plot/src/figure/curve_figure.hpp"
 
 namespace jounce {
 

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "jounce/cam/laws/b_spline.hpp"
-#include "jounce/cam/laws/polynomial.hpp"
 #include "jounce/cam/laws/smoothing_spline.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cam/src/design/resolve.hpp"
 #include "cam/src/laws/added.hpp"
+#include "cam/src/laws/polynomial.hpp"
 
 namespace jounce::camming {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "jounce/cam/laws/hermite.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cam/src/design/resolve.hpp"
+#include "cam/src/laws/hermite.hpp"
 
 namespace jounce::camming {
 namespace {

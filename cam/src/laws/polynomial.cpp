@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/cam/laws/polynomial.hpp"
+#include "cam/src/laws/polynomial.hpp"
 
 #include <array>
 #include <cmath>

@@ -11,8 +11,9 @@
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/design/cam_check.hpp"
-#include "jounce/design/check_text.hpp"
 #include "jounce/profiles/error.hpp"
+
+#include "design/src/check_text.hpp"
 
 namespace jounce {
 namespace {

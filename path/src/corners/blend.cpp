@@ -78,7 +78,7 @@ double greatest_speed(std::span<const Segment> axes, std::size_t n) {
   return std::sqrt(range_of(squares(std::span(slope).first(n))).max.value);
 }
 
-Peaks peaks_of(const Segment& axis) {
+AxisPeaks peaks_of(const Segment& axis) {
   const auto peak = [&](int order) { return std::abs(range_of(axis, order).peak().value); };
   return {peak(1), peak(2), peak(3)};
 }

@@ -32,10 +32,10 @@ double least_distance(std::span<const Segment> axes, const Point& p, std::size_t
 double greatest_speed(std::span<const Segment> axes, std::size_t n);
 
 /// Greatest magnitudes of the first three derivatives of one axis with respect to q. Exact.
-struct Peaks {
+struct AxisPeaks {
   double direction = 0, curvature = 0, rate = 0;
 };
-Peaks peaks_of(const Segment& axis);
+AxisPeaks peaks_of(const Segment& axis);
 
 /// Greatest curvature over the first n axes, to about 1e-9 of it. Found by search; for reports.
 double greatest_curvature(std::span<const Segment> axes, std::size_t n);

@@ -64,7 +64,7 @@ Derivatives magnitudes(const Jets& jets, std::size_t n) {
 Derivatives bounds_of(std::span<const Segment> axes, std::size_t path_axes) {
   Derivatives d;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const Peaks peak = peaks_of(axes[i]);
+    const AxisPeaks peak = peaks_of(axes[i]);
     d.first[i] = peak.direction;
     d.second[i] = peak.curvature;
     d.third[i] = peak.rate;

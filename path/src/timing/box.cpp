@@ -110,7 +110,7 @@ Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path
     axes[i] = segments.front();
     for (const Segment& f : segments) {
       if (f.degree > 3) {
-        const Peaks peak = peaks_of(f);
+        const AxisPeaks peak = peaks_of(f);
         bounds.first[i] = std::max(bounds.first[i], peak.direction);
         bounds.second[i] = std::max(bounds.second[i], peak.curvature);
         bounds.third[i] = std::max(bounds.third[i], peak.rate);
@@ -211,7 +211,7 @@ Box blend_box(const Rates& rates, std::span<const Segment> axes) {
   box.constant = true;
   double bend = 0;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    const Peaks peak = peaks_of(axes[i]);
+    const AxisPeaks peak = peaks_of(axes[i]);
     const auto limit = [](double l, double by) { return by > 0 ? l / by : PathSettings::none; };
     box.velocity = std::min({box.velocity, limit(rates.velocity[i], peak.direction),
                              std::sqrt(limit(rates.acceleration[i], peak.curvature)),

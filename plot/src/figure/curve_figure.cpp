@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/plot/curve_figure.hpp"
+#include "plot/src/figure/curve_figure.hpp"
 
 #include <algorithm>
 #include <array>

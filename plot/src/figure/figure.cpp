@@ -120,7 +120,7 @@ struct Layout {
   double right = 0;
   double height = 0;
   std::vector<PanelAxis> axes;
-  std::vector<Box> plots;
+  std::vector<Rectangle> plots;
   double strip_top = 0;  ///< top of the first panel's strip
   Scale x;
   Ticks x_ticks;
@@ -190,12 +190,12 @@ void draw_strips(std::string& out, const Figure& figure, const Layout& at) {
                          Surroundings& around) {
     const double width = text_width(label, small_font);
     const double left = std::clamp(x - width / 2, at.left, std::max(at.left, at.right - width));
-    const Box box{left - 3, row, left + width + 3, row + strip_height};
+    const Rectangle box{left - 3, row, left + width + 3, row + strip_height};
     if (!place(around, {&box, 1})) return;
     around.taken.push_back(box);
     text(out, kind, left + width / 2, row + strip_height - 4, label);
   };
-  const Box row_frame{-4, 0, at.right + 4, at.height};
+  const Rectangle row_frame{-4, 0, at.right + 4, at.height};
   if (at.shade_names) {
     Surroundings around{row_frame, {}, {}};
     for (const Shade& shade : figure.shades) {
@@ -212,7 +212,7 @@ void draw_strips(std::string& out, const Figure& figure, const Layout& at) {
 void draw_x_axis(std::string& out, const Figure& figure, const Layout& at) {
   if (at.plots.empty()) return;
   std::string d;
-  for (const Box& plot : at.plots) {
+  for (const Rectangle& plot : at.plots) {
     for (const double tick : at.x_ticks.at)
       d += fmt::format("M{} {}v4", coordinate(at.x(tick)), coordinate(plot.bottom));
   }
@@ -268,7 +268,7 @@ std::string svg(const Figure& figure, const SvgOptions& options) {
   }
   draw_legend(out, at, margin + (figure.title.empty() ? 0 : title_height));
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-    const Box& plot = at.plots[i];
+    const Rectangle& plot = at.plots[i];
     const double shade_top = i == 0 ? at.strip_top : plot.top;
     draw_panel(out, figure, figure.panels[i], at.axes[i], {plot, at.x, shade_top});
   }

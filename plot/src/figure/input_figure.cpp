@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "jounce/plot/curve_figure.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/spec.hpp"
 
+#include "plot/src/figure/curve_figure.hpp"
 #include "plot/src/figure/input_look.hpp"
 
 namespace jounce {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "jounce/design/input.hpp"
-#include "jounce/plot/curve_figure.hpp"
+
+#include "plot/src/figure/curve_figure.hpp"
 
 namespace jounce {
 

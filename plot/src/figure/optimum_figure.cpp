@@ -7,6 +7,8 @@
 #include "jounce/plot/input_figure.hpp"
 #include "jounce/plot/load_figure.hpp"
 
+#include "plot/src/figure/curve_figure.hpp"
+
 namespace jounce {
 namespace {
 

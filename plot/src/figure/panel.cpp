@@ -47,7 +47,7 @@ std::string series_path(const Series& series, const std::vector<std::vector<Pixe
   return d;
 }
 
-std::string rectangle(const Box& box) {
+std::string rectangle(const Rectangle& box) {
   return fmt::format("M{} {}V{}H{}V{}z", coordinate(box.left), coordinate(box.top),
                      coordinate(box.bottom), coordinate(box.right), coordinate(box.top));
 }
@@ -91,14 +91,14 @@ class PanelDrawing {
       const double from = std::max(std::min(shade.from, shade.to), at_.x.of.lo);
       const double to = std::min(std::max(shade.from, shade.to), at_.x.of.hi);
       if (!(from < to)) continue;
-      const Box box{at_.x(from), at_.shade_top, at_.x(to), at_.plot.bottom};
+      const Rectangle box{at_.x(from), at_.shade_top, at_.x(to), at_.plot.bottom};
       out_ += fmt::format("<path class=\"zone\" d=\"{}\"><title>{}</title></path>\n",
                           rectangle(box), escaped(shade.label));
     }
   }
 
   void grid() {
-    const Box& plot = at_.plot;
+    const Rectangle& plot = at_.plot;
     std::string d;
     for (std::size_t i = 0; i < axis_.ticks.at.size(); ++i) {
       const double y = y_(axis_.ticks.at[i]);
@@ -115,12 +115,12 @@ class PanelDrawing {
   }
 
   void limits() {
-    const Box& plot = at_.plot;
+    const Rectangle& plot = at_.plot;
     if (axis_.upper) limit(*panel_.upper, {plot.left, plot.top, plot.right, y_(*panel_.upper)});
     if (axis_.lower) limit(*panel_.lower, {plot.left, y_(*panel_.lower), plot.right, plot.bottom});
   }
 
-  void limit(double value, const Box& beyond) {
+  void limit(double value, const Rectangle& beyond) {
     const double y = y_(value);
     line("over", rectangle(beyond));
     line("lim", path_data(std::array{Pixel{beyond.left, y}, Pixel{beyond.right, y}}));
@@ -147,7 +147,7 @@ class PanelDrawing {
       if (visible(marker)) draw(marker);
   }
 
-  [[nodiscard]] Box dot(const Marker& marker) const {
+  [[nodiscard]] Rectangle dot(const Marker& marker) const {
     const double x = at_.x(marker.x);
     const double y = y_(marker.y);
     return {x - dot_radius, y - dot_radius, x + dot_radius, y + dot_radius};
@@ -172,8 +172,8 @@ class PanelDrawing {
 
   /// Boxes for a marker's text, `away` px from touching it; outwards from the middle of the plot
   /// first.
-  [[nodiscard]] std::vector<Box> beside(const Marker& marker, double away) const {
-    const Box spot = dot(marker);
+  [[nodiscard]] std::vector<Rectangle> beside(const Marker& marker, double away) const {
+    const Rectangle spot = dot(marker);
     const double width = text_width(marker.text, small_font);
     const double x = at_.x(marker.x);
     const double level = y_(marker.y) - text_height / 2;
@@ -182,7 +182,7 @@ class PanelDrawing {
     const bool up = y_(marker.y) <= (at_.plot.top + at_.plot.bottom) / 2;
     const double first = at_.plot.left + 3;
     const double last = std::max(first, at_.plot.right - 3 - width);
-    std::vector<Box> boxes;
+    std::vector<Rectangle> boxes;
     for (const double top : {up ? above : below, level, up ? below : above}) {
       for (const double left :
            {x - width / 2, spot.right + 3 + away, spot.left - 3 - away - width}) {
@@ -203,7 +203,7 @@ class PanelDrawing {
     const double width = text_width(words, small_font);
     const double y = y_(value);
     const double above = y - text_height - 1;
-    std::vector<Box> boxes;
+    std::vector<Rectangle> boxes;
     for (const double top : {upper ? above : y + 1, upper ? y + 1 : above}) {
       for (const double along : {1.0, 0.0, 0.75, 0.25, 0.5, 0.875, 0.125, 0.625, 0.375}) {
         const double left =
@@ -214,17 +214,18 @@ class PanelDrawing {
     if (!label(words, "halo limtext", boxes)) axis_.notes.push_back(words);
   }
 
-  bool label(const std::string& words, const std::string& kind, const std::vector<Box>& boxes) {
+  bool label(const std::string& words, const std::string& kind,
+             const std::vector<Rectangle>& boxes) {
     const auto chosen = words.empty() ? std::nullopt : place(around_, boxes);
     if (!chosen) return false;
-    const Box& box = boxes[*chosen];
+    const Rectangle& box = boxes[*chosen];
     around_.taken.push_back(box);
     text(kind + " mid", (box.left + box.right) / 2, box.bottom - 3, words);
     return true;
   }
 
   void header() {
-    const Box& plot = at_.plot;
+    const Rectangle& plot = at_.plot;
     const double y = at_.shade_top - 7;
     const double room = plot.right - plot.left;
     const std::string words =

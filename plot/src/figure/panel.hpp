@@ -49,7 +49,7 @@ std::vector<double> drawn_knots(const Figure& figure, const Scale& x);
 
 /// The place of one panel in the figure.
 struct PanelPlace {
-  Box plot;  ///< area of the plot
+  Rectangle plot;  ///< area of the plot
   Scale x;
   double shade_top = 0;  ///< upper end of the shades, px
 };

@@ -8,12 +8,12 @@
 namespace jounce {
 namespace {
 
-bool inside(const Box& box, const Box& frame) {
+bool inside(const Rectangle& box, const Rectangle& frame) {
   return box.left >= frame.left && box.right <= frame.right && box.top >= frame.top &&
          box.bottom <= frame.bottom;
 }
 
-int crossings(const Box& box, const std::vector<std::vector<Pixel>>& lines) {
+int crossings(const Rectangle& box, const std::vector<std::vector<Pixel>>& lines) {
   int count = 0;
   for (const auto& line : lines) {
     for (std::size_t i = 1; i < line.size(); ++i)
@@ -24,12 +24,12 @@ int crossings(const Box& box, const std::vector<std::vector<Pixel>>& lines) {
 
 }  // namespace
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap(const Rectangle& a, const Rectangle& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
 // Liang and Barsky (1984): the part t0..t1 of the line that is left when each edge has cut it.
-bool crosses(const Box& box, Pixel from, Pixel to) {
+bool crosses(const Rectangle& box, Pixel from, Pixel to) {
   double t0 = 0;
   double t1 = 1;
   const auto cut = [&](double direction, double room) {
@@ -44,14 +44,15 @@ bool crosses(const Box& box, Pixel from, Pixel to) {
          cut(dy, box.bottom - from.y);
 }
 
-std::optional<std::size_t> place(const Surroundings& around, std::span<const Box> candidates) {
+std::optional<std::size_t> place(const Surroundings& around,
+                                 std::span<const Rectangle> candidates) {
   std::optional<std::size_t> best;
   int fewest = std::numeric_limits<int>::max();
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Box& box = candidates[i];
-    const bool free =
-        inside(box, around.frame) && std::none_of(around.taken.begin(), around.taken.end(),
-                                                  [&](const Box& b) { return overlap(b, box); });
+    const Rectangle& box = candidates[i];
+    const bool free = inside(box, around.frame) &&
+                      std::none_of(around.taken.begin(), around.taken.end(),
+                                   [&](const Rectangle& b) { return overlap(b, box); });
     const int count = free ? crossings(box, around.lines) : fewest;
     if (count >= fewest) continue;
     fewest = count;

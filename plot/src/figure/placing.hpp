@@ -10,25 +10,25 @@
 namespace jounce {
 
 /// A rectangle, px, y downwards.
-struct Box {
+struct Rectangle {
   double left = 0;
   double top = 0;
   double right = 0;
   double bottom = 0;
 };
 
-bool overlap(const Box& a, const Box& b);
-bool crosses(const Box& box, Pixel from, Pixel to);
+bool overlap(const Rectangle& a, const Rectangle& b);
+bool crosses(const Rectangle& box, Pixel from, Pixel to);
 
 /// Parts that a label must not cover.
 struct Surroundings {
-  Box frame;                              ///< labels stay inside
-  std::vector<Box> taken;                 ///< areas that labels must not cover
+  Rectangle frame;                        ///< labels stay inside
+  std::vector<Rectangle> taken;           ///< areas that labels must not cover
   std::vector<std::vector<Pixel>> lines;  ///< lines that labels should not cover
 };
 
 /// Returns the index of the candidate box that crosses the fewest lines, the first of them; nullopt
 /// if every candidate leaves the frame or covers a taken area.
-std::optional<std::size_t> place(const Surroundings& around, std::span<const Box> candidates);
+std::optional<std::size_t> place(const Surroundings& around, std::span<const Rectangle> candidates);
 
 }  // namespace jounce

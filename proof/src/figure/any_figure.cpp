@@ -8,8 +8,9 @@
 #include "jounce/plot/input_figure.hpp"
 #include "jounce/plot/load_figure.hpp"
 #include "jounce/proof/drive_figures.hpp"
-#include "jounce/proof/follower_figure.hpp"
-#include "jounce/proof/loop_figures.hpp"
+
+#include "proof/src/figure/follower_figure.hpp"
+#include "proof/src/figure/loop_figures.hpp"
 
 namespace jounce {
 namespace {

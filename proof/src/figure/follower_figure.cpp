@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/proof/follower_figure.hpp"
+#include "proof/src/figure/follower_figure.hpp"
 
 #include <utility>
 

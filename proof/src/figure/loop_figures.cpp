@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/proof/loop_figures.hpp"
+#include "proof/src/figure/loop_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
