@@ -7,6 +7,7 @@
 #include "jounce/spec/shape_spec.hpp"
 
 #include "plot/src/figure/input_look.hpp"
+#include "plot/src/figure/torque_panels.hpp"
 
 namespace jounce {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "jounce/design/input.hpp"
 #include "jounce/plot/input_figure.hpp"
-#include "jounce/plot/load_figure.hpp"
 
 #include "plot/src/figure/curve_figure.hpp"
+#include "plot/src/figure/torque_panels.hpp"
 
 namespace jounce {
 namespace {
