@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -130,10 +132,10 @@ Trajectory made(const AgitoSpec& s) {
                    : agito::begin(s.from, s.target, s.settings).curve();
 }
 Trajectory made(const AgitoSineSpec& s) {
-  const auto stroke = static_cast<std::int32_t>(2 * s.amplitude);
-  if (stroke != 2 * s.amplitude)
+  const double stroke = 2 * s.amplitude;
+  if (stroke != std::round(stroke) || std::abs(stroke) > std::numeric_limits<std::int32_t>::max())
     throw InputError("amplitude", s.amplitude, "must be half of RelTrgt");
-  return agito::repetitive(s.from, {.rel_trgt = stroke},
+  return agito::repetitive(s.from, {.rel_trgt = static_cast<std::int32_t>(stroke)},
                            agito::quasi_sine(s.amplitude, s.frequency), s.strokes, s.rpt_wait);
 }
 Trajectory made(const AgitoJogSpec& s) {

@@ -80,6 +80,7 @@ DenseRow ReducedSpace::row(const Form& form) const {
   DenseRow row{form.constant, VectorXd::Zero(size())};
   for (const Form::Term& t : form.terms) {
     row.constant += t.factor * z0_[static_cast<Index>(t.index)];
+    if (size() == 0) continue;  // Eigen computes the address of a row of an empty matrix
     row.slope += t.factor * basis_.row(static_cast<Index>(t.index)).transpose();
   }
   return row;
