@@ -245,7 +245,7 @@ TEST(CamChange, NamesWhatIsWrong) {
   EXPECT_EQ(refused("[]"), "change: must be a JSON object");
   EXPECT_EQ(refused(R"({"do":"jump"})"),
             "do = jump: must be one of move, set, law, form, name, split, append, merge, delete, "
-            "mirror, shift, scale");
+            "mirror, shift, scale, point, switch");
   EXPECT_EQ(refused(R"({"do":"append","x":1})"), "x = 1: is not a key here: the keys are do");
   EXPECT_EQ(refused(R"({"do":"move","knot":4,"master":1,"slave":1})"), "knot = 4: must be 0 to 3");
   EXPECT_EQ(refused(R"({"do":"move","knot":1,"master":"1","slave":1})"),

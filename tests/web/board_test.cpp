@@ -76,7 +76,7 @@ TEST(Board, ListsEventsOfAllTicksWithTheirRemedy) {
   for (const json& event : log) kinds.push_back(event["kind"]);
   EXPECT_THAT(kinds, testing::ElementsAre("state", "rejected", "state", "state", "fault"));
   EXPECT_EQ(log[1]["name"], "velocity_limit");
-  EXPECT_EQ(log[1]["time"], 0.011);
+  EXPECT_DOUBLE_EQ(log[1]["time"], 0.011);
   EXPECT_EQ(log[4]["text"], meaning(Cause::following_error));
   EXPECT_NE(log[4]["remedy"], "");
   EXPECT_TRUE(next(board, seen)["log"].empty()) << "each reader gets each event once";

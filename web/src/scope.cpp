@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/csv.hpp"
+#include "jounce/plot/label.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::web {
@@ -28,9 +29,9 @@ double number_in(const Request& request, const char* key, double otherwise, doub
   if (text.empty()) return otherwise;
   const auto number = csv_number(text);
   if (!number || !(*number >= least && *number <= greatest))
-    throw InputError(key, text,
-                     "must be a number from " + ordered_json(least).dump() + " to " +
-                         ordered_json(greatest).dump());
+    throw InputError(
+        key, text,
+        "must be a number from " + short_number(least) + " to " + short_number(greatest));
   return *number;
 }
 
