@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # jounce_precompile(TARGET header ...): parses them, and what is common of the standard library, once
 # for all files of TARGET. jounce_precompile(TARGET REUSE other): as parsed for `other`, where both
-# have the same flags. jounce_parsed(NAME header ...): a target jounce_parsed_NAME to reuse.
+# have the same flags, but for the level of optimization. jounce_parsed(NAME header ...): a target jounce_parsed_NAME to reuse.
 #
 # A precompiled header comes before a file's own first line, so it hides what that file forgot to
 # include. It is therefore left out where a launcher (ccache, which gains nothing from it) or clang-tidy
@@ -18,7 +18,7 @@ option(JOUNCE_PCH "Precompile the headers that many files include" ${default})
 option(JOUNCE_UNITY "Compile many sources at a time" ${default})
 unset(default)
 
-set(JOUNCE_BATCH 26)  # sources, at most
+set(JOUNCE_BATCH 35)  # sources, at most
 
 function(jounce_unity target)
   get_target_property(sources ${target} SOURCES)

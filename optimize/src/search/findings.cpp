@@ -10,7 +10,7 @@ namespace jounce::optimizer {
 namespace {
 
 /// The quantity of a ceiling, and its rule.
-std::string quantity_of(const DerivativeBound& ceiling) {
+std::string derivative_name(const DerivativeBound& ceiling) {
   const std::string name = OverMaster::names[ceiling.order];
   return ceiling.lower == 0 ? name : name + " while the master accelerates";
 }
@@ -33,7 +33,7 @@ void add_limits(const Shape& shape, const Space& space, std::span<const Derivati
       const Range range = shape.range(i, c);
       const double excess = excess_of(c, range);
       if (std::abs(excess) > active_tolerance) continue;
-      active.push_back(at(rule_of(c), quantity_of(c), worst(range, c.sign), c.sign * c.limit,
+      active.push_back(at(rule_of(c), derivative_name(c), worst(range, c.sign), c.sign * c.limit,
                           -excess, space.pieces[i].segment));
     }
 }
@@ -90,7 +90,8 @@ Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& ca
         const Range range = range_of(cam, i, c);
         const double excess = excess_of(c, range);
         if (least && least->margin <= -excess) continue;
-        least = at(rule_of(c), quantity_of(c), worst(range, c.sign), c.sign * c.limit, -excess, i);
+        least =
+            at(rule_of(c), derivative_name(c), worst(range, c.sign), c.sign * c.limit, -excess, i);
         least->broken = excess > rounding_tolerance;
       }
     if (least) report.findings.push_back(*std::move(least));
