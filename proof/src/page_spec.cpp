@@ -28,7 +28,7 @@ Section spec_section(const Input& input, const Report& findings) {
   for (const Diagnostic& each : diagnostics_of(findings, input, document.name))
     if (needs_attention(each) && each.place.line > 0 && each.place.file == document.name)
       listing.remarks.push_back({each.place.line,
-                                 each.message + (each.advice.empty() ? "" : " " + each.advice),
+                                 each.message + (each.advice.empty() ? "" : ": " + each.advice),
                                  each.level >= Level::broken, picture_place(each)});
   return {"Spec", {std::move(listing)}};
 }
