@@ -244,7 +244,9 @@ void require_text(const std::string& path, const std::string& bytes, Archive arc
   if (bytes.starts_with("\xD0\xCF\x11\xE0"))
     fail_with("is a file of an old Office program: save its table as .xlsx or as CSV");
   if (bytes.starts_with("PK\x03\x04") && archive == Archive::rejected)
-    fail_with("is a zip archive or a spreadsheet: save its table as CSV");
+    fail_with(
+        "is a zip archive or a workbook: `jounce fit` and the key points of a spec read points "
+        "from .xlsx; for any other use, save the table as CSV");
 }
 
 std::string utf8_of(const std::string& path, const std::string& utf16) {

@@ -21,17 +21,13 @@ struct ConvertArguments {
   std::string input;
   std::string output = "-";
   std::string axis, over;
-  std::string to;
-  std::string rule;
+  std::string to, rule;
   TargetTexts target;
   std::size_t intervals = 0;
   std::string every;
-  std::string master_unit;
-  std::string position_unit;
-  bool periodic = false;
-  bool decimal_comma = false;
-  bool allow_loss = false;
-  bool json = false;
+  std::string master_unit, position_unit;
+  bool periodic = false, decimal_comma = false;
+  bool allow_loss = false, json = false;
 };
 
 Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
@@ -60,7 +56,7 @@ int run_convert(const ConvertArguments& options) {
                options.input);
   const Converted made =
       with_option_names({"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step",
-                         "v_step", "master_unit", "position_unit"},
+                         "v_step", "intervals", "format", "master_unit", "position_unit"},
                         [&] { return converted(input, conversion_of(options, form, input)); });
   const bool writes = made.within_limit() || options.allow_loss;
   const std::string text = with_option_names({"every", "master_unit", "position_unit"}, [&] {
@@ -128,7 +124,7 @@ void add_convert(CommandLine& line) {
   const auto target = add_target_options(verb, options->target);
   verb.option("--intervals", options->intervals, "New knots at this number of equal intervals")
       .check(whole(1, 10'000'000))
-      .excludes(target);
+      .excludes({target.begin(), target.begin() + 5});  // a step or a count may be given
   verb.option("--every", options->every,
               "Write samples (CSV) instead of a table: the position and its first two derivatives, "
               "at this interval of the first column, such as \"1 ms\"");

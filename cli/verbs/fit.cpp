@@ -22,8 +22,9 @@ struct FitArguments {
 
 int run_fit(const FitArguments& options) {
   require_other_file(options.file, options.output);
-  const FittedCam made = with_option_names({"tolerance", "period", "master_unit", "position_unit"},
-                                           [&] { return fitted_cam(options.file, options.fit); });
+  const FittedCam made =
+      with_option_names({"tolerance", "period", "drawing", "master_unit", "position_unit"},
+                        [&] { return fitted_cam(options.file, options.fit); });
   write_file(options.output, made.text);
   fmt::print(text_stream({options.output}), "{}",
              options.json ? fit_json(made, options.output) + "\n" : fit_text(made));
@@ -38,14 +39,16 @@ void add_fit(CommandLine& line) {
                               "jounce fit measured.csv --tolerance 20um -o cam.toml");
   verb.option(
           "FILE", options->file,
-          "CSV or .xlsx with the columns master and slave, or a cam table in any known format; - "
-          "is standard input")
+          "Columns master and slave (CSV, .xlsx), a drawing (.dxf, .svg), or a cam table in any "
+          "known format; - is standard input")
       .required();
   verb.option("--tolerance", options->fit.tolerance,
               "Greatest distance of the cam from a point, with the error of the measurement; "
               "default: the column tolerance of the file");
   verb.option("--period", options->fit.period,
               "The cam repeats after this travel of the master, such as 360deg");
+  verb.option("--drawing", options->fit.drawing,
+              "Keys of the table drawing, such as \"roller_radius = 8, offset = 3\"");
   verb.option("--master-unit", options->fit.master_unit,
               "Unit of the master, for a file without units");
   verb.option("--position-unit", options->fit.position_unit, "The same for the slave");

@@ -24,7 +24,7 @@ constexpr double fit_share = 1e-9;  ///< default tolerance, as a share of the le
 
 const Cam& cam_in(const Input& input) {
   if (const auto* cam = std::get_if<Cam>(&*input.curve)) return *cam;
-  throw InputError("input", input.name, "is over time: only a cam has an inverse");
+  throw InputError("FILE", input.name, "is over time: only a cam has an inverse");
 }
 
 std::optional<double> given(const char* key, const std::string& text, const std::string& unit) {
@@ -58,7 +58,7 @@ const Inverse& chosen(const Input& input, const Inversion& all, const std::optio
     throw InputError("at", *at,
                      "is not in a rise or fall of the slave, which are " + all.ranges_text());
   }
-  if (all.branches.empty()) throw InputError("input", input.name, "has a slave that never moves");
+  if (all.branches.empty()) throw InputError("FILE", input.name, "has a slave that never moves");
   if (all.branches.size() > 1)
     throw InputError(
         "at", "",

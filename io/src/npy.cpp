@@ -2,7 +2,11 @@
 #include "jounce/io/npy.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+
+#include "jounce/io/detail/table_parts.hpp"
+#include "jounce/io/table_npy.hpp"
 
 namespace jounce {
 namespace {
@@ -57,6 +61,18 @@ void NpyFile::add(std::uint64_t value) {
 
 void NpyFile::add(double value) {
   append_little_endian(bytes_, std::bit_cast<std::uint64_t>(value));
+}
+
+std::string to_npy(const TableFile& file) {
+  const auto& [x, p, v, a] = file.table.columns();
+  const std::array all{&x, &p, &v, &a};
+  std::vector<NpyField> fields;
+  for (const std::string& name : io_detail::column_names(file.table.axis(), file.table.rule()))
+    fields.push_back({name});
+  NpyFile npy(fields, file.table.size());
+  for (std::size_t i = 0; i < file.table.size(); ++i)
+    for (std::size_t column = 0; column < fields.size(); ++column) npy.add((*all[column])[i]);
+  return npy.bytes();
 }
 
 }  // namespace jounce

@@ -121,6 +121,59 @@ TEST(TwinCat, WritesTheMotionFunction) {
   EXPECT_THAT(text, HasSubstr("NoOfRows := 5, NoOfColumns := 1"));
 }
 
+// Tc3_Mc3Camming: three points, a quintic and a line.
+const std::string mc3 =
+    "camPoints : ARRAY[1..3] OF MotionFunctionPoint := [\n"
+    "(FunctionType := EMotionFunctionType.Polynomial5, MasterPosition := 0, SlavePosition := 0,\n"
+    " SlaveVelocity := 0, SlaveAcceleration := 0, Ignored := FALSE),\n"
+    "(FunctionType := EMotionFunctionType.Linear, MasterPosition := 120, SlavePosition := 40,\n"
+    " SlaveVelocity := 0.25, SlaveAcceleration := 0),\n"
+    "(FunctionType := 3, MasterPosition := 200, SlavePosition := 60, SlaveVelocity := 0.25,\n"
+    " SlaveAcceleration := 0)];\n";
+
+TEST(TwinCatMc3, ReadsPointsWithTheirBoundaryValues) {
+  EXPECT_EQ(exchange_format_of_text(mc3), exchange_format_named("twincat-mc3"));
+  const auto cams = parse_exchange_tables(mc3, "t");
+  ASSERT_EQ(cams.size(), 1U);
+  EXPECT_EQ(cams[0].name, "camPoints");
+  const Columns& c = cams[0].file.table.columns();
+  EXPECT_EQ(c.x, (std::vector<double>{0, 120, 200}));
+  EXPECT_EQ(c.v, (std::vector<double>{0, 0.25, 0.25}));
+  EXPECT_NEAR(cams[0].file.table.curve<OverMaster>().at(160).position, 50, 1e-12);
+  const std::string one_by_one =
+      "p[1].FunctionType := EMotionFunctionType.Polynomial5;\np[1].MasterPosition := 0;\n"
+      "p[1].SlavePosition := 0;\np[1].SlaveVelocity := 0;\np[1].SlaveAcceleration := 0;\n"
+      "p[2].MasterPosition := 90;\np[2].SlavePosition := 7;\np[2].SlaveVelocity := 0;\n"
+      "p[2].SlaveAcceleration := 0;\n";
+  EXPECT_EQ(exchange_format_of_text(one_by_one), exchange_format_named("twincat-mc3"));
+  EXPECT_EQ(parse_exchange(one_by_one, "t").table.columns().p, (std::vector<double>{0, 7}));
+}
+
+TEST(TwinCatMc3, RejectsWhatTheControllerComputes) {
+  EXPECT_EQ(complaint(mc3), "");
+  EXPECT_THAT(complaint(with(mc3, "Polynomial5", "ModifiedSinusoid")),
+              HasSubstr("t:2: FunctionType = modifiedsinusoid: is not a polynomial of degree 5"));
+  EXPECT_THAT(complaint(with(mc3, "SlavePosition := 60, SlaveVelocity := 0.25",
+                             "SlavePosition := 60, SlaveVelocity := 0.3")),
+              HasSubstr("straight line"));
+  EXPECT_THAT(complaint(with(mc3, ", SlaveAcceleration := 0, Ignored := FALSE", "")),
+              HasSubstr("t:2: SlaveAcceleration: is missing: the controller would compute it"));
+  EXPECT_THAT(complaint(with(mc3, "Ignored := FALSE", "Ignored := TRUE")),
+              HasSubstr("Ignored = true: is not supported"));
+  EXPECT_THAT(complaint(with(mc3, "Ignored := FALSE", "SymmetryRatio := 0.4")),
+              HasSubstr("SymmetryRatio: is not supported"));
+}
+
+TEST(TwinCatMc3, WritesThePoints) {
+  const std::string text = exchange_text(*exchange_format_named("twincat-mc3"), cam_e());
+  EXPECT_THAT(text, HasSubstr("ARRAY[1..5] OF MotionFunctionPoint"));
+  EXPECT_THAT(text, HasSubstr("FunctionType := EMotionFunctionType.Polynomial5"));
+  EXPECT_THAT(text, HasSubstr("MasterPosition := 120.0, SlavePosition := 40.0, "
+                              "SlaveVelocity := 0.0, SlaveAcceleration := 0.0"));
+  EXPECT_THAT(text, HasSubstr("Cam : MC_CAM_REF := (NumberOfPoints := 5)"));
+  EXPECT_THAT(text, HasSubstr("couple it periodically"));
+}
+
 TEST(Siemens, ReadsAssignmentsOfScl) {
   std::string text =
       "DATA_BLOCK \"Feeder\"\n  STRUCT\n    kn : Array[1..3] of \"LCamHdl_typeBasicPoint\";\n  "

@@ -323,6 +323,11 @@ const std::vector<Target345>& targets() {
          return by_quintics(
              knots_after(text, {"MasterPos := ", "SlavePos := ", "SlaveVelo := ", "SlaveAcc := "}));
        }},
+      {"twincat-mc3",
+       [](const auto& text) {
+         return by_quintics(knots_after(text, {"MasterPosition := ", "SlavePosition := ",
+                                               "SlaveVelocity := ", "SlaveAcceleration := "}));
+       }},
       {"siemens",
        [](const auto& text) {
          return by_quintics(knots_after(text, {"leadingValue := ", "followingValue := ",
@@ -504,6 +509,105 @@ TEST(ControllerFiles, NameWhatAFormatNeeds) {
   EXPECT_EQ(rule(cam_e(), "hmpl-gear"), "") << "the error decides";
   const ExchangeFormat& gear = *exchange_format_named("hmpl-gear");
   EXPECT_FALSE(converted(cam_e(), {.rule = Interpolation::linear, .format = &gear}).within_limit());
+}
+
+TEST(ControllerFiles, ApplyTheResolutionsOfTheUser) {
+  for (const char* name : {"ros", "zaber", "hmpl", "xps"}) {
+    SCOPED_TRACE(name);
+    const ExchangeFormat& format = *exchange_format_named(name);
+    const Converted made =
+        converted(move_p(0.4),
+                  {.rule = rule_of(format),
+                   .target = Target{.tolerance = 2.0, .x_step = 0.001, .p_step = 0.5, .v_step = 1},
+                   .format = &format});
+    const Columns& c = made.file.table.columns();
+    const double unit = made.file.units.position == "m" ? 1e-3 : 1;
+    for (std::size_t i = 0; i < c.x.size(); ++i) {
+      EXPECT_NEAR(c.p[i] / unit / 0.5, std::round(c.p[i] / unit / 0.5), 1e-9);
+      const double v = c.v[i] / unit * (made.file.units.x == "ms" ? 1000 : 1);
+      EXPECT_NEAR(v, std::round(v), 1e-9);
+    }
+    EXPECT_GE(c.x.size(), 2U);
+    EXPECT_TRUE(made.within_limit());
+  }
+}
+
+TEST(ControllerFiles, ApplyTheSpacing) {
+  const ExchangeFormat& ros = *exchange_format_named("ros");
+  const Input input =
+      input_of({Table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
+                      {{0, 0.1, 0.5}, {0, 0, 40}, {0, 0, 0}, {0, 0, 0}}),
+                {"s", "mm"},
+                {}},
+               "p.csv");
+  const auto with = [&](double spacing, double x_step, std::optional<double> tolerance) {
+    return converted(
+        input, {.rule = rule_of(ros),
+                .target = Target{.tolerance = tolerance, .spacing = spacing, .x_step = x_step},
+                .format = &ros});
+  };
+  EXPECT_EQ(with(0.1, 0, {}).file.table.size(), 3U) << "its own knots keep the spacing";
+  const Columns c = with(0.15, 0, 30.0).file.table.columns();
+  for (std::size_t i = 1; i < c.x.size(); ++i) EXPECT_GE(c.x[i] - c.x[i - 1], 0.15 - 1e-9);
+  EXPECT_THAT(test::error_of([&] { (void)with(0, 10, {}); }),
+              ::testing::StartsWith(
+                  "x_step = 10: permits no knots within the default tolerance, 0.004 mm"));
+}
+
+TEST(ControllerFiles, RejectRequirementsThatTheyCannotMeet) {
+  const auto error = [](const Input& input, const char* name, const Target& target) {
+    const ExchangeFormat& format = *exchange_format_named(name);
+    return test::error_of([&] {
+      (void)converted(input, {.rule = rule_of(format), .target = target, .format = &format});
+    });
+  };
+  EXPECT_EQ(error(move_p(0.5), "galil-pvt", {.p_step = 0.001, .v_step = 1}),
+            "v_step = 1: does not apply to the format galil-pvt, whose velocities follow from its "
+            "counts");
+  EXPECT_EQ(error(cam_e(), "pairs", {.v_step = 1}),
+            "v_step = 1: does not apply to the format pairs, which contains no velocities");
+  EXPECT_EQ(error(cam_e(), "trio", {.spacing = 5, .p_step = 0.001}),
+            "spacing = 5: does not apply to knots at equal distances: give --most or --intervals");
+  EXPECT_THAT(
+      error(move_p(0.5), "galil-pvt", {.p_step = 1e-9}),
+      HasSubstr("p_step = 1e-9: must be at least 1.86265e-8 mm: the controller holds counts in 32 "
+                "bits"));
+  EXPECT_EQ(error(input_of({Table(Domain::master, Interpolation::linear, Extrapolation::hold,
+                                  {{0, 1}, {0, 90}, {}, {}}),
+                            {"s", "mm"},
+                            {}},
+                           "t.csv"),
+                  "ros", {}),
+            "format = ros: is for motions over time; this table is a cam over a master in s: for a "
+            "motion over "
+            "time, name the first column of a CSV file time, give it to a spec of kind pvt (key "
+            "points), and "
+            "convert the spec");
+}
+
+TEST(ControllerFiles, StateTheToleranceOfOneCount) {
+  const ExchangeFormat& galil = *exchange_format_named("galil-pvt");
+  const auto counts = [&](double p_step) {
+    return converted(
+        move_p(0.5),
+        {.rule = rule_of(galil), .target = Target{.p_step = p_step}, .format = &galil});
+  };
+  const Converted coarse = counts(0.5);
+  EXPECT_EQ(coarse.counts, "position: 1 count is 0.5 mm; tolerance: 1 count");
+  EXPECT_EQ(coarse.limit, 0.5);
+  EXPECT_TRUE(coarse.within_limit());
+  EXPECT_EQ(counts(0.001).counts, "position: 1 count is 0.001 mm");
+}
+
+TEST(ControllerFiles, OfEqualIntervalsAreInCounts) {
+  const ExchangeFormat& trio = *exchange_format_named("trio");
+  const Converted made = converted(cam_e(), {.rule = Interpolation::linear,
+                                             .target = Target{.p_step = 0.001},
+                                             .intervals = 360,
+                                             .format = &trio});
+  EXPECT_EQ(made.file.table.size(), 361U);
+  for (const double p : made.file.table.columns().p) EXPECT_EQ(p, std::round(p));
+  EXPECT_TRUE(made.within_limit());
 }
 
 TEST(ControllerFiles, BeginAndEndAtRestWhereTheFormatDoes) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -58,7 +59,9 @@ TEST(Convert, ATableOverTimeHasNoFormatOfAController) {
     const ExchangeFormat* to = exchange_format_named(word);
     const auto make = [&] { converted(input, {.rule = rule_of(*to), .format = to}); };
     EXPECT_EQ(test::key_of(make), "format");
-    EXPECT_EQ(test::rule_of(make), "is for cams, over a master; this table is over time");
+    EXPECT_EQ(test::rule_of(make),
+              "is for cams, over a master; this table is over time: choose ros, xps, zaber, "
+              "galil-pvt, googol-pt, googol-pt-st or hmpl");
   }
 }
 
@@ -71,6 +74,47 @@ TEST(Convert, NewKnotsKeepTheirTolerance) {
     ASSERT_TRUE(made.error);
     EXPECT_LE(made.error->position, tolerance);
     EXPECT_GT(made.error->position, tolerance / 2) << "fewer knots would do";
+  }
+}
+
+TEST(Convert, AnotherRuleHasTheDefaultTolerance) {
+  const Input input = cam_table();
+  const Converted coarse = converted(input, {.rule = Interpolation::linear});
+  ASSERT_TRUE(coarse.limit);
+  const Range travel = extrema(std::get<Cam>(*input.curve), 0);
+  EXPECT_DOUBLE_EQ(*coarse.limit, 1e-4 * (travel.max.value - travel.min.value));
+  EXPECT_FALSE(coarse.within_limit());
+  EXPECT_THAT(conversion_text(input, coarse, {}, {}), HasSubstr("the error exceeds the tolerance"));
+  const Converted chosen = converted(input, {.rule = Interpolation::linear, .intervals = 5});
+  EXPECT_FALSE(chosen.limit) << "the user chose the knots";
+  EXPECT_EQ(test::key_of([&] {
+              converted(input, {.rule = Interpolation::linear,
+                                .target = Target{.rule = Interpolation::linear, .tolerance = 1.0},
+                                .intervals = 5});
+            }),
+            "intervals");
+}
+
+TEST(Convert, ANumPyArrayHasTheColumns) {
+  const TableFile table = cam_table().table;
+  const std::string bytes = form_text(table_form("", "cam.npy"), table);
+  EXPECT_EQ(bytes.substr(1, 5), "NUMPY");
+  EXPECT_THAT(bytes, HasSubstr("[('master', '<f8'), ('position', '<f8'), ('geo_velocity', '<f8'), "
+                               "('geo_acceleration', '<f8')]"));
+  EXPECT_THAT(bytes, HasSubstr("'shape': (" + std::to_string(table.table.size()) + ",)"));
+  const std::size_t data = bytes.find('\n') + 1;
+  EXPECT_EQ(data % 64, 0U);
+  ASSERT_EQ(bytes.size() - data, table.table.size() * 4 * sizeof(double));
+  const auto number = [&](std::size_t row, std::size_t column) {
+    double value = 0;
+    std::memcpy(&value, bytes.data() + data + (4 * row + column) * sizeof value, sizeof value);
+    return value;
+  };
+  const Columns& c = table.table.columns();
+  for (std::size_t i = 0; i < c.x.size(); ++i) {
+    EXPECT_EQ(number(i, 0), c.x[i]);
+    EXPECT_EQ(number(i, 1), c.p[i]);
+    EXPECT_EQ(number(i, 3), c.a[i]);
   }
 }
 

@@ -173,7 +173,9 @@ TEST_F(FitFile, RejectsWithTheLineOfTheFile) {
   const std::string head = "master [deg],slave [mm]\n";
   EXPECT_EQ(complaint(head + "0,0\n1,1\n1,2\n2,2\n3,3\n", {.tolerance = "1"}),
             ":4: master = 1: must be greater than 1, the previous point");
-  EXPECT_THAT(complaint(head + "0,0\n1,1\n", {.tolerance = "1"}), HasSubstr("points"));
+  EXPECT_EQ(complaint(head + "0,0\n1,1\n", {.tolerance = "1"}), ": points = 2: must be at least 5");
+  EXPECT_THAT(complaint(head + "0,0\n1,1\n", {.tolerance = "1", .master_unit = "rad"}),
+              HasSubstr("master_unit = rad: is not the unit in the file, deg: leave it out"));
   EXPECT_THAT(complaint(head + "0,0\n1,1\n", {}), HasSubstr("tolerance: is missing"));
   EXPECT_EQ(complaint(head + "0,0\n1,1\n", {.tolerance = "0"}),
             "tolerance = 0: must be greater than 0");

@@ -89,7 +89,7 @@ TEST(InverseOfACam, TheAnswerDependsOnWhatIsAsked) {
   ASSERT_TRUE(table.table);
   EXPECT_THAT(table.text, HasSubstr("pusher, inverse of the rise: "));
   const Input move = read_inputs(JOUNCE_SOURCE_DIR "/examples/generators/03-move.toml").front();
-  EXPECT_EQ(test::key_of([&] { (void)inverse_answer(move, "", "", {}); }), "input");
+  EXPECT_EQ(test::key_of([&] { (void)inverse_answer(move, "", "", {}); }), "FILE");
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ TEST(OverTime, TheWordOfAnOptionFitsTheFile) {
 
 TEST(OverTime, AMotionOverTimeIsRefused) {
   const Input move = read_inputs(JOUNCE_SOURCE_DIR "/examples/generators/03-move.toml").front();
-  EXPECT_EQ(test::key_of([&] { over_time(move); }), "input");
+  EXPECT_EQ(test::key_of([&] { over_time(move); }), "FILE");
   EXPECT_TRUE(sync_zones(move).empty());
 }
 

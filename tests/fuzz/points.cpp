@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "jounce/io/drawing.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/spec.hpp"
 
@@ -33,6 +34,17 @@ units = { position = "deg", time = "s" }
 table = { rule = "linear" }
 )"};
 
+void parse_drawing(const std::string& text) {
+  for (const char* name : {"fuzz.dxf", "fuzz.dxf#0", "fuzz.svg#cam"}) try {
+      const Outline outline = parse_outline(text, name);
+      require(outline.pieces.size() > 1, "a curve has vertices");
+      for (const Vertex& v : outline.pieces)
+        require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.bulge),
+                "a vertex is finite");
+    } catch (const InputError&) {
+    }
+}
+
 void parse(const std::string& text) {
   try {
     const Points points = parse_points(text, "fuzz");
@@ -52,6 +64,7 @@ void points(Input input) {
   const std::string kind = kinds[source.below(kinds.size())];
   const Input content = source.take(input.size());
   parse(text_of(content));
+  parse_drawing(text_of(content));
   const MemoryFile file(content);
   try {
     static_cast<void>(

@@ -48,7 +48,8 @@ TEST(Workbook, NamesTheSheetAndTheCellOfAMistake) {
             "mistakes.xlsx:3: date!A3 (time) = 0.5: is a date or a time of day: give the column "
             "the format of a number");
   EXPECT_EQ(complaint("error"),
-            "mistakes.xlsx:3: error!B3 (position) = #DIV/0!: is an error of a formula");
+            "mistakes.xlsx:3: error!B3 (position) = #DIV/0!: is an error of a formula: correct the "
+            "formula, or clear the row");
   EXPECT_EQ(complaint("text"),
             "mistakes.xlsx:3: text!B3 (position) = about 3: is text: must be a finite number");
   EXPECT_EQ(complaint("empty"),
@@ -61,7 +62,9 @@ TEST(Workbook, NamesTheSheetAndTheCellOfAMistake) {
   EXPECT_THAT(complaint("mixed"),
               HasSubstr("mixed!B3 (position) = 1.5: is text with a decimal point, but other texts "
                         "of the sheet have a decimal comma"));
-  EXPECT_THAT(complaint("headless"), HasSubstr("mistakes.xlsx:1: headless!A1 = 0: stands above"));
+  EXPECT_THAT(
+      complaint("headless"),
+      HasSubstr("mistakes.xlsx:1: headless!A1 = 0: is a value, but the sheet has no header"));
   EXPECT_THAT(complaint("Gut"), HasSubstr("mistakes.xlsx: sheet = Gut: is not in the workbook, "
                                           "whose sheets are good, date, error"));
 }

@@ -64,3 +64,21 @@ line=$(sed -n 's/^::error .*file=motions\/broken\.toml,line=\([0-9]*\).*limit\/g
 [ -n "$line" ] || { cat out; fail "no annotation of the broken limit"; }
 sed -n "${line}p" motions/broken.toml | grep -q '^\[\[segment\]\]' || fail "line $line is not the line of a segment"
 echo "  $(grep -m1 '^::error' out)"
+
+echo "- a cam goes to four controllers and back, within the stated error"
+cam=$examples/to-controllers/feeder.toml
+for format in codesys twincat siemens rockwell; do
+  status 0 jounce convert $cam feeder.$format --to $format --json
+  error=$(sed -n 's/.*"error":\([-0-9.e]*\).*/\1/p' out)
+  status 0 jounce convert feeder.$format back.csv --master-unit deg --position-unit mm --periodic
+  status 0 jounce diff $cam back.csv --tolerance "position=$error mm"
+  echo "  $format: $error mm"
+done
+status 0 jounce convert $examples/to-controllers/lift.toml lift.yaml
+
+echo "- a workbook and a drawing"
+sed "s|\"points.csv\"|\"$examples/points-file/points.xlsx\"|" $examples/points-file/pvt.toml > excel.toml
+status 0 jounce check excel.toml
+status 0 jounce fit $examples/cam-plate/plate.dxf#PLATE --tolerance 5um -o plate.toml \
+  --drawing 'roller_radius = 7, offset = -4, origin = [100, 80], turn = "-30 deg"'
+status 0 jounce check plate.toml

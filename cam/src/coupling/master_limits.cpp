@@ -43,7 +43,7 @@ constexpr int most_steps = 100;
 
 using Sizes = std::array<double, 3>;  // values for |f'|, |f''|, |f'''|, or their weights
 
-struct Place {
+struct MasterPlace {
   double where = 0;
   Sizes size{};
   double sum = -1;
@@ -85,15 +85,15 @@ class Transfers {
   /// The greatest magnitude of each derivative.
   [[nodiscard]] const Sizes& most() const { return most_; }
 
-  [[nodiscard]] Place worst(const Sizes& weights) const {
-    Place worst;
+  [[nodiscard]] MasterPlace worst(const Sizes& weights) const {
+    MasterPlace worst;
     for (std::size_t i = 0; i < segments_.size(); ++i)
       if (weighted(weights, peaks_[i]) > worst.sum) search(i, weights, worst);
     return worst;
   }
 
  private:
-  void search(std::size_t i, const Sizes& weights, Place& worst) const {
+  void search(std::size_t i, const Sizes& weights, MasterPlace& worst) const {
     for (const double s2 : {1.0, -1.0}) {
       if (s2 < 0 && weights[1] == 0) continue;
       for (const double s3 : {1.0, -1.0}) {
@@ -107,7 +107,7 @@ class Transfers {
     }
   }
 
-  void take(std::size_t i, double u, const Sizes& weights, Place& worst) const {
+  void take(std::size_t i, double u, const Sizes& weights, MasterPlace& worst) const {
     const Segment& slope = segments_[i].first;
     const Jet jet = evaluate(slope, std::min(1.0, u / slope.length));
     const Sizes size{std::abs(jet[0]), std::abs(jet[1]), std::abs(jet[2])};
@@ -151,7 +151,7 @@ MasterLimit greatest(const Transfers& f, const Constraint& c) {
   const bool unlimited = std::isinf(x);
   if (unlimited) x = 0;  // no term depends on it
   for (int i = 0; i < most_steps; ++i) {
-    const Place place = f.worst(c.weights(x));
+    const MasterPlace place = f.worst(c.weights(x));
     if (place.sum <= c.limit * (1 + rounded_value))
       return unlimited ? MasterLimit{} : MasterLimit{x, c.quantity, place.where};
     const double next = at_limit(c, place.size, x);

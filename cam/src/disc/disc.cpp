@@ -25,16 +25,6 @@ using profiles_detail::rounded_input;
 
 constexpr double turn = 2 * std::numbers::pi;
 
-void require_lengths(const DiscSpec& spec) {
-  require_positive("base_radius", spec.base_radius);
-  require_not_negative("roller_radius", spec.roller_radius);
-  require_positive("angle", spec.angle);
-  if (spec.follower == Follower::translating) return require_finite("offset", spec.offset);
-  require_positive("arm_length", spec.arm_length);
-  require_positive("center_distance", spec.center_distance);
-  if (spec.arm_angle) require_positive("arm_angle", *spec.arm_angle);
-}
-
 /// Equation (1).
 double start_height(const DiscSpec& spec) {
   const double prime = spec.base_radius + spec.roller_radius;
@@ -67,6 +57,24 @@ double start_angle(const DiscSpec& spec, double travel) {
                          "the stroke or the arm");
   return start;
 }
+
+}  // namespace
+
+void cam_detail::require_lengths(const DiscSpec& spec) {
+  require_positive("base_radius", spec.base_radius);
+  require_not_negative("roller_radius", spec.roller_radius);
+  require_positive("angle", spec.angle);
+  if (spec.follower == Follower::translating) return require_finite("offset", spec.offset);
+  require_positive("arm_length", spec.arm_length);
+  require_positive("center_distance", spec.center_distance);
+  if (spec.arm_angle) require_positive("arm_angle", *spec.arm_angle);
+}
+
+double cam_detail::start_of(const DiscSpec& spec, double travel) {
+  return spec.follower == Follower::translating ? start_height(spec) : start_angle(spec, travel);
+}
+
+namespace {
 
 /// The cam repeated until the turn is full, with least value 0.
 Cam whole_turn(const Cam& cam, double angle) {
@@ -115,9 +123,8 @@ Both range_of(const Disc& disc, double scale, Function g) {
 }  // namespace
 
 Disc::Disc(const Cam& cam, const DiscSpec& spec)
-    : spec_((require_lengths(spec), spec)), lift_(whole_turn(cam, spec.angle)) {
-  start_ = spec.follower == Follower::translating ? start_height(spec)
-                                                  : start_angle(spec, extrema(lift_, 0).max.value);
+    : spec_((cam_detail::require_lengths(spec), spec)), lift_(whole_turn(cam, spec.angle)) {
+  start_ = cam_detail::start_of(spec, extrema(lift_, 0).max.value);
 }
 
 DiscPoint Disc::at(double master, Side side) const {

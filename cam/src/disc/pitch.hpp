@@ -110,6 +110,13 @@ inline double arm_angle(const DiscSpec& spec) {
   return spec.arm_angle.value_or(1 / spec.arm_length);
 }
 
+/// Throws InputError for a length or an angle of the disc that is not finite or has the wrong sign.
+void require_lengths(const DiscSpec& spec);
+
+/// Position of the roller on the base circle: Disc::start(). `travel`: greatest lift, in the slave's
+/// unit. Throws InputError if the follower does not reach the circle.
+double start_of(const DiscSpec& spec, double travel);
+
 /// Equations (1), (2); lift in the slave's unit.
 inline Pitch pitch(const DiscSpec& spec, double start, const Taylor<4>& lift) {
   Pitch p;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
-#include <cmath>
 #include <string>
 
 #include "jounce/profiles/error.hpp"
@@ -20,25 +18,8 @@ const KnotType function_point{
     .fields = {"MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc"},
     .others = {"PointIndex", "FunctionType", "PointType", "RelIndexNextPoint", "SlaveJerk"}};
 
-constexpr double omitted_digits =
-    1e-9;  ///< tolerance of a slope, for digits that a program leaves out
-
-std::string word_of(const Knot& knot, const char* field) {
-  const auto found = knot.others.find(field);
-  return found == knot.others.end() ? "" : lower(found->second);
-}
-
 bool is_rest(const Knot& knot) {
   return knot.values[2] == 0 && knot.values[3] == 0;
-}
-
-/// True if the quintic through both points is the straight line between them.
-bool is_line(const Knot& from, const Knot& to) {
-  const auto [x0, p0, v0, a0] = from.values;
-  const auto [x1, p1, v1, a1] = to.values;
-  const double slope = (p1 - p0) / (x1 - x0);
-  const double near = omitted_digits * std::max(std::abs(slope), 1.0);
-  return a0 == 0 && a1 == 0 && std::abs(v0 - slope) <= near && std::abs(v1 - slope) <= near;
 }
 
 /// The segment from a point to the next one must be the polynomial of degree 5 through both.

@@ -214,14 +214,28 @@ double Place::number(int line, const std::string& key, std::string_view text) co
 
 }  // namespace controllers_detail
 
+namespace {
+
+/// The names of the formats for motions over time, as a list: "ros, xps, zaber or ...".
+std::string time_formats() {
+  std::vector<std::string> names;
+  for (const ExchangeFormat* format : exchange_formats())
+    if (format->axis == Domain::time) names.emplace_back(format->name);
+  const std::string last = names.back();
+  names.pop_back();
+  return listed(names) + " or " + last;
+}
+
+}  // namespace
+
 void require_axis(const ExchangeFormat& format, const Table& table) {
   if (table.axis() == format.axis) return;
   throw InputError(
       "format", format.name,
       table.axis() == Domain::time
-          ? "is for cams, over a master; this table is over time"
-          : "is for motions over time; this table is a cam: give a spec with [master], "
-            "and convert it with --over time");
+          ? "is for cams, over a master; this table is over time: choose " + time_formats()
+          : std::string("is for motions over time; this table is a cam: give a spec with "
+                        "[master], and convert it with --over time"));
 }
 
 std::string exchange_text(const ExchangeFormat& format, const TableFile& file) {

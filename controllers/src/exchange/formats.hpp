@@ -26,6 +26,7 @@ struct FormatRow {
 /// The formats, one for each source of a vendor. Add a new format to the list in formats.cpp.
 extern const FormatRow codesys_format;
 extern const FormatRow twincat_format;
+extern const FormatRow twincat_mc3_format;
 extern const FormatRow siemens_format;
 extern const FormatRow siemens_points_format;
 extern const FormatRow rockwell_format;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -45,12 +46,8 @@ class Reader {
   }
 
  private:
-  struct Element {
-    Knot knot;
-    std::array<bool, 4> given{};
-  };
   struct Assigned {
-    std::map<std::int64_t, Element> elements;
+    std::map<std::int64_t, Knot> elements;
     std::size_t at = 0;
     int line = 0;
   };
@@ -118,8 +115,8 @@ class Reader {
 
   /// `dX := 0, dY := 0, ...)` after its parenthesis.
   Knot structure() {
-    Element element;
-    element.knot.line = code_.line();
+    Knot element;
+    element.line = code_.line();
     for (std::string sign = ","; sign == ",";) {
       const std::string word = code_.next();
       code_.expect(":=");
@@ -129,11 +126,11 @@ class Reader {
         code_.fail("point", sign,
                    sign.empty() ? "is not complete: the file ends here" : "must be `,` or `)`");
     }
-    return element.knot;
+    return element;
   }
 
   /// The value of one field, after its `:=`.
-  void field(const std::string& word, Element& element) {
+  void field(const std::string& word, Knot& element) {
     const auto is_word = [&](std::string_view name) {
       return !name.empty() && lower(name) == word;
     };
@@ -142,7 +139,7 @@ class Reader {
       const auto i = static_cast<std::size_t>(field - type_.fields.begin());
       if (std::exchange(element.given[i], true))
         code_.fail(std::string(*field), "", "is given twice: remove one");
-      element.knot.values[i] = code_.number(std::string(*field));
+      element.values[i] = code_.number(std::string(*field));
       return;
     }
     const auto other = std::find_if(type_.others.begin(), type_.others.end(), is_word);
@@ -151,7 +148,7 @@ class Reader {
     std::string value = code_.name();
     if (const auto known = constants_.find(lower(value)); known != constants_.end())
       value = std::to_string(known->second);
-    element.knot.others[std::string(*other)] = unqualified(value);
+    element.others[std::string(*other)] = unqualified(value);
   }
 
   /// Behind `name[`: `2].leadingValue := 120.0;`. Anything else is not an element of a cam.
@@ -167,8 +164,8 @@ class Reader {
     }
     code_.expect(":=");
     Assigned& assigned = assigned_[array];
-    Element& element = assigned.elements[*index];
-    if (element.knot.line == 0) element.knot.line = code_.line();
+    Knot& element = assigned.elements[*index];
+    if (element.line == 0) element.line = code_.line();
     assigned.line = code_.line();
     field(name, element);
     if (const std::string end = code_.next(); end != ";")
@@ -191,9 +188,9 @@ class Reader {
     std::int64_t next = assigned.elements.begin()->first;
     for (const auto& [index, element] : assigned.elements) {
       if (index != next++)
-        place_.fail(element.knot.line, name + "[" + std::to_string(next - 1) + "]", "",
+        place_.fail(element.line, name + "[" + std::to_string(next - 1) + "]", "",
                     "is missing: the elements must have consecutive numbers");
-      array.knots.push_back(element.knot);
+      array.knots.push_back(element);
     }
     all_.push_back(std::move(array));
   }
@@ -227,6 +224,20 @@ class Reader {
 
 std::string unqualified(const std::string& name) {
   return name.substr(name.find_last_of('.') + 1);
+}
+
+std::string word_of(const Knot& knot, const char* field) {
+  const auto found = knot.others.find(field);
+  return found == knot.others.end() ? "" : lower(found->second);
+}
+
+bool is_line(const Knot& from, const Knot& to) {
+  constexpr double omitted_digits = 1e-9;  // digits of a slope that a program leaves out
+  const auto [x0, p0, v0, a0] = from.values;
+  const auto [x1, p1, v1, a1] = to.values;
+  const double slope = (p1 - p0) / (x1 - x0);
+  const double near = omitted_digits * std::max(std::abs(slope), 1.0);
+  return a0 == 0 && a1 == 0 && std::abs(v0 - slope) <= near && std::abs(v1 - slope) <= near;
 }
 
 std::string real_literal(double value) {

@@ -22,6 +22,7 @@ struct KnotType {
 /// One element of such an array.
 struct Knot {
   std::array<double, 4> values{};  ///< x, p, v, a; 0 if not given, as the language defines
+  std::array<bool, 4> given{};     ///< true for the values that the file gives
   /// Values of the further fields, by the names in KnotType.
   std::map<std::string, std::string> others;
   int line = 0;  ///< its line in the file
@@ -54,6 +55,13 @@ Exchanged cam_of_knots(const KnotArray& array, const KnotType& type, Interpolati
 
 /// Returns the initial values, with one line `    (dX := 0.0, ...),` for each knot.
 std::string knots_text(const Columns& columns, const KnotType& type);
+
+/// Returns the value of a further field in lower case; "" if it is not given.
+std::string word_of(const Knot& knot, const char* field);
+
+/// True if the quintic through both knots is the straight line between them, except for digits of
+/// the slope that a program leaves out.
+bool is_line(const Knot& from, const Knot& to);
 
 /// Returns a REAL or LREAL literal of IEC 61131-3, which has a decimal point.
 std::string real_literal(double value);

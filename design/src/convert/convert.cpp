@@ -67,9 +67,15 @@ Sampled with_knots(const Input& input, const Conversion& wanted) {
 Converted converted(const Input& input, const Conversion& wanted) {
   if (wanted.format != nullptr) return design_detail::for_controller(input, wanted);
   Converted result{input.table, input.error};
+  if (wanted.target && wanted.intervals > 0)
+    throw InputError("intervals", std::to_string(wanted.intervals),
+                     "cannot be combined with another requirement for new knots, such as a "
+                     "tolerance or a resolution");
   if (wanted.rule != input.table.table.rule() || wanted.target || wanted.intervals > 0) {
     Sampled made = design_detail::with_knots(input, wanted);
     result = {{std::move(made.table), input.table.units, input.table.provenance}, made.error};
+    if (!wanted.target && wanted.intervals == 0)
+      result.limit = design_detail::default_tolerance(input);
   }
   result.file = design_detail::in_units(std::move(result.file), wanted);
   return result;

@@ -9,6 +9,7 @@
 #include "jounce/design/convert.hpp"
 #include "jounce/io/points_text.hpp"
 #include "jounce/io/samples_csv.hpp"
+#include "jounce/io/table_npy.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
@@ -85,8 +86,10 @@ TableForm table_form(const std::string& name, const std::string& path) {
   const ExchangeFormat* const format =
       name.empty() ? exchange_format_of_path(path) : exchange_format_named(name);
   if (format != nullptr) return {format->name, format};
-  if (name.empty()) return {path.ends_with(".json") ? "json" : "csv"};
-  return {name};
+  if (!name.empty()) return {name};
+  for (const char* own : {"json", "npy"})
+    if (path.ends_with(std::string(".") + own)) return {own};
+  return {"csv"};
 }
 
 Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wanted,
@@ -112,6 +115,7 @@ std::string form_text(const TableForm& form, const TableFile& file, const std::s
   if (!every.empty()) return samples_csv(file, every);
   if (form.format != nullptr) return exchange_text(*form.format, file);
   if (form.name == "points") return points_text(file);
+  if (form.name == "npy") return to_npy(file);
   return form.name == "json" ? to_json(file) : to_csv(file);
 }
 
@@ -130,11 +134,12 @@ std::string conversion_text(const Input& input, const Converted& made, const Tab
   if (!made.counts.empty()) text += made.counts + "\n";
   for (const std::string& loss : losses) text += loss + "\n";
   if (!made.within_limit())
-    text += fmt::format("the error exceeds the tolerance, {} {}{}\n", rounded(*made.limit),
-                        input.labels.units.position,
-                        form.format->most < std::numeric_limits<std::size_t>::max()
-                            ? fmt::format("; the format holds at most {} knots", form.format->most)
-                            : "");
+    text += fmt::format(
+        "the error exceeds the tolerance, {} {}{}\n", rounded(*made.limit),
+        input.labels.units.position,
+        form.format != nullptr && form.format->most < std::numeric_limits<std::size_t>::max()
+            ? fmt::format("; the format holds at most {} knots", form.format->most)
+            : "");
   return text;
 }
 
@@ -162,19 +167,21 @@ std::vector<std::string> all_losses(const Input& input, const TableForm& form, c
   if (sampled) all.emplace_back("samples only: the file contains no values between them");
   if (form.name == "points")
     all.emplace_back("points count from the first knot; their types define the rates");
+  if (form.name == "npy")
+    all.emplace_back("units, rule and hash are not in the file; numpy.load() reads its columns");
   const std::vector<std::string> more = losses(input, form.format, made);
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 
 std::vector<std::string> form_names() {
-  std::vector<std::string> names{"csv", "json", "points"};
+  std::vector<std::string> names{"csv", "json", "npy", "points"};
   for (const ExchangeFormat* format : exchange_formats()) names.emplace_back(format->name);
   return names;
 }
 
 std::string known_endings(bool named) {
-  std::string endings = ".csv, .json";
+  std::string endings = ".csv, .json, .npy";
   for (const ExchangeFormat* format : exchange_formats()) {
     const std::string ending = format->extension;
     if (ending.empty()) continue;
@@ -186,8 +193,9 @@ std::string known_endings(bool named) {
 }
 
 bool has_known_ending(const std::string& path) {
-  return exchange_format_of_path(path) != nullptr || path == "-" || path.ends_with(".csv") ||
-         path.ends_with(".json");
+  const auto ends = [&](const char* ending) { return path.ends_with(ending); };
+  return exchange_format_of_path(path) != nullptr || path == "-" || ends(".csv") || ends(".json") ||
+         ends(".npy");
 }
 
 void require_known_ending(const std::string& path) {

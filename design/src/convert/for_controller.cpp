@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <sstream>
 #include <utility>
 
 #include "jounce/base/units.hpp"
 #include "jounce/io/points_text.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/fill.hpp"
 
 namespace jounce::design_detail {
@@ -21,6 +24,10 @@ constexpr double share_of_stroke = 1e-4;  ///< default tolerance, as a share of 
 
 bool joins_by_spline(const ExchangeFormat& format) {
   return format.join == KnotJoin::spline || format.join == KnotJoin::clamped_spline;
+}
+
+Range travel_of(const Input& input) {
+  return std::visit([](const auto& curve) { return extrema(curve, 0); }, *input.curve);
 }
 
 /// The spline by which the controller joins the knots of a table. Its ends have the slopes of the
@@ -68,7 +75,8 @@ class ForController {
  public:
   ForController(const Input& input, const Conversion& wanted)
       : input_(input), wanted_(wanted), format_(*wanted.format), labels_(labels()) {
-    require_axis(format_, input.table.table);
+    require_axis();
+    require_applicable(wanted.target.value_or(Target{}));
     if (format_.x == Numbers::of_unit)
       file_units_.x = file_unit("master_unit", labels_.x, format_.x_unit, wanted.units.x);
     if (format_.p == Numbers::of_unit)
@@ -79,12 +87,14 @@ class ForController {
     target_.rule = wanted.rule;
     target_.quadratic = format_.join == KnotJoin::quadratic;
     target_.x_step = steps_.x;
-    target_.p_step = format_.p == Numbers::whole ? steps_.p : 0;
-    target_.v_step = 0;
+    if (format_.p != Numbers::of_unit) target_.p_step = target_.v_step = 0;
+    if (format_.p == Numbers::whole) target_.p_step = steps_.p;
     if (format_.p == Numbers::whole && wanted.rule != Interpolation::linear)
       target_.v_step =
           steps_.p * (format_.x_unit[0] == '\0' ? 1 : conversion(labels_.x, format_.x_unit));
-    limit_ = target_.tolerance.value_or(default_limit());
+    const double usual = default_limit();
+    limit_ = target_.tolerance.value_or(std::max(usual, target_.p_step));
+    is_one_count_ = !target_.tolerance && limit_ > usual;
   }
 
   Converted made() {
@@ -98,10 +108,41 @@ class ForController {
         result = played(fewest_knots());
       }
     result.limit = limit_;
+    if (is_one_count_ && result.counts.empty())
+      result.counts = "tolerance: " + number(limit_) + unit_after(labels_.position) +
+                      ", the resolution of the position";
     return result;
   }
 
  private:
+  /// Throws for a table over the wrong variable. The table may be points over time that a file
+  /// without a time column gives over a master.
+  void require_axis() const {
+    const Table& table = input_.table.table;
+    if (format_.axis == Domain::time && table.axis() == Domain::master &&
+        is_convertible(labels_.x, "s"))
+      throw InputError("format", format_.name,
+                       "is for motions over time; this table is a cam over a master in " +
+                           labels_.x +
+                           ": for a motion over time, name the first column of a CSV file time, "
+                           "give it to a spec of kind pvt (key points), and convert the spec");
+    jounce::require_axis(format_, table);
+  }
+
+  /// Throws for a requirement that the format cannot have.
+  void require_applicable(const Target& given) const {
+    const bool has_velocities =
+        rule_of(format_) != Interpolation::linear && !joins_by_spline(format_);
+    if (given.v_step > 0 && (!has_velocities || format_.p != Numbers::of_unit))
+      throw InputError("v_step", given.v_step,
+                       std::string("does not apply to the format ") + format_.name +
+                           (has_velocities ? ", whose velocities follow from its counts"
+                                           : ", which contains no velocities"));
+    if (given.spacing > 0 && (format_.equal_steps || wanted_.intervals > 0))
+      throw InputError("spacing", given.spacing,
+                       "does not apply to knots at equal distances: give --most or --intervals");
+  }
+
   /// The units of the input. For a file without units, the user states them.
   [[nodiscard]] Units labels() const {
     Units units = input_.table.units;
@@ -164,12 +205,9 @@ class ForController {
   }
 
   [[nodiscard]] double default_limit() const {
-    const Range travel =
-        std::visit([](const auto& curve) { return extrema(curve, 0); }, *input_.curve);
-    const double stroke = travel.max.value - travel.min.value;
-    const double rounding = rounded_sum * std::abs(travel.peak().value);
-    return std::max({share_of_stroke * stroke, target_.p_step, rounding,
-                     format_.single ? single_rounding * std::abs(travel.peak().value) : 0});
+    const double usual = default_tolerance(input_);
+    if (!format_.single) return usual;
+    return std::max(usual, single_rounding * std::abs(travel_of(input_).peak().value));
   }
   static constexpr double single_rounding =
       0x1p-23;  ///< rounding of a REAL, as a share of its value
@@ -202,9 +240,26 @@ class ForController {
   Sampled fewest_knots() {
     Conversion conversion = wanted_;
     conversion.target = target_;
-    Sampled made = with_knots(input_, conversion);
+    Sampled made = within_default(conversion);
     if (made.table.size() > format_.most) made = best_of_most(std::move(conversion));
     return made.table.size() < format_.fewest ? equal_intervals(format_.fewest - 1) : made;
+  }
+
+  /// The knots for a target. If they cannot keep a tolerance that the user did not give, the error
+  /// names the step or the spacing that the user gave.
+  [[nodiscard]] Sampled within_default(const Conversion& conversion) const {
+    const Target given = wanted_.target.value_or(Target{});
+    try {
+      return with_knots(input_, conversion);
+    } catch (const InputError& error) {
+      const bool is_spacing = given.spacing > 0;
+      if (error.key() != "tolerance" || given.tolerance || (!is_spacing && given.x_step == 0))
+        throw;
+      throw InputError(is_spacing ? "spacing" : "x_step", is_spacing ? given.spacing : given.x_step,
+                       "permits no knots within the default tolerance, " + rounded(limit_) +
+                           unit_after(labels_.position) +
+                           ": give a smaller value, or the tolerance that you permit");
+    }
   }
 
   /// The best knots, as many as the controller can hold. If so few cannot keep the dwells of the
@@ -224,9 +279,11 @@ class ForController {
   /// The knots of the input, if they are good enough for the controller.
   [[nodiscard]] std::optional<Sampled> same_knots() {
     const Table& table = input_.table.table;
-    if (target_.p_step > 0 || !on_steps(table.columns().x) || table.size() > format_.most ||
-        table.size() < format_.fewest)
+    if (target_.p_step > 0 || target_.v_step > 0 || !on_steps(table.columns().x) ||
+        table.size() > format_.most || table.size() < format_.fewest)
       return std::nullopt;
+    for (std::size_t i = 1; i < table.size() && target_.spacing > 0; ++i)
+      if (table.columns().x[i] - table.columns().x[i - 1] < target_.spacing) return std::nullopt;
     if (target_.quadratic && !is_quadratic(table)) return std::nullopt;
     Sampled made = table.rule() == wanted_.rule
                        ? Sampled{table, input_.error.value_or(SampleError{})}
@@ -262,11 +319,12 @@ class ForController {
     return std::visit(
         [&](const auto& curve) {
           Sampled made = sample(curve, wanted_.rule, n);
-          if (target_.p_step == 0) return made;
+          if (target_.p_step == 0 && target_.v_step == 0) return made;
           Columns columns = made.table.columns();
           for (auto& [column, step] :
                {std::pair{&columns.p, target_.p_step}, {&columns.v, target_.v_step}})
-            for (double& value : *column) value = step * std::round(value / step);
+            for (double& value : *column)
+              if (step > 0) value = step * std::round(value / step);
           return certified(curve, wanted_.rule, std::move(columns));
         },
         *input_.curve);
@@ -366,16 +424,18 @@ class ForController {
   void count_columns(Converted& result) const {
     TableFile& file = result.file;
     const auto size = [](double step, const std::string& unit) {
-      return "1 count is " + number(step) + (unit.empty() ? "" : " " + unit);
+      return "1 count is " + number(step) + unit_after(unit);
     };
     result.counts = "position: " + size(steps_.p, labels_.position);
     if (format_.x != Numbers::of_unit)
       result.counts = "master: " + size(steps_.x, labels_.x) + "; " + result.counts;
+    if (is_one_count_) result.counts += "; tolerance: 1 count";
     Columns columns = file.table.columns();
     const auto divide = [](std::vector<double>& column, double step, bool whole) {
       for (double& value : column) value = whole ? std::round(value / step) : value / step;
     };
     const bool whole = format_.p == Numbers::whole;
+    if (whole) require_counts(columns);
     const double x = format_.x == Numbers::of_unit ? 1 : steps_.x;
     divide(columns.x, x, format_.x == Numbers::whole);
     divide(columns.p, steps_.p, whole);
@@ -387,6 +447,19 @@ class ForController {
     if (format_.x != Numbers::of_unit) file.units.x = "count";
   }
 
+  /// Controllers hold counts in 32 bits.
+  void require_counts(const Columns& columns) const {
+    constexpr double most = std::numeric_limits<std::int32_t>::max();
+    double greatest = 0;
+    for (const double p : columns.p) greatest = std::max(greatest, std::abs(p));
+    if (greatest <= most * steps_.p) return;
+    throw InputError("p_step", steps_.p,
+                     "must be at least " + six_digits_up(greatest / most) +
+                         unit_after(labels_.position) + ": the controller holds counts in 32 bits");
+  }
+
+  static std::string unit_after(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
+
   const Input& input_;
   const Conversion& wanted_;
   const ExchangeFormat& format_;
@@ -396,9 +469,16 @@ class ForController {
   Target target_;
   double limit_ = 0;  ///< greatest permitted error of the position, in the unit of the input
   bool is_unchanged_ = false;
+  bool is_one_count_ = false;  ///< true if one count exceeds the usual tolerance, and replaces it
 };
 
 }  // namespace
+
+double default_tolerance(const Input& input) {
+  const Range travel = travel_of(input);
+  return std::max(share_of_stroke * (travel.max.value - travel.min.value),
+                  rounded_sum * std::abs(travel.peak().value));
+}
 
 Converted for_controller(const Input& input, const Conversion& wanted) {
   return ForController(input, wanted).made();

@@ -9,7 +9,9 @@
 #include "jounce/base/file.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
+#include "jounce/io/drawing.hpp"
 #include "jounce/io/points.hpp"
+#include "jounce/spec/drawn_cam.hpp"
 
 #include "design/src/fit/fit_spec.hpp"
 
@@ -23,6 +25,7 @@ struct Measurement {
   std::size_t points = 0;
   Interpolation rule = Interpolation::linear;
   Columns columns;
+  std::optional<DiscPart> disc = {};  ///< for the drawing of a plate
 };
 
 double option(const char* key, const std::string& text, const std::string& unit) {
@@ -39,6 +42,8 @@ std::string unit_of(const char* key, const std::string& in_file, const std::stri
                     const char* example) {
   if (!given.empty() && !is_position_unit(given))
     throw InputError(key, given, "is not a unit of a length or an angle, or pulse");
+  if (!in_file.empty() && !given.empty() && given != in_file)
+    throw InputError(key, given, "is not the unit in the file, " + in_file + ": leave it out");
   if (!in_file.empty()) return in_file;
   if (given.empty())
     throw InputError(
@@ -88,6 +93,16 @@ Measurement from_points(Points file, const FitOptions& options) {
           .at(file.document, static_cast<int>(file.lines[i]));
     m.cam.points.push_back({m.columns.x[i], m.columns.p[i], tolerances[i]});
   }
+  return m;
+}
+
+/// The points of a drawing. A plate repeats after one turn.
+Measurement from_drawing(const std::string& path, const FitOptions& options) {
+  DrawnCam drawn =
+      read_drawn_cam(path, options.drawing, {options.master_unit, options.position_unit});
+  Measurement m = from_points(std::move(drawn.points), options);
+  m.cam.periodic = drawn.disc.has_value();
+  m.disc = std::move(drawn.disc);
   return m;
 }
 
@@ -162,17 +177,15 @@ void close(Measurement& m, const std::string& text) {
   if (!m.columns.a.empty()) m.columns.a.push_back(m.columns.a.front());
 }
 
-Measurement measurement_of(const std::string& text, const std::string& path,
-                           const FitOptions& options) {
+Measurement from_text(const std::string& text, const std::string& path, const FitOptions& options) {
+  if (!options.drawing.empty())
+    throw InputError("drawing", options.drawing, "applies to a drawing, .dxf or .svg");
   if (!spec_kind(text).empty())
     throw InputError("FILE", path,
                      "is a spec: fit reads points or a table. Make its table with `jounce design`");
-  Measurement m =
-      is_finished_table(text, path)
-          ? from_table(table_inputs(text, path).front(), options)
-          : from_points(parse_points(text, path == "-" ? "standard input" : path), options);
-  if (!options.period.empty()) close(m, options.period);
-  return m;
+  return is_finished_table(text, path)
+             ? from_table(table_inputs(text, path).front(), options)
+             : from_points(parse_points(text, path == "-" ? "standard input" : path), options);
 }
 
 std::string stem(const std::string& path) {
@@ -182,22 +195,20 @@ std::string stem(const std::string& path) {
   return plain;
 }
 
-}  // namespace
-
-FittedCam fitted_cam(const std::string& path, const FitOptions& options) {
-  return fitted_cam(point_file_bytes(path), path, options);
-}
-
-FittedCam fitted_cam(const std::string& text, const std::string& path, const FitOptions& options) {
+FittedCam fitted(Measurement m, const std::string& path, const FitOptions& options) {
   constexpr double table_share = 0.1;  // share of the tolerance, for the table of the spec
-  const Measurement m = measurement_of(text, path, options);
+  if (!options.period.empty()) close(m, options.period);
   FittedCam made;
   made.source = path == "-" ? "standard input" : path;
   made.units = m.units;
   made.points = m.points;
   made.curved = m.rule != Interpolation::linear;
   for (const SplinePoint& p : m.cam.points) made.tolerance = std::max(made.tolerance, p.tolerance);
-  made.fit = fit_cam(m.cam);
+  try {
+    made.fit = fit_cam(m.cam);
+  } catch (const InputError& error) {
+    throw error.key() == "points" ? error.at(made.source, 0) : error;
+  }
   const Cam cam = design(made.fit.spec).cam;
   made.between = certified(cam, m.rule, m.columns).error;
   made.text = design_detail::fit_spec_text(
@@ -205,8 +216,19 @@ FittedCam fitted_cam(const std::string& text, const std::string& path, const Fit
       "Fitted by `jounce fit` to the " + std::to_string(m.points) + " points of " +
           printable(made.source) + ".\n# Greatest distance from a point: " + rounded(made.fit.gap) +
           " " + m.units.position + " (tolerance " + rounded(made.tolerance) + ").",
-      table_share * made.tolerance);
+      table_share * made.tolerance, m.disc);
   return made;
+}
+
+}  // namespace
+
+FittedCam fitted_cam(const std::string& path, const FitOptions& options) {
+  return is_drawing(path) ? fitted(from_drawing(path, options), path, options)
+                          : fitted_cam(point_file_bytes(path), path, options);
+}
+
+FittedCam fitted_cam(const std::string& text, const std::string& path, const FitOptions& options) {
+  return fitted(from_text(text, path, options), path, options);
 }
 
 }  // namespace jounce

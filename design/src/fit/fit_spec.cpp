@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "design/src/fit/fit_spec.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace jounce::design_detail {
@@ -39,10 +41,26 @@ std::string segment_text(const CamKnot& from, const CamSegment& segment) {
   return text + fmt::format("end = {}\n", knot_text(segment.end));
 }
 
+std::string disc_text(const DiscPart& disc) {
+  constexpr double digits = 1e9;  // a measured base radius is rounded to 1/digits
+  const DiscSpec& g = disc.geometry;
+  const bool slides = g.follower == Follower::translating;
+  std::string text =
+      fmt::format("\n[disc]\nfollower = \"{}\"\nbase_radius = {}\nroller_radius = {}\n",
+                  slides ? "translating" : "oscillating",
+                  number(std::round(g.base_radius * digits) / digits), number(g.roller_radius));
+  if (slides && g.offset != 0) text += fmt::format("offset = {}\n", number(g.offset));
+  if (!slides)
+    text += fmt::format("arm_length = {}\ncenter_distance = {}\n", number(g.arm_length),
+                        number(g.center_distance));
+  return g.rotation == Rotation::clockwise ? text + "rotation = \"clockwise\"\n" : text;
+}
+
 }  // namespace
 
 std::string fit_spec_text(const CamSpec& spec, const Units& units, const std::string& name,
-                          const std::string& comment, double table_tolerance) {
+                          const std::string& comment, double table_tolerance,
+                          const std::optional<DiscPart>& disc) {
   std::string text =
       fmt::format("# {}\njounce = 1\nkind = \"cam\"\nname = \"{}\"\n", comment, name);
   if (spec.periodic) text += "periodic = true\n";
@@ -54,8 +72,9 @@ std::string fit_spec_text(const CamSpec& spec, const Units& units, const std::st
     text += segment_text(*from, segment);
     from = &segment.end;
   }
-  return text + fmt::format("\n[table]\nrule = \"quintic_hermite\"\ntolerance = {}\n",
-                            number(table_tolerance));
+  text += fmt::format("\n[table]\nrule = \"quintic_hermite\"\ntolerance = {}\n",
+                      number(table_tolerance));
+  return disc ? text + disc_text(*disc) : text;
 }
 
 }  // namespace jounce::design_detail

@@ -57,7 +57,8 @@ class SheetReader {
       if (cells.size() < 2) return false;
       const auto number = std::find_if_not(cells.begin(), cells.end(), is_text);
       fail(row.first, number->first, number->second.text,
-           "stands above the header: the first row must name the columns");
+           "is a value, but the sheet has no header above it: add a row above it that names the "
+           "columns");
     }
     for (const auto& [column, cell] : cells) {
       try {
@@ -110,7 +111,9 @@ class SheetReader {
     if (cell.type == CellType::date)
       fail(row, column, cell.text,
            "is a date or a time of day: give the column the format of a number");
-    if (cell.type == CellType::error) fail(row, column, cell.text, "is an error of a formula");
+    if (cell.type == CellType::error)
+      fail(row, column, cell.text,
+           "is an error of a formula: correct the formula, or clear the row");
     if (cell.type == CellType::formula)
       fail(row, column, "",
            "has a formula without a stored value: open the workbook in a spreadsheet program and "

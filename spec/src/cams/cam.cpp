@@ -168,10 +168,10 @@ std::optional<double> master_of(TomlReader& knot, const std::string& unit) {
 
 /// The master position of a knot; without the table of the knot, that of the point of a file that
 /// replaces it.
-std::optional<double> master_of(std::optional<TomlReader> knot, const std::string& unit,
+std::optional<double> master_of(std::optional<TomlReader> knot, const Units& units,
                                 TomlReader& segment, double MasterSpan::*point) {
-  if (knot) return master_of(*knot, unit);
-  if (const auto span = span_of_points(segment, unit)) return (*span).*point;
+  if (knot) return master_of(*knot, units.x);
+  if (const auto span = span_of_points(segment, units)) return (*span).*point;
   return std::nullopt;
 }
 
@@ -183,8 +183,8 @@ std::optional<double> cam_length(TomlReader& top, const Units& units) {
     if (segments.empty()) return std::nullopt;
     TomlReader& last = segments.back();
     const auto from =
-        master_of(top.optional_table("start"), units.x, segments.front(), &MasterSpan::from);
-    const auto to = master_of(last.optional_table("end"), units.x, last, &MasterSpan::to);
+        master_of(top.optional_table("start"), units, segments.front(), &MasterSpan::from);
+    const auto to = master_of(last.optional_table("end"), units, last, &MasterSpan::to);
     if (!from || !to || !(*to > *from)) return std::nullopt;
     return *to - *from;
   } catch (const InputError&) {

@@ -8,12 +8,22 @@
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "spec/src/cams/drawn_cam.hpp"
 #include "spec/src/toml/point_file.hpp"
 
 namespace jounce::spec_detail {
 namespace {
 
 using profiles_detail::rounded_input;
+
+/// The points of a segment, from a file of points or from a drawing.
+Points points_of_file(TomlReader& segment, const Units& units,
+                      const std::vector<std::string>& columns) {
+  if (auto drawn = read_drawn_points(segment, units)) return *std::move(drawn);
+  if (segment.has("drawing"))
+    segment.fail("drawing", "", "applies to points from a drawing: points = \"plate.dxf\"");
+  return *read_point_file(segment, "point", columns);
+}
 
 std::vector<std::string> columns_for(Law law) {
   std::vector<std::string> columns{"master", "slave"};
@@ -103,25 +113,25 @@ std::optional<CamPointFile> read_cam_points(TomlReader& segment, Law law, const 
     segment.fail("points", *segment.optional_text("points"),
                  std::string("the law `") + name(law) +
                      "` takes no points: use polynomial, cubic_spline, quintic_spline or hermite");
-  auto file = read_point_file(segment, "point", columns_for(law));
-  std::vector<CamPoint> points(file->size());
-  read_masters(*file, units.x, points);
-  read_column(*file, "slave", units.position, points, &CamPoint::slave);
-  if (!points.front().slave) (void)file->in_unit("slave", units.position);  // throws: it is missing
+  Points file = points_of_file(segment, units, columns_for(law));
+  std::vector<CamPoint> points(file.size());
+  read_masters(file, units.x, points);
+  read_column(file, "slave", units.position, points, &CamPoint::slave);
+  if (!points.front().slave) (void)file.in_unit("slave", units.position);  // throws: it is missing
   int order = 1;
   for (const auto& [name, field] : {std::pair{"geo_velocity", &CamPoint::geo_velocity},
                                     {"geo_acceleration", &CamPoint::geo_acceleration},
                                     {"geo_jerk", &CamPoint::geo_jerk}})
-    read_column(*file, name, rate_unit(units.position, units.x, order++), points, field);
-  read_tolerances(segment, law, *file, units.position, points);
-  return CamPointFile{std::move(*file), std::move(points)};
+    read_column(file, name, rate_unit(units.position, units.x, order++), points, field);
+  read_tolerances(segment, law, file, units.position, points);
+  return CamPointFile{std::move(file), std::move(points)};
 }
 
-std::optional<MasterSpan> span_of_points(TomlReader& segment, const std::string& unit) {
+std::optional<MasterSpan> span_of_points(TomlReader& segment, const Units& units) {
   if (!segment.is_text("points")) return std::nullopt;
   std::vector<std::string> any = columns_for(Law::hermite);
   any.emplace_back("tolerance");
-  const auto masters = read_point_file(segment, "point", any)->in_unit("master", unit);
+  const auto masters = points_of_file(segment, units, any).in_unit("master", units.x);
   return MasterSpan{masters.front(), masters.back()};
 }
 

@@ -31,8 +31,7 @@ struct CamPointFile {
 /// masters that do not ascend.
 std::optional<CamPointFile> read_cam_points(TomlReader& segment, Law law, const Units& units);
 
-/// Returns the masters of the first and the last point of the file, in `unit`; nullopt without a
-/// file.
-std::optional<MasterSpan> span_of_points(TomlReader& segment, const std::string& unit);
+/// Returns the masters of the first and the last point of the file; nullopt without a file.
+std::optional<MasterSpan> span_of_points(TomlReader& segment, const Units& units);
 
 }  // namespace jounce::spec_detail

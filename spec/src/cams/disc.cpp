@@ -59,20 +59,25 @@ void read_disc_limits(TomlReader& table, DiscPart& disc) {
 
 }  // namespace
 
-std::optional<DiscPart> read_disc(TomlReader& top, const Units& units) {
-  auto table = top.optional_table("disc");
-  if (!table) return std::nullopt;
+DiscPart read_disc_geometry(TomlReader& table, const Units& units) {
   if (!converts(units.x, "rad"))
     throw InputError("units.master", '"' + units.x + '"',
                      "must be an angle (deg, rad, rev) for a cam with [disc]");
   DiscPart disc;
   disc.geometry.angle = conversion(units.x, "rad");
-  read_follower(*table, units, disc);
-  disc.geometry.base_radius = table->number("base_radius", disc.length);
-  disc.geometry.roller_radius = table->optional_number("roller_radius", disc.length).value_or(0);
+  read_follower(table, units, disc);
+  disc.geometry.roller_radius = table.optional_number("roller_radius", disc.length).value_or(0);
   const std::vector<std::string> rotations{"counterclockwise", "clockwise"};
-  if (table->optional_choice("rotation", rotations) == 1U)
+  if (table.optional_choice("rotation", rotations) == 1U)
     disc.geometry.rotation = Rotation::clockwise;
+  return disc;
+}
+
+std::optional<DiscPart> read_disc(TomlReader& top, const Units& units) {
+  auto table = top.optional_table("disc");
+  if (!table) return std::nullopt;
+  DiscPart disc = read_disc_geometry(*table, units);
+  disc.geometry.base_radius = table->number("base_radius", disc.length);
   disc.limits.cutter_radius = table->optional_number("cutter_radius", disc.length);
   disc.hub_radius = table->optional_number("hub_radius", disc.length);
   disc.tolerance = table->optional_number("tolerance", disc.length)

@@ -69,6 +69,8 @@ std::optional<ParametersSpec> read_parameters(TomlReader& top, const Spec& spec)
 
 /// Reads [disc] with [disc.limits], if it exists.
 std::optional<DiscPart> read_disc(TomlReader& top, const Units& units);
+/// Reads the follower of a disc cam, without its base radius.
+DiscPart read_disc_geometry(TomlReader& table, const Units& units);
 
 /// Reads [polydyne], if it exists.
 std::optional<Mode> read_polydyne(TomlReader& top);

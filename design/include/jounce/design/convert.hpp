@@ -31,10 +31,12 @@ struct Converted {
   /// does not join the knots by a spline, it is the error of the input: for a spec, the error of
   /// its table; for a table, nullopt.
   std::optional<SampleError> error;
-  /// Greatest permitted error of the position for the format of a controller, in the unit of the
-  /// input: the tolerance of the target; if it has none, a ten-thousandth of the stroke.
+  /// Greatest permitted error of the position, in the unit of the input, for the format of a
+  /// controller, and for knots that get another rule: the tolerance of the target; if it has none,
+  /// a ten-thousandth of the stroke, but at least one count.
   std::optional<double> limit = {};
-  /// for a format in counts: sizes of the counts, as a sentence; otherwise ""
+  /// Sizes of the counts of a format in counts, and a tolerance that follows from the resolution of
+  /// the position, as a sentence; otherwise "".
   std::string counts = {};
 
   /// True if the error is within the limit.
@@ -66,8 +68,8 @@ std::string error_text(const Converted& made, const Labels& labels);
 
 /// The format of an output file.
 struct TableForm {
-  /// "csv", "json", "points" (CSV of segments with types), or the name of the controller's
-  /// `format`.
+  /// "csv", "json", "npy" (structured array of NumPy), "points" (CSV of segments with types), or the
+  /// name of the controller's `format`.
   std::string name = "csv";
   const ExchangeFormat* format = nullptr;  ///< format of a controller; null for the other forms
 };
@@ -97,7 +99,7 @@ void require_units(const TableFile& file);
 std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
                                     bool sampled = false);
 
-/// Returns the names of all forms: "csv", "json", "points", and the names of the controllers'
+/// Returns the names of all forms: "csv", "json", "npy", "points", and the names of the controllers'
 /// formats.
 std::vector<std::string> form_names();
 /// Returns the endings by which table_form() recognizes a form: ".csv, .json, .st, ...". If `named`

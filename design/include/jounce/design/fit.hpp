@@ -17,6 +17,8 @@ struct FitOptions {
   std::string period = {};
   std::string master_unit = {};    ///< unit of the master, if the file does not state it
   std::string position_unit = {};  ///< the same for the slave
+  /// For a drawing: the keys of the table `drawing` of a segment (drawn_cam.hpp).
+  std::string drawing = {};
 };
 
 /// A cam through the points of a file.
@@ -41,8 +43,9 @@ struct FittedCam {
 };
 
 /// Fits a cam to the points of a file: CSV with the columns `master`, `slave` and perhaps
-/// `tolerance` (points.hpp), or a cam table of Jounce or of a controller. A table with velocities
-/// is fitted at its knots and at places between them. Throws InputError, with the place in the
+/// `tolerance` (points.hpp), a drawing of the cam (drawn_cam.hpp), or a cam table of Jounce or of a
+/// controller. A table with velocities is fitted at its knots and at places between them. The spec
+/// of a plate contains [disc]. Throws InputError, with the place in the
 /// file, or with the name of a member of FitOptions.
 FittedCam fitted_cam(const std::string& path, const FitOptions& options);
 /// Like fitted_cam(), for the contents of a file with this name.
