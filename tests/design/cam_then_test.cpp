@@ -191,7 +191,7 @@ TEST(CamThen, ErrorsNameTheOperatorAndWhatToDo) {
   EXPECT_THAT(error_of("{ operator = \"superpose\", with = \"../googol-move/move.toml\" }"),
               HasSubstr("is a spec over time: give a cam"));
   EXPECT_THAT(error_of("{ operator = \"superpose\", with = \"../rotary-knife/knife.toml\" }"),
-              HasSubstr("has the unit in, which cannot be converted to deg"));
+              HasSubstr("has a master in in, which cannot be converted to deg"));
   EXPECT_THAT(error_of("{ operator = \"superpose\", with = \"new.toml\" }"),
               HasSubstr("refers back to this file"));
   EXPECT_THAT(error_of("", "start = { master = 0, slave = 0 }\n"),

@@ -149,7 +149,8 @@ TEST(WithSwitch, ChangesTheEdgesOfASwitch) {
   const Spec spec = parse_spec(with, "a.toml");
   EXPECT_EQ(with_switch(spec, 0, 45, 90),
             replaced(with, "first_on_position = 30", "first_on_position = 45"));
-  EXPECT_EQ(with_switch(spec, 0, 30, 180), replaced(with, "\"0.25 rev\"", "\"0.5 rev\""));
+  EXPECT_EQ(with_switch(spec, 0, 30, 180),
+            replaced(with, "last_on_position = \"0.25 rev\"", "last_on_position = \"0.5 rev\""));
   EXPECT_THAT(test::why([&] { (void)with_switch(spec, 1, 0, 1); }), HasSubstr("must be 1 to 1"));
 }
 
