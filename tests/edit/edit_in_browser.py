@@ -594,7 +594,8 @@ def points_and_switches():
         browser.run("document.querySelector('#window-body button').click()")
         browser.wait_for(f"{TEXT}.includes('Fitted by')")
         settle()
-        distance = float(browser.run("document.getElementById('fit-facts').textContent").split("greatest distance ")[1].split(" ")[0])
+        shown = browser.run("document.getElementById('fit-facts').textContent").split("greatest distance ")[1].split(" ")[0]
+        distance = float(shown.replace("×10", "e").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")))
         assert distance <= 0.05, distance
         browser.run("act('/undo')")
         browser.wait_for(f"!{TEXT}.includes('Fitted by')")

@@ -15,6 +15,8 @@ program, folder, address = sys.argv[1:4]
 picture = sys.argv[4] if len(sys.argv) > 4 else None
 browser = Browser(program, folder, height=1400)
 SCOPE = "axes.get('feeder').scope"
+# The script of a page that was just opened may not have run.
+HAS_DATA = f"typeof axes !== 'undefined' && {SCOPE}?.data?.ticks.length > 500"
 # Characteristic values of the modified sine: Cv = 4 pi / (pi + 4), Ca = 4 pi^2 / (pi + 4).
 CV, CA = 4 * math.pi / (math.pi + 4), 4 * math.pi**2 / (math.pi + 4)
 VELOCITY, ACCELERATION = CV * 40 / 0.25, CA * 40 / 0.25**2
@@ -72,7 +74,7 @@ def is_the_cam(ticks, positions):
 def test():
     browser.open(address)
     browser.wait_for("document.querySelectorAll('figure[data-plot=\"velocity\"] canvas').length === 2")
-    browser.wait_for(f"{SCOPE}.data && {SCOPE}.data.ticks.length > 500")
+    browser.wait_for(HAS_DATA)
     # A window of 60 s has many ticks in a bucket; no extreme value is lost.
     set_part("span", 60)
     facts("extreme values of every 86 cycles")
@@ -144,7 +146,7 @@ def test():
     browser.wait_for("document.querySelector('[data-path=facts]').textContent.startsWith('set position (')")
     # A page without the token shows the traces, too, and sends nothing.
     browser.open(address.split("#")[0])
-    browser.wait_for(f"{SCOPE}.data && {SCOPE}.data.ticks.length > 500")
+    browser.wait_for(HAS_DATA)
     assert browser.run("document.querySelector('.orders button').disabled")
 
 
@@ -160,7 +162,7 @@ def send(order, what, options):
 
 def draw():
     browser.open(address)
-    browser.wait_for(f"{SCOPE}?.data && {SCOPE}.data.ticks.length > 500")
+    browser.wait_for(HAS_DATA)
     set_part("span", 1)
     set_part("level", 20)
     set_part("mode", "normal")
