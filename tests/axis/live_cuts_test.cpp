@@ -135,7 +135,9 @@ void judge(const Site& site, const std::vector<double>& cuts) {
       EXPECT_NEAR(away, 0, 1e-8) << web;
     }
   }
-  if (!cuts.empty()) EXPECT_GT(seen, 5 * cuts.size()) << "the log passes the cuts";
+  if (!cuts.empty()) {
+    EXPECT_GT(seen, 5 * cuts.size()) << "the log passes the cuts";
+  }
 }
 
 TEST(LiveCuts, LengthsChangeWhileTheLineAccelerates) {

@@ -253,11 +253,16 @@ TEST(CutPlan, NextPossibleCutIsTheBound) {
       const bool is_knife = task->cutter.turn() > 0;
       const double from_home = is_knife ? figures(drum()).longest / 2 : 187.5;
       const double to_home = is_knife ? from_home : 966.42464345 - 187.5;
-      if (plan.phase() == CutPlan::Phase::home) EXPECT_NEAR(bound, web + from_home, 1e-6);
-      if (plan.phase() == CutPlan::Phase::retreat)
+      if (plan.phase() == CutPlan::Phase::home) {
+        EXPECT_NEAR(bound, web + from_home, 1e-6);
+      }
+      if (plan.phase() == CutPlan::Phase::retreat) {
         EXPECT_NEAR(bound, plan.last_cut() + to_home + from_home, 1e-6);
+      }
       const double least = is_knife ? task->possible.front().from : 966.42464345;
-      if (plan.phase() == CutPlan::Phase::cut) EXPECT_NEAR(bound, plan.last_cut() + least, 1e-6);
+      if (plan.phase() == CutPlan::Phase::cut) {
+        EXPECT_NEAR(bound, plan.last_cut() + least, 1e-6);
+      }
       CutPlan early = plan;
       const CutAnswer no = early.cut_at(bound - 1e-3);
       EXPECT_EQ(no.status, Status::position) << web;
