@@ -1115,7 +1115,8 @@ TEST_F(Cli, NoFileThatASpecNamesIsReplaced) {
   write("p.csv", points);
   write("p.toml",
         "points = \"p.csv\"\njounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\n");
-  for (const char* verb : {"design p.toml -o p.csv", "convert p.toml p.csv --rule linear"}) {
+  for (const char* verb :
+       {"design p.toml -o p.csv", "convert p.toml p.csv --rule linear --allow-loss"}) {
     const Result result = run(verb);
     EXPECT_EQ(result.status, 2) << verb;
     EXPECT_THAT(result.err, HasSubstr("p.csv: is also an input")) << verb;
