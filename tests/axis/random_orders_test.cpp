@@ -17,7 +17,7 @@
 #include "support/random.hpp"
 
 // Random orders of every kind, and a checker that uses only the log and the limits. JOUNCE_ORDERS:
-// factor on the number of steps (1: 2e5).
+// factor on the number of steps (1: 6e5).
 
 namespace jounce::random_orders_test {
 namespace {
@@ -194,7 +194,7 @@ std::string tail(const std::vector<std::string>& story) {
 
 TEST(RandomOrders, TheLogKeepsTheLimits) {
   const char* const times = std::getenv("JOUNCE_ORDERS");
-  const int runs = 40 * (times != nullptr ? std::atoi(times) : 1);
+  const int runs = 120 * (times != nullptr ? std::atoi(times) : 1);
   std::map<Kind, int> told;
   int finished = 0, stopped = 0, limits_met = 0, findings = 0;
   for (int run = 0; run < runs; ++run) {

@@ -16,7 +16,7 @@ picture = sys.argv[4] if len(sys.argv) > 4 else None
 browser = Browser(program, folder, height=1400)
 SCOPE = "axes.get('feeder').scope"
 # The script of a page that was just opened may not have run.
-HAS_DATA = "typeof axes !== 'undefined' && axes.get('feeder')?.scope?.data?.ticks.length > 500"
+HAS_DATA = "typeof axes !== 'undefined' && axes instanceof Map && axes.get('feeder')?.scope?.data?.ticks.length > 500"
 # Characteristic values of the modified sine: Cv = 4 pi / (pi + 4), Ca = 4 pi^2 / (pi + 4).
 CV, CA = 4 * math.pi / (math.pi + 4), 4 * math.pi**2 / (math.pi + 4)
 VELOCITY, ACCELERATION = CV * 40 / 0.25, CA * 40 / 0.25**2
