@@ -157,8 +157,10 @@ class Operator {
       command.position = *config_.limits.velocity * (random_.below(8) - 4) / 4.0;
     if (kind == Kind::arm || kind == Kind::gear_in) command.movement = movement();
     if (kind != Kind::stop) command.dynamics = dynamics();
-    if (kind == Kind::phasing_absolute || kind == Kind::phasing_relative)
+    if (kind == Kind::phasing_absolute || kind == Kind::phasing_relative) {
       command.distance = random_.uniform(-5, 5);
+      if (random_.below(4) != 0) command.dynamics = {};  // what the limits leave
+    }
     if (kind == Kind::move_repetitive) {
       command.timeout = random_.below(2) == 0 ? 0 : random_.uniform(0, 0.05);
       command.method = random_.below(4);
