@@ -172,7 +172,7 @@ TEST_F(Files, NameWhatIsNoText) {
   write_file(in("a"), "\x1F\x8B\x08"s);
   EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("compressed by gzip"));
   write_file(in("a"), "PK\x03\x04 and so on"s);
-  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("spreadsheet"));
+  EXPECT_THAT(why([&] { (void)read_file(in("a")); }), HasSubstr("workbook"));
   EXPECT_EQ(read_file(in("a"), Archive::returned), "PK\x03\x04 and so on"s);
   write_file(in("a"), "\xD0\xCF\x11\xE0 and so on"s);
   EXPECT_THAT(why([&] { (void)read_file(in("a"), Archive::returned); }), HasSubstr(".xlsx"));
