@@ -159,7 +159,7 @@ class Operator {
     if (kind != Kind::stop) command.dynamics = dynamics();
     if (kind == Kind::phasing_absolute || kind == Kind::phasing_relative) {
       command.distance = random_.uniform(-5, 5);
-      if (random_.below(4) != 0) command.dynamics = {};  // what the limits leave
+      if (random_.below(4) != 0) command.dynamics = {};  // default: within the limits
     }
     if (kind == Kind::move_repetitive) {
       command.timeout = random_.below(2) == 0 ? 0 : random_.uniform(0, 0.05);

@@ -43,6 +43,8 @@ const std::map<std::string, std::string> no_tables{
     {".cpp", "a program, which has a test of its own"},
     {".md", "a page"},
     {".ngc", "a program, which a spec beside it names"},
+    {".dxf", "a drawing, which a spec beside it names"},
+    {".svg", "a drawing, which a spec beside it names"},
     {"ci/gitattributes", "a setting of git"},
     {"ci/github-actions.yml", "a pipeline"},
     {"ci/gitlab-ci.yml", "a pipeline"},
