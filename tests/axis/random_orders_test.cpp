@@ -141,6 +141,8 @@ class Operator {
     static const std::vector<Kind> kinds = axis_kinds();
     Kind kind =
         kinds[static_cast<std::size_t>(1 + random_.below(static_cast<int>(kinds.size()) - 1))];
+    if (last_.state == State::synchronized_motion && random_.below(4) == 0)  // otherwise rejected
+      kind = random_.below(2) == 0 ? Kind::phasing_absolute : Kind::phasing_relative;
     for (const Kind seldom : rare)
       if (kind == seldom && random_.below(5) != 0) kind = Kind::move_absolute;
     AnyCommand command{.kind = kind, .position = place(), .factor = random_.uniform(0, 1.3)};
