@@ -143,8 +143,10 @@ class Operator {
     if (last_.armed != 0 && random_.below(2) == 0)
       return {.kind = Kind::start, .start_at = static_cast<StartAt>(random_.below(3) / 2)};
     static constexpr std::array rare{Kind::abort, Kind::disable, Kind::set_position, Kind::home};
-    // Without the last four, the sequence of commands stays the same.
+    // Without the last four kinds.
     Kind kind = axis_kinds()[1 + static_cast<std::size_t>(random_.below(motion_kinds() - 1))];
+    if (last_.state == State::synchronized_motion && random_.below(4) == 0)  // otherwise rejected
+      kind = random_.below(2) == 0 ? Kind::phasing_absolute : Kind::phasing_relative;
     for (const Kind seldom : rare)
       if (kind == seldom && random_.below(5) != 0) kind = Kind::move_absolute;
     AnyCommand command{.kind = kind, .position = place(), .factor = random_.uniform(0, 1.3)};
