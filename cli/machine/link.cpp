@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/machine/link.hpp"
 
+#include <filesystem>
+#include <string_view>
+
+#include <fmt/format.h>
+
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/message/message.hpp"
 
@@ -29,7 +34,25 @@ bool is_open(const LinkOptions& options) {
   return with_option_names({"url"}, [&] { return is_unprotected(options); });
 }
 
-KeyedLink open_link(const LinkOptions& options) {
+namespace {
+
+/// Prints a warning for a folder of --url that does not exist yet: the executor uses another one, or
+/// starts later.
+void warn_of_new_folder(const std::string& url) {
+  constexpr std::string_view scheme = "unix://";
+  std::error_code none;  // an error counts as a folder
+  if (!url.starts_with(scheme) || std::filesystem::exists(url.substr(scheme.size()), none) || none)
+    return;
+  fmt::print(stderr,
+             "jounce: warning: --url {}: the folder did not exist, so no executor uses it yet: "
+             "check the --url of `jounce run`\n",
+             url);
+}
+
+}  // namespace
+
+KeyedLink open_link(const LinkOptions& options, bool serves) {
+  if (!serves) warn_of_new_folder(options.url);
   return with_option_names({"url", "key"}, [&] { return KeyedLink(options); });
 }
 

@@ -28,8 +28,9 @@ class Duration {
 /// Adds --url and --key, and the hidden --inject-loss and --seed.
 void add_link_options(const Verb& verb, LinkOptions& options);
 
-/// Calls is_unprotected() and KeyedLink. Throws InputError for --url and --key.
+/// Calls is_unprotected() and KeyedLink. Throws InputError for --url and --key. If `serves` is false, prints a
+/// warning for a folder of --url that does not exist yet.
 bool is_open(const LinkOptions& options);
-KeyedLink open_link(const LinkOptions& options);
+KeyedLink open_link(const LinkOptions& options, bool serves = false);
 
 }  // namespace jounce::cli

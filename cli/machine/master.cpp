@@ -114,7 +114,8 @@ void add_master(CommandLine& line) {
       .check(seconds());
   verb.option("--epoch", options->epoch,
               "Number of this run of the sender: executors reject samples with a lower number than "
-              "one received before. Default: seconds since 2020")
+              "one received before; without --key, they forget it after 1 s without samples. "
+              "Default: seconds since 2020")
       .check(whole(0, std::numeric_limits<std::int32_t>::max()));
   verb.option("--noise", options->noise,
               "White noise of the encoder, rms: 20um, or a number in the unit of the table");

@@ -30,8 +30,11 @@ struct MonitorArguments {
 
 using dashboard::Watch;
 
-int give_up(const std::string& who, double seconds) {
-  fmt::print(stderr, "jounce: {} has sent no message for {} s: {}\n", who, seconds, unheard_hint);
+/// `who`: see Watch::silent().
+int give_up(const std::string& who, double seconds, const std::string& url) {
+  const std::string what = who == dashboard::any_executor ? "no executor has sent a message"
+                                                          : who + " has sent no message";
+  fmt::print(stderr, "jounce: {} for {} s on {}: {}\n", what, seconds, url, unheard_hint);
   return fault;
 }
 
@@ -43,10 +46,10 @@ int print_all(Watch& watch, const MonitorArguments& options) {
   for (const Duration duration(options.seconds); duration.goes_on();) {
     options.events ? watch.run(turn, {}, {}, print) : watch.run(turn, print, print);
     if (const std::string who = watch.silent(nanos(options.silence)); !who.empty())
-      return give_up(who, options.silence);
+      return give_up(who, options.silence, options.link.url);
   }
   const std::string who = watch.missing();
-  return who.empty() ? fine : give_up(who, options.seconds);
+  return who.empty() ? fine : give_up(who, options.seconds, options.link.url);
 }
 
 int run_monitor(const MonitorArguments& options) {
@@ -59,7 +62,7 @@ int run_monitor(const MonitorArguments& options) {
   const Duration duration(options.seconds);
   const bool received =
       show_axes(watch, link.transport(), view, link.key(), [&] { return duration.goes_on(); });
-  return received ? fine : give_up(watch.silent(view.silence), options.silence);
+  return received ? fine : give_up(watch.silent(view.silence), options.silence, options.link.url);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ int run_executor(const RunArguments& options) {
   auto [axes, masters, watchdog] = machine_parts(options.machine);
   with_option_names(
       files, [&, &axes = axes] { require_no_inputs(options.machine, options.run.record, axes); });
-  KeyedLink link = open_link(options.link);
+  KeyedLink link = open_link(options.link, true);
   for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
   const auto trace = options.web ? std::make_unique<Trace>(Trace::of(axes)) : nullptr;
   const auto page = page_of(options, trace.get(), axes);

@@ -8,6 +8,7 @@
 #include "jounce/base/progress_line.hpp"
 #include "jounce/lint/find_files.hpp"
 #include "jounce/lint/run.hpp"
+#include "jounce/machine/machine_parts.hpp"
 #include "jounce/report/ci_formats.hpp"
 #include "jounce/report/comparison.hpp"
 
@@ -63,6 +64,7 @@ int check_files(const std::string& verb, const CheckRun& run, const Examine& exa
     ProgressLine line(verb);
     all = lint_run(verb, run.files, examine,
                    {.machine = machine,
+                    .examine_axis = require_axis,
                     .baseline = run.baseline,
                     .accepted = {.tolerance =
                                      [&](const Labels& labels) {

@@ -52,6 +52,7 @@ void add_contour(CommandLine& line) {
   verb.option("SPEC", options->spec, "Spec of a cam with [disc]; - is standard input").required();
   verb.option("-o,--output", options->output,
               "Drawing to write, in mm: .dxf (R12), .svg (prints 1:1) or .csv (points)")
+      .check(output_file())
       .required();
   verb.work([options] { return run_contour(*options); });
 }

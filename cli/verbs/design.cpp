@@ -72,7 +72,7 @@ void add_design(CommandLine& line) {
   verb.option("-o,--output", options->output,
               "Table to write, CSV or .json; - is standard output. With several axes, a.csv "
               "becomes a-NAME.csv for each")
-      .check(ends_in({".csv", ".json"}));
+      .check(output_file({".csv", ".json"}));
   verb.axis(options->axis);
   verb.machine(options->machine);
   verb.over(options->over);

@@ -62,9 +62,10 @@ void add_diff(CommandLine& line) {
       .required();
   verb.axis(options->axis);
   verb.option("--tolerance", options->tolerances, tolerance_help).one_each();
-  verb.option(
-      "-o,--output", options->output,
-      "Picture of AFTER over a paler BEFORE to write, .svg or .png; - is SVG on standard output");
+  verb.option("-o,--output", options->output,
+              "Picture of AFTER over a paler BEFORE to write, .svg or .png; - is SVG on standard "
+              "output")
+      .check(output_file());
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run_diff(*options); });
 }

@@ -48,7 +48,7 @@ void add_events(CommandLine& line) {
               "[master]; - is standard input")
       .required();
   verb.option("-o,--output", options->output, "CSV to write; - is standard output")
-      .check(ends_in({".csv", ".json"}));
+      .check(output_file({".csv", ".json"}));
   verb.flag("--json", options->json, "Events as JSON");
   verb.work([options] { return run_events(*options); });
 }

@@ -47,7 +47,7 @@ void add_inverse(CommandLine& line) {
   const Option output =
       verb.option("-o,--output", options->output,
                   "Table of the inverse to write, CSV or .json: the master over the slave")
-          .check(ends_in({".csv", ".json"}))
+          .check(output_file({".csv", ".json"}))
           .excludes({slave});
   const auto text = [&](const char* name, std::string& target, const char* help) {
     verb.option(name, target, help).needs(output);

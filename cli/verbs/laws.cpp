@@ -54,7 +54,7 @@ void add_laws(CommandLine& line) {
                               "jounce laws modified_sine -o modified_sine.svg");
   verb.option("LAW", options->law, "Name of a law, as in a spec").completed_by(law_names);
   verb.option("-o,--output", options->output, "Picture of the law to write, .svg or .png")
-      .check(ends_in({".svg", ".png"}));
+      .check(output_file({".svg", ".png"}));
   verb.flag("--markdown", options->markdown, "Print the whole guide (docs/laws.md)");
   verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
   verb.work([options] { return run_laws(*options); });

@@ -47,7 +47,7 @@ void add_map(CommandLine& line) {
   verb.option("--line-speed", options->texts.line_speed,
               "Speed of the line; default: the velocity of [master], or line_speed of a shear");
   verb.option("-o,--output", options->output, ".csv, .svg or .png; - is CSV on standard output")
-      .check(ends_in({".csv", ".svg", ".png"}));
+      .check(output_file({".csv", ".svg", ".png"}));
   verb.work([options] { return run_map(*options); });
 }
 

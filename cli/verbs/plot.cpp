@@ -62,7 +62,7 @@ void add_plot(CommandLine& line) {
       .excludes({axis, over, before, drive, follower});
   verb.option("-o,--output", options->output,
               "Picture to write, .svg or .png; - is SVG on standard output")
-      .check(ends_in({".svg", ".png"}));
+      .check(output_file({".svg", ".png"}));
   verb.work([options] { return run_plot(*options); });
 }
 

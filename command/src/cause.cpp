@@ -422,6 +422,11 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
   return words + ": " + shown(refusal.value) + instant + ", limit " + shown(refusal.limit) + ".";
 }
 
+std::string unready_axis_text(const Refusal& refusal, std::span<const std::string> axes) {
+  const std::string words = of_group_axis(refusal, "", axes);
+  return words.empty() ? words : words.substr(1);
+}
+
 std::string Refusal::text() const {
   return jounce::text(*this, "");
 }

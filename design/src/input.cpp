@@ -286,14 +286,28 @@ void add_not_limited(Report& report, const Input& input) {
   }
 }
 
-void add_no_limits(Report& report) {
+void add_no_limits(Report& report, const Spec* spec) {
   if (has_limits(report)) return;
+  const auto gives = [&](const std::string& section) {
+    return spec != nullptr &&
+           std::any_of(spec->document.places.begin(), spec->document.places.end(),
+                       [&](const auto& place) { return place.first.starts_with(section); });
+  };
+  const bool slave = gives("limits.slave.");
+  const bool drive = gives("drive.limits.");
   Finding f;
   f.rule = "warning/no_limits";
   f.quantity = "limits";
   f.severity = Severity::warning;
   f.has_limit = false;
   f.advice = "give [limits] in the spec, or --limit";
+  if (slave) {
+    f.quantity = "limits.slave";
+    f.advice = "add [master] with velocity: these limits are over time";
+  } else if (drive) {
+    f.quantity = "drive.limits";
+    f.advice = "`jounce validate` compares the motion with these limits";
+  }
   report.findings.push_back(std::move(f));
   sort(report);
 }

@@ -132,7 +132,12 @@ Finding master_finding(const Cam& cam, const Spec& spec) {
   f.margin = limit.value > 0 ? 1 - speed / limit.value : -speed;
   f.broken = speed > limit.value * (1 + rounded_sum);
   f.unit = unit.name;
-  if (f.broken)
+  if (f.broken && limit.value == 0)  // a step: of the velocity for the acceleration, and so on
+    f.advice = fmt::format(
+        "no speed of the master keeps limits.slave.{} at this place, because the {} of the cam "
+        "steps there: remove the step",
+        limit.quantity, limit.quantity == "acceleration" ? "velocity" : "acceleration");
+  else if (f.broken)
     f.advice = "there the slave reaches limits.slave." + limit.quantity + ": slow the master down";
   return f;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/base/listed.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/design/axes.hpp"
 #include "jounce/profiles/error.hpp"
@@ -35,6 +36,10 @@ std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
                                                  const std::string& before_path,
                                                  const std::string& after_path,
                                                  const std::string& axis) {
+  if (before.front().labels.over_master != after.front().labels.over_master)
+    throw InputError("", "",
+                     printable(before_path) + " and " + printable(after_path) +
+                         " cannot be compared: one is over the master, the other over time");
   const bool mixed = (before.size() == 1) != (after.size() == 1);
   if (!mixed || before.size() > 1) before = axes_named(std::move(before), axis, before_path);
   if (!mixed || after.size() > 1) after = axes_named(std::move(after), axis, after_path);
@@ -52,7 +57,7 @@ std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
                          "is missing: " + *file +
                              (others->size() == 1 && others->front().axis.empty()
                                   ? " has only one axis, without a name"
-                              : one.axis.empty() ? " has several axes"
+                              : one.axis.empty() ? " has the axes " + listed(*others, &Input::axis)
                                                  : " has no axis " + one.axis) +
                              ". Name the axis to compare");
   for (Input& one : before) {

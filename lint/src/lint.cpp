@@ -26,14 +26,18 @@ bool is_key_file(const std::string& path) {
 }
 
 /// Reads the specs of the axes of a machine.
-void require_axes(const MachineSpec& machine) {
+void require_axes(const MachineSpec& machine, const ExamineAxis& examine_axis) {
   for (const MachineSpec::Axis& axis : machine.axes) {
     const std::string key = axis.key + ".spec";
     const auto located = [&](const InputError& error) {
       return machine.document.naming(key, axis.spec, error);
     };
     try {
-      if (std::holds_alternative<AxisSpec>(read_spec(axis.spec).subject)) continue;
+      const Spec spec = read_spec(axis.spec);
+      if (std::holds_alternative<AxisSpec>(spec.subject)) {
+        if (examine_axis) examine_axis(spec);
+        continue;
+      }
     } catch (const InputError& error) {
       throw located(error);
     }
@@ -47,9 +51,10 @@ bool has_no_commands(const Spec& spec) {
 }
 
 /// Checks a spec that describes no motion; false if it describes one.
-bool lint_without_motion(const Spec& spec, FileResult& result) {
+bool lint_without_motion(const Spec& spec, const ExamineAxis& examine_axis, FileResult& result) {
   if (std::holds_alternative<AxisSpec>(spec.subject)) {
     (void)axis_drive(spec);
+    if (examine_axis) examine_axis(spec);
     return true;
   }
   if (!std::holds_alternative<DriveAlone>(spec.subject)) return has_no_commands(spec);
@@ -74,7 +79,8 @@ void examine_motions(std::vector<Input> inputs, const Examine& examine, FileResu
   }
 }
 
-void lint_text_into(FileResult& result, std::string text, const Examine& examine) {
+void lint_text_into(FileResult& result, std::string text, const Examine& examine,
+                    const ExamineAxis& examine_axis) {
   const std::string& path = result.file;
   if (is_finished_table(text, path)) {
     result.kind = "table";
@@ -85,14 +91,16 @@ void lint_text_into(FileResult& result, std::string text, const Examine& examine
   if (result.kind == "sweep") {
     (void)parse_sweep(std::move(text), path);
   } else if (const auto axes = parse_machine(text, name)) {
-    require_axes(*axes);
+    require_axes(*axes, examine_axis);
   } else {
     const Spec spec = parse_spec(std::move(text), name);
-    if (!lint_without_motion(spec, result)) examine_motions(inputs_of(spec, path), examine, result);
+    if (!lint_without_motion(spec, examine_axis, result))
+      examine_motions(inputs_of(spec, path), examine, result);
   }
 }
 
-void lint_into(FileResult& result, const Examine& examine, const std::string& machine) {
+void lint_into(FileResult& result, const Examine& examine, const std::string& machine,
+               const ExamineAxis& examine_axis) {
   const std::string& path = result.file;
   if (!machine.empty() && !is_jounce_file(path)) {
     result.kind = "G-code";
@@ -103,7 +111,7 @@ void lint_into(FileResult& result, const Examine& examine, const std::string& ma
     (void)read_key(path);
     return;
   }
-  lint_text_into(result, read_file(path), examine);
+  lint_text_into(result, read_file(path), examine, examine_axis);
 }
 
 /// The result of `lint`, which adds the findings of a file to it.
@@ -121,21 +129,25 @@ FileResult result_of(const std::string& path, const Lint& lint) {
 
 }  // namespace
 
-FileResult lint_file(const std::string& path, const Examine& examine, const std::string& machine) {
-  return result_of(path, [&](FileResult& result) { lint_into(result, examine, machine); });
+FileResult lint_file(const std::string& path, const Examine& examine, const std::string& machine,
+                     const ExamineAxis& examine_axis) {
+  return result_of(path,
+                   [&](FileResult& result) { lint_into(result, examine, machine, examine_axis); });
 }
 
 FileResult lint_text(const std::string& path, std::string text, const Examine& examine) {
-  return result_of(path,
-                   [&](FileResult& result) { lint_text_into(result, std::move(text), examine); });
+  return result_of(
+      path, [&](FileResult& result) { lint_text_into(result, std::move(text), examine, {}); });
 }
 
 std::vector<FileResult> lint_files(const std::vector<std::string>& paths, const Examine& examine,
                                    const std::string& machine,
-                                   const std::function<void(double)>& progress) {
+                                   const std::function<void(double)>& progress,
+                                   const ExamineAxis& examine_axis) {
   std::vector<FileResult> results(paths.size());
   on_all_cores(
-      paths.size(), [&](std::size_t i) { results[i] = lint_file(paths[i], examine, machine); },
+      paths.size(),
+      [&](std::size_t i) { results[i] = lint_file(paths[i], examine, machine, examine_axis); },
       progress);
   return results;
 }

@@ -150,8 +150,12 @@ std::string one_line(const Report& report, const Labels& labels) {
   const bool continuous =
       std::any_of(report.findings.begin(), report.findings.end(),
                   [](const Finding& f) { return f.rule.family() == RuleFamily::continuity; });
-  return (continuous ? "no limits are given; the curve is continuous" : "no limits are given") +
-         more;
+  const auto none = std::find_if(
+      report.findings.begin(), report.findings.end(),
+      [](const Finding& f) { return f.rule == "warning/no_limits" && f.quantity != "limits"; });
+  return (none == report.findings.end() ? "no limits are given"
+                                        : none->quantity + " is not checked") +
+         (continuous ? "; the curve is continuous" : "") + more;
 }
 
 bool is_unlimited(const Finding& finding) {

@@ -41,6 +41,8 @@ std::string verdict(const Finding& finding) {
   const bool derived = finding.rule.text().starts_with("limit/master_");
   const std::string limit = rounded(finding.limit) + (derived ? " (from limits.slave)" : "");
   if (std::isinf(finding.limit) && !finding.broken) return "has no limit";
+  if (derived && finding.broken && finding.limit == 0)
+    return "is not possible: the slave exceeds a limit here at any speed of the master";
   if (finding.broken && is_position_limit(finding))
     return fmt::format("{} the limit {} by {}",
                        finding.value > finding.limit ? "exceeds" : "is below", limit,
@@ -82,6 +84,8 @@ std::string of_bound(const Finding& f, const std::string& where) {
 
 /// Findings that are allowed but perhaps not intended.
 std::string of_warning(const Finding& f, const std::string& value, const std::string& where) {
+  if (f.rule == "warning/no_limits" && f.quantity != "limits")
+    return f.quantity + " is not checked: the check compares the motion with nothing";
   if (f.rule == "warning/no_limits")
     return "no limit is given: the check compares the motion with nothing";
   if (f.rule == "warning/overshoot")

@@ -153,7 +153,9 @@ void read_one_axis(TomlReader& top, Spec& spec, const Kind& kind) {
 
 /// Reads the parts that any cam may have: a master, a coupling, switches.
 void read_beside_cam(TomlReader& top, Spec& spec) {
-  if (auto master = read_master(top, spec)) spec.master = master;
+  top.attempt([&] {
+    if (auto master = read_master(top, spec)) spec.master = master;
+  });
   top.attempt([&] { spec.follower = spec_detail::read_follower(top, spec); });
   top.attempt([&] { spec.coupling = spec_detail::read_coupling(top, spec.units, spec.time_unit); });
   top.attempt([&] {
@@ -163,6 +165,7 @@ void read_beside_cam(TomlReader& top, Spec& spec) {
 
 /// Reads the knots of a cam, with their changes by [[then]].
 void read_own_cam(TomlReader& top, Spec& spec) {
+  spec_detail::require_last_knot(top, spec.units);
   top.attempt([&] { spec.master = read_master(top, spec); });
   CamSpec knots = spec_detail::read_cam(top, spec.units, spec);
   if (!top.has("then")) {

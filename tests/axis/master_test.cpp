@@ -203,6 +203,42 @@ TEST(Tracked, IsLostWithinItsLimitAndComesBackWhereItIs) {
   EXPECT_NEAR(master.at(t + h)[0], 100 + 1.5 * h, 1e-9);
 }
 
+// At 5 m/s with a limit of 3 m/s the output falls behind by 2 m/s t, and reaches jump = 3 m/s 0.1 s
+// after 0.15 s.
+TEST(Tracked, AMasterAboveItsVelocityIsLostBeyondTheJumpUntilItIsSlowAgain) {
+  Tracked master(line);
+  double truth = 0;
+  double lost_from = NAN;
+  int i = 0;
+  for (; i < 400; ++i, truth += 5 * h) {
+    master.see(i * h, truth);
+    const Jet now = master.at(i * h);
+    if (i > 2 && std::isnan(now[0]) && std::isnan(lost_from)) lost_from = i * h;
+    if (!std::isnan(now[0])) {
+      ASSERT_LE(std::abs(truth - now[0]), 0.3 + 5 * h) << i;
+      ASSERT_TRUE(std::isnan(lost_from)) << "it stays lost";
+    }
+  }
+  EXPECT_NEAR(lost_from, 0.15, 5 * h);
+  EXPECT_GT(master.lag(), 0.3) << "reported while it is lost";
+  for (; i < 500; ++i, truth += 2 * h) {
+    master.see(i * h, truth);
+    (void)master.at(i * h);
+  }
+  EXPECT_NEAR(master.at(i * h)[0], truth, 1e-6) << "no register from before the loss";
+  EXPECT_NEAR(master.lag(), 0, 1e-6);
+}
+
+TEST(Tracked, AMasterSlightlyAboveItsVelocityIsNotLostBeforeTheJump) {
+  Tracked master(line);
+  for (int i = 0; i < 1000; ++i) {  // 3.1 m/s for 1 s: 0.1 m behind
+    master.see(i * h, 3.1 * i * h);
+    const Jet now = master.at(i * h);
+    ASSERT_TRUE(i < 2 || !std::isnan(now[0])) << i;
+  }
+  EXPECT_NEAR(master.lag(), 0.1, 2e-3);
+}
+
 TEST(Tracked, ShortSilenceIsMadeUpWithinTheLimits) {
   Tracked master(line);
   Watch watch;

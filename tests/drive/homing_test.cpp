@@ -408,6 +408,27 @@ TEST(Homing, AConfigurationThatCannotBeIsRefusedWithItsKey) {
 
 // ---- the state -------------------------------------------------------------------------------------
 
+TEST(Homing, AHomePositionOutsideTheRangeIsRejectedExceptOnTheSwitchOfThatSide) {
+  Limits range{.velocity = 10, .acceleration = 100};
+  range.position_min = -10;
+  range.position_max = 100;
+  const auto limit = [&](int method, double home) {
+    const auto no = misplaced_home({.method = method, .offset = home}, range);
+    return no ? no->limit : NAN;
+  };
+  EXPECT_TRUE(std::isnan(limit(37, 100)));
+  EXPECT_EQ(limit(37, 101), 100);
+  EXPECT_EQ(limit(24, -11), -10);
+  for (const int negative : {1, 17}) {
+    EXPECT_TRUE(std::isnan(limit(negative, -11)));
+    EXPECT_EQ(limit(negative, 101), 100);
+  }
+  for (const int positive : {2, 18}) {
+    EXPECT_TRUE(std::isnan(limit(positive, 101)));
+    EXPECT_EQ(limit(positive, -11), -10);
+  }
+}
+
 TEST(Homing, NothingElseMovesTheAxisMeanwhile) {
   Stage stage(machine(cam), -50);
   stage.home(23);

@@ -282,6 +282,28 @@ TEST(ExternalMasterRun, AMasterInAnotherUnitIsRefusedAndNamed) {
               Contains("master line: samples rejected, because their unit is in, not mm"));
 }
 
+// 5 m/s with velocity = 3 m/s and jump = 0.3 m: reported with its numbers, then lost.
+TEST(ExternalMasterRun, AMasterAboveItsVelocityIsReportedAndThenLost) {
+  Line site;
+  site.line.position = [](double t) { return t < 2 ? 1000 * t : 2000 + 5000 * (t - 2); };
+  site.advance(500ms);
+  Client knife(site.link, "knife", {}, site.clock);
+  ASSERT_TRUE(knife.gear_in(1, 1).ok());
+  ASSERT_TRUE(knife.release().ok());
+  site.advance(3s);
+  EXPECT_EQ(site.knife().fault, Cause::master_lost);
+  EXPECT_TRUE(site.seen(0).lost());
+  EXPECT_GT(site.seen(0).lag.distance, 300);
+  EXPECT_NEAR(site.seen(0).lag.velocity, 5000, 100);
+  const auto reported = [](const std::string& notice) {
+    return notice.find("limit velocity = 3000 mm/s") != std::string::npos &&
+           notice.find("jump = 300 mm") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(site.notices.begin(), site.notices.end(), reported), 1);
+  const Replay r = site.replayed();
+  EXPECT_TRUE(r.same()) << r.shorter << (r.difference ? r.difference->what.field : "");
+}
+
 // Googol's example 7-8, 802 segments through a dynamic queue: PASS at 50000 pulses of a line at 50 a ms.
 TEST(ExternalMasterRun, AGoogolFollowTableWaitsForTheLineAndIsThatOfTheRecordedOne) {
   Line site(bad, 50e3);

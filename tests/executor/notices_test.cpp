@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "executor/src/cycle/notices.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "jounce/command/refusal_text.hpp"
 
 namespace jounce::notices_test {
 namespace {
+
+using ::testing::HasSubstr;
 
 using Notices = std::vector<std::string>;
 
@@ -24,10 +27,41 @@ TEST(Notices, ReportAFaultOnceWithItsMeaning) {
   const Tick now{.tick = 10, .fault = Cause::drive_fault};
   const Notices notices = notices_of(before, now, "mm");
   ASSERT_EQ(notices.size(), 1U);
-  EXPECT_EQ(notices[0], std::string("fault at tick 10: ") + name(Cause::drive_fault) + ": " +
-                            meaning(Cause::drive_fault));
+  EXPECT_EQ(notices[0], std::string("fault at tick 10 (0 s, position 0 mm): ") +
+                            name(Cause::drive_fault) + ": " + meaning(Cause::drive_fault) +
+                            " See `jounce explain drive_fault`.");
   EXPECT_EQ(notices_of(now, now, "mm"), Notices{});
   EXPECT_EQ(notices_of(now, before, "mm"), Notices{}) << "a reset";
+}
+
+TEST(Notices, ReportTheNumbersOfAFault) {
+  AxisConfig config{.following_error = 0.1, .following_time = 0.002};
+  config.limits.position_min = -10;
+  Tick now{.tick = 575, .fault = Cause::following_error};
+  now.following_error = 0.31;
+  const std::string text = fault_text(now, "mm", config);
+  EXPECT_THAT(text, HasSubstr("is 0.31 mm"));
+  EXPECT_THAT(text, HasSubstr("following_error = 0.1 mm"));
+  EXPECT_THAT(text, HasSubstr("following_time = 0.002 s"));
+  now.fault = Cause::negative_soft_limit;
+  EXPECT_THAT(fault_text(now, "mm", config), HasSubstr("position_min = -10 mm"));
+  now.fault = Cause::axis_fault;
+  now.failed_axis = Refusal{Cause::axis_not_ready, static_cast<double>(Cause::not_enabled), 0, 2};
+  const std::vector<std::string> axes{"x", "y"};
+  EXPECT_THAT(fault_text(now, "mm", config, axes), HasSubstr("y is disabled."));
+}
+
+TEST(Notices, ARejectionNamesThePresentFaultAndTheReasonForNoMaster) {
+  const ExecutorOptions options;
+  const Tick now{.fault = Cause::negative_soft_limit};
+  for (const Cause cause : {Cause::in_error, Cause::not_enabled}) {
+    EXPECT_THAT(refusal_text({cause}, now, options), HasSubstr("negative_soft_limit: "));
+    EXPECT_EQ(refusal_text({cause}, {}, options), text({cause}, ""));
+  }
+  EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, options), HasSubstr("no [follow]"));
+  ExecutorOptions follower;
+  follower.follow = {.what = Follow::What::master};
+  EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, follower), HasSubstr("no valid position"));
 }
 
 TEST(Notices, ReportAStartThatDidNotBegin) {

@@ -51,6 +51,20 @@ TEST_F(MachineParts, HaveTheNumbersOfTheirSpecsInSeconds) {
   EXPECT_TRUE(parts.masters.empty());
 }
 
+TEST_F(MachineParts, TheCheckOfASpecRejectsWhatTheRunRejects) {
+  for (const auto& [more, key] :
+       {std::pair{"position_max = 10\n[homing]\nmethod = 37\noffset = 500\n",
+                  "homing.offset = 500"},
+        {"[homing]\nmethod = 37\nindex_velocity = 5000\n", "homing.index_velocity = "},
+        {"[homing]\nmethod = 24\n", "homing.method = 24"}}) {
+    const std::string file = axis("feeder", more);
+    const std::string run = test::error_of([&] { machine_parts({.files = {file}}); });
+    EXPECT_THAT(run, testing::HasSubstr(key));
+    EXPECT_EQ(test::error_of([&] { require_axis(read_spec(file)); }), run);
+  }
+  EXPECT_NO_THROW(require_axis(read_spec(axis("feeder"))));
+}
+
 TEST_F(MachineParts, RejectAHomingThatNoDriveCanDo) {
   const std::string homing = "[homing]\nmethod = 24\nsearch_velocity = 60\nacceleration = 3600\n";
   EXPECT_THAT(

@@ -231,7 +231,8 @@ TEST(Override, SaysWhatThePlanBreaks) {
     FAIL() << "velocity 10 under a limit of 8";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "axis[1].limits.velocity = 8: is exceeded before any override: the plan has 10 at "
+                 "axis[1].limits.velocity = 8: is exceeded before any override: the velocity of "
+                 "the plan itself is 10 at "
                  "0.5");
   }
 }

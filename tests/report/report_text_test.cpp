@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/report/report_text.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "jounce/design/make.hpp"
@@ -149,6 +150,30 @@ TEST(ReportText, TheHeadlineIsALimitAndSaysWhereNoneIsGiven) {
   report.findings.push_back(limit);
   EXPECT_EQ(one_line(report, labels), "all limits hold; the closest: " + sentence(limit, labels));
   EXPECT_EQ(one_line({}, labels), "no limits are given");
+}
+
+TEST(ReportText, AMasterThatNoSpeedPermitsHasNoShareOfItsLimit) {
+  const Labels labels{{"deg", "mm"}, true, {}};
+  Finding f;
+  f.rule = "limit/master_velocity";
+  f.quantity = "master_velocity";
+  f.value = 360;
+  f.limit = 0;
+  f.margin = -360;
+  f.broken = true;
+  EXPECT_THAT(sentence(f, labels), testing::HasSubstr("at any speed of the master"));
+  EXPECT_THAT(sentence(f, labels), testing::Not(testing::HasSubstr("times")));
+}
+
+TEST(ReportText, TheHeadlineNamesLimitsThatTheCheckDoesNotUse) {
+  Finding none;
+  none.rule = "warning/no_limits";
+  none.quantity = "limits.slave";
+  none.severity = Severity::warning;
+  none.has_limit = false;
+  const Labels labels{{"deg", "mm"}, true, {}};
+  EXPECT_EQ(one_line({{none}}, labels), "limits.slave is not checked (1 warning)");
+  EXPECT_THAT(sentence(none, labels), testing::HasSubstr("limits.slave is not checked"));
 }
 
 TEST(ReportText, ASegmentOfSeveralPiecesKeepsItsNumber) {

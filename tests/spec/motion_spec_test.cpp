@@ -496,10 +496,9 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml:9:17: move.velocity_down = 0 mm/s: must be greater than 0"},
         BadMotion{move_spec(point + "duration = 0"),
                   "a.toml:9:12: move.duration = 0 s: must be greater than 0"},
-        BadMotion{
-            move_spec(point + "duration = 5"),
-            "a.toml:9:12: move.duration = 5 s: the move takes longer than the given duration; "
-            "the next longer possible duration is 5.5"},
+        BadMotion{move_spec(point + "duration = 5"),
+                  "a.toml:9:12: move.duration = 5 s: must be at least 5.5: the move takes longer "
+                  "than the given duration"},
         BadMotion{move_spec(point + "direction = \"shortest\""),
                   "a.toml:9:13: move.direction = \"shortest\": needs period, because only a modulo "
                   "axis has a choice of direction: add period, or leave direction out"},
@@ -549,10 +548,10 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml:6:12: move.abs_trgt = 3000000000: must be from -2147483648 to 2147483647"},
         BadMotion{move_spec("profile = \"agito_quasi_sine\"\namplitude = 0.3\nfrequency = 5"),
                   "a.toml:6:13: move.amplitude = 0.3 mm: must be half of RelTrgt"},
-        BadMotion{
-            move_spec(himc_lines + "acceleration_time = 5"),
-            "a.toml:8:16: move.acceleration = 20 mm/s^2: must be given, or else acceleration_time, "
-            "not both"},
+        BadMotion{move_spec(himc_lines + "acceleration_time = 5"),
+                  "a.toml:8:16: move.acceleration = 20 mm/s^2: cannot be combined with "
+                  "acceleration_time: "
+                  "not both"},
         BadMotion{move_spec("profile = \"pmc600\"\nto = 1\nvelocity = 1\nacceleration = 1\n"
                             "mode = \"sigmod\""),
                   "a.toml:9:8: move.mode = \"sigmod\": must be one of trapezoid, sigmoid, "

@@ -123,6 +123,21 @@ TEST(KnotsOverTime, PointsOfASplineAndFreeValuesToo) {
   EXPECT_DOUBLE_EQ(free.geo_acceleration->lower, -0.01);
 }
 
+TEST(MasterRate, ALastKnotThatDoesNotFollowIsTheOnlyError) {
+  const std::string wrong = segment("345", "master = 90, slave = 40, velocity = 0") +
+                            segment("345", "master = 0, slave = 0");
+  EXPECT_EQ(complaint(cam(wrong)),
+            "a.toml:11:18: segment[2].end.master = 0 deg: must be greater than 90, the previous "
+            "knot: the last knot of a periodic cam is the end of its turn");
+}
+
+TEST(MasterRate, AWrongMasterDoesNotMakeTheCouplingUnknown) {
+  EXPECT_EQ(complaint(cam(turn,
+                          "[coupling]\nstart = \"absolute\"\n[master]\nvelocity = 1\n"
+                          "distance = 0\n")),
+            "a.toml:16:12: master.distance = 0 deg: must be greater than 0");
+}
+
 TEST(KnotsOverTime, NeedASpeedAndOneKey) {
   const std::string knot = "master = 60, slave = 10, velocity = 300";
   EXPECT_EQ(complaint(cam(segment("quintic", knot), "", "")),

@@ -120,7 +120,8 @@ void Tracked::see(double time, double position) noexcept {
 
 void Tracked::lose() noexcept {
   estimate_ = {};
-  following_ = false;
+  following_ = outrun_ = false;
+  lag_ = 0;
 }
 
 /// The estimate at `time` + latency, extrapolated with an acceleration and a velocity within the
@@ -151,17 +152,21 @@ Jet Tracked::at(double time) noexcept {
   const bool known = estimate_.count >= spec_.order &&
                      std::abs(time - estimate_.time) <= spec_.longest_age + spec_.latency;
   if (!known) {
-    following_ = false;
+    following_ = outrun_ = false;
+    lag_ = 0;
     return nowhere;
   }
+  if (outrun_ && std::abs(estimate_.v) > spec_.velocity) return nowhere;
   const Jet f = target(time);
   if (!following_)
     out_ = {f[0], f[1], 0, 0};
   else if (time > time_)
     follow(f, time - time_);
-  following_ = true;
+  lag_ = f[0] - out_[0];
+  outrun_ = std::abs(lag_) > spec_.jump;
+  following_ = !outrun_;
   time_ = time;
-  return out_;
+  return outrun_ ? nowhere : out_;
 }
 
 }  // namespace jounce

@@ -38,6 +38,16 @@ std::optional<Refusal> misses(const HomingSpec& spec, const AxisConfig& config) 
 
 }  // namespace
 
+std::optional<Refusal> misplaced_home(const HomingSpec& spec, const Limits& limits) {
+  const bool at_negative = spec.method == 1 || spec.method == 17;
+  const bool at_positive = spec.method == 2 || spec.method == 18;
+  const bool below = limits.position_min && spec.offset < *limits.position_min;
+  const bool above = limits.position_max && spec.offset > *limits.position_max;
+  if (!(below && !at_negative) && !(above && !at_positive)) return std::nullopt;
+  return Refusal{Cause::position_limit, spec.offset,
+                 below ? *limits.position_min : *limits.position_max};
+}
+
 MotionAxis::Rejection MotionAxis::act(const command::Home& what) {
   const HomingSpec spec = chosen(what, config_.homing);
   const auto method = homing_method(spec.method);
@@ -45,6 +55,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Home& what) {
   if (auto no = misses(spec, config_)) return no;
   if (!(std::abs(spec.offset) <= furthest(config_)))
     return Refusal{Cause::position_limit, spec.offset, furthest(config_)};
+  if (const auto no = misplaced_home(spec, config_.limits)) return no;
   if (armed_.waiting()) return Refusal{Cause::in_motion};
   if (!has_sensors(*method, inputs_.feedback.sensors)) return Refusal{Cause::no_sensor};
   state_ = State::homing;

@@ -131,7 +131,10 @@ void MotionAxis::watch() {
   if (windows_.too_far(now_.following_error, dt(), config_) && wrong == Cause::none)
     wrong = Cause::following_error;
   const bool broken = inputs_.peers == Peers::failed && state_ != State::error_stop;
-  if (broken && wrong == Cause::none) wrong = Cause::axis_fault;
+  if (broken && wrong == Cause::none) {
+    wrong = Cause::axis_fault;
+    now_.failed_axis = axis_refusal(Cause::axis_not_ready);
+  }
   if (wrong != Cause::none) return fail(wrong);
   stop_with_group();
 }

@@ -86,9 +86,10 @@ Cam whole_turn(const Cam& cam, double angle) {
   const Range travel = extrema(cam, 0);
   const double step = cam.jet(cam.end(), Side::left)[0] - cam.jet(cam.start())[0];
   if (std::abs(step) > rounded_input * (travel.max.value - travel.min.value))
-    throw InputError(
-        "cam", number(cam.jet(cam.end(), Side::left)[0]) + " at its end",
-        "must end where it begins, at " + number(cam.jet(cam.start())[0]) + ", to become a disc");
+    throw InputError("cam", "",
+                     "cannot become a disc: the slave ends at " +
+                         number(cam.jet(cam.end(), Side::left)[0]) +
+                         ", but must end where it begins, at " + number(cam.jet(cam.start())[0]));
   const Jump jump = largest_jump(cam, 0);
   if (std::abs(jump.step) > rounded_input * (travel.max.value - travel.min.value))
     throw InputError("cam", six_digits(jump.step),

@@ -21,9 +21,12 @@ void require_valid(const AxisProfile& axis) {
                                    {"deceleration", axis.deceleration},
                                    {"deceleration_time", axis.deceleration_time}})
     require_not_negative(key, value);
-  if ((axis.acceleration > 0) == (axis.acceleration_time > 0))
+  if (axis.acceleration > 0 && axis.acceleration_time > 0)
     throw InputError("acceleration", axis.acceleration,
-                     "must be given, or else acceleration_time, not both");
+                     "cannot be combined with acceleration_time: give one of the two");
+  if (!(axis.acceleration > 0 || axis.acceleration_time > 0))
+    throw InputError("acceleration", axis.acceleration,
+                     "must be greater than 0: give it, or acceleration_time");
   if (axis.deceleration > 0 && axis.deceleration_time > 0)
     throw InputError("deceleration", axis.deceleration,
                      "must not be given together with deceleration_time");

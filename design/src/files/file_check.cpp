@@ -83,7 +83,9 @@ EngageState engage_state(const Input& input, const EngageTexts& texts) {
 Report axis_report(const Input& input, int continuity, const EngageState& at) {
   Report report = checked(input, continuity, at);
   add_not_limited(report, input);
-  if (!input.plan) add_no_limits(report);  // the plan of a path keeps the limits of the path
+  if (!input.plan)
+    add_no_limits(report, input.spec ? &*input.spec
+                                     : nullptr);  // the plan of a path keeps the limits of the path
   return report;
 }
 

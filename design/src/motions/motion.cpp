@@ -45,6 +45,18 @@ InputError impossible(const std::string& prefix, const std::string& key, MoveSta
   return {key, "", explain(status, from, to, bounds)};
 }
 
+/// Throws InputError for a start outside the position limits.
+void require_start_inside(double from, const Bounds& bounds) {
+  if (from < bounds.position_min)
+    throw InputError("from", from,
+                     "must be at least position_min = " + number(bounds.position_min) +
+                         ": the axis starts outside its position limits");
+  if (from > bounds.position_max)
+    throw InputError("from", from,
+                     "must be at most position_max = " + number(bounds.position_max) +
+                         ": the axis starts outside its position limits");
+}
+
 Trajectory curve_of(const MoveResult& move, const char* key) {
   if (!move) throw InputError(key, "", explain(move.status));
   if (!(move.profile.duration() > 0))
@@ -68,9 +80,14 @@ Trajectory made(const SCurveSpec& s) {
 /// The error for an impossible duration, with the reason and the next possible duration.
 InputError refused(const PointToPointSpec& s, const MotionState& to, MoveStatus status) {
   const Durations all = durations(s.from, to, s.bounds);
+  const double next = all.at_least(*s.duration);
+  if (status == MoveStatus::too_short)
+    return {"duration", *s.duration,
+            "must be at least " + six_digits_up(next) +
+                ": the move takes longer than the given duration"};
   return {"duration", *s.duration,
           std::string(explain(status)) + "; the next longer possible duration is " +
-              six_digits_up(all.at_least(*s.duration))};
+              six_digits_up(next)};
 }
 
 MotionState target_of(const PointToPointSpec& s) {
@@ -92,6 +109,7 @@ Trajectory made(const PointToPointSpec& s) {
       s.duration ? move_to(s.from, to, s.bounds, *s.duration) : move_to(s.from, to, s.bounds);
   if (move.status == MoveStatus::too_short || move.status == MoveStatus::blocked)
     throw refused(s, to, move.status);
+  if (move.status == MoveStatus::position_limit) require_start_inside(s.from.position, s.bounds);
   if (!move) throw impossible("", "to", move.status, s.from, to, s.bounds);
   return curve_of(move, "to");
 }

@@ -518,10 +518,7 @@ void AxisServer::answer(const Request& request, const std::optional<Refusal>& re
   // A stop that an axis in a fault rejects still counts as accepted: the axis does not move.
   if (!refused || request.kind == Kind::stop)
     return receiver_.accept(request.session, request.command);
-  const std::string reason =
-      text(*refused, options_.units.position, options_.units.x,
-           options_.group ? std::span<const std::string>(options_.group->names)
-                          : std::span<const std::string>{});
+  const std::string reason = refusal_text(*refused, last_, options_);
   receiver_.refuse(request.session, request.command, reason,
                    static_cast<std::int32_t>(refused->cause));
   notify("refused: " + reason);
@@ -531,7 +528,8 @@ void AxisServer::take_ticks() {
   for (Tick tick; exchange_.ticks.pop(tick);) {
     if (log_) write(tick);
     if (options_.trace != nullptr) options_.trace->add(axis_, trace_tick(tick));
-    for (const std::string& notice : notices_of(last_, tick, options_.units.position))
+    for (const std::string& notice :
+         notices_of(last_, tick, options_.units.position, options_.axis, group_names(options_)))
       notify(notice);
     if (tick.fault != last_.fault && tick.fault != Cause::none)
       fault_session_ = receiver_.session();

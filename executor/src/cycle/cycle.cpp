@@ -87,7 +87,7 @@ void Cycle::look(std::int64_t tick) {
   for (std::size_t m = 0; m < sights_.size(); ++m) {
     Master& master = *options_.masters[m];
     masters_[m] = master.at(time);
-    sights_[m] = {.tick = tick, .at = masters_[m], .age = master.age(time)};
+    sights_[m] = {.tick = tick, .at = masters_[m], .age = master.age(time), .lag = master.lag()};
     exchange_.masters[m]->write(sights_[m]);
   }
 }

@@ -2,10 +2,23 @@
 #include "jounce/executor/masters.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "jounce/profiles/six_digits.hpp"
+
 namespace jounce {
+namespace {
+
+/// The filter of a measured master; nullptr: the position is computed.
+const TrackerSpec* filter_of(const Master& master) {
+  if (const auto* external = dynamic_cast<const ExternalMaster*>(&master)) return &external->spec();
+  if (const auto* encoder = dynamic_cast<const EncoderMaster*>(&master)) return &encoder->spec();
+  return nullptr;
+}
+
+}  // namespace
 
 MasterServer::MasterServer(Options options, ReceiverPump& pump, MachineExchange& exchange,
                            Clock clock)
@@ -56,6 +69,28 @@ void MasterServer::turn() {
     if (const auto now = exchange_.masters[m]->read()) compare(masters_[m], *now);
 }
 
+/// Reports once that a master moves faster than its filter permits, and again after it has caught up.
+void MasterServer::compare_lag(One& one, const MasterReading& now) {
+  constexpr double notable = 0.1;  // share of the jump, beyond which a lag is reported
+  const TrackerSpec* const filter = filter_of(*one.master.source);
+  const double lag = std::abs(now.lag.distance);
+  const bool behind = filter != nullptr && lag > notable * filter->jump;
+  if (behind && !one.told_lag && options_.notify) {
+    const std::string& unit = one.master.unit;
+    const auto valued = [&](double number, const char* per) {
+      return six_digits(number) + " " + unit + per;
+    };
+    options_.notify("master " + one.master.name + ": measured velocity " +
+                    valued(now.lag.velocity, "/s") +
+                    ", limit velocity = " + valued(filter->velocity, "/s") +
+                    ", acceleration = " + valued(filter->acceleration, "/s^2") +
+                    ": its followers are " + valued(lag, "") + " behind at tick " +
+                    std::to_string(now.tick) + "; beyond jump = " + valued(filter->jump, "") +
+                    " the master is lost: slow the master down, or raise its limits");
+  }
+  one.told_lag = behind;
+}
+
 void MasterServer::compare(One& one, const MasterReading& now) {
   one.last = now;
   const bool other_unit = one.intake && !one.intake->other_unit().empty();
@@ -63,6 +98,7 @@ void MasterServer::compare(One& one, const MasterReading& now) {
     options_.notify("master " + one.master.name + ": samples rejected, because their unit is " +
                     one.intake->other_unit() + ", not " + one.master.unit);
   one.told_unit |= other_unit;
+  compare_lag(one, now);
   const bool there = now.tick >= 0 && !now.lost();
   if (there == one.was_there) return;
   one.was_there = there;

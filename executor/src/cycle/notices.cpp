@@ -1,11 +1,87 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "executor/src/cycle/notices.hpp"
 
+#include <cmath>
+
 #include "jounce/command/refusal_text.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
+namespace {
 
-std::vector<std::string> notices_of(const Tick& before, const Tick& now, const std::string& unit) {
+/// Returns the numbers of a fault, each with its limit: " The following error is 0.31 mm; ...". "" for a
+/// fault without numbers.
+std::string numbers_of(const Tick& now, const std::string& unit, const AxisConfig& config,
+                       std::span<const std::string> axes) {
+  const auto valued = [&](double number, const char* per = "") {
+    return six_digits(number) + (unit.empty() ? "" : " " + unit + per);
+  };
+  const auto limit = [&](const char* key, const std::optional<double>& value,
+                         const char* per = "") {
+    return value ? std::string(" The limit is ") + key + " = " + valued(*value, per) + "." : "";
+  };
+  switch (now.fault) {
+    case Cause::following_error:
+      return " The following error is " + valued(now.following_error) +
+             "; the limits are following_error = " + valued(config.following_error) +
+             " and following_time = " + six_digits(config.following_time) + " s.";
+    case Cause::overspeed:
+      return limit("velocity", config.limits.velocity, "/s");
+    case Cause::positive_soft_limit:
+      return limit("position_max", config.limits.position_max);
+    case Cause::negative_soft_limit:
+      return limit("position_min", config.limits.position_min);
+    case Cause::out_of_range:
+      return limit("position_min", config.limits.position_min) +
+             limit("position_max", config.limits.position_max);
+    case Cause::stalled:
+      return " It was late by " + std::to_string(now.skipped) + " cycles; longest_gap is " +
+             std::to_string(config.longest_gap) + " cycles.";
+    case Cause::axis_fault:
+      return now.failed_axis ? " " + unready_axis_text(*now.failed_axis, axes) : "";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+std::span<const std::string> group_names(const ExecutorOptions& options) {
+  if (!options.group) return {};
+  return options.group->names;
+}
+
+std::string fault_text(const Tick& now, const std::string& unit, const AxisConfig& config,
+                       std::span<const std::string> axes) {
+  return std::string(name(now.fault)) + ": " + meaning(now.fault) +
+         numbers_of(now, unit, config, axes);
+}
+
+std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options) {
+  const std::string words =
+      text(refusal, options.units.position, options.units.x, group_names(options));
+  if (refusal.cause == Cause::no_master_input)
+    return std::string(name(refusal.cause)) + ": The axis has no live master: " +
+           (options.follow.what == Follow::What::nothing
+                ? "its spec has no [follow]."
+                : "the master of its [follow] sends no valid position.");
+  if (refusal.cause == Cause::start_position && in_motion(now) && !std::isnan(refusal.value)) {
+    const auto at = [&](double number) {
+      return six_digits(number) +
+             (options.units.position.empty() ? "" : " " + options.units.position);
+    };
+    return "the motion begins at " + at(refusal.value) + ", but the present motion of " +
+           options.receiver.executor + " ends at " + at(refusal.limit) +
+           " (start_position): let it begin there, wait for the end of the present motion, or stop "
+           "the axis and move it there";
+  }
+  const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;
+  if (!fault || now.fault == Cause::none) return words;
+  return words + " The fault is " + name(now.fault) + ": " + meaning(now.fault);
+}
+
+std::vector<std::string> notices_of(const Tick& before, const Tick& now, const std::string& unit,
+                                    const AxisConfig& config, std::span<const std::string> axes) {
   std::vector<std::string> notices;
   const std::string at = " at tick " + std::to_string(now.tick);
   if (now.job != 0 && now.job != before.job) notices.push_back("started" + at);
@@ -14,7 +90,10 @@ std::vector<std::string> notices_of(const Tick& before, const Tick& now, const s
   if (now.finished > before.finished) notices.push_back("finished" + at);
   if (now.stopped > before.stopped) notices.push_back("stopped" + at);
   if (now.fault != before.fault && now.fault != Cause::none)
-    notices.push_back("fault" + at + ": " + name(now.fault) + ": " + meaning(now.fault));
+    notices.push_back("fault" + at + " (" + six_digits(now.time) + " s, position " +
+                      six_digits(now.position) + (unit.empty() ? "" : " " + unit) +
+                      "): " + fault_text(now, unit, config, axes) + " See `jounce explain " +
+                      name(now.fault) + "`.");
   if (now.registration.lost && !before.registration.lost)
     notices.push_back("registration: no mark in the last products" + at);
   return notices;

@@ -105,13 +105,13 @@ std::string Watch::silent(Nanos patience) const {
     if (!options_.names.empty() && now - received > patience) return axis.name;
     last = std::max(last, received);
   }
-  return now - last > patience ? "every executor" : "";
+  return now - last > patience ? any_executor : "";
 }
 
 std::string Watch::missing() const {
   for (const Watched& axis : axes_)
     if (!options_.names.empty() && !axis.status) return axis.name;
-  return has_received() ? "" : "every executor";
+  return has_received() ? "" : any_executor;
 }
 
 bool Watch::has_received() const {

@@ -111,15 +111,46 @@ void require_marks(const std::optional<LiveRegistrationSpec>& registration,
                      "[[drive.machine.marks]] with this input");
 }
 
-ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std::size_t axes) {
-  ExecutorOptions executor;
-  executor.axis = config_of(spec);
+/// Throws InputError for a home position outside the position range. An axis without [homing] has the
+/// home position 0, and only its command is rejected.
+void require_home_inside(const HomingSpec& homing, const Limits& limits) {
+  const auto no = misplaced_home(homing, limits);
+  if (!no) return;
+  const bool above = homing.offset > no->limit;
+  throw InputError(
+      "homing.offset", homing.offset,
+      std::string(above ? "must be at most position_max, " : "must be at least position_min, ") +
+          number(no->limit) + ": the axis stands there after the homing");
+}
+
+/// The configuration of an axis, checked against its drive.
+AxisConfig axis_of(const Spec& spec) {
+  AxisConfig config = config_of(spec);
   if (spec.name.empty())
     throw InputError(
         "name", "",
         "is missing: add name = \"NAME\", by which streams and commands address the axis");
   if (!wire::is_executor_name(spec.name))
     throw InputError("name", spec.name, wire::executor_name_rule);
+  (void)resolved(config);
+  if (std::get<AxisSpec>(spec.subject).homing) require_home_inside(config.homing, config.limits);
+  const auto drive = axis_drive(spec);
+  require_sensors(config.homing, drive);
+  require_marks(config.registration, drive);
+  return config;
+}
+
+/// Returns the error of an axis at its place in the spec. The executor names its own fields, which the
+/// spec has in [axis].
+InputError in_axis_spec(const Spec& spec, const InputError& error) {
+  const std::string key = "axis." + error.key();
+  return spec.document.located(
+      spec.document.places.contains(key) ? InputError(key, error.value(), error.rule()) : error);
+}
+
+ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std::size_t axes) {
+  ExecutorOptions executor;
+  executor.axis = axis_of(spec);
   executor.switches = spec.switches;
   if (spec.compare) {
     executor.compare = {spec.compare->of, spec.compare->compare};
@@ -134,10 +165,7 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   executor.enable = options.enable;
   executor.build_apart = 2000;  // knots: about a millisecond
   if (!options.log.empty()) executor.log = log_of(options.log, spec.name, axes);
-  (void)resolved(executor.axis);
   const auto drive = axis_drive(spec);
-  require_sensors(executor.axis.homing, drive);
-  require_marks(executor.axis.registration, drive);
   executor.logs_probes = drive && drive->machine && !drive->machine->marks.empty();
   if (drive) executor.drive = make_drive(*drive, executor.axis);
   return executor;
@@ -181,7 +209,7 @@ Follow resolved(const Read& axis, const FollowWhom& whom, const std::string& tab
            meant(name, leaders, ": declare it in a spec of kind \"machine\", [master.NAME]"));
   if (leader == leaders.end())
     refuse("is not an axis of this machine" +
-           meant(name, leaders, ": give its spec to `jounce run` too"));
+           meant(name, leaders, ": name one of its axes, or add that axis to the machine"));
   if (!of_master && name == axis.spec.name) refuse("is this axis itself: name another axis");
   if (!unit.empty() && unit != leader->unit)
     refuse("has the unit " + leader->unit + ", but units.master of this axis is " + unit +
@@ -264,6 +292,14 @@ std::string log_of(const std::string& log, const std::string& axis, std::size_t 
   return path.replace_extension("." + axis + extension).string();
 }
 
+void require_axis(const Spec& spec) {
+  try {
+    (void)machine_detail::machine_cutter(spec, axis_of(spec));
+  } catch (const InputError& error) {
+    throw in_axis_spec(spec, error);
+  }
+}
+
 MachineParts machine_parts(const MachineOptions& options) {
   std::optional<MachineSpec> machine;
   if (options.files.size() == 1) machine = read_machine(options.files.front());
@@ -274,11 +310,7 @@ MachineParts machine_parts(const MachineOptions& options) {
     try {
       parts.axes.push_back(executor_of(options, one.spec, read.size() + virtual_axes(machine)));
     } catch (const InputError& error) {
-      // The executor names its own fields, which the spec has in [axis].
-      const std::string key = "axis." + error.key();
-      throw one.spec.document.located(one.spec.document.places.contains(key)
-                                          ? InputError(key, error.value(), error.rule())
-                                          : error);
+      throw in_axis_spec(one.spec, error);
     }
     for (const Leader& other : axes)
       if (other.name == one.spec.name)

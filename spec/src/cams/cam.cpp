@@ -177,6 +177,28 @@ std::optional<double> master_of(std::optional<TomlReader> knot, const Units& uni
 
 }  // namespace
 
+void require_last_knot(TomlReader& top, const Units& units) {
+  auto segments = top.tables("segment");
+  if (segments.empty()) return;
+  auto end = segments.back().optional_table("end");
+  auto before = segments.size() > 1 ? segments[segments.size() - 2].optional_table("end")
+                                    : top.optional_table("start");
+  if (!end || !before) return;
+  std::optional<double> to;
+  std::optional<double> from;
+  try {
+    to = master_of(*end, units.x);
+    from = master_of(*before, units.x);
+  } catch (const InputError&) {
+    return;
+  }
+  if (!to || !from || *to > *from) return;
+  const bool turn = top.optional_flag("periodic").value_or(false);
+  end->fail("master", number(*to),
+            "must be greater than " + number(*from) + ", the previous knot" +
+                (turn ? ": the last knot of a periodic cam is the end of its turn" : ""));
+}
+
 std::optional<double> cam_length(TomlReader& top, const Units& units) {
   try {
     auto segments = top.tables("segment");

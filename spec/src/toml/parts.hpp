@@ -28,6 +28,9 @@ Units units_before_then(TomlReader& top, const Units& units);
 /// The length of the knots of a cam, in the unit of the master. None if one of them is missing or wrong: read_cam()
 /// reports that.
 std::optional<double> cam_length(TomlReader& top, const Units& units);
+/// Throws InputError if the last knot of a cam is not after the knot before it. Knots that are missing
+/// or are no numbers are the matter of read_cam().
+void require_last_knot(TomlReader& top, const Units& units);
 /// Reads [gear]: a GearSpec, GearCourse or GearInPosPart, depending on its key `engage`.
 SyncSpec read_gear(TomlReader gear, const Units& units);
 

@@ -129,7 +129,9 @@ void note(const IdentifySpec& spec, Identification& answer) {
 }
 
 std::string not_determined(const std::string& unknown, const Identification& answer) {
-  if (answer.entangled.empty()) return "this recording does not determine " + unknown;
+  if (answer.entangled.empty())
+    return "this recording does not determine " + unknown +
+           ": record a motion that depends on it, with acceleration and a change of direction";
   const Entangled& e = answer.entangled.front();
   return fmt::format(
       "this recording does not determine {}; {} and {} cannot be distinguished "

@@ -93,6 +93,8 @@ struct Tick {
 
   std::optional<Refusal> refused{};  ///< reason why the command of this tick was rejected
   std::optional<Refusal> dropped{};  ///< reason why the waiting motion was dropped
+  /// For the fault axis_fault: the axis of the group, as in a rejection axis_not_ready.
+  std::optional<Refusal> failed_axis{};
   /// Movements that the axis no longer reads: the caller may destroy or reuse them.
   std::array<const Movement*, 3> handed_back{};
 };

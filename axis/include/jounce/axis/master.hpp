@@ -28,6 +28,12 @@ struct MasterSample {
   bool valid = true;    ///< false if the sender reports that its position is invalid
 };
 
+/// Difference between the measured motion of a master and its output.
+struct MasterLag {
+  double distance = 0;  ///< measured position minus position of the output, m
+  double velocity = 0;  ///< measured velocity, m/s; not limited as that of the output is
+};
+
 /// A position that axes follow. (A master may also be the setpoint of another axis; the machine in
 /// machine.hpp passes such a setpoint to the follower without this class.)
 ///
@@ -48,6 +54,8 @@ class Master {
   virtual Jet at(double time) noexcept = 0;
   /// Returns the age of the measurement, s. NaN: no measurement yet. 0: the position is computed.
   [[nodiscard]] virtual double age(double /*time*/) const noexcept { return 0; }
+  /// Returns the lag of the last at(). A computed position has none.
+  [[nodiscard]] virtual MasterLag lag() const noexcept { return {}; }
   /// The samples that the last at() used for the first time. A run can be repeated from them:
   /// another object of the same class that receives the same samples before the same calls of at()
   /// returns exactly the same results.
@@ -61,6 +69,7 @@ struct MasterReading {
   Jet at = {std::numeric_limits<double>::quiet_NaN(), 0, 0, 0};
   /// Result of Master::age(), s.
   double age = std::numeric_limits<double>::quiet_NaN();
+  MasterLag lag = {};  ///< result of Master::lag()
 
   /// True if the position is NaN.
   [[nodiscard]] bool lost() const { return std::isnan(at[0]); }
@@ -95,6 +104,9 @@ class EncoderMaster final : public Master {
   void read(double time, double position) noexcept;
   Jet at(double time) noexcept override;
   [[nodiscard]] double age(double time) const noexcept override { return time - tracked_.seen(); }
+  [[nodiscard]] MasterLag lag() const noexcept override {
+    return {tracked_.lag(), tracked_.estimate().v};
+  }
   /// The reading that the last at() used, if any: its position and, in `received`, its time, s.
   [[nodiscard]] std::span<const MasterSample> taken() const noexcept override {
     return {&taken_, was_read_ ? 1U : 0U};
@@ -156,6 +168,9 @@ class ExternalMaster final : public Master {
   /// Called by the cyclic thread.
   Jet at(double time) noexcept override;
   [[nodiscard]] double age(double time) const noexcept override { return time - tracked_.seen(); }
+  [[nodiscard]] MasterLag lag() const noexcept override {
+    return {tracked_.lag(), tracked_.estimate().v};
+  }
   [[nodiscard]] std::span<const MasterSample> taken() const noexcept override {
     return {taken_.data(), count_};
   }

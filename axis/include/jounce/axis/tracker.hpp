@@ -21,7 +21,8 @@ struct TrackerSpec {
   /// Age of each measurement when it arrives, s. The output is extrapolated by this time.
   double latency = 0;
   double longest_age = 0.1;  ///< time without a measurement after which the master is lost, s, > 0
-  /// A measurement further than this from the estimate is a jump, m; 0: velocity * longest_age.
+  /// Greatest deviation, m: a measurement further than this from the estimate is a jump, and an
+  /// output further than this from the estimate makes the master lost. 0: velocity * longest_age.
   double jump = 0;
   /// Period of the measured position, m: a modulo encoder, whose position repeats after each turn.
   /// The master counts the turns. Between two measurements, the position must deviate from the
@@ -59,8 +60,9 @@ Estimate corrected(const Estimate& before, const TrackerSpec& spec, double time,
 ///
 /// The master is lost until two measurements have arrived (order 3: three), after `longest_age`
 /// without a measurement, and for one cycle after a jump of the measured position. Followers stop
-/// in this cycle, so they do not follow the jump. When the master is valid again, the output begins
-/// at its new position.
+/// in this cycle, so they do not follow the jump. A master that exceeds its limits leaves the output
+/// behind. Beyond the distance `jump` the master is lost, until its measured velocity is within the
+/// limit again. When the master is valid again, the output begins at its new position.
 class Tracked {
  public:
   /// Throws InputError like require_valid().
@@ -81,6 +83,9 @@ class Tracked {
   [[nodiscard]] const Estimate& estimate() const { return estimate_; }
   /// Time of the last measurement, s; it remains after a loss. NaN: no measurement yet.
   [[nodiscard]] double seen() const { return seen_; }
+  /// Distance by which the estimate is ahead of the output in the last at(), m; negative: behind. It
+  /// remains while the master is lost because of it; otherwise it is 0 for a lost master.
+  [[nodiscard]] double lag() const { return lag_; }
 
  private:
   [[nodiscard]] Jet target(double time) const;
@@ -92,7 +97,9 @@ class Tracked {
   double last_ = std::numeric_limits<double>::quiet_NaN();
   Estimate estimate_;
   bool following_ = false;  // the output follows the estimate
-  double time_ = 0;         // time of the output
+  bool outrun_ = false;     // the lag has exceeded the jump, and the master is still too fast
+  double lag_ = 0;
+  double time_ = 0;  // time of the output
   Jet out_{};
 };
 

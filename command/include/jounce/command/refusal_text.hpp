@@ -15,4 +15,8 @@ namespace jounce {
 std::string text(const Refusal& refusal, const std::string& unit,
                  const std::string& master_unit = "", std::span<const std::string> axes = {});
 
+/// Returns the axis of a group that a rejection axis_not_ready names, with its state: "x is
+/// disabled."; "" without such an axis. `axes`: names of the axes of the group.
+std::string unready_axis_text(const Refusal& refusal, std::span<const std::string> axes);
+
 }  // namespace jounce

@@ -71,7 +71,7 @@ void add_not_limited(Report& report, const Input& input);
 
 /// Adds the warning `warning/no_limits` if the report compares the motion with no limit of the
 /// machine.
-void add_no_limits(Report& report);
+void add_no_limits(Report& report, const Spec* spec = nullptr);
 
 /// Returns the greatest permitted error of the table, in the unit of the position: the requested
 /// tolerance. If none is requested, it is

@@ -70,6 +70,7 @@ class MasterServer {
     MasterReading last = {};
     bool was_there = false;
     bool told_unit = false;
+    bool told_lag = false;                        // the present lag was reported
     std::optional<std::int32_t> epoch = {};       // newest epoch that was received
     std::optional<std::int32_t> told_epoch = {};  // newest epoch at the last notice
     std::vector<bool> said_by = {};               // axes that send the status of the master
@@ -78,6 +79,7 @@ class MasterServer {
   void subscribe(One& one, ExternalMaster& master);
   void refused(One& one, const wire::Master& said);
   void compare(One& one, const MasterReading& now);
+  void compare_lag(One& one, const MasterReading& now);
 
   Options options_;
   ReceiverPump& pump_;

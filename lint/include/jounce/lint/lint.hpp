@@ -15,6 +15,9 @@ namespace jounce {
 /// function at the same time.
 using Examine = std::function<std::vector<Report>(std::vector<Input>& axes)>;
 
+/// Examines the spec of an axis; throws InputError for one that the executor would reject.
+using ExamineAxis = std::function<void(const Spec& axis)>;
+
 /// Reads a file of any kind, examines its motions, and returns all findings and errors, each with
 /// its place in the file. Does not throw InputError: an error in the input is part of the result.
 ///
@@ -24,11 +27,11 @@ using Examine = std::function<std::vector<Report>(std::vector<Input>& axes)>;
 ///       return reports;
 ///     });
 ///
-/// A file without a motion is checked as follows: an axis with its drive, a machine with the specs
-/// of its axes, a drive with the stability of its loop, a sweep with its spec, a path without
+/// A file without a motion is checked as follows: an axis with its drive and by `examine_axis`, a
+/// machine with the specs of its axes, a drive with the stability of its loop, a sweep with its spec, a path without
 /// commands, a key file with its access rights. `machine` is the path spec for a G-code program.
 FileResult lint_file(const std::string& path, const Examine& examine,
-                     const std::string& machine = "");
+                     const std::string& machine = "", const ExamineAxis& examine_axis = {});
 
 /// Like lint_file(), for a text that is not, or not yet, in the file `path`. Other files that the
 /// text names are read from the disk.
@@ -38,7 +41,8 @@ FileResult lint_text(const std::string& path, std::string text, const Examine& e
 /// the share that is done, 0 to 1.
 std::vector<FileResult> lint_files(const std::vector<std::string>& paths, const Examine& examine,
                                    const std::string& machine = "",
-                                   const std::function<void(double)>& progress = {});
+                                   const std::function<void(double)>& progress = {},
+                                   const ExamineAxis& examine_axis = {});
 
 /// True for a file of Jounce that has no motion to examine. False for a file that cannot be read.
 bool is_without_motion(const std::string& path);

@@ -9,6 +9,7 @@
 #include "jounce/executor/axis_server.hpp"
 #include "jounce/executor/masters.hpp"
 #include "jounce/executor/recorder.hpp"
+#include "jounce/spec/spec.hpp"
 
 namespace jounce {
 
@@ -48,6 +49,10 @@ struct MachineParts {
 /// master, and units that do not match. Throws std::system_error if the shared memory of a drive
 /// cannot be created.
 MachineParts machine_parts(const MachineOptions& options);
+
+/// Throws InputError, with file, line and key, for a spec of kind "axis" that machine_parts() rejects
+/// alone: its limits, homing, sensors and drive. Opens no drive.
+void require_axis(const Spec& spec);
 
 /// Throws InputError (key "log", "record" or "black_box") if a file that the run would write is one of
 /// its specs.

@@ -17,6 +17,9 @@
 /// The state of the axes of executors, from their messages.
 namespace jounce::dashboard {
 
+/// Stands for the name of an executor that is missing, if no names are given.
+inline constexpr const char* any_executor = "every executor";
+
 /// The state of one axis.
 struct Watched {
   static constexpr std::size_t traced = 240;  ///< greatest length of `trace`
@@ -81,11 +84,11 @@ class Watch {
       const std::function<void(const std::string& axis, const wire::Event&)>& event = {});
 
   /// Returns the name of an axis in the options that has sent no status for `patience`. Without
-  /// names in the options, returns "every executor" if no axis has sent a status for `patience`.
+  /// names in the options, returns any_executor if no axis has sent a status for `patience`.
   /// Otherwise returns "". The time counts from the constructor on.
   [[nodiscard]] std::string silent(Nanos patience) const;
   /// Returns the name of an axis in the options that has sent no status at all. Without names in
-  /// the options, returns "every executor" if no status has arrived. Otherwise returns "".
+  /// the options, returns any_executor if no status has arrived. Otherwise returns "".
   [[nodiscard]] std::string missing() const;
   /// True if a status of an axis has arrived.
   [[nodiscard]] bool has_received() const;

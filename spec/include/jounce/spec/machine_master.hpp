@@ -22,7 +22,9 @@ struct TrackingSpec {
   double latency = 0;           ///< s, additional age of each measurement when it arrives
   double longest_age = 0.1;     ///< s, time without a measurement after which the master is lost
   double modulo = 0;            ///< u, period of the measured position; 0: it does not repeat
-  double jump = 0;  ///< u, a greater step between measurements is a jump; 0: velocity * longest_age
+  /// u, greatest deviation of a measurement or of the output from the estimate; 0: velocity *
+  /// longest_age
+  double jump = 0;
 };
 
 /// A master of a machine: section [master.NAME] of a spec of kind "machine".
