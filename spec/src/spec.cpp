@@ -165,7 +165,7 @@ void read_beside_cam(TomlReader& top, Spec& spec) {
 
 /// Reads the knots of a cam, with their changes by [[then]].
 void read_own_cam(TomlReader& top, Spec& spec) {
-  spec_detail::require_last_knot(top, spec.units);
+  if (top.has("master")) spec_detail::require_last_knot(top, spec.units);
   top.attempt([&] { spec.master = read_master(top, spec); });
   CamSpec knots = spec_detail::read_cam(top, spec.units, spec);
   if (!top.has("then")) {

@@ -221,7 +221,7 @@ TEST(Tracked, AMasterAboveItsVelocityIsLostBeyondTheJumpUntilItIsSlowAgain) {
   }
   EXPECT_NEAR(lost_from, 0.15, 5 * h);
   EXPECT_GT(master.lag(), 0.3) << "reported while it is lost";
-  for (; i < 500; ++i, truth += 2 * h) {
+  for (; i < 1000; ++i, truth += 2 * h) {
     master.see(i * h, truth);
     (void)master.at(i * h);
   }

@@ -290,14 +290,14 @@ TEST(Homing, TheOrderChangesWhatIsConfigured) {
   Stage stage(machine(cam), -50);
   double fastest = 0;
   stage.watch = [&] { fastest = std::max(fastest, std::abs(stage.now.velocity)); };
-  stage.step({command::Home{.offset = 40,
+  stage.step({command::Home{.offset = 15,
                             .method = 24,
                             .search_velocity = 20,
                             .index_velocity = 1,
                             .acceleration = 100}});
   stage.finish();
   ASSERT_TRUE(stage.now.homed);
-  EXPECT_NEAR(stage.now.position - 40, stage.at() - 10, 1e-9);
+  EXPECT_NEAR(stage.now.position - 15, stage.at() - 10, 1e-9);
   EXPECT_NEAR(fastest, 20, 1e-9);
 }
 

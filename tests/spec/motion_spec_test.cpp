@@ -551,7 +551,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec(himc_lines + "acceleration_time = 5"),
                   "a.toml:8:16: move.acceleration = 20 mm/s^2: cannot be combined with "
                   "acceleration_time: "
-                  "not both"},
+                  "give one of the two"},
         BadMotion{move_spec("profile = \"pmc600\"\nto = 1\nvelocity = 1\nacceleration = 1\n"
                             "mode = \"sigmod\""),
                   "a.toml:9:8: move.mode = \"sigmod\": must be one of trapezoid, sigmoid, "

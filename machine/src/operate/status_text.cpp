@@ -132,10 +132,7 @@ std::string master_text(const wire::MasterStatus& master, bool ascii) {
   // Samples of a sender that the executor rejects; its terminal prints the reason.
   const std::string rejected =
       master.refused > 0
-          ? fmt::format(
-                ", {} rejected (another unit than {}, an older epoch, or late; the terminal "
-                "of the executor shows which)",
-                counted(master.refused, "sample"), unit)
+          ? fmt::format(", {} rejected (unit, epoch or order)", counted(master.refused, "sample"))
           : "";
   if (master.lost)
     return fmt::format("{}{}, {}{}", master.master, std::isnan(master.age_s) ? "" : " is lost", age,

@@ -187,8 +187,8 @@ void require_last_knot(TomlReader& top, const Units& units) {
   std::optional<double> to;
   std::optional<double> from;
   try {
-    to = master_of(*end, units.x);
-    from = master_of(*before, units.x);
+    to = end->optional_number("master", units.x);
+    from = before->optional_number("master", units.x);
   } catch (const InputError&) {
     return;
   }
