@@ -313,7 +313,7 @@ TEST(Dashboard, ShowsTheMasterOfTheChosenAxis) {
   take(axes, "knife", wire::MasterStatus{7, "line", "mm", 11, true});
   EXPECT_THAT(text(), HasSubstr("line, no valid sample yet"));
   take(axes, "knife", wire::MasterStatus{7, "line", "mm", 11, true, NAN, NAN, NAN, 0, 3100});
-  EXPECT_THAT(text(), HasSubstr("3100 samples rejected (unit, epoch or order)"));
+  EXPECT_THAT(text(), HasSubstr("3100 rejected (unit, epoch, order)"));
   EXPECT_EQ(axes[0].masters.size(), 1U);
   for (int i = 0; i < 1000; ++i)
     take(axes, "knife", wire::MasterStatus{7, "m" + std::to_string(i), "mm", 12 + i, true});

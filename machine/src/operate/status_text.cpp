@@ -132,7 +132,7 @@ std::string master_text(const wire::MasterStatus& master, bool ascii) {
   // Samples of a sender that the executor rejects; its terminal prints the reason.
   const std::string rejected =
       master.refused > 0
-          ? fmt::format(", {} rejected (unit, epoch or order)", counted(master.refused, "sample"))
+          ? fmt::format(", {} rejected (unit, epoch, order)", master.refused)
           : "";
   if (master.lost)
     return fmt::format("{}{}, {}{}", master.master, std::isnan(master.age_s) ? "" : " is lost", age,
