@@ -832,9 +832,15 @@ TEST_F(Cli, BadInputLeavesNothingBehind) {
 }
 
 TEST_F(Cli, AMachineThatCannotIsThree) {
-  const Result result = run("design " + cam + " -o /nonexistent/folder/t.csv");
+  const Result result = run("design " + cam + " -o /proc/t.csv");  // no program can make files there
   EXPECT_EQ(result.status, 3);
-  EXPECT_THAT(result.err, HasSubstr("cannot write /nonexistent/folder/t.csv"));
+  EXPECT_THAT(result.err, HasSubstr("cannot write /proc/t.csv"));
+}
+
+TEST_F(Cli, AMissingFolderOfAnOutputIsTwo) {
+  const Result result = run("design " + cam + " -o /nonexistent/folder/t.csv");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("the folder /nonexistent/folder does not exist"));
 }
 
 TEST_F(Cli, OptimizeWritesTheSameTextWithOtherNumbers) {
