@@ -109,9 +109,11 @@ constexpr std::array entries{
     Entry{Cause::synchronized, "synchronized", "The axis is following a master.",
           "Release the axis from its master: `jounce order NAME gear-out`, or cam-out for a cam."},
     Entry{Cause::stopping, "stopping", "A stop is in progress.", "Wait until the axis is at rest."},
-    Entry{Cause::not_on_path, "not_on_path",
-          "The command is not possible while the axis is following a live master.",
-          "To stop the axis, use `jounce stop NAME`; to slow the axis down, slow its master down."},
+    Entry{
+        Cause::not_on_path, "not_on_path", "The command does not apply to the present motion.",
+        "`finish` ends a table that repeats, or a repetitive move; `jounce order NAME halt` ends a "
+        "move. A slave of a live master stops with `jounce stop NAME`, and slows down with its "
+        "master."},
     Entry{Cause::no_movement, "no_movement",
           "The command changes a motion, but no motion is in progress.", "Start a motion first."},
     Entry{Cause::not_synchronized, "not_synchronized", "The axis is not following a master.",

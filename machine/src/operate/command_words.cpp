@@ -177,7 +177,7 @@ double positive(const std::string& word, const Field& field, const std::string& 
   const bool is_limit = field.quantity != Quantity::time && field.quantity != Quantity::position;
   throw InputError(name, text,
                    std::string("must be greater than 0") +
-                       (!is_limit        ? ""
+                       (!is_limit || name == value_word ? ""
                         : word == "home" ? "; leave it out to use [homing] of the axis's spec"
                                          : "; leave it out to use the limit of the axis"));
 }
