@@ -37,8 +37,11 @@ until "$1" order shear cut --position ${demand}mm > answer 2>&1; do
   demand=$((demand + 1))
 done
 refused 'cut_pending' "$1" order shear cut --position 9000mm
-sleep 6.5
-"$1" order shear cut > answer 2>&1 || grep -q cut_pending answer || fail "no cut as soon as possible: $(cat answer)"
+for i in $(seq 60); do  # pending until the shear moves towards the cut on demand
+  "$1" order shear cut > answer 2>&1 && break
+  grep -q cut_pending answer || fail "no cut as soon as possible: $(cat answer)"
+  sleep 0.2
+done
 sleep 1.6
 "$1" order shear park || fail "the shear does not park"
 "$1" order knife park || fail "the knife does not park"

@@ -354,6 +354,24 @@ TEST(CutPlan, CutNowUnlessAPlannedCutComesFirst) {
   EXPECT_EQ(plan.cuts(), 2);
 }
 
+TEST(CutPlan, NoCutOnDemandReplacesAnother) {
+  // The demand is 1 above the next possible cut of its piece. It is the planned cut from 1187.5 on.
+  const double earliest = 1187.5 + 966.42464345;
+  for (const double asked : {1100.0, 1200.0}) {  // before and after it becomes the planned cut
+    CutPlan plan(task_of(carriage(), {1000}), 0);
+    for (double x = 0; x < asked; x += 1) (void)plan.at(x);
+    EXPECT_TRUE(plan.cut_at(earliest + 1));
+    for (double x = asked; x < 1210; x += 1) (void)plan.at(x);
+    ASSERT_EQ(plan.phase(), CutPlan::Phase::cut);
+    EXPECT_EQ(plan.cut_now().status, Status::pending);
+    EXPECT_EQ(plan.cut_now().limit, earliest + 1);
+    EXPECT_EQ(plan.cut_at(earliest + 0.5).status, Status::pending);
+    for (double x = 1210; x < 2200; x += 1) (void)plan.at(x);
+    EXPECT_EQ(plan.last_cut(), earliest + 1);
+    EXPECT_TRUE(plan.cut_now()) << "the demand has been made";
+  }
+}
+
 TEST(CutPlan, WebThatMovesBackPassesNoCutTwice) {
   for (const CutMachine& machine : {CutMachine(drum()), CutMachine(carriage())}) {
     CutPlan plan(task_of(machine, {1000}), 0);

@@ -141,6 +141,7 @@ void CutPlan::make_cut() noexcept {
   now_ = {Phase::cut, before_.to, none};
   ++cuts_;
   planned_ = none;
+  demanded_ = false;
   if (!finished_) plan_next();
 }
 
@@ -151,6 +152,7 @@ void CutPlan::plan_next() noexcept {
   if (!(demand_ <= planned_ + near(planned_))) return;
   const bool other = demand_ < planned_ - near(planned_);
   planned_ = std::exchange(demand_, none);
+  demanded_ = true;
   if (other) place_ = place_before_;
 }
 
@@ -241,11 +243,13 @@ CutAnswer CutPlan::cut_at(double web) noexcept {
   const bool home = now_.phase == Phase::home || now_.phase == Phase::retreat;
   Place place = place_;
   if (!fixed && web < planned_ - near(planned_)) {
+    if (demanded_) return {CutAnswer::Status::pending, web, planned_};
     if (!home) {
       const double next = cut + task_->at_least(web - cut);
       if (!task_->makes(web - cut)) return {CutAnswer::Status::position, web, next};
     }
     planned_ = web;
+    demanded_ = true;
     place_ = place_before_;
     return {CutAnswer::Status::ok, web, web};
   }

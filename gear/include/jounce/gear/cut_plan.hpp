@@ -67,7 +67,8 @@ struct CutAnswer {
 ///     (3)  C + the shortest possible piece              otherwise
 ///
 /// A cut on demand ends a piece early. This piece is waste, and its length comes again after the
-/// cut. If planned cuts come before the demand, the same rule holds for the last one of them.
+/// cut. If planned cuts come before the demand, the same rule holds for the last one of them. No
+/// other cut on demand replaces it.
 ///
 /// **Web that moves backwards.** The cutter follows its motion back, over the last cut to the one
 /// before it. A cut that was made is not made again. Beyond this, the plan is lost.
@@ -145,6 +146,7 @@ class CutPlan {
   Place place_;         // after the planned cut
   Place place_before_;  // before it was planned
   double planned_ = none;
+  bool demanded_ = false;  // the planned cut is one on demand
   double demand_ = none;  // a cut on demand after the planned cut
   double web_ = 0;
   bool finished_ = false;
