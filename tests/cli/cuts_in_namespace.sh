@@ -37,12 +37,14 @@ until "$1" order shear cut --position ${demand}mm > answer 2>&1; do
   demand=$((demand + 1))
 done
 refused 'cut_pending' "$1" order shear cut --position 9000mm
-for i in $(seq 60); do  # pending until the shear moves towards the cut on demand
-  "$1" order shear cut > answer 2>&1 && break
-  grep -q cut_pending answer || fail "no cut as soon as possible: $(cat answer)"
-  sleep 0.2
+position() { "$1" monitor line --seconds 0.1 --json | tail -1 | sed 's/.*"position":\([-0-9]*\).*/\1/'; }
+for i in $(seq 60); do  # until the cut on demand is made
+  [ "$(position "$1")" -gt "$demand" ] && break
 done
-sleep 1.6
+"$1" order shear cut || fail "no cut as soon as possible"
+for i in $(seq 20); do
+  [ "$(position "$1")" -gt $((demand + 1400)) ] && break
+done
 "$1" order shear park || fail "the shear does not park"
 "$1" order knife park || fail "the knife does not park"
 wait $executor || { cat said; fail "the run ended badly"; }
