@@ -16,7 +16,7 @@
 # The sources are compiled in batches, but those in APART (see jounce_unity).
 #
 # The release build compiles a module at -O3. A PLANNING module computes motions before they begin, and evaluates none in a
-# cycle: it is compiled at -O2, in six sevenths of the time. A LIGHT module reads, writes and prints: -O1, in three quarters.
+# cycle: it is compiled at -O2, in six sevenths of the time. A LIGHT module reads, writes and prints: -O1, in two thirds.
 set(JOUNCE_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   list(APPEND JOUNCE_WARNINGS -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
@@ -32,7 +32,7 @@ function(jounce_options target)
   target_compile_options(${target} PRIVATE ${JOUNCE_COMPILER_OPTIONS} ${JOUNCE_WARNINGS} $<$<BOOL:${JOUNCE_WERROR}>:-Werror>)
 endfunction()
 
-# The options of all modules, so that they can share what is parsed once, at any level of optimization.
+# The options of all modules, so that they can share what is parsed once.
 function(jounce_module_options target)
   jounce_options(${target})
   target_compile_options(${target} PRIVATE -fno-math-errno)  # no code asks errno what a root did
@@ -109,8 +109,10 @@ function(jounce_module name)
   elseif(MODULE_PLANNING)
     jounce_release_option(jounce_${name} -O2)
   endif()
-  jounce_precompile(jounce_${name} ${MODULE_PRECOMPILE})
   jounce_unity(jounce_${name} ${MODULE_APART})
+  if(NOT JOUNCE_UNITY)  # a batch parses these headers as fast as the compiler loads them
+    jounce_precompile(jounce_${name} ${MODULE_PRECOMPILE})
+  endif()
   target_compile_features(jounce_${name} PUBLIC cxx_std_20)
   target_include_directories(jounce_${name}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
