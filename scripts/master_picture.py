@@ -82,7 +82,7 @@ def picture():
     for i in range(0, 400, 100):
         print(f'<text x="{at(i, 0)[0]:.1f}" y="{height - bottom + 18}" text-anchor="middle">{i}</text>')
     print(f'<text x="{width - right}" y="{height - 10}" text-anchor="end">ms</text>'
-          f'<text x="{left}" y="16">m/s: 50 um a count, 5 um of noise, read at 1 kHz</text>')
+          f'<text x="{left}" y="16">m/s: 50 um per count, 5 um of noise, read at 1 kHz</text>')
     for k, (name, color, stroke, values) in enumerate(curves):
         points = " ".join("{:.1f},{:.1f}".format(*at(i, v)) for i, v in enumerate(values[199:]))
         print(f'<polyline points="{points}" fill="none" stroke="{color}" stroke-width="{stroke}"/>'

@@ -127,8 +127,8 @@ Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::
   const double way = travel.max.value - travel.min.value;
   double highest = 12 / motion.length();
   for (const DriveMode& m : own) highest = std::max(highest, 1.3 * m.frequency);
-  Figure figure{.title = "Residual vibration of the motion", .x_label = "its frequency [Hz]"};
-  Panel panel{.y_label = "amplitude left [dB of the way]"};
+  Figure figure{.title = "Residual vibration of the motion", .x_label = "frequency [Hz]"};
+  Panel panel{.y_label = "residual amplitude [dB of the travel]"};
   for (const double damping : {0.0, 0.05}) {
     Series series{.label = damping == 0 ? "undamped" : fmt::format("damping ratio {}", damping)};
     for (int i = 1; i <= points; ++i) {
