@@ -54,6 +54,7 @@ int run_replay(const ReplayArguments& options) {
     print_json(replay_json(file.replay));
   else
     fmt::print("{}", replay_text(file.replay, options.file));
+  if (!file.replay.damage.empty()) return bad_input;
   return file.replay.agrees() ? fine : finding;
 }
 

@@ -25,6 +25,15 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
     if (cause == 0 || static_cast<std::int32_t>(one.cause) != cause) continue;
     if (!reason.starts_with(one.name)) return "";
     std::string remedy = one.remedy;
+    if (one.cause == Cause::not_enabled && reason.find("the fault") != std::string::npos)
+      remedy =
+          "Remove its cause, then send `jounce order NAME reset` and `jounce order NAME enable`.";
+    if (one.cause == Cause::no_master_input && reason.find("has no [follow]") != std::string::npos)
+      remedy =
+          "Add [follow] to the spec of the axis, or send the motion of the master as a table over "
+          "time.";
+    if (one.cause == Cause::no_master_input && reason.find("sends no valid") != std::string::npos)
+      remedy = "`jounce monitor NAME` shows the master: start its program, or correct its unit.";
     constexpr std::string_view placeholder = "NAME";
     for (auto at = remedy.find(placeholder); at != std::string::npos;
          at = remedy.find(placeholder, at)) {
