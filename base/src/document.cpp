@@ -31,8 +31,12 @@ std::optional<Measure> measure_of(const Document& document, const std::string& k
   return Measure{given, given == unit->second ? 1 : conversion(unit->second, given)};
 }
 
-/// Fifteen digits hide the rounding of a change of unit.
+/// Twelve digits hide the rounding of a change of unit.
 std::string shown(double value) {
+  std::array<char, 40> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12);
+  std::from_chars(text.data(), end.ptr, value);
   return InputError("", value, "").value();
 }
 
@@ -133,7 +137,7 @@ InputError scaled(const InputError& error, const Document::Given& given) {
   double value = 0;
   if (text.empty() || number_at(text, 0, value) != text.size())
     return InputError(given.key, text, error.rule());
-  return InputError(given.key, value * given.factor, error.rule());
+  return InputError(given.key, shown(value * given.factor), error.rule());
 }
 
 /// The error of a number that the text does not have.

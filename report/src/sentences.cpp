@@ -41,9 +41,9 @@ bool is_position_limit(const Finding& finding) {
 /// its limit.
 Finding tidy(Finding f) {
   if (f.rule.family() != RuleFamily::warning && !is_position_limit(f)) return f;
-  double scale = std::max(std::abs(f.value), f.has_limit ? std::abs(f.limit) : 0);
+  double scale = std::max(std::abs(f.value), std::abs(f.limit));
   // The margin of a position is a share of the travel.
-  if (f.has_limit && f.margin != 0 && std::isfinite(f.margin))
+  if (f.margin != 0 && std::isfinite(f.margin))
     scale = std::max(scale, std::abs((f.value - f.limit) / f.margin));
   if (!std::isfinite(scale)) return f;
   for (double* number : {&f.value, &f.limit})
