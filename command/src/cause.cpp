@@ -236,7 +236,8 @@ constexpr std::array entries{
     Entry{
         Cause::single_axis, "single_axis", "The command moves a single axis, not a group.",
         "Send the command to an axis of the group, while the group is disabled. A group moves with "
-        "`move-linear`, and jogs with `jog --along`."},
+        "`move-linear`, and jogs with `jog --along`. For a table: stream it to an axis while the "
+        "group is disabled; a group plays a path."},
     Entry{Cause::axis_not_ready, "axis_not_ready",
           "An axis of the group is disabled, not homed, has a fault, or moves.",
           "Enable, home or reset this axis, or wait for its standstill; then repeat the command."},

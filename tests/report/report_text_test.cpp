@@ -104,7 +104,7 @@ TEST(ReportText, ARoundingErrorBesideTheTravelIsZero) {
   f.where = 72;
   f.value = -0.02;
   f.limit = 1.30878e-10;
-  f.margin = -0.001;  // of a travel of 20 mm
+  f.margin = -0.001;  // the travel is 20 mm
   f.severity = Severity::warning;
   const Labels labels{{"deg", "mm"}, true, {}};
   EXPECT_EQ(sentence(f, labels),
