@@ -32,7 +32,7 @@ std::optional<Measure> measure_of(const Document& document, const std::string& k
 }
 
 /// Twelve digits hide the rounding of a change of unit.
-std::string shown(double value) {
+std::string converted_text(double value) {
   std::array<char, 40> text{};
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12);
@@ -73,7 +73,11 @@ std::string subject(std::string_view before, const std::string& own, const Docum
     return document.units.contains(other) ? other : std::string(word);
   };
   const bool is_first = before.find_first_of(":;") == std::string_view::npos;
-  if (without(" =")) return named(last_word(before));
+  if (without(" =")) {
+    const std::string other = named(last_word(before));
+    return document.units.contains(other) || !is_first || !before.starts_with("must be") ? other
+                                                                                         : own;
+  }
   if (without(" take")) return own;
   constexpr std::array<std::string_view, 7> comparisons{
       " at least", " at most", " greater than", " less than", " longer than", " below", " above"};
@@ -114,7 +118,7 @@ std::string with_units(const std::string& rule, const std::string& own, double f
             : "";
     const auto measure = key.empty() || value == 0 ? std::nullopt : measure_of(document, key);
     const double scale = measure ? measure->factor * (key == own ? factor : 1) : 1;
-    all += scale == 1 ? text : shown(value * scale);
+    all += scale == 1 ? text : converted_text(value * scale);
     if (measure) all += " " + measure->unit;
   }
   return all;
@@ -128,7 +132,9 @@ InputError with_unit(const InputError& error, double factor, const Document& doc
   const std::string& text = error.value();
   if (!measure || text.empty() || number_at(text, 0, value) != text.size())
     return InputError(error.key(), text, rule);
-  return InputError(error.key(), shown(value * measure->factor) + " " + measure->unit, rule);
+  const std::string shown = measure->factor == 1 ? InputError("", value, "").value()
+                                                 : converted_text(value * measure->factor);
+  return InputError(error.key(), shown + " " + measure->unit, rule);
 }
 
 /// The error under the key of the text, with the number of the text.
@@ -137,7 +143,7 @@ InputError scaled(const InputError& error, const Document::Given& given) {
   double value = 0;
   if (text.empty() || number_at(text, 0, value) != text.size())
     return InputError(given.key, text, error.rule());
-  return InputError(given.key, shown(value * given.factor), error.rule());
+  return InputError(given.key, converted_text(value * given.factor), error.rule());
 }
 
 /// The error of a number that the text does not have.
