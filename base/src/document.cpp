@@ -52,7 +52,7 @@ std::size_t number_at(const std::string& text, std::size_t at, double& value) {
 bool ends_here(std::string_view rest) {
   constexpr std::string_view marks = ",:;)";
   return rest.empty() || marks.find(rest.front()) != std::string_view::npos ||
-         rest.starts_with(" at ") || rest.starts_with(" and ");
+         rest.starts_with(" at ") || rest.starts_with(" and ") || rest.starts_with(" (");
 }
 
 std::string_view last_word(std::string_view text) {

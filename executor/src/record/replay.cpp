@@ -166,9 +166,9 @@ class Replayer {
 
   void take(const RecordedCheck& check) {
     if (check.hash != check_ && result_.damage.empty())
-      result_.damage = "the checksum at event " + std::to_string(events_) +
-                       " differs from the events between it and event " +
-                       std::to_string(std::max<std::int64_t>(checked_, 1));
+      result_.damage = "between event " + std::to_string(std::max<std::int64_t>(checked_, 1)) +
+                       " and event " + std::to_string(events_) +
+                       ", an event was changed, added or lost";
     result_.has_checksums = true;
     checked_ = events_;
   }
