@@ -125,9 +125,10 @@ void add_order(CommandLine& line) {
                               "jounce order feeder home --method 24 --search-velocity 40mm/s\n"
                               "Numbers without a unit have the unit of the axis.");
   verb.option("NAME", options->executor, "Name of the axis or group").required();
-  verb.option("WHAT", options->words.what,
-              fmt::format("{}. start: the table of a virtual master, or the program of a group",
-                          fmt::join(command_words(), ", ")))
+  verb.option(
+          "WHAT", options->words.what,
+          fmt::format("{}. start plays the table of a virtual master, or the program of a group",
+                      fmt::join(command_words(), ", ")))
       .required()
       .check(command_word(*options));
   verb.option(

@@ -55,8 +55,7 @@ void add_stream(CommandLine& line) {
   verb.machine(options->machine);
   verb.option("--to", options->to,
               "Name of the axis or group, or of several axes (x,y,z): each plays its own table, or "
-              "all play "
-              "the only table")
+              "all play the only table")
       .required();
   verb.option("--master", options->master,
               "For a cam table: table over time of its master; a cam spec has its own [master]");
@@ -78,8 +77,7 @@ void add_stream(CommandLine& line) {
                   "holds FILE in its first bank, and this table in its second");
   verb.option("--loops", options->loops,
               "With --bank: number of times that the second bank is played, each time from the "
-              "position "
-              "that it reached before")
+              "position that it reached before")
       .needs(bank)
       .check(whole(1, 1'000'000'000))
       .shown();

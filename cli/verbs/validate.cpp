@@ -104,8 +104,8 @@ void add_validate(CommandLine& line) {
   const Option signals = verb.option(
       "--signals", options->signals,
       "Signals of the [drive] over time to write, .csv or .npy: reference, motor, load, "
-      "velocity, "
-      "torque, current; - is CSV on standard output. `jounce identify` reads these columns");
+      "velocity, torque, current; - is CSV on standard output. `jounce identify` reads these "
+      "columns");
   signals.check(output_file({".csv", ".npy"}));
   verb.option("--samples", options->samples,
               "Number of rows of --signals, equally spaced over the run")

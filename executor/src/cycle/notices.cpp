@@ -72,7 +72,8 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
              (options.units.position.empty() ? "" : " " + options.units.position);
     };
     return "the motion begins at " + at(refusal.value) + ", but the present motion ends at " +
-           at(refusal.limit) + " (start_position): begin it there, or wait for the end of the present motion.";
+           at(refusal.limit) +
+           " (start_position): begin it there, or wait for the end of the present motion.";
   }
   const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;
   if (!fault || now.fault == Cause::none) return words;
