@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/base/document.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
-#include <map>
+#include <optional>
+#include <string_view>
 #include <system_error>
+
+#include "jounce/base/units.hpp"
 
 namespace jounce {
 namespace {
@@ -12,27 +17,133 @@ bool is_pure(const std::string& unit) {
   return unit.empty() || unit == "1";
 }
 
-/// The error with the unit of its number, if its key has one. Fifteen digits hide the rounding of a change of unit.
-InputError with_unit(const InputError& error, const std::map<std::string, std::string>& units) {
-  const auto unit = units.find(error.key());
-  const std::string& text = error.value();
+/// The unit in which the text gives the number of a key, and the factor to it.
+struct Measure {
+  std::string unit;
+  double factor = 1;
+};
+
+std::optional<Measure> measure_of(const Document& document, const std::string& key) {
+  const auto unit = document.units.find(key);
+  if (unit == document.units.end() || is_pure(unit->second)) return std::nullopt;
+  std::string given = document.given_unit(key, unit->second);
+  if (!is_convertible(unit->second, given)) given = unit->second;
+  return Measure{given, given == unit->second ? 1 : conversion(unit->second, given)};
+}
+
+/// Twelve digits hide the rounding of a change of unit.
+std::string converted_text(double value) {
+  std::array<char, 40> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12);
+  std::from_chars(text.data(), end.ptr, value);
+  return InputError("", value, "").value();
+}
+
+/// The number that begins at the text, and its length; 0: none.
+std::size_t number_at(const std::string& text, std::size_t at, double& value) {
+  const char first = text[at];
+  if (first != '-' && (first < '0' || first > '9')) return 0;
+  const auto [end, bad] = std::from_chars(text.data() + at, text.data() + text.size(), value);
+  return bad == std::errc() ? static_cast<std::size_t>(end - (text.data() + at)) : 0;
+}
+
+/// True if no unit and no other word of the same quantity follows a number.
+bool ends_here(std::string_view rest) {
+  constexpr std::string_view marks = ",:;)";
+  return rest.empty() || marks.find(rest.front()) != std::string_view::npos ||
+         rest.starts_with(" at ") || rest.starts_with(" and ") || rest.starts_with(" (");
+}
+
+std::string_view last_word(std::string_view text) {
+  return text.substr(text.find_last_of(" (") + 1);
+}
+
+/// The key whose number follows the text `before`; "" if it is not known. In the first clause of a
+/// rule, it is the key of the error.
+std::string subject(std::string_view before, const std::string& own, const Document& document) {
+  constexpr std::string_view must_be = " must be";
+  const auto without = [&](std::string_view end) {
+    const bool ends = before.ends_with(end);
+    if (ends) before.remove_suffix(end.size());
+    return ends;
+  };
+  const auto named = [&](std::string_view word) {
+    const std::string other = own.substr(0, own.rfind('.') + 1) + std::string(word);
+    return document.units.contains(other) ? other : std::string(word);
+  };
+  const bool is_first = before.find_first_of(":;") == std::string_view::npos;
+  if (without(" =")) {
+    const std::string other = named(last_word(before));
+    return document.units.contains(other) || !is_first || !before.starts_with("must be") ? other
+                                                                                         : own;
+  }
+  if (without(" take")) return own;
+  constexpr std::array<std::string_view, 7> comparisons{
+      " at least", " at most", " greater than", " less than", " longer than", " below", " above"};
+  if (before.ends_with(','))  // "must be at most position_max, 300"
+    return is_first && std::any_of(comparisons.begin(), comparisons.end(),
+                                   [&](std::string_view one) {
+                                     return before.starts_with("must be" + std::string(one));
+                                   })
+               ? own
+               : "";
+  for (const std::string_view comparison : comparisons) {
+    if (!without(comparison)) continue;
+    without(must_be);
+    const std::string other = named(last_word(before));
+    return document.units.contains(other) ? other : is_first ? own : "";
+  }
+  return is_first && before == must_be.substr(1) ? own : "";
+}
+
+/// The rule with the units of its numbers: `must be at least 0.5 s`, `line_speed must be at most 29.6 m/min`.
+/// `factor`: from the number of the error to that of its key.
+std::string with_units(const std::string& rule, const std::string& own, double factor,
+                       const Document& document) {
+  std::string all;
+  for (std::size_t at = 0; at < rule.size();) {
+    double value = 0;
+    const bool begins = at > 0 && rule[at - 1] == ' ';
+    const std::size_t length = begins ? number_at(rule, at, value) : 0;
+    if (length == 0) {
+      all += rule[at++];
+      continue;
+    }
+    const std::string text = rule.substr(at, length);
+    at += length;
+    const std::string key =
+        ends_here(std::string_view(rule).substr(at))
+            ? subject(std::string_view(rule).substr(0, at - length - 1), own, document)
+            : "";
+    const auto measure = key.empty() || value == 0 ? std::nullopt : measure_of(document, key);
+    const double scale = measure ? measure->factor * (key == own ? factor : 1) : 1;
+    all += scale == 1 ? text : converted_text(value * scale);
+    if (measure) all += " " + measure->unit;
+  }
+  return all;
+}
+
+/// The error with the units of its numbers, in the units of the text. `factor`: see with_units().
+InputError with_unit(const InputError& error, double factor, const Document& document) {
+  const std::string rule = with_units(error.rule(), error.key(), factor, document);
+  const auto measure = measure_of(document, error.key());
   double value = 0;
-  const auto [end, bad] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (unit == units.end() || is_pure(unit->second) || bad != std::errc() ||
-      end != text.data() + text.size())
-    return error;
-  const InputError rounded(error.key(), value, error.rule());
-  return InputError(error.key(), rounded.value() + " " + unit->second, error.rule());
+  const std::string& text = error.value();
+  if (!measure || text.empty() || number_at(text, 0, value) != text.size())
+    return InputError(error.key(), text, rule);
+  const std::string shown = measure->factor == 1 ? InputError("", value, "").value()
+                                                 : converted_text(value * measure->factor);
+  return InputError(error.key(), shown + " " + measure->unit, rule);
 }
 
 /// The error under the key of the text, with the number of the text.
 InputError scaled(const InputError& error, const Document::Given& given) {
   const std::string& text = error.value();
   double value = 0;
-  const auto [end, bad] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (bad != std::errc() || end != text.data() + text.size())
+  if (text.empty() || number_at(text, 0, value) != text.size())
     return InputError(given.key, text, error.rule());
-  return InputError(given.key, value * given.factor, error.rule());
+  return InputError(given.key, converted_text(value * given.factor), error.rule());
 }
 
 /// The error of a number that the text does not have.
@@ -45,14 +156,14 @@ InputError missing(const std::string& key, const std::string& unit) {
 
 InputError Document::located(const InputError& unplaced) const {
   if (!unplaced.document().empty()) return unplaced;
-  if (const auto other = converted.find(unplaced.key()); other != converted.end())
-    return located(scaled(unplaced, other->second));
-  const auto unit = known.find(unplaced.key());
-  const bool absent = unit != known.end() && !places.contains(unplaced.key()) &&
-                      unplaced.value() == "0" &&
-                      unplaced.rule().starts_with("must be greater than 0");
-  const InputError error =
-      absent ? missing(unplaced.key(), unit->second) : with_unit(unplaced, units);
+  const auto other = converted.find(unplaced.key());
+  const bool is_converted = other != converted.end();
+  const InputError own = is_converted ? scaled(unplaced, other->second) : unplaced;
+  const auto unit = known.find(own.key());
+  const bool absent = unit != known.end() && !places.contains(own.key()) && own.value() == "0" &&
+                      own.rule().starts_with("must be greater than 0");
+  const InputError error = absent ? missing(own.key(), unit->second)
+                                  : with_unit(own, is_converted ? other->second.factor : 1, *this);
   for (std::string key = error.key();; key.erase(key.find_last_of(".["))) {
     if (const auto it = places.find(key); it != places.end())
       return error.at(name, it->second.line, it->second.column);

@@ -5,6 +5,7 @@
 
 #include "jounce/design/axes.hpp"
 #include "jounce/design/over_time.hpp"
+#include "jounce/design/version.hpp"
 
 #include "cli/common/option_names.hpp"
 
@@ -49,6 +50,7 @@ Input load(const std::string& path, const std::string& axis, bool decimal_comma)
 
 Input load_beside(const std::string& path, const Input& input) {
   std::vector<Input> all = load_axes(path);
+  require_one_kind(all.front(), input, path, input.name);
   return all.size() == 1 ? std::move(all.front()) : load(path, input.axis);
 }
 

@@ -97,7 +97,7 @@ Option Verb::axis(std::string& target) const {
 
 Option Verb::over(std::string& target) const {
   return option("--over", target,
-                "Show a cam over its master, or the slave over time with the [master] of the spec")
+                "master or time: show a cam over its master, or its slave over time with [master]")
       .check(one_of({"master", "time"}));
 }
 

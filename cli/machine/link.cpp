@@ -41,7 +41,8 @@ namespace {
 void warn_of_new_folder(const std::string& url) {
   constexpr std::string_view scheme = "unix://";
   std::error_code none;  // an error counts as a folder
-  if (!url.starts_with(scheme) || std::filesystem::exists(url.substr(scheme.size()), none) || none)
+  if (!url.starts_with(scheme) || url.size() == scheme.size() ||
+      std::filesystem::exists(url.substr(scheme.size()), none) || none)
     return;
   fmt::print(stderr,
              "jounce: warning: --url {}: the folder did not exist, so no executor uses it yet: "

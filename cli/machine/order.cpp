@@ -115,7 +115,7 @@ ValueCheck command_word(const OrderArguments& options) {
 
 void add_order(CommandLine& line) {
   const auto options = std::make_shared<OrderArguments>();
-  const Verb verb = line.verb("order", "Send one command to an axis",
+  const Verb verb = line.verb("order", "Send one command to an axis or a group",
                               "jounce order feeder move --to 120mm --velocity 200mm/s\n"
                               "jounce order feeder move --by 80mm --blend next\n"
                               "jounce order feeder jog -20mm/s --hold-to-run\n"
@@ -124,10 +124,11 @@ void add_order(CommandLine& line) {
                               "jounce order feeder override 50%\n"
                               "jounce order feeder home --method 24 --search-velocity 40mm/s\n"
                               "Numbers without a unit have the unit of the axis.");
-  verb.option("NAME", options->executor, "Name of the executor").required();
-  verb.option("WHAT", options->words.what,
-              fmt::format("{}. start: the table of a virtual master, or the program of a group",
-                          fmt::join(command_words(), ", ")))
+  verb.option("NAME", options->executor, "Name of the axis or group").required();
+  verb.option(
+          "WHAT", options->words.what,
+          fmt::format("{}. start plays the table of a virtual master, or the program of a group",
+                      fmt::join(command_words(), ", ")))
       .required()
       .check(command_word(*options));
   verb.option(

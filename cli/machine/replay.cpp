@@ -54,6 +54,7 @@ int run_replay(const ReplayArguments& options) {
     print_json(replay_json(file.replay));
   else
     fmt::print("{}", replay_text(file.replay, options.file));
+  if (!file.replay.damage.empty()) return bad_input;
   return file.replay.agrees() ? fine : finding;
 }
 
@@ -68,9 +69,9 @@ void add_replay(CommandLine& line) {
   verb.option("--axis", options->axis, "Name of the axis for --plot and --csv; default: the first");
   verb.option("--plot", options->plot,
               "Picture of set and actual position, following error and torque (.svg, .png)")
-      .check(ends_in({".svg", ".png"}));
-  verb.option("--csv", options->csv,
-              "Recorded ticks to write, in the format of `jounce run --log`");
+      .check(output_file({".svg", ".png"}));
+  verb.option("--csv", options->csv, "Recorded ticks to write, in the format of `jounce run --log`")
+      .check(output_file());
   verb.option("--last", options->last,
               "Number of last cycles to write; default: 5000 for --plot, all for --csv")
       .check(whole(1, 10'000'000));

@@ -48,8 +48,11 @@ std::unique_ptr<web::PageProcess> page_of(const RunArguments& options, const Tra
 }
 
 int run_executor(const RunArguments& options) {
-  const std::initializer_list<std::string_view> files{"log", "record", "black_box"};
-  with_option_names(files, [&] { require_no_specs(options.machine, options.run.record); });
+  const std::initializer_list<std::string_view> files{"log", "record", "black_box", "cpu"};
+  with_option_names(files, [&] {
+    require_cpu(options.run.realtime.cpu);
+    require_no_specs(options.machine, options.run.record);
+  });
   if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", unprotected_warning);
   auto [axes, masters, watchdog] = machine_parts(options.machine);
   with_option_names(

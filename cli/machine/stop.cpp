@@ -41,10 +41,10 @@ int run_stop(const StopArguments& options) {
 
 void add_stop(CommandLine& line) {
   const auto options = std::make_shared<StopArguments>();
-  const Verb verb = line.verb("stop", "Stop an axis, even if another program moves it",
+  const Verb verb = line.verb("stop", "Stop an axis or a group, even if another program moves it",
                               "jounce stop feeder\n"
                               "jounce stop feeder --abort");
-  verb.option("NAME", options->executor, "Name of the executor").required();
+  verb.option("NAME", options->executor, "Name of the axis or group").required();
   verb.flag("--abort", options->abort,
             "Abort: freeze the setpoint at once, or brake with abort_acceleration, even off the "
             "path. The axis is then in error_stop");

@@ -53,7 +53,10 @@ void add_stream(CommandLine& line) {
   verb.option("FILE", options->file, "Spec, table or G-code; - is standard input").required();
   verb.axis(options->axis);
   verb.machine(options->machine);
-  verb.option("--to", options->to, "Name of the executor").required();
+  verb.option("--to", options->to,
+              "Name of the axis or group, or of several axes (x,y,z): each plays its own table, or "
+              "all play the only table")
+      .required();
   verb.option("--master", options->master,
               "For a cam table: table over time of its master; a cam spec has its own [master]");
   verb.flag("--live", options->live, "The cam follows the live master of the axis");
@@ -73,14 +76,16 @@ void add_stream(CommandLine& line) {
                   "Table that follows at the end of FILE and can repeat (--loops). The executor "
                   "holds FILE in its first bank, and this table in its second");
   verb.option("--loops", options->loops,
-              "With --bank: number of times that the second bank is played")
+              "With --bank: number of times that the second bank is played, each time from the "
+              "position that it reached before")
       .needs(bank)
       .check(whole(1, 1'000'000'000))
       .shown();
   const Option rolling = verb.flag("--rolling", options->rolling,
                                    "Send the table row by row while the axis plays it: for tables "
                                    "that exceed the memory of the executor");
-  verb.flag("--resume", options->resume, "With --rolling: continue after a buffer underrun")
+  verb.flag("--resume", options->resume,
+            "With --rolling: continue after each buffer underrun, instead of ending")
       .needs(rolling);
   verb.flag("--relative", options->relative,
             "With --rolling, --bank or a live follow spec: begin at the present position of the "

@@ -38,7 +38,9 @@ void add_edit(CommandLine& line) {
   const Verb verb = line.verb(
       "edit", "Edit a spec in a browser: the curves of a cam by mouse, its text beside it",
       "jounce edit cam.toml");
-  verb.option("SPEC", options->spec, "Spec to edit").required();
+  verb.option("SPEC", options->spec,
+              "Spec to edit; if it does not exist, the page offers examples to start from")
+      .required();
   verb.option("--port", options->port, "Port on 127.0.0.1; 0: any free port")
       .check(whole(0, 65535))
       .shown();

@@ -53,7 +53,7 @@ void add_fit(CommandLine& line) {
               "Unit of the master, for a file without units");
   verb.option("--position-unit", options->fit.position_unit, "The same for the slave");
   verb.option("-o,--output", options->output, "Spec to write; - is standard output")
-      .check(output_file());
+      .check(output_file({".toml"}));
   verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run_fit(*options); });
 }

@@ -48,9 +48,10 @@ void add_new(CommandLine& line) {
       .required()
       .check(one_of(kinds));
   verb.option("-o,--output", options->output, "File to write; - is standard output")
-      .check([options, toml = ends_in({".toml"})](const std::string& file) {
-        return options->kind == "key" ? std::string() : toml(file);
-      });
+      .check(
+          [options, key = output_file(), toml = output_file({".toml"})](const std::string& file) {
+            return options->kind == "key" ? key(file) : toml(file);
+          });
   verb.flag("--force", options->force, "Replace an existing file");
   verb.work([options]() -> int {
     if (options->kind == "key") return make_key(options->output);

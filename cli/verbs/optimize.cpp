@@ -112,8 +112,9 @@ void add_optimize(CommandLine& line) {
               "Picture to write, .svg or .png: the optimized motion over the given one")
       .check(output_file({".svg", ".png"}));
   verb.option("--against", options->against,
-              "Spec of the drive that moves the cam, of kind \"drive\". Required for minimize = "
-              "[\"drive torque\"], \"drive rms torque\", \"drive residual\", \"drive following "
+              "Spec of the drive that moves the cam, of kind \"drive\". Required if minimize names "
+              "one of its figures: \"drive torque\", \"drive rms torque\", \"drive residual\", "
+              "\"drive following "
               "error\", \"drive end following error\"");
   verb.option("--seconds", options->seconds,
               "Stop after this number of seconds with the best result so far");

@@ -101,13 +101,15 @@ void add_validate(CommandLine& line) {
   verb.option("--log", options->log,
               "Tick log of an executor: compare every tick with the table (to rounding) and with "
               "the exact curve (within the tolerance of the table)");
-  verb.option("--signals", options->signals,
-              "Signals of the [drive] over time to write, .csv or .npy: reference, motor, load, "
-              "velocity, "
-              "torque, current; - is CSV on standard output. `jounce identify` reads these columns")
-      .check(output_file({".csv", ".npy"}));
+  const Option signals = verb.option(
+      "--signals", options->signals,
+      "Signals of the [drive] over time to write, .csv or .npy: reference, motor, load, "
+      "velocity, torque, current; - is CSV on standard output. `jounce identify` reads these "
+      "columns");
+  signals.check(output_file({".csv", ".npy"}));
   verb.option("--samples", options->samples,
               "Number of rows of --signals, equally spaced over the run")
+      .needs(signals)
       .shown()
       .check(whole(2, 10'000'000));
   verb.work([options] { return run_validate(*options); });

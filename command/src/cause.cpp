@@ -166,13 +166,14 @@ constexpr std::array entries{
           "and position_max."},
     Entry{Cause::velocity_limit, "velocity_limit",
           "The motion exceeds the velocity limit of the axis.",
-          "Give a lower velocity. For a table: more time, or a law with a lower peak velocity."},
+          "Give a lower velocity. For a table: give it more time, or a law with a lower peak "
+          "velocity."},
     Entry{Cause::acceleration_limit, "acceleration_limit",
           "The motion exceeds the acceleration limit of the axis.",
-          "Give a lower acceleration. For a table: more time, or a law with a lower peak "
-          "acceleration."},
+          "Give a lower acceleration. For a table: give it more time, or a law with a lower "
+          "peak acceleration."},
     Entry{Cause::jerk_limit, "jerk_limit", "The motion exceeds the jerk limit of the axis.",
-          "Give a lower jerk. For a table: more time, or a law with a lower peak jerk."},
+          "Give a lower jerk. For a table: give it more time, or a law with a lower peak jerk."},
     Entry{Cause::position_step, "position_step", "The position of the table jumps.",
           "A cam that wraps must end where it begins. For a cam that gains a distance in each "
           "period, use outside = \"advance\"."},
@@ -212,7 +213,8 @@ constexpr std::array entries{
     Entry{Cause::home_not_found, "home_not_found",
           "The search reached the other limit switch, or the distance of [homing], before it found "
           "the switch of the homing method.",
-          "Check the wiring of the switch, or choose another method."},
+          "Check the wiring of the switch, raise the distance of [homing], or choose another "
+          "method."},
     Entry{Cause::index_not_found, "index_not_found",
           "The search for the index pulse went further than the distance of [homing].",
           "Make this distance greater than one turn, and check the index of the encoder."},
@@ -234,7 +236,8 @@ constexpr std::array entries{
     Entry{
         Cause::single_axis, "single_axis", "The command moves a single axis, not a group.",
         "Send the command to an axis of the group, while the group is disabled. A group moves with "
-        "`move-linear`, and jogs with `jog --along`."},
+        "`move-linear`, and jogs with `jog --along`. For a table: stream it to an axis while the "
+        "group is disabled; a group plays a path."},
     Entry{Cause::axis_not_ready, "axis_not_ready",
           "An axis of the group is disabled, not homed, has a fault, or moves.",
           "Enable, home or reset this axis, or wait for its standstill; then repeat the command."},
@@ -243,8 +246,8 @@ constexpr std::array entries{
           "Disable the group unless it has a fault, move the axis there, and repeat the command."},
     Entry{
         Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
-        "Use `jounce order NAME move --to POSITION`. To stream one axis of a path, choose the axis "
-        "with --axis."},
+        "Use `jounce order NAME move --to POSITION`. For a table: choose one axis of the path with "
+        "--axis."},
     Entry{Cause::no_trigger_input, "no_trigger_input",
           "The drive of the axis does not have this trigger input.",
           "Choose an input that the drive has: 1 to 4, home or index. For a simulated drive, add "
@@ -263,7 +266,7 @@ constexpr std::array entries{
     Entry{Cause::halted, "halted", "Halted on request.", "Nothing."},
     Entry{Cause::pass_ended, "pass_ended", "Finished at the end of the current pass, as requested.",
           "Nothing."},
-    Entry{Cause::replaced, "replaced", "Replaced by another motion.",
+    Entry{Cause::replaced, "replaced", "Another motion took its place.",
           "Nothing. To finish a motion first, send the next one with --buffered or --blend."},
     Entry{Cause::released, "released",
           "The hold-to-run command ended: the button was released, or its heartbeat is missing.",

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -105,9 +107,13 @@ const char* advice_for_table(const TableOptions& options) {
 }
 
 /// Findings for the limits that the table breaks between its knots and the curve keeps, by more
-/// than the rounding of the knots.
+/// than the rounding of the knots. If the curve steps, there are none: the table follows the step.
 Report check_table(const Table& table, const Limits& limits, const TableOptions& options,
                    const Report& of_curve) {
+  const bool steps = std::any_of(
+      of_curve.findings.begin(), of_curve.findings.end(),
+      [](const Finding& f) { return f.broken && f.rule.family() == RuleFamily::continuity; });
+  if (steps) return {};
   Report report = check(table, limits);
   const Ranges peaks = extrema(table);
   const double farthest = std::max(std::abs(table.start()), std::abs(table.end()));
@@ -160,10 +166,46 @@ Report check_joints(const Input& input, int continuity) {
   return of_motion(input, [&](const auto& motion) { return check_continuity(motion, continuity); });
 }
 
+/// Advice for a step at an edge of the grid of a compensation, where the correction ends while the
+/// motion goes on; "" for another step.
+std::string advice_at_edge(const Input& input, const Finding& step) {
+  if (!input.spec || input.labels.over_master) return "";
+  const double position = std::get<Trajectory>(*input.curve).jet(step.where)[0];
+  for (std::size_t k = 0; k < input.spec->then.size(); ++k) {
+    const auto* const s = std::get_if<CompensateSpec>(&input.spec->then[k]);
+    if (s == nullptr || s->references.size() != 1 || !s->references.front().empty()) continue;
+    const double peak = Compensation(s->table).peak();
+    for (const double edge : {s->table.axes.front().base, s->table.axes.front().end()})
+      if (std::abs(position - edge) <= peak)
+        return "the correction ends at " + rounded(edge) + " " + input.labels.units.position +
+               " (then[" + std::to_string(k + 1) +
+               "].reference), and the motion goes on: add points to its grid, or end the motion "
+               "there";
+  }
+  return "";
+}
+
+/// Keeps the worst finding of each limit in each segment of the spec, which may have several pieces.
+void keep_worst(Report& report, const Labels& labels) {
+  std::set<std::tuple<std::string, bool, std::string>> seen;
+  std::erase_if(report.findings, [&](const Finding& f) {
+    return f.broken && f.segment && f.rule.family() == RuleFamily::limit &&
+           !seen.emplace(f.rule.text(), f.limit < 0, labels.segment_of(f)).second;
+  });
+}
+
 Report check_curve(const Input& input, int continuity) {
   const Table& table = input.table.table;
   Report report = of_motion(input, [&](const auto& motion) { return check(motion, input.limits); });
+  keep_worst(report, input.labels);
+  if (input.plan)
+    for (Finding& f : report.findings)
+      if (f.broken && f.rule.name().starts_with("position"))
+        f.advice = "move this part of the path into the range of the axis";
   append(report, check_joints(input, continuity));
+  for (Finding& f : report.findings)
+    if (f.broken && f.rule.family() == RuleFamily::continuity)
+      if (const std::string advice = advice_at_edge(input, f); !advice.empty()) f.advice = advice;
   if (input.plan) design_detail::discount_rounding(std::get<Trajectory>(*input.curve), report);
   if (!input.error) return report;
   if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));

@@ -53,20 +53,22 @@ const char* kind_of(const Inverse& branch) {
 
 /// The branch at a master position, or the only one.
 const Inverse& chosen(const Input& input, const Inversion& all, const std::optional<double>& at) {
+  const std::string unit = input.labels.units.x.empty() ? "" : " " + input.labels.units.x;
   if (at) {
     if (const Inverse* branch = all.branch_at(*at)) return *branch;
-    throw InputError("at", *at,
-                     "is not in a rise or fall of the slave, which are " + all.ranges_text());
+    throw InputError(
+        "at", rounded(*at) + unit,
+        "is not in a rise or fall of the slave, which are " + all.ranges_text() + unit);
   }
   if (all.branches.empty()) throw InputError("FILE", input.name, "has a slave that never moves");
   if (all.branches.size() > 1)
     throw InputError(
         "at", "",
         fmt::format("is missing: the inverse has {} branches. Give a master position "
-                    "inside the one that you need, such as {} {}",
-                    all.branches.size(),
+                    "inside the one that you need ({}{}), such as {}{}",
+                    all.branches.size(), all.ranges_text(), unit,
                     rounded((all.branches[0].master_from() + all.branches[0].master_to()) / 2),
-                    input.labels.units.x));
+                    unit));
   return all.branches.front();
 }
 

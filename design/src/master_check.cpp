@@ -61,6 +61,12 @@ std::string speed_text(double speed, const Spec& spec) {
   return rounded(speed / unit.size) + " " + unit.name;
 }
 
+/// The quantity whose step makes this one unbounded.
+const char* before(const std::string& quantity) {
+  if (quantity == "velocity") return "position";
+  return quantity == "acceleration" ? "velocity" : "acceleration";
+}
+
 /// Ways to keep a limit of the slave. `fastest`: 0 if no speed of the master keeps it.
 std::string slave_advice(const std::string& quantity, double fastest, const Spec& spec) {
   std::string text;
@@ -132,11 +138,11 @@ Finding master_finding(const Cam& cam, const Spec& spec) {
   f.margin = limit.value > 0 ? 1 - speed / limit.value : -speed;
   f.broken = speed > limit.value * (1 + rounded_sum);
   f.unit = unit.name;
-  if (f.broken && limit.value == 0)  // a step: of the velocity for the acceleration, and so on
+  if (f.broken && limit.value == 0)  // a step: of the velocity for the acceleration, ...
     f.advice = fmt::format(
         "no speed of the master keeps limits.slave.{} at this place, because the {} of the cam "
         "steps there: remove the step",
-        limit.quantity, limit.quantity == "acceleration" ? "velocity" : "acceleration");
+        limit.quantity, before(limit.quantity));
   else if (f.broken)
     f.advice = "there the slave reaches limits.slave." + limit.quantity + ": slow the master down";
   return f;

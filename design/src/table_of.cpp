@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "design/src/table_of.hpp"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "jounce/controllers/table_target.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce::design_detail {
 namespace {
@@ -48,13 +50,29 @@ Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& opti
 
 }  // namespace
 
+/// Makes the table. An error of a knot shows that doubles cannot resolve the curve.
+template <class Over>
+Sampled made(const Curve<Over>& curve, const TableOptions& options, const Limits& limits) {
+  const Interpolation rule = rule_for(curve, options);
+  if (options.intervals) return sample(curve, rule, *options.intervals);
+  return sample_within(curve, rule, options.tolerance ? *options.tolerance : fine(curve), limits);
+}
+
 template <class Over>
 Sampled table_of(const Curve<Over>& curve, const TableOptions& options, const Limits& limits) {
   if (options.tolerance) require_certifiable(curve, "table.tolerance", *options.tolerance);
   if (options.target) return fewest(curve, *options.target, options, limits);
-  const Interpolation rule = rule_for(curve, options);
-  if (options.intervals) return sample(curve, rule, *options.intervals);
-  return sample_within(curve, rule, options.tolerance ? *options.tolerance : fine(curve), limits);
+  try {
+    return made(curve, options, limits);
+  } catch (const InputError& error) {
+    if (!error.key().starts_with("knot[")) throw;
+    double shortest = curve.end() - curve.start();
+    for (const Segment& segment : curve.segments()) shortest = std::min(shortest, segment.length);
+    throw InputError("", "",
+                     "the motion has the length " + six_digits(curve.end() - curve.start()) +
+                         ", and a segment of the length " + six_digits(shortest) +
+                         ": no table resolves both. Raise the lowest velocity or limit");
+  }
 }
 
 template Sampled table_of(const Trajectory&, const TableOptions&, const Limits&);

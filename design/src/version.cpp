@@ -31,15 +31,20 @@ Version version_of(const Input& input, const std::string& path) {
   return version;
 }
 
+void require_one_kind(const Input& before, const Input& after, const std::string& before_path,
+                      const std::string& after_path) {
+  if (before.labels.over_master != after.labels.over_master)
+    throw InputError("", "",
+                     printable(before_path) + " and " + printable(after_path) +
+                         " cannot be compared: one is over the master, the other over time");
+}
+
 std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
                                                  std::vector<Input> after,
                                                  const std::string& before_path,
                                                  const std::string& after_path,
                                                  const std::string& axis) {
-  if (before.front().labels.over_master != after.front().labels.over_master)
-    throw InputError("", "",
-                     printable(before_path) + " and " + printable(after_path) +
-                         " cannot be compared: one is over the master, the other over time");
+  require_one_kind(before.front(), after.front(), before_path, after_path);
   const bool mixed = (before.size() == 1) != (after.size() == 1);
   if (!mixed || before.size() > 1) before = axes_named(std::move(before), axis, before_path);
   if (!mixed || after.size() > 1) after = axes_named(std::move(after), axis, after_path);

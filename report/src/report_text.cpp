@@ -104,6 +104,10 @@ std::string rounded(double value) {
   return fmt::format("{:.6g}", value);
 }
 
+std::string rounded(double value, double scale) {
+  return rounded(std::abs(value) <= profiles_detail::rounded_input * scale ? 0 : value);
+}
+
 std::string with_unit(double value, const std::string& unit) {
   return unit.empty() ? rounded(value) : rounded(value) + " " + unit;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/report/report_text.hpp"
 
 #include "report/src/words.hpp"
@@ -33,6 +35,20 @@ bool is_least(const Finding& finding) {
 /// True for a limit of the position: its margin is a share of the travel.
 bool is_position_limit(const Finding& finding) {
   return finding.rule.family() == RuleFamily::limit && finding.rule.name().starts_with("position");
+}
+
+/// The finding without rounding: a position near 0 is 0 if it is only rounding beside the travel or
+/// its limit.
+Finding tidy(Finding f) {
+  if (f.rule.family() != RuleFamily::warning && !is_position_limit(f)) return f;
+  double scale = std::max(std::abs(f.value), std::abs(f.limit));
+  // The margin of a position is a share of the travel.
+  if (f.margin != 0 && std::isfinite(f.margin))
+    scale = std::max(scale, std::abs((f.value - f.limit) / f.margin));
+  if (!std::isfinite(scale)) return f;
+  for (double* number : {&f.value, &f.limit})
+    if (std::abs(*number) <= profiles_detail::rounded_input * scale) *number = 0;
+  return f;
 }
 
 /// Verdict of a curve against a limit, with its margin.
@@ -206,7 +222,8 @@ std::string of_limit(const Finding& f, const Labels& labels, const std::string& 
 
 }  // namespace
 
-std::string sentence(const Finding& f, const Labels& labels) {
+std::string sentence(const Finding& exact, const Labels& labels) {
+  const Finding f = tidy(exact);
   const std::string value = with_unit(f.value, labels.unit_of(f));
   const std::string where = place(f, labels);
   const auto is_at = [&] { return at_its_place(f, value, where); };

@@ -179,6 +179,9 @@ TEST(CamThen, ErrorsNameTheOperatorAndWhatToDo) {
   EXPECT_THAT(error_of("{ operator = \"scale\", master = -1 }"),
               HasSubstr("then[1].master = -1: must be greater than 0"));
   EXPECT_THAT(error_of("{ operator = \"scale\" }"), HasSubstr("then[1].slave: is missing"));
+  EXPECT_THAT(error_of("{ operator = \"insert\", at = 60, dwell = 10 }"),
+              HasSubstr("then[1].at = 60 deg: is where the slave moves"));
+  EXPECT_THAT(error_of("{ operator = \"insert\", at = 60 }"), HasSubstr("or dwell = NUMBER"));
   EXPECT_THAT(error_of("{ operator = \"mirror\", slave = 1, master = 2 }"),
               HasSubstr("cannot be combined with master"));
   EXPECT_THAT(error_of("{ operator = \"mirrors\" }"), HasSubstr("did you mean"));

@@ -90,7 +90,7 @@ TEST(DiscSpec, ErrorsNameFileLineAndKey) {
   EXPECT_THAT(complaint(spec_text("roller_radius = 8\n")), HasSubstr("disc.base_radius"));
   EXPECT_THAT(complaint(spec_text("base_radius = 20\nofset = 3\n")), HasSubstr("offset"));
   EXPECT_THAT(complaint(spec_text("base_radius = 20\noffset = 21\n")),
-              HasSubstr("valve.toml:13:10: disc.offset = 21 mm: must be less than 20"));
+              HasSubstr("valve.toml:13:10: disc.offset = 21 mm: must be less than 20 mm"));
   EXPECT_THAT(complaint(spec_text("base_radius = 20\ntolerance = 0\n")),
               HasSubstr("disc.tolerance = 0"));
   EXPECT_THAT(complaint(spec_text("base_radius = 20\ntolerance = 1e-12\n")),

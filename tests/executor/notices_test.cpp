@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/command/causes.hpp"
 #include "jounce/command/refusal_text.hpp"
+#include "jounce/stream/message/message.hpp"
 
 namespace jounce::notices_test {
 namespace {
@@ -62,6 +64,28 @@ TEST(Notices, ARejectionNamesThePresentFaultAndTheReasonForNoMaster) {
   ExecutorOptions follower;
   follower.follow = {.what = Follow::What::master};
   EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, follower), HasSubstr("no valid position"));
+}
+
+// The field of the reason on the wire cuts a longer text.
+TEST(Notices, ARejectionFitsIntoItsField) {
+  const ExecutorOptions options;
+  for (const CauseInfo& fault : all_causes()) {
+    if (fault.cause == Cause::none) continue;
+    for (const Cause cause : {Cause::in_error, Cause::not_enabled}) {
+      const std::string text = refusal_text({cause}, {.fault = fault.cause}, options);
+      EXPECT_LT(text.size(), wire::reason_bytes) << text;
+      EXPECT_THAT(text, ::testing::StartsWith(std::string(name(cause)) + ": "));
+      EXPECT_THAT(text, HasSubstr(std::string("fault ") + (cause == Cause::in_error ? "is " : "") +
+                                  fault.name));
+    }
+  }
+  ExecutorOptions millimeters;
+  millimeters.units.position = "mm";
+  const Refusal elsewhere{Cause::start_position, -1234.5678, -8765.4321};
+  const Tick moving{.state = State::discrete_motion};
+  const std::string text = refusal_text(elsewhere, moving, millimeters);
+  EXPECT_LT(text.size(), wire::reason_bytes);
+  EXPECT_THAT(text, HasSubstr("begins at -1234.57 mm, but the present motion ends at -8765.43 mm"));
 }
 
 TEST(Notices, ReportAStartThatDidNotBegin) {

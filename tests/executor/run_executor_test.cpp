@@ -100,6 +100,11 @@ TEST(RunExecutor, EndsWithItsTimeAndSaysWhatItWasGranted) {
   EXPECT_THAT(notices, ::testing::ElementsAre(summary.realtime));
 }
 
+TEST(RunExecutor, ACpuThatDoesNotExistIsRejected) {
+  EXPECT_NO_THROW(require_cpu(-1));
+  EXPECT_THROW(require_cpu(1'000'000), InputError);
+}
+
 TEST(RunExecutor, BadOptionsAreBadInput) {
   MemoryNetwork network;
   MemoryTransport link(network);

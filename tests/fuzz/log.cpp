@@ -57,6 +57,7 @@ const std::vector<RecordEvent>& good() {
         RecordedSight{.sight = {.tick = 1, .at = {1, 0, 0, 0}, .age = 0.001}},
         RecordedOutput{
             .part = RecordedOutput::Part::compare, .points = 1, .some = {{.position = 0.5}}},
+        RecordedCheck{},
     };
   }();
   return events;

@@ -276,9 +276,8 @@ TEST(FollowPlan, RefusesWhatContradictsItself) {
             "zone[1].slave = 3: must be 0, the position that the slave has there: leave it out, or "
             "change the previous point or zone");
   EXPECT_EQ(text({.points = {{20, 30}, {30, 35}}, .zones = {{10, 40, 1}}}),
-            "point[2].slave = 35: must be 40, the position of the slave in zone 1 at the master 30 "
-            "of this point: zone 1 reaches from 10 to 40; correct the master, or leave the point "
-            "out");
+            "point[2].slave = 35: must be 40, the position of the slave in zone 1 at master = 30 "
+            "(zone[1].from = 10, zone[1].to = 40): correct the master, or leave the point out");
   EXPECT_THAT(text({.points = {{20, 30}}, .zones = {{30, 40, 1}}}), HasSubstr("zone[1].slave"));
   EXPECT_EQ(text({.points = {{100, 50, 1}}, .periodic = true, .start_ratio = 0}),
             "periodic = true: needs the same ratio at start and end: they are 0 and 1");

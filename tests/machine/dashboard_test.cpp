@@ -242,6 +242,20 @@ TEST(Events, AreLinesOfText) {
             "end of profile, master at 400");
 }
 
+TEST(Status, IsALineWithUnits) {
+  wire::Status status;
+  status.units = {"deg", "mm"};
+  status.master_position = std::numeric_limits<double>::quiet_NaN();
+  status.slave_position = 12.5;
+  status.slave_velocity = -20;
+  const std::string line = status_text("feeder", status);
+  EXPECT_THAT(line, ::testing::HasSubstr("no master "));
+  EXPECT_THAT(line, ::testing::HasSubstr("position 12.5 mm "));
+  EXPECT_THAT(line, ::testing::HasSubstr("velocity -20 mm/s "));
+  status.master_position = 90;
+  EXPECT_THAT(status_text("feeder", status), ::testing::HasSubstr("master 90 deg "));
+}
+
 TEST(Keys, HoldAndResumeAreForTheChosenAxis) {
   const auto axes = two_axes();
   View view;

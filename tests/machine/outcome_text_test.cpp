@@ -30,6 +30,22 @@ TEST(OutcomeText, AddsTheRemedyOfTheAxis) {
   EXPECT_EQ(reason_text(busy, "feeder"), busy.reason) << "only an axis has causes";
 }
 
+TEST(OutcomeText, ARemedyFitsTheReason) {
+  CallOutcome faulty = rejected();
+  faulty.reason = "not_enabled: disabled since the fault following_error: it was too great.";
+  EXPECT_THAT(reason_text(faulty, "feeder"), HasSubstr("feeder reset` and `jounce order feeder enable`"));
+  CallOutcome alone = rejected();
+  alone.cause = static_cast<std::int32_t>(Cause::no_master_input);
+  alone.reason = "no_master_input: The axis has no live master: its spec has no [follow].";
+  EXPECT_THAT(reason_text(alone, "feeder"), HasSubstr("Add [follow]"));
+  alone.reason = "no_master_input: the master of its [follow] sends no valid position.";
+  EXPECT_THAT(reason_text(alone, "feeder"), HasSubstr("`jounce monitor feeder`"));
+  CallOutcome homing = rejected();
+  homing.cause = static_cast<std::int32_t>(Cause::home_not_found);
+  homing.reason = "not homed: home_not_found: The search ended.";
+  EXPECT_THAT(reason_text(homing, "feeder"), EndsWith("or choose another method."));
+}
+
 TEST(OutcomeText, IsWholeAsJson) {
   const Json command = Json::parse(command_json(rejected()));
   EXPECT_EQ(command["ok"], false);

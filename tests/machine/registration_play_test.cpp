@@ -224,7 +224,7 @@ TEST(RegistrationPlay, AMistakeInTheSpecIsNamedWithItsKey) {
   EXPECT_THAT(error_with({{"period = 400 ", "period = 0 "}}),
               ::testing::AllOf(HasSubstr("cylinder.toml"), HasSubstr("registration.period")));
   EXPECT_THAT(error_with({{"search = 60 ", "search = 250 "}}),
-              HasSubstr("must be at most 200: half the period"));
+              HasSubstr("must be at most 200 mm: half the period"));
   EXPECT_THAT(error_with({{"input = 1 ", "input = 2 "}}),
               HasSubstr("is a trigger input that the drive does not have"));
   EXPECT_THAT(error_with({{"follow = { master = \"web\" }", ""}}), HasSubstr("needs a master"));

@@ -96,6 +96,25 @@ TEST(ReportText, WarnsWithoutBreakingAndKeepsNotesForMachines) {
   EXPECT_NE(json.find("\"severity\":\"note\""), std::string::npos);
 }
 
+// A cam read from a drawing ends at 1.3e-10 mm instead of 0.
+TEST(ReportText, ARoundingErrorBesideTheTravelIsZero) {
+  Finding f;
+  f.rule = "warning/overshoot";
+  f.quantity = "position";
+  f.where = 72;
+  f.value = -0.02;
+  f.limit = 1.30878e-10;
+  f.margin = -0.001;  // the travel is 20 mm
+  f.severity = Severity::warning;
+  const Labels labels{{"deg", "mm"}, true, {}};
+  EXPECT_EQ(sentence(f, labels),
+            "position -0.02 mm at 72 deg is beyond the segment's end 0 by 0.1 % of the travel");
+  f.limit = 1e-4;
+  EXPECT_NE(sentence(f, labels).find("end 0.0001 by"), std::string::npos) << "not rounding";
+  EXPECT_EQ(rounded(2e-9, 1), "2e-09");
+  EXPECT_EQ(rounded(2e-9, 10), "0");
+}
+
 Finding joint(const char* rule, const char* quantity, double value) {
   Finding f;
   f.rule = rule;

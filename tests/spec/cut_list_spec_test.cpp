@@ -80,14 +80,14 @@ TEST(CutListSpec, ReportsTheSlowestPiece) {
 
 TEST(CutListSpec, RejectsWrongLists) {
   EXPECT_THAT(refusal(shear("lengths = [1000, 500]")),
-              HasSubstr("s.toml:5:11: shear.lengths[2] = 500 mm: must be at least 966.425"));
+              HasSubstr("s.toml:5:11: shear.lengths[2] = 500 mm: must be at least 966.425 mm"));
   EXPECT_THAT(refusal(knife("lengths = [250, 900]")),
               HasSubstr("knife.lengths[2] = 900 mm: must be at most"));
   EXPECT_THAT(refusal(knife("lengths = []")), HasSubstr("must have at least one length"));
   EXPECT_THAT(refusal(knife("lengths = [250]\ncut_length = 250")),
               HasSubstr("cannot be combined with cut_length"));
   EXPECT_THAT(refusal(shear("lengths = [1000]\nfirst = 100")),
-              HasSubstr("shear.first = 100 mm: must be at least 187.5"));
+              HasSubstr("shear.first = 100 mm: must be at least 187.5 mm"));
   EXPECT_THAT(refusal(shear("lengths = [1000]\nfirst = 0")), HasSubstr("must be greater than 0"));
 }
 

@@ -85,13 +85,13 @@ TEST(FollowSpecFile, SaysWhenItBeginsOrThatItNeverDoes) {
 
 TEST(FollowSpecFile, ErrorsNameTheirPlace) {
   EXPECT_EQ(error_of("[[segment]]\nmaster = 10\nslave = 1\n[[segment]]\nmaster = 10\nslave = 2\n"),
-            "f.toml:8:10: segment[2].master = 10 deg: must be greater than 10, the previous point");
+            "f.toml:8:10: segment[2].master = 10 deg: must be greater than 10 deg, the previous point");
   EXPECT_EQ(error_of("[[follow.table]]\nloops = 0\nsegment = [{ master = 1, slave = 1 }]\n"
                      "[[follow.table]]\nsegment = [{ master = 1, slave = 1 }]\n"),
             "f.toml:5:9: follow.table[1].loops = 0: is endless: only the last table can be. Give "
             "the number of passes before the next table");
   EXPECT_EQ(error_of("[[zone]]\nfrom = 5\nto = 4\nratio = 1\n"),
-            "f.toml:6:6: zone[1].to = 4 deg: must be greater than from = 5");
+            "f.toml:6:6: zone[1].to = 4 deg: must be greater than from = 5 deg");
   EXPECT_THAT(
       error_of("[follow]\nperiodic = true\nstart_ratio = 0\n[[zone]]\nfrom = 5\nto = 9\n"
                "ratio = 1\n"),

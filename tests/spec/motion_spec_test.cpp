@@ -497,7 +497,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec(point + "duration = 0"),
                   "a.toml:9:12: move.duration = 0 s: must be greater than 0"},
         BadMotion{move_spec(point + "duration = 5"),
-                  "a.toml:9:12: move.duration = 5 s: must be at least 5.5: the move takes longer "
+                  "a.toml:9:12: move.duration = 5 s: must be at least 5.5 s: the move takes longer "
                   "than the given duration"},
         BadMotion{move_spec(point + "direction = \"shortest\""),
                   "a.toml:9:13: move.direction = \"shortest\": needs period, because only a modulo "
@@ -506,12 +506,12 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml:9:10: move.period = -360 mm: must be greater than 0"},
         BadMotion{
             move_spec(point + "to_velocity = 11"),
-            "a.toml:9:15: move.to_velocity = 11 mm/s: must be at most 10, the greatest velocity"},
+            "a.toml:9:15: move.to_velocity = 11 mm/s: must be at most 10 mm/s, the greatest velocity"},
         BadMotion{move_spec(point + "position_max = 40"),
                   "a.toml:6:6: move.to: no motion from start to target keeps the position limits: "
                   "target 50 is above the highest permitted value 40"},
         BadMotion{move_spec(point + "position_min = 60\nposition_max = 40"),
-                  "a.toml:9:16: move.position_min = 60 mm: must be below position_max = 40"},
+                  "a.toml:9:16: move.position_min = 60 mm: must be below position_max = 40 mm"},
         BadMotion{move_spec(point + "from = 50"),
                   "a.toml:6:6: move.to: is the start position: there is no move"},
         BadMotion{move_spec("profile = \"velocity\"\nto_velocity = 0\nacceleration = 1"),

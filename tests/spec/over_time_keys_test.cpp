@@ -127,7 +127,7 @@ TEST(MasterRate, ALastKnotThatDoesNotFollowIsTheOnlyError) {
   const std::string wrong = segment("345", "master = 90, slave = 40, velocity = 0") +
                             segment("345", "master = 0, slave = 0");
   EXPECT_EQ(complaint(cam(wrong)),
-            "a.toml:11:18: segment[2].end.master = 0 deg: must be greater than 90, the previous "
+            "a.toml:11:18: segment[2].end.master = 0 deg: must be greater than 90 deg, the previous "
             "knot: the last knot of a periodic cam is the end of its turn");
 }
 

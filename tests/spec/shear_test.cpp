@@ -91,17 +91,17 @@ TEST(ShearSpec, ErrorsStandWhereTheUserWroteThem) {
               StartsWith("s.toml:5:14: shear.cut_length = 1000 mm: must be at least "
                          "1113.8"));
   EXPECT_THAT(refusal(power7),
-              HasSubstr("; at this cut_length, line_speed must be at most 940.716"));
+              HasSubstr("; at this cut_length, line_speed must be at most 940.716 mm/s"));
   EXPECT_THAT(refusal(power7), HasSubstr("a shorter return would break limits.slave.acceleration"));
   EXPECT_THAT(
       refusal(spec("cut_length = 1000\nline_speed = 3000\nsync_time = 0.15")),
       StartsWith(
-          "s.toml:6:14: shear.line_speed = 3000 mm/s: must be at most 2000: in the sync zone the "
-          "carriage would move at 3000, above limits.slave.velocity = 2000"));
+          "s.toml:6:14: shear.line_speed = 3000 mm/s: must be at most 2000 mm/s: in the sync zone "
+          "the carriage would move at 3000, above limits.slave.velocity = 2000 mm/s"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1", "deg")),
               HasSubstr("shear.ratio: is missing: the line counts in deg, the carriage in mm"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1\nangle = 90")),
-              HasSubstr("shear.angle = 90 deg: must be greater than -90 and less than 90 deg"));
+              HasSubstr("shear.angle = 90 deg: must be greater than -90 deg and less than 90 deg"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1")), HasSubstr("shear.sync_time"));
 }
 
@@ -123,7 +123,7 @@ TEST(IndexerSpec, SaysWhatDoesNotFit) {
   EXPECT_THAT(refusal("jounce = 1\nkind = \"indexer\"\n"
                       "units = { position = \"deg\", master = \"ms\" }\n"
                       "[indexer]\ndistance = 45\ncycle = 2000\nmotion = 400\ncount = 8\n"),
-              StartsWith("s.toml:7:10: indexer.motion = 400 ms: must be at most 250"));
+              StartsWith("s.toml:7:10: indexer.motion = 400 ms: must be at most 250 ms"));
 }
 
 const SyncFigure& figure(const std::vector<SyncFigure>& all, const std::string& name) {

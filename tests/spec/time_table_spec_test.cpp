@@ -173,7 +173,7 @@ TEST(PvtSpec, KeepsHimcsLimits) {
   std::string back = text;
   back.replace(back.find("time = 7\n"), 9, "time = 6\n");
   EXPECT_THAT(message(back),
-              HasSubstr("knot[8].time = 6 s: must be greater than 6, the previous knot "
+              HasSubstr("knot[8].time = 6 s: must be greater than 6 s, the previous knot "
                         "(HIMC error 0x83aa08b6"));
   EXPECT_THAT(
       message(text + "[[knot]]\ntime = 50\nposition = 0\nvelocity = 0\n"),

@@ -38,7 +38,9 @@ Listening::Listening(std::uint16_t port)
     return;
   const std::string why = std::strerror(errno);
   if (descriptor_ >= 0) close(descriptor_);
-  throw InputError("port", std::to_string(port), "cannot be used on 127.0.0.1: " + why);
+  throw InputError(
+      "port", std::to_string(port),
+      "cannot be used on 127.0.0.1: " + why + ": choose another port, or 0 for any free one");
 }
 
 Listening Listening::inherited(int descriptor) {

@@ -528,8 +528,13 @@ void AxisServer::take_ticks() {
   for (Tick tick; exchange_.ticks.pop(tick);) {
     if (log_) write(tick);
     if (options_.trace != nullptr) options_.trace->add(axis_, trace_tick(tick));
+    const bool with_group = options_.in_group && tick.finished > last_.finished &&
+                            last_.state == State::synchronized_motion;
+    if (with_group) ++ended_with_group_;
+    Tick reported = last_;
+    if (with_group) reported.finished = tick.finished;
     for (const std::string& notice :
-         notices_of(last_, tick, options_.units.position, options_.axis, group_names(options_)))
+         notices_of(reported, tick, options_.units.position, options_.axis, group_names(options_)))
       notify(notice);
     if (tick.fault != last_.fault && tick.fault != Cause::none)
       fault_session_ = receiver_.session();

@@ -39,6 +39,7 @@ std::string reason_of(const InputError& error, const std::vector<std::string>& a
   std::string key = error.key();
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (key == "to[" + std::to_string(i + 1) + "]") key = axes[i] + " =";
+  if (key == "to" || key == "by") key = "--" + key;
   return key + (error.value().empty() ? "" : " " + error.value()) + " " + error.rule();
 }
 

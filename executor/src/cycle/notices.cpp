@@ -5,6 +5,7 @@
 
 #include "jounce/command/refusal_text.hpp"
 #include "jounce/profiles/six_digits.hpp"
+#include "jounce/stream/message/message.hpp"
 
 namespace jounce {
 namespace {
@@ -70,14 +71,20 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
       return six_digits(number) +
              (options.units.position.empty() ? "" : " " + options.units.position);
     };
-    return "the motion begins at " + at(refusal.value) + ", but the present motion of " +
-           options.receiver.executor + " ends at " + at(refusal.limit) +
-           " (start_position): let it begin there, wait for the end of the present motion, or stop "
-           "the axis and move it there";
+    return "the motion begins at " + at(refusal.value) + ", but the present motion ends at " +
+           at(refusal.limit) +
+           " (start_position): begin it there, or wait for the end of the present motion.";
   }
   const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;
   if (!fault || now.fault == Cause::none) return words;
-  return words + " The fault is " + name(now.fault) + ": " + meaning(now.fault);
+  const std::string why =
+      std::string(name(refusal.cause)) +
+      (refusal.cause == Cause::in_error ? ": the fault is " : ": disabled since the fault ") +
+      name(now.fault);
+  const std::string whole = why + ": " + meaning(now.fault);
+  return whole.size() < wire::reason_bytes
+             ? whole
+             : why + ". See `jounce explain " + name(now.fault) + "`.";
 }
 
 std::vector<std::string> notices_of(const Tick& before, const Tick& now, const std::string& unit,

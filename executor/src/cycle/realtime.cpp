@@ -11,6 +11,8 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 namespace {
 
@@ -54,6 +56,19 @@ void touch_stack() {
 }
 
 }  // namespace
+
+void require_cpu(int cpu) {
+  cpu_set_t usable;
+  CPU_ZERO(&usable);
+  if (cpu < 0 || sched_getaffinity(0, sizeof usable, &usable) != 0) return;
+  if (cpu < CPU_SETSIZE && CPU_ISSET(static_cast<std::size_t>(cpu), &usable)) return;
+  std::string all;
+  for (int each = 0; each < CPU_SETSIZE; ++each)
+    if (CPU_ISSET(static_cast<std::size_t>(each), &usable))
+      all += (all.empty() ? "" : ", ") + std::to_string(each);
+  throw InputError("cpu", std::to_string(cpu),
+                   "must be one of the CPUs that this program may use: " + all);
+}
 
 std::string make_realtime(const Realtime& wanted) {
   touch_stack();

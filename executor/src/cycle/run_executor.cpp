@@ -163,10 +163,11 @@ CycleOptions cycle_of(const std::vector<ExecutorOptions>& axes, const RunOptions
 AxisSummary summary_of(const AxisServer& server) {
   const Tick& last = server.last();
   return {.name = server.options().receiver.executor,
-          .finished = last.finished,
+          .finished = last.finished - server.ended_with_group(),
           .stopped = last.stopped,
           .fault = last.fault,
           .position = last.position,
+          .unit = server.options().units.position,
           .log_truncated = server.log_truncated()};
 }
 

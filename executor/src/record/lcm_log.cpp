@@ -62,9 +62,13 @@ std::optional<LcmEvent> LcmLogReader::next() {
         "event " + std::to_string(events_ + 1) + " at byte " + std::to_string(offset_) + ": ";
     throw InputError(where + key, value, rule).at(name_);
   };
+  if (get(bytes, 0, 4) != sync_word && events_ == 0)
+    throw InputError("", "",
+                     "is not a record of `jounce run --record`: an LCM log begins with "
+                     "another word")
+        .at(name_);
   if (get(bytes, 0, 4) != sync_word)
-    fail("sync word", "",
-         "is missing: the file is not an LCM log of `jounce run --record`, or it is damaged here");
+    fail("sync word", "", "is missing: the record is damaged here");
   const std::int64_t channel = length(bytes, 20);
   const std::int64_t data = length(bytes, 24);
   if (channel < 1 || channel > most_channel)

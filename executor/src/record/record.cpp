@@ -16,9 +16,10 @@ namespace {
 using namespace record_wire;
 
 constexpr std::array<std::string_view, std::variant_size_v<RecordEvent>> channels{
-    "JOUNCE.axis",   "JOUNCE.table",  "JOUNCE.job",     "JOUNCE.cycle",        "JOUNCE.lost",
-    "JOUNCE.queue",  "JOUNCE.rows",   "JOUNCE.gear",    "JOUNCE.master",       "JOUNCE.sight",
-    "JOUNCE.output", "JOUNCE.sample", "JOUNCE.program", "JOUNCE.registration", "JOUNCE.triggers"};
+    "JOUNCE.axis",    "JOUNCE.table",        "JOUNCE.job",      "JOUNCE.cycle",
+    "JOUNCE.lost",    "JOUNCE.queue",        "JOUNCE.rows",     "JOUNCE.gear",
+    "JOUNCE.master",  "JOUNCE.sight",        "JOUNCE.output",   "JOUNCE.sample",
+    "JOUNCE.program", "JOUNCE.registration", "JOUNCE.triggers", "JOUNCE.check"};
 
 template <class Wire>
 std::string bytes_of(const Wire& w) {
@@ -61,15 +62,21 @@ std::string encoded(const RecordEvent& event) {
   return std::visit([](const auto& e) { return bytes_of(on_wire(e)); }, event);
 }
 
+Sha256 continued(const Sha256& check, std::string_view channel, std::string_view bytes) {
+  std::string all(check.begin(), check.end());
+  all.append(channel).append(1, '\0').append(bytes);
+  return sha256(all);
+}
+
 std::optional<RecordEvent> decoded(std::string_view channel, std::string_view bytes) {
   const auto it = std::find(channels.begin(), channels.end(), channel);
   if (it == channels.end()) return std::nullopt;
   using Decode = RecordEvent (*)(std::string_view, std::string_view);
   constexpr std::array<Decode, channels.size()> decoders{
-      event_of<axis_t>,    event_of<table_t>,        event_of<job_t>,     event_of<cycle_t>,
-      event_of<lost_t>,    event_of<queue_t>,        event_of<rows_t>,    event_of<gear_t>,
-      event_of<master_t>,  event_of<sight_t>,        event_of<output_t>,  event_of<sample_t>,
-      event_of<program_t>, event_of<registration_t>, event_of<triggers_t>};
+      event_of<axis_t>,    event_of<table_t>,        event_of<job_t>,      event_of<cycle_t>,
+      event_of<lost_t>,    event_of<queue_t>,        event_of<rows_t>,     event_of<gear_t>,
+      event_of<master_t>,  event_of<sight_t>,        event_of<output_t>,   event_of<sample_t>,
+      event_of<program_t>, event_of<registration_t>, event_of<triggers_t>, event_of<check_t>};
   RecordEvent event = decoders[static_cast<std::size_t>(it - channels.begin())](channel, bytes);
   if (number_of(event) < 0)
     throw InputError("axis or master", std::to_string(number_of(event)), "must not be negative");

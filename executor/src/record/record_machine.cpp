@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <iterator>
 
 #include "jounce/profiles/error.hpp"
 
@@ -97,6 +98,18 @@ lost_t on_wire(const RecordedLoss& l) {
 
 RecordedLoss ours(const lost_t& w) {
   return {w.cycles};
+}
+
+check_t on_wire(const RecordedCheck& c) {
+  check_t w{};
+  std::copy(c.hash.begin(), c.hash.end(), w.hash);
+  return w;
+}
+
+RecordedCheck ours(const check_t& w) {
+  RecordedCheck c;
+  std::copy(std::begin(w.hash), std::end(w.hash), c.hash.begin());
+  return c;
 }
 
 master_t on_wire(const RecordedMaster& m) {

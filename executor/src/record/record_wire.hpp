@@ -10,6 +10,7 @@
 
 #include "executor/src/record/record_fields.hpp"
 #include "jounce_record/axis_t.hpp"
+#include "jounce_record/check_t.hpp"
 #include "jounce_record/cycle_t.hpp"
 #include "jounce_record/gear_t.hpp"
 #include "jounce_record/job_t.hpp"
@@ -61,6 +62,7 @@ sample_t on_wire(const RecordedSample& ours);
 program_t on_wire(const RecordedProgram& ours);
 registration_t on_wire(const RecordedRegistration& ours);
 triggers_t on_wire(const RecordedTriggers& ours);
+check_t on_wire(const RecordedCheck& ours);
 
 RecordedAxis ours(const axis_t& w);
 RecordedTable ours(const table_t& w);
@@ -77,5 +79,6 @@ RecordedSample ours(const sample_t& w);
 RecordedProgram ours(const program_t& w);
 RecordedRegistration ours(const registration_t& w);
 RecordedTriggers ours(const triggers_t& w);
+RecordedCheck ours(const check_t& w);
 
 }  // namespace jounce::record_wire

@@ -92,6 +92,7 @@ Recorder::Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Reco
       write(RecordedRegistration{axis.axis, *axis.config.registration}, 0);
   }
   for (const RecordedMaster& master : masters_) write(master, 0);
+  write_check();
 }
 
 Recorder::~Recorder() {
@@ -192,14 +193,28 @@ void Recorder::write(const RecordEvent& event, std::int64_t microseconds) {
   write(channel_of(event), encoded(event), microseconds);
 }
 
+/// Adds an event to the buffer and to the checksum.
+void Recorder::append(std::string_view channel, const std::string& data,
+                      std::int64_t microseconds) {
+  executor_detail::append(buffer_, number_++, microseconds, channel, data);
+  check_ = continued(check_, channel, data);
+}
+
 void Recorder::write(std::string_view channel, const std::string& data, std::int64_t microseconds) {
   if (!file_.is_open()) return;
-  executor_detail::append(buffer_, number_++, microseconds, channel, data);
+  append(channel, data, microseconds);
   if (buffer_.size() >= buffered) flush();
+}
+
+/// Does not flush: flush() calls it.
+void Recorder::write_check() {
+  const RecordedCheck check{check_};
+  append(channel_of(check), encoded(check), now_);
 }
 
 void Recorder::flush() {
   if (!file_.is_open() || buffer_.empty()) return;
+  write_check();
   errno = 0;
   file_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   file_.flush();
@@ -239,12 +254,22 @@ void Recorder::watch(Box& box, const RecordedCycle& cycle) {
 void Recorder::write_black_box() {
   std::string bytes;
   std::int64_t number = 0;
+  Sha256 checksum{};
+  const auto add = [&](std::int64_t microseconds, std::string_view channel,
+                       const std::string& data) {
+    executor_detail::append(bytes, number++, microseconds, channel, data);
+    checksum = continued(checksum, channel, data);
+  };
+  const auto add_check = [&](std::int64_t microseconds) {
+    const RecordedCheck check{checksum};
+    add(microseconds, channel_of(check), encoded(check));
+  };
   for (RecordedAxis axis : axes_) {
     axis.whole = false;
-    executor_detail::append(bytes, number++, 0, channel_of(axis), encoded(axis));
+    add(0, channel_of(axis), encoded(axis));
   }
-  for (const RecordedMaster& master : masters_)
-    executor_detail::append(bytes, number++, 0, channel_of(master), encoded(master));
+  for (const RecordedMaster& master : masters_) add(0, channel_of(master), encoded(master));
+  add_check(0);
   struct Entry {
     std::int64_t microseconds;
     std::string_view channel;
@@ -263,8 +288,8 @@ void Recorder::write_black_box() {
   }
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.microseconds < b.microseconds; });
-  for (const Entry& e : entries)
-    executor_detail::append(bytes, number++, e.microseconds, e.channel, *e.data);
+  for (const Entry& e : entries) add(e.microseconds, e.channel, *e.data);
+  add_check(entries.empty() ? 0 : entries.back().microseconds);
   try {
     write_file(options_.black_box->string(), bytes);
     if (options_.notify) options_.notify("the last cycles are in " + options_.black_box->string());

@@ -164,6 +164,26 @@ class Replayer {
     }
   }
 
+  void take(const RecordedCheck& check) {
+    if (check.hash != check_ && result_.damage.empty())
+      result_.damage = "between event " + std::to_string(std::max<std::int64_t>(checked_, 1)) +
+                       " and event " + std::to_string(events_) +
+                       ", an event was changed, added or lost";
+    result_.has_checksums = true;
+    checked_ = events_;
+  }
+
+  /// An event of Jounce, which is event `number` of the file.
+  void take(const RecordEvent& record, std::int64_t number) {
+    events_ = number;
+    std::visit([&](const auto& r) { take(r); }, record);
+  }
+
+  /// Adds an event of Jounce to the checksum.
+  void add(std::string_view channel, std::string_view bytes) {
+    check_ = continued(check_, channel, bytes);
+  }
+
   void take(const RecordedLoss& loss) {
     end(std::to_string(loss.cycles) + " cycles are missing: the recorder was too slow" + after());
   }
@@ -192,7 +212,12 @@ class Replayer {
     return result_.first_tick ? " after tick " + std::to_string(result_.last_tick) : "";
   }
 
-  Replay finish() { return std::move(result_); }
+  /// Requires that the last event is a checksum, unless the file is cut off.
+  Replay finish(bool cut) {
+    if (result_.has_checksums && !cut && checked_ != events_ && result_.damage.empty())
+      result_.damage = "the checksum after event " + std::to_string(events_) + " is missing";
+    return std::move(result_);
+  }
 
  private:
   void execute(const RecordedCycle& cycle) {
@@ -289,6 +314,9 @@ class Replayer {
   const std::function<void(const RecordedCycle&)>& watch_;
   const std::function<void(const RecordedSight&)>& watch_master_;
   Replay result_;
+  Sha256 check_{};            // checksum of the events so far
+  std::int64_t events_ = 0;   // the last event of Jounce
+  std::int64_t checked_ = 0;  // the last checksum; 0: none
   executor_detail::RemadeMasters masters_;
   std::vector<MasterReading> sights_;  // the last of each master
   std::vector<std::unique_ptr<MotionAxis>> motions_;
@@ -312,8 +340,10 @@ Replay replay(std::istream& in, const std::string& name,
   Replayer replayer(watch, watch_master);
   while (const auto event = reader.next()) {
     try {
-      if (const auto record = decoded(event->channel, event->data))
-        std::visit([&](const auto& r) { replayer.take(r); }, *record);
+      const auto record = decoded(event->channel, event->data);
+      if (!record) continue;
+      replayer.take(*record, reader.events());
+      replayer.add(event->channel, event->data);
     } catch (const InputError& error) {
       throw InputError("event " + std::to_string(reader.events()) + ": " + error.key(),
                        error.value(), error.rule())
@@ -323,9 +353,9 @@ Replay replay(std::istream& in, const std::string& name,
   if (reader.cut())
     replayer.end("the file is cut off at byte " + std::to_string(reader.offset()) +
                  replayer.after());
-  Replay result = replayer.finish();
+  Replay result = replayer.finish(reader.cut());
   if (result.axes.empty())
-    throw InputError("record", "", "has no axis: the file is not a record of an executor").at(name);
+    throw InputError("", "", "is not a record of `jounce run --record`: it has no axis").at(name);
   return result;
 }
 

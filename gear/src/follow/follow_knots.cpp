@@ -149,9 +149,10 @@ class Knots {
         throw InputError(entry_key("point", k, "slave"), p.slave,
                          "must be " + six_digits(*slave + z.ratio * (p.master - z.from)) +
                              ", the position of the slave in zone " + std::to_string(i + 1) +
-                             " at the master " + number(p.master) + " of this point: zone " +
-                             std::to_string(i + 1) + " reaches from " + number(z.from) + " to " +
-                             number(z.to) + "; correct the master, or leave the point out");
+                             " at master = " + number(p.master) + " (" +
+                             entry_key("zone", i, "from") + " = " + number(z.from) + ", " +
+                             entry_key("zone", i, "to") + " = " + number(z.to) +
+                             "): correct the master, or leave the point out");
       if (!slave) slave = expected;
     }
     if (slave) return *slave;

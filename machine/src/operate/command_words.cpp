@@ -188,7 +188,11 @@ double factor_of(const std::string& text) {
   const bool percent = !text.empty() && text.back() == '%';
   const auto factor = csv_number(percent ? text.substr(0, text.size() - 1) : text);
   if (!factor || !(*factor >= 0 && *factor <= (percent ? 200 : 2)))
-    throw InputError(value_word, text, "must be from 0% to 200%, or from 0 to 2");
+    throw InputError(
+        value_word, text,
+        "must be from 0% to 200%, or from 0 to 2" +
+            (!percent && factor && *factor > 2 && *factor <= 200 ? ": did you mean " + text + "%?"
+                                                                 : std::string()));
   return percent ? *factor / 100 : *factor;
 }
 
@@ -321,7 +325,9 @@ void require_applies(const CommandWords& words, const Form& form) {
     };
     if (text.empty() || std::any_of(fields.begin(), fields.end(), is_it)) continue;
     throw InputError(dashed(option), text,
-                     "does not apply to " + form.word + " " + dashed(form.selector()));
+                     form.selector() == value_word
+                         ? "cannot be combined with VALUE: give one of the two"
+                         : "does not apply to " + form.word + " " + dashed(form.selector()));
   }
 }
 

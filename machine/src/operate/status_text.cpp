@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/base/units.hpp"
 #include "jounce/command/cause.hpp"
 #include "jounce/command/commands.hpp"
 #include "jounce/profiles/six_digits.hpp"
@@ -19,16 +20,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// "12.5 mm"; "12.5" without a unit.
+std::string number_text(double value, const std::string& unit) {
+  return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
 }  // namespace
 
 std::string status_text(const std::string& axis, const wire::Status& s) {
   return fmt::format(
-      "{:<12} {:<9} tick {:<10} master {:<12} position {:<12.6g} velocity {:<12.6g} late "
-      "{}{}{}{}{}",
-      axis, name(s.state), s.tick,
-      std::isnan(s.master_position) ? "none" : fmt::format("{:.6g}", s.master_position),
-      s.slave_position, s.slave_velocity, s.late_ticks, s.held ? "  held" : "",
-      s.homed ? "  homed" : "",
+      "{:<12} {:<9} tick {:<10} {:<19} position {:<14} velocity {:<16} late {}{}{}{}{}", axis,
+      name(s.state), s.tick,
+      std::isnan(s.master_position) ? "no master"
+                                    : "master " + number_text(s.master_position, s.units.x),
+      number_text(s.slave_position, s.units.position),
+      number_text(s.slave_velocity, rate_unit(s.units.position, "s", 1)), s.late_ticks,
+      s.held ? "  held" : "", s.homed ? "  homed" : "",
       s.last_error == 0 ? "" : fmt::format("  {}", name(static_cast<Cause>(s.last_error))),
       s.unwritten == 0 ? "" : fmt::format("  not written: {}", unwritten_files(s.unwritten)));
 }
@@ -131,9 +138,7 @@ std::string master_text(const wire::MasterStatus& master, bool ascii) {
                               : fmt::format("measured {:.3g} ms ago", 1e3 * master.age_s);
   // Samples of a sender that the executor rejects; its terminal prints the reason.
   const std::string rejected =
-      master.refused > 0
-          ? fmt::format(", {} rejected (unit, epoch, order)", master.refused)
-          : "";
+      master.refused > 0 ? fmt::format(", {} rejected (unit, epoch, order)", master.refused) : "";
   if (master.lost)
     return fmt::format("{}{}, {}{}", master.master, std::isnan(master.age_s) ? "" : " is lost", age,
                        rejected);

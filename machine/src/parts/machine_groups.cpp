@@ -156,6 +156,8 @@ void add_machine_group(const MachineSpec::Group& spec, const Document& document,
     throw document.located(InputError(spec.key + ".name", spec.name, wire::executor_name_rule));
   try {
     parts.axes.push_back(made(spec, options, parts));
+    for (const std::size_t axis : parts.axes.back().group->of.axes)
+      parts.axes[axis].in_group = true;
   } catch (const InputError& error) {
     if (!error.document().empty())  // an error of the program, or a missing file
       throw document.naming(spec.key + ".program", spec.program, error);

@@ -2,6 +2,7 @@
 #include "jounce/machine/machine_parts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -342,7 +343,24 @@ MachineParts machine_parts(const MachineOptions& options) {
   return parts;
 }
 
+namespace {
+
+/// Throws InputError for two outputs with one name.
+void require_own_files(const MachineOptions& options, const RecorderOptions& record) {
+  const std::array files{
+      std::pair{"log", options.log}, std::pair{"record", record.log ? record.log->string() : ""},
+      std::pair{"black_box", record.black_box ? record.black_box->string() : ""}};
+  for (std::size_t i = 1; i < files.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (!files[i].second.empty() && files[i].second == files[k].second)
+        throw InputError(files[i].first, files[i].second,
+                         "is also the file of another output: choose another name");
+}
+
+}  // namespace
+
 void require_no_specs(const MachineOptions& options, const RecorderOptions& record) {
+  require_own_files(options, record);
   for (const std::string& spec : options.files) {
     require_other_file(spec, options.log, "log");
     if (record.log) require_other_file(spec, record.log->string(), "record");

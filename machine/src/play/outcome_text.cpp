@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/machine/outcome_text.hpp"
 
+#include <cctype>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -25,6 +26,15 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
     if (cause == 0 || static_cast<std::int32_t>(one.cause) != cause) continue;
     if (!reason.starts_with(one.name)) return "";
     std::string remedy = one.remedy;
+    if (one.cause == Cause::not_enabled && reason.find("the fault") != std::string::npos)
+      remedy =
+          "Remove its cause, then send `jounce order NAME reset` and `jounce order NAME enable`.";
+    if (one.cause == Cause::no_master_input && reason.find("has no [follow]") != std::string::npos)
+      remedy =
+          "Add [follow] to the spec of the axis, or send the motion of the master as a table over "
+          "time.";
+    if (one.cause == Cause::no_master_input && reason.find("sends no valid") != std::string::npos)
+      remedy = "`jounce monitor NAME` shows the master: start its program, or correct its unit.";
     constexpr std::string_view placeholder = "NAME";
     for (auto at = remedy.find(placeholder); at != std::string::npos;
          at = remedy.find(placeholder, at)) {
@@ -36,6 +46,33 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
   return "";
 }
 
+/// A remedy may have one half for a command and one for a table: "Give a lower velocity. For a table: more time."
+std::string one_half(const std::string& remedy, bool of_table) {
+  constexpr std::string_view mark = " For a table: ";
+  const std::size_t at = remedy.find(mark);
+  if (at == std::string::npos) return remedy;
+  if (!of_table) return remedy.substr(0, at);
+  std::string half = remedy.substr(at + mark.size());
+  half.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(half.front())));
+  return half;
+}
+
+std::string reason_and_remedy(const CallOutcome& outcome, const std::string& executor,
+                              bool of_table) {
+  constexpr std::string_view homing = "not homed: ";
+  if (outcome.reason.starts_with(homing)) {
+    const std::string remedy =
+        remedy_of(outcome.cause, outcome.reason.substr(homing.size()), executor);
+    return remedy.empty() ? outcome.reason : outcome.reason + " " + remedy;
+  }
+  if (outcome.refusal != wire::Refusal::axis) return outcome.reason;
+  std::string reason = outcome.reason;
+  constexpr std::string_view who = "axis: ";
+  if (reason.starts_with(who)) reason.erase(0, who.size());
+  const std::string remedy = one_half(remedy_of(outcome.cause, reason, executor), of_table);
+  return remedy.empty() ? reason : reason + " " + remedy;
+}
+
 const char* last_state(const StreamOutcome& outcome, bool waits) {
   if (outcome.started) return waits ? "accepted, waits for its start" : "started";
   return outcome.armed ? "armed" : "downloaded";
@@ -44,12 +81,7 @@ const char* last_state(const StreamOutcome& outcome, bool waits) {
 }  // namespace
 
 std::string reason_text(const CallOutcome& outcome, const std::string& executor) {
-  if (outcome.refusal != wire::Refusal::axis) return outcome.reason;
-  std::string reason = outcome.reason;
-  constexpr std::string_view who = "axis: ";
-  if (reason.starts_with(who)) reason.erase(0, who.size());
-  const std::string remedy = remedy_of(outcome.cause, reason, executor);
-  return remedy.empty() ? reason : reason + " " + remedy;
+  return reason_and_remedy(outcome, executor, false);
 }
 
 std::string accepted_text(const std::string& word, const wire::Status& before,
@@ -62,7 +94,7 @@ std::string accepted_text(const std::string& word, const wire::Status& before,
 
 std::string error_text(const CallOutcome& outcome, const std::string& executor) {
   const std::string text =
-      fmt::format("{}: {}", name(outcome.error), reason_text(outcome, executor));
+      fmt::format("{}: {}", name(outcome.error), reason_and_remedy(outcome, executor, true));
   return outcome.error == StreamError::no_answer ? text + "; " + unheard_hint : text;
 }
 

@@ -49,6 +49,11 @@ std::string replay_text(const Replay& r, const std::string& file) {
   } else if (r.compared > 0) {
     text += fmt::format("replayed: {}, identical to the last bit\n", counted(r.compared, "cycle"));
   }
+  if (!r.damage.empty())
+    text += fmt::format("damaged: {}: copy the record again from the machine\n", r.damage);
+  else if (!r.has_checksums)
+    text +=
+        "no checksums: an older jounce wrote this record, so damage to its inputs may be missed\n";
   if (!r.shorter.empty()) text += fmt::format("not replayed to its end: {}\n", r.shorter);
   return text;
 }
@@ -57,8 +62,14 @@ std::string replay_json(const Replay& r) {
   using Json = nlohmann::ordered_json;
   Json axes = Json::array();
   for (const RecordedAxis& axis : r.axes) axes.push_back(axis.name);
-  Json document{{"axes", axes},     {"cycles", r.cycles},   {"compared", r.compared},
-                {"same", r.same()}, {"shorter", r.shorter}, {"last_tick", r.last_tick}};
+  Json document{{"axes", axes},
+                {"cycles", r.cycles},
+                {"compared", r.compared},
+                {"same", r.same()},
+                {"shorter", r.shorter},
+                {"last_tick", r.last_tick},
+                {"checksums", r.has_checksums},
+                {"damage", r.damage}};
   for (const Replay::Master& master : r.masters)
     document["masters"].push_back(
         {{"name", master.name}, {"cycles", master.cycles}, {"lost", master.lost}});

@@ -17,8 +17,9 @@ namespace {
 
 std::string axis_text(const AxisSummary& axis, bool alone) {
   const std::string whose = alone ? "" : axis.name + ": ";
-  std::string text = fmt::format("{}{} finished, {} stopped; position {:.9g}\n", whose,
-                                 counted(axis.finished, "motion"), axis.stopped, axis.position);
+  std::string text = fmt::format("{}{} finished, {} stopped; position {:.9g}{}\n", whose,
+                                 counted(axis.finished, "motion"), axis.stopped, axis.position,
+                                 axis.unit.empty() ? "" : " " + axis.unit);
   if (axis.fault != Cause::none)
     text += fmt::format("{}fault: {}: {}\n", whose, name(axis.fault), meaning(axis.fault));
   return text;

@@ -190,7 +190,8 @@ class ShapeExchange {
     if (!settled || alone_bound_ <= 2 * margin) return false;
     infeasible("no spline over these knots keeps " +
                worst_constraints(model_, found_.z, violation_) +
-               ": at best, one of these limits is exceeded by " + brief(100 * alone_bound_) + " %");
+               ": at best, one of these limits is exceeded by " + brief(100 * alone_bound_) +
+               " %: free the shape further (shape = N with a greater N), or permit more");
     return true;
   }
 

@@ -78,7 +78,9 @@ std::string sentence(const Finding& finding) {
 }
 
 std::string broken_sentence(const Finding& finding) {
-  return sentence(finding) + ", passed by " + brief(-finding.margin) + " of it";
+  const double share = -finding.margin;
+  return sentence(finding) + (share < 10 ? ": exceeded by " + brief(100 * share) + " %"
+                                         : ": exceeded " + brief(1 + share) + " times");
 }
 
 Report limits_of(const Limits& limits, const RampedLimits& ramped, const Cam& cam) {

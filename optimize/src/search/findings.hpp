@@ -18,7 +18,7 @@ std::string brief(double value);
 /// Returns "geo_velocity is -2.55 at master 273.6, the limit -2.5".
 std::string sentence(const Finding& finding);
 
-/// Returns the same for a broken limit: "..., passed by 2e-08 of it".
+/// Returns the same for a broken limit: "...: exceeded by 2e-06 %".
 std::string broken_sentence(const Finding& finding);
 
 /// Returns the check of a cam against all limits, with the segments of the curve.

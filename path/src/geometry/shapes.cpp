@@ -182,9 +182,11 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
   const Halves half{a, a * ratio};
   const double off = std::hypot(x1 / half.a, y1 / half.b) - 1;
   if (!(std::abs(off) <= tolerance))
-    throw InputError(
-        "to", off,
-        "is off the ellipse by this share of its size; the tolerance is " + number(tolerance));
+    throw InputError("to", number(to[plane.first]) + ", " + number(to[plane.second]),
+                     "must lie on the ellipse through the start, but is " +
+                         six_digits(100 * std::abs(off)) + " % of its size " +
+                         (off < 0 ? "inside" : "outside") + "; at most " +
+                         six_digits(100 * tolerance) + " % is permitted");
   const double sense = rotation == ArcRotation::counterclockwise ? 1 : -1;
   const double t0 = std::atan2(y0 / half.b, x0 / half.a);
   double sweep = sense * (std::atan2(y1 / half.b, x1 / half.a) - t0);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/corners/blend.hpp"
+#include "path/src/geometry/digits.hpp"
 #include "path/src/geometry/hull.hpp"
 #include "path/src/geometry/septic.hpp"
 #include "path/src/timing/not_limited.hpp"
@@ -73,15 +73,9 @@ Derivatives bounds_of(std::span<const Segment> axes, std::size_t path_axes) {
   return d;
 }
 
-std::string nine_digits(double value) {
-  char text[32];
-  static_cast<void>(std::snprintf(text, sizeof text, "%.9g", value));
-  return text;
-}
-
 std::string text_of(const Jets& jets, std::size_t n) {
   std::string text = "(";
-  for (std::size_t i = 0; i < n; ++i) text += (i > 0 ? ", " : "") + nine_digits(jets[i][0]);
+  for (std::size_t i = 0; i < n; ++i) text += (i > 0 ? ", " : "") + six_digits(jets[i][0]);
   return text + ")";
 }
 
@@ -148,10 +142,10 @@ class Fitting {
     Jets joint{};
     static_cast<void>(state_at(part, s, point, joint));
     const std::string where =
-        ", at " + nine_digits(part.start + s * part.length) + " along the path";
+        ", at " + six_digits(part.start + s * part.length) + " along the path";
     const bool at_start = !(part.start + s * part.length > 0);
     throw InputError(
-        at_start ? "start" : "to", text_of(point, map_.axes()),
+        at_start ? "start" : "point", text_of(point, map_.axes()),
         state == MapState::out_of_reach
             ? "is out of reach of the joints" + where + ": move the path or the machine"
             : "is a singular position of the joints" + where +

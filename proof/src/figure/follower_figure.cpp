@@ -10,8 +10,7 @@ namespace jounce {
 
 FollowerResult followed(const Input& input, std::size_t samples) {
   if (!input.spec || !input.spec->follower)
-    throw InputError("follower", "", "is missing: this picture needs a spec with [follower]")
-        .at(input.name);
+    throw InputError("", "", "has no [follower], which this picture needs").at(input.name);
   const FollowerSpec& f = *input.spec->follower;
   const Reference reference = table_reference(input);
   try {

@@ -316,15 +316,21 @@ CamSpec read_cam(TomlReader& top, const Units& of, Spec& spec) {
 
 namespace {
 
+/// Without a parameter and a free shape, only the knots are free.
+[[noreturn]] void refuse_other_figure(TomlReader& table, const std::string& figure) {
+  table.fail(
+      "minimize", '"' + figure + '"',
+      "must be a list of \"peak geo_acceleration\", \"peak geo_jerk\" or \"rms "
+      "geo_acceleration\"; any other figure needs [[optimize.parameter]] with key and range, "
+      "or a segment with a free shape: free = { shape = 100 }");
+}
+
 void read_knot_optimize(TomlReader& table, OptimizeSpec& optimize) {
   std::vector<Objective> minimize;
+  if (table.is_text("minimize")) refuse_other_figure(table, *table.optional_text("minimize"));
   for (const auto& text : table.texts("minimize")) {
     const auto objective = objective_named(text);
-    if (!objective)
-      table.fail("minimize", '"' + text + '"',
-                 "must be one or more of \"peak geo_acceleration\", \"peak geo_jerk\", \"rms "
-                 "geo_acceleration\"; for any other figure, give a segment a free shape: free = { "
-                 "shape = 100 }");
+    if (!objective) refuse_other_figure(table, text);
     minimize.push_back(*objective);
   }
   if (!minimize.empty()) optimize.minimize = std::move(minimize);

@@ -10,6 +10,7 @@
 #include "jounce/cam/algebra/inverse.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "spec/src/cams/cam_source.hpp"
 #include "spec/src/toml/parts.hpp"
@@ -116,6 +117,22 @@ NamedCam replace(TomlReader& then, const NamedCam& f, Units& units) {
   });
 }
 
+/// Throws InputError if the slave moves where a dwell begins.
+void require_rest(TomlReader& then, const Cam& cam, double at, const Units& units) {
+  const double greatest = peak(cam, 1);
+  for (const Side side : {Side::left, Side::right}) {
+    const double speed = cam.jet(at, side)[1];
+    const bool outside = side == Side::left ? !(at > cam.start()) : !(at < cam.end());
+    if (outside || std::abs(speed) <= rounded_input * greatest) continue;
+    then.fail(
+        "at", number(at),
+        "is where the slave moves, at " + six_digits(speed) + " " +
+            rate_unit(units.position, units.x, 1) +
+            ", but a dwell begins at rest: insert it outside the rises and falls, which are " +
+            inverted(cam).ranges_text() + " " + units.x);
+  }
+}
+
 NamedCam insert(TomlReader& then, const NamedCam& f, Units& units) {
   const double at = then.number("at", units.x);
   const auto dwell = then.optional_number("dwell", units.x);
@@ -125,6 +142,9 @@ NamedCam insert(TomlReader& then, const NamedCam& f, Units& units) {
   if (!(at >= f.cam.start() && at <= f.cam.end()))
     then.fail("at", number(at),
               "must lie within the cam, " + number(f.cam.start()) + " to " + number(f.cam.end()));
+  if (!dwell && !then.has("with"))
+    then.fail("with", "", "is missing: add with = \"other.toml\", or dwell = NUMBER");
+  if (dwell) require_rest(then, f.cam, at, units);
   const double rest = f.cam.jet(at, at == f.cam.end() ? Side::left : Side::right)[0];
   const NamedCam g =
       dwell ? NamedCam{Cam({line(*dwell, rest, rest)}), {"dwell"}} : read_other(then, units);
@@ -290,8 +310,7 @@ NamedCam read_cam_then(TomlReader& top, NamedCam cam, const Units& units) {
 
 NamedCam read_cam_from(TomlReader& top, const NamedCam& source, const Units& units) {
   for (const char* key : {"start", "segment", "boundaries", "slave_period"})
-    if (top.has(key))
-      top.fail(key, "", "cannot be combined with from, which names the cam that this file changes");
+    top.refuse_here(key, "cannot be combined with from, which names the cam that this file changes");
   NamedCam cam = read_cam_then(top, source, units);
   if (const auto periodic = top.optional_flag("periodic")) set_periodic(cam.cam, *periodic);
   return cam;

@@ -37,7 +37,7 @@ SpecParameter read_parameter(TomlReader& table) {
   std::tie(parameter.lower, parameter.upper) = *range;
   if (parameter.lower >= parameter.upper)
     table.fail("range", number(parameter.lower) + " to " + number(parameter.upper),
-               "must be [least, greatest], in this order");
+               "must be [least, greatest], in this order and not equal");
   table.finish();
   return parameter;
 }

@@ -27,7 +27,10 @@ std::int32_t put_count(const char* key, std::uint32_t count) {
 
 void put_text(std::string_view text, std::uint8_t* bytes, std::size_t size) {
   const std::string clean = printable(text);  // otherwise get_text() rejects the whole message
-  const std::string_view fits = shortened(clean, size);
+  constexpr std::string_view cut = "...";
+  const bool is_cut = clean.size() >= size && size > cut.size();
+  std::string fits(shortened(clean, is_cut ? size - cut.size() : size));
+  if (is_cut) fits += cut;
   std::fill_n(bytes, size, std::uint8_t{0});
   std::copy(fits.begin(), fits.end(), bytes);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/listed.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/study/sweep_summary.hpp"
@@ -30,8 +32,10 @@ std::string text_of(const SweepSpec& spec, std::size_t number, bool with_random)
   return text;
 }
 
+/// A share that is only rounding beside 1 is 0.
 std::string percent(double share) {
-  return fmt::format("{:.4g} %", 100 * share);
+  return fmt::format("{:.4g} %",
+                     std::abs(share) <= profiles_detail::rounded_input ? 0 : 100 * share);
 }
 
 std::string heading(const SweepSpec& spec, const SweepSummary& s) {
@@ -76,12 +80,15 @@ std::string spread_lines(const SweepSummary& s) {
   std::string text = fmt::format("\n  {:<{}} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11}\n", "figure",
                                  width, "given", "min", "median", "max", "deviation", "limit");
   for (const FigureSpread& f : s.figures) {
+    double scale = f.given.name == "margin" ? 1 : 0;  // a share
+    for (const double value : {f.given.value, f.least, f.median, f.greatest})
+      if (std::isfinite(value)) scale = std::max(scale, std::abs(value));
     const std::string name =
         f.given.unit.empty() ? f.given.name : f.given.name + " [" + f.given.unit + "]";
-    text +=
-        fmt::format("  {:<{}} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11}\n", name, width,
-                    rounded(f.given.value), rounded(f.least), rounded(f.median),
-                    rounded(f.greatest), rounded(f.deviation), f.limit ? rounded(*f.limit) : "");
+    text += fmt::format("  {:<{}} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11}\n", name, width,
+                        rounded(f.given.value, scale), rounded(f.least, scale),
+                        rounded(f.median, scale), rounded(f.greatest, scale),
+                        rounded(f.deviation, scale), f.limit ? rounded(*f.limit) : "");
   }
   return text;
 }

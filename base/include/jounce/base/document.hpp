@@ -43,7 +43,8 @@ struct Document {
 
   /// Returns the error with file, line and column of its key. If the key has no place, the error
   /// has the place of the nearest enclosing key. A number that must be greater than 0, and is 0
-  /// because the text omits it, is reported as missing, with its unit.
+  /// because the text omits it, is reported as missing, with its unit. The numbers of the error get
+  /// the units that the text uses: `must be at least 0.5 s; line_speed must be at most 29.6 m/min`.
   [[nodiscard]] InputError located(const InputError& error) const;
   /// Returns an error about the file `file`, which this document names under `key`. If the file
   /// cannot be read at all, the error gets the place of the key in this document; otherwise it is

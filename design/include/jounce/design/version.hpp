@@ -14,6 +14,11 @@ namespace jounce {
 /// the name of the version, because two versions of a cam often have the same name.
 Version version_of(const Input& input, const std::string& path);
 
+/// Throws InputError if one motion is over the master and the other over time. The paths are the
+/// names of the two in the message.
+void require_one_kind(const Input& before, const Input& after, const std::string& before_path,
+                      const std::string& after_path);
+
 /// Pairs the axes of two files: axes of the same name or, if each file has only one axis, these
 /// two. With `axis`, only the axis of this name; a file with a single axis is then compared as it
 /// is, if the other file has several. Throws InputError (key "axis") if an axis has no partner.

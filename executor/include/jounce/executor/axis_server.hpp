@@ -60,6 +60,8 @@ class AxisServer {
   [[nodiscard]] bool owned() const { return receiver_.session() != 0; }
   /// True if the log ended before the end of the run, because it could not be written.
   [[nodiscard]] bool log_truncated() const { return log_truncated_; }
+  /// Number of motions that the axis ended as an axis of a group, which reports them.
+  [[nodiscard]] std::uint64_t ended_with_group() const { return ended_with_group_; }
   /// The options of the axis.
   [[nodiscard]] const ExecutorOptions& options() const { return options_; }
   /// The status message of the axis.
@@ -149,6 +151,7 @@ class AxisServer {
   std::uint64_t numbers_ = 0;              // numbers of movements
   bool retired_ = false;
   bool log_truncated_ = false;
+  std::uint64_t ended_with_group_ = 0;
   std::int64_t fault_session_ = 0;
   std::uint64_t armed_ = 0;  // id of the last armed movement
   LastStart start_;

@@ -67,7 +67,8 @@ struct ExecutorOptions {
   bool logs_probes = false;  ///< true: the log has a column for the captures of the touch probes
   std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
   Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: no record
-  Trace* trace = nullptr;        ///< receives the ticks and tables of the axis; null: no trace
+  bool in_group = false;   ///< true: an axis of a group, which reports the motions of its axes
+  Trace* trace = nullptr;  ///< receives the ticks and tables of the axis; null: no trace
 };
 
 }  // namespace jounce

@@ -14,6 +14,9 @@ struct Realtime {
   [[nodiscard]] bool asked() const { return priority > 0 || cpu >= 0; }
 };
 
+/// Throws InputError (key "cpu") unless this process may use the CPU. -1: any CPU.
+void require_cpu(int cpu);
+
 /// Applies the requests to the calling thread. A request that the system does not permit is
 /// skipped. With a priority, all memory of the process is locked. In any case, the function touches
 /// the stack in advance, so that no page fault occurs later, and sets the timer slack to 1 ns

@@ -163,16 +163,26 @@ struct RecordedTriggers {
   Triggers triggers = {};  ///< the inputs
 };
 
+/// The checksum of all events of Jounce before this one. A record has one after the configuration,
+/// one before each write to the disk, and one at its end.
+struct RecordedCheck {
+  Sha256 hash{};  ///< the checksum; executor/lcm/check_t.lcm defines it
+};
+
 /// Any event of a record.
-using RecordEvent = std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle,
-                                 RecordedLoss, RecordedQueue, RecordedRows, RecordedGear,
-                                 RecordedMaster, RecordedSight, RecordedOutput, RecordedSample,
-                                 RecordedProgram, RecordedRegistration, RecordedTriggers>;
+using RecordEvent =
+    std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle, RecordedLoss,
+                 RecordedQueue, RecordedRows, RecordedGear, RecordedMaster, RecordedSight,
+                 RecordedOutput, RecordedSample, RecordedProgram, RecordedRegistration,
+                 RecordedTriggers, RecordedCheck>;
 
 /// Returns the channel of an event: "JOUNCE.cycle", ...
 std::string_view channel_of(const RecordEvent& event);
 /// Returns the bytes of an event in the encoding of LCM.
 std::string encoded(const RecordEvent& event);
+/// Returns the checksum of a record after one more event of Jounce: SHA-256(check, channel, 0, bytes).
+/// The checksum of no event is 0. Numbers and time stamps of the events are not included.
+Sha256 continued(const Sha256& check, std::string_view channel, std::string_view bytes);
 /// Decodes an event. Returns nullopt for a channel of another program. Throws InputError for bytes
 /// that are not an event of this channel.
 std::optional<RecordEvent> decoded(std::string_view channel, std::string_view bytes);

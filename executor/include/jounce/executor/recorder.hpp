@@ -122,6 +122,8 @@ class Recorder {
   void write(const RecordEvent& event, std::int64_t microseconds);
   void write(std::string_view channel, const std::string& data, std::int64_t microseconds);
   void write(const StoredTable& table);
+  void append(std::string_view channel, const std::string& data, std::int64_t microseconds);
+  void write_check();
   void write_triggers(const RecordedCycle& cycle);
   void flush();
   void keep(Box& box, const std::string& data, std::int64_t microseconds);
@@ -139,6 +141,7 @@ class Recorder {
   std::ofstream file_;
   std::string buffer_;
   std::int64_t number_ = 0;
+  Sha256 check_{};        // checksum of the log so far
   std::int64_t now_ = 0;  // us
   std::set<Sha256> tables_;
   /// The states of the trigger inputs of each axis in the record: wired, on.

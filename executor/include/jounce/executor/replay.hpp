@@ -37,16 +37,19 @@ struct Replay {
   /// Reason, as a sentence, why a part of the record was not computed again; "" if all of it was,
   /// or if there is a difference.
   std::string shorter = {};
+  /// Damage that the checksums of the record show, as a sentence; "": none.
+  std::string damage = {};
+  bool has_checksums = false;  ///< false: an older version wrote the record; see `damage`
   /// First tick of the record; nullopt: the record has no cycles.
   std::optional<std::int64_t> first_tick = {};
   std::int64_t last_tick = 0;  ///< last tick of the record
 
   /// True if the whole record was computed again, with identical results.
-  [[nodiscard]] bool same() const { return !difference && shorter.empty(); }
+  [[nodiscard]] bool same() const { return !difference && shorter.empty() && damage.empty(); }
   /// True if the replay found no difference, and computed everything that can be computed. (A black
   /// box cannot be computed again, because it begins in the middle of a run.)
   [[nodiscard]] bool agrees() const {
-    return same() || (!difference && !axes.empty() && !axes.front().whole);
+    return same() || (!difference && damage.empty() && !axes.empty() && !axes.front().whole);
   }
 };
 
@@ -64,6 +67,9 @@ struct Replay {
 /// `name` is the name of the file for errors. `watch` is called for every cycle in the record, even
 /// after a difference, and also for a black box. `watch_master` is called for every value of a
 /// master. The record is read as a stream, so it may have any length.
+///
+/// The checksums of the record show whether an event was changed, inserted or lost, also where this
+/// does not change an output. The computation continues after such a damage.
 ///
 /// In three cases the computation ends early, but not the reading: cycles are lost, a movement is
 /// not in the record (a custom program did not record it), or the file is truncated.

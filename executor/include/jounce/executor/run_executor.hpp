@@ -40,6 +40,7 @@ struct AxisSummary {
   std::uint64_t stopped = 0;   ///< number of motions that a stop brought to rest
   Cause fault = Cause::none;   ///< fault that is latched at the end
   double position = 0;         ///< position at the end, u (unit of the axis)
+  std::string unit = {};       ///< u; "": not known
   bool log_truncated = false;  ///< true if the log ended before the end of the run
 };
 

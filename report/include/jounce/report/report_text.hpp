@@ -48,6 +48,9 @@ constexpr std::size_t rows_for_people = 60;
 
 /// Returns a number with six significant digits, as text.
 std::string rounded(double value);
+/// Like rounded(), but 0 for a value that is only rounding beside `scale`, the magnitude of the
+/// quantity: 1.3e-10 mm of a travel of 50 mm.
+std::string rounded(double value, double scale);
 
 /// Returns one sentence: the number of broken findings and the worst finding or, if none is broken,
 /// the smallest margin.
