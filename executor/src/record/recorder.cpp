@@ -8,10 +8,10 @@
 
 #include <unistd.h>
 
+#include "jounce/base/detail/lcm_log.hpp"
 #include "jounce/base/file.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "executor/src/record/lcm_log.hpp"
 #include "executor/src/record/record_wire.hpp"
 
 namespace jounce {
@@ -194,7 +194,7 @@ void Recorder::write(const RecordEvent& event, std::int64_t microseconds) {
 
 void Recorder::write(std::string_view channel, const std::string& data, std::int64_t microseconds) {
   if (!file_.is_open()) return;
-  executor_detail::append(buffer_, number_++, microseconds, channel, data);
+  base_detail::append(buffer_, number_++, microseconds, channel, data);
   if (buffer_.size() >= buffered) flush();
 }
 
@@ -241,10 +241,10 @@ void Recorder::write_black_box() {
   std::int64_t number = 0;
   for (RecordedAxis axis : axes_) {
     axis.whole = false;
-    executor_detail::append(bytes, number++, 0, channel_of(axis), encoded(axis));
+    base_detail::append(bytes, number++, 0, channel_of(axis), encoded(axis));
   }
   for (const RecordedMaster& master : masters_)
-    executor_detail::append(bytes, number++, 0, channel_of(master), encoded(master));
+    base_detail::append(bytes, number++, 0, channel_of(master), encoded(master));
   struct Entry {
     std::int64_t microseconds;
     std::string_view channel;
@@ -264,7 +264,7 @@ void Recorder::write_black_box() {
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.microseconds < b.microseconds; });
   for (const Entry& e : entries)
-    executor_detail::append(bytes, number++, e.microseconds, e.channel, *e.data);
+    base_detail::append(bytes, number++, e.microseconds, e.channel, *e.data);
   try {
     write_file(options_.black_box->string(), bytes);
     if (options_.notify) options_.notify("the last cycles are in " + options_.black_box->string());
