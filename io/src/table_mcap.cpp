@@ -24,7 +24,7 @@ constexpr std::string_view magic("\x89MCAP0\r\n", 8);
 constexpr const char* profile = "jounce-table";
 constexpr const char* topic = "/jounce/table";
 
-enum Opcode : unsigned char {
+enum class Opcode : unsigned char {
   header = 0x01,
   footer = 0x02,
   schema = 0x03,
@@ -128,8 +128,8 @@ struct McapTable {
   std::vector<std::string> knots = {};
 };
 
-void read_record(unsigned char opcode, Cursor content, McapTable& table) {
-  if (opcode == channel) {
+void read_record(Opcode opcode, Cursor content, McapTable& table) {
+  if (opcode == Opcode::channel) {
     const auto id = content.number<std::uint16_t>();
     (void)content.number<std::uint16_t>();  // its schema
     if (content.text() != topic) return;
@@ -138,14 +138,14 @@ void read_record(unsigned char opcode, Cursor content, McapTable& table) {
     if (const std::string encoding = content.text(); encoding != "json")
       content.fail("message_encoding", encoding, "must be json");
     table.metadata = content.texts();
-  } else if (opcode == message) {
+  } else if (opcode == Opcode::message) {
     if (content.number<std::uint16_t>() != table.channel) return;
     constexpr std::size_t times = 4 + 8 + 8;  // sequence, log_time, publish_time
     (void)content.take(times);
     std::string knot;
     while (!content.at_end()) knot += content.take(1);
     table.knots.push_back(std::move(knot));
-  } else if (opcode == chunk) {
+  } else if (opcode == Opcode::chunk) {
     content.fail("chunk", "",
                  "is not read: write the file without chunks (`mcap` calls this unchunked)");
   }
@@ -156,10 +156,10 @@ McapTable table_of(const std::string& text, const std::string& name) {
   McapTable table;
   (void)file.take(magic.size());
   while (true) {
-    const auto opcode = file.number<std::uint8_t>();
+    const auto opcode = static_cast<Opcode>(file.number<std::uint8_t>());
     const Cursor content(file.take(file.number<std::uint64_t>()), name);
     read_record(opcode, content, table);
-    if (opcode == footer) break;
+    if (opcode == Opcode::footer) break;
   }
   if (file.take(magic.size()) != magic || !file.at_end())
     file.fail("", "", "is not complete: the file does not end with the magic bytes of MCAP");
@@ -195,20 +195,20 @@ std::string to_mcap(const TableFile& file) {
   for (const auto& [key, value] : io_detail::head_of(file)) metadata.add(key).add(value);
   metadata.add(std::string("knots")).add(std::to_string(file.table.size()));
   std::string bytes(magic);
-  bytes += Content().add(std::string(profile)).add(file.provenance.made_by).record(header);
+  bytes += Content().add(std::string(profile)).add(file.provenance.made_by).record(Opcode::header);
   bytes += Content()
                .add(std::uint16_t{1})
                .add(std::string("jounce.knot"))
                .add(std::string("jsonschema"))
                .add(schema_of(columns))
-               .record(schema);
+               .record(Opcode::schema);
   bytes += Content()
                .add(std::uint16_t{0})
                .add(std::uint16_t{1})
                .add(std::string(topic))
                .add(std::string("json"))
                .add(metadata.text())
-               .record(channel);
+               .record(Opcode::channel);
   for (std::size_t knot = 0; knot < file.table.size(); ++knot) {
     Json all;
     for (std::size_t i = 0; i < columns.size(); ++i) all[columns[i]] = (*values[i])[knot];
@@ -219,11 +219,14 @@ std::string to_mcap(const TableFile& file) {
                  .add(time)
                  .add(time)
                  .bytes(all.dump())
-                 .record(message);
+                 .record(Opcode::message);
   }
-  bytes += Content().add(std::uint32_t{0}).record(data_end);  // without a CRC
-  bytes +=
-      Content().add(std::uint64_t{0}).add(std::uint64_t{0}).add(std::uint32_t{0}).record(footer);
+  bytes += Content().add(std::uint32_t{0}).record(Opcode::data_end);  // without a CRC
+  bytes += Content()
+               .add(std::uint64_t{0})
+               .add(std::uint64_t{0})
+               .add(std::uint32_t{0})
+               .record(Opcode::footer);
   return bytes + std::string(magic);
 }
 

@@ -69,13 +69,13 @@ bool ErrorList::add(const InputError& error) {
 void ErrorList::end_part(const InputError& error) {
   bool known = is_faulty(error.key());
   for (const std::string& table : ignored_) known = known || error.key().starts_with(table);
+  guessed_ = true;
   if (known || !add(error)) {
     ++found_.unread;
     return;
   }
   faulty_.insert(error.key());
   ended_ = true;
-  guessed_ = true;
 }
 
 bool ErrorList::again() {
@@ -89,7 +89,7 @@ bool ErrorList::again() {
   found_ = {};
   faulty_.clear();
   ignored_.clear();
-  return guessed_ && ++guess_ < guesses && ++passes_ < most_passes;
+  return guessed_ && ++guess_ < guesses_ && ++passes_ < most_passes;
 }
 
 void ErrorList::throw_any() const {
@@ -102,15 +102,19 @@ double ErrorList::number(const std::string& key, const std::string& unit) {
     const auto before = number_at(*root_, neighbor(key, -1), unit);
     const auto after = number_at(*root_, neighbor(key, 1), unit);
     if (before && after) return (*before + *after) / 2;
-    if (before || after) return before.value_or(0) + after.value_or(0);
+    if (before) return *before + std::max(1.0, std::abs(*before));
+    if (after) return *after - std::max(1.0, std::abs(*after));
     return 1;
   }
-  constexpr std::array values{1e3, 1e-3, 0.0, -1.0, 10.0, 1e6};
-  return values[(guess_ + key.size()) % values.size()];
+  constexpr std::array values{1e3, 1e6, 1e-3, 0.0, -1.0, 10.0};
+  const std::size_t other = guess_ > values.size() ? key.size() : 0;  // another one for each key
+  return values[(guess_ - 1 + other) % values.size()];
 }
 
 std::size_t ErrorList::choice(std::size_t count) {
+  constexpr std::size_t most_words = 40;
   guessed_ = true;
+  guesses_ = std::max(guesses_, std::min(count, most_words));
   return guess_ % count;
 }
 

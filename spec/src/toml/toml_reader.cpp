@@ -285,7 +285,7 @@ std::int64_t TomlReader::whole(const char* key) {
 }
 
 std::optional<bool> TomlReader::optional_flag(const char* key) {
-  return optional_or_else(key, false, [&](const toml::node& node) {
+  return optional_or_else(key, errors_ != nullptr && errors_->flag(), [&](const toml::node& node) {
     if (!node.is_boolean())
       fail(key, shown(node), std::string("must be true or false") + without_quotes(node));
     return *node.value<bool>();

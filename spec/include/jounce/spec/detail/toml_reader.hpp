@@ -50,6 +50,7 @@ class ErrorList {
   /// Placeholders for the value of `key`: a number in `unit`, and one of `count` words.
   double number(const std::string& key, const std::string& unit);
   std::size_t choice(std::size_t count);
+  [[nodiscard]] bool flag() const { return guess_ % 2 == 1; }
   /// Number of placeholders that were used in this pass.
   [[nodiscard]] std::size_t placeholders() const { return placeholders_; }
   /// Counts a placeholder.
@@ -57,8 +58,7 @@ class ErrorList {
 
  private:
   static constexpr std::size_t most = 1000;  ///< greatest number of errors; later ones are dropped
-  static constexpr std::size_t most_passes = 1000;  ///< of all placeholders together
-  static constexpr std::size_t guesses = 6;         ///< number of sets of placeholders
+  static constexpr std::size_t most_passes = 1000;  ///< limit for all placeholders together
 
   /// The result of the passes with one set of placeholders. A part that could not be read may hide errors.
   struct Result {
@@ -67,14 +67,15 @@ class ErrorList {
   };
 
   const toml::table* root_;
-  std::size_t guess_ = 0;
+  std::size_t guess_ = 0;    ///< number of the set of placeholders
+  std::size_t guesses_ = 8;  ///< number of sets; more if a word has an error
   std::size_t passes_ = 0;
   std::size_t placeholders_ = 0;
   bool ended_ = false;    ///< an error that was not known ended a part of this pass
   bool guessed_ = false;  ///< errors may depend on the placeholders
   std::set<std::string> faulty_;
   std::set<std::string> ignored_;
-  Result found_;  ///< with the placeholders of guess_
+  Result found_;  ///< result of the present placeholders
   std::optional<Result> best_;
 };
 
@@ -171,6 +172,9 @@ class TomlReader {
   [[nodiscard]] std::size_t placeholders() const {
     return errors_ == nullptr ? 0 : errors_->placeholders();
   }
+  /// True for a key with an error that ended its part in an earlier pass, and for all keys of a
+  /// table that could not be read.
+  [[nodiscard]] bool is_faulty(const char* key) const;
   /// One of `words` as the placeholder of a key with an error; nullopt for any other key.
   std::optional<std::string> placeholder(const char* key, std::span<const char* const> words);
   [[nodiscard]] const Document& document() const { return *document_; }
@@ -226,9 +230,6 @@ class TomlReader {
                           std::string& hint);
   void report(const InputError& error) const;
   void end_part(const InputError& error) const;
-  /// True for a key with an error that ended its part in an earlier pass, and for all keys of a table that could not
-  /// be read.
-  [[nodiscard]] bool is_faulty(const char* key) const;
   [[nodiscard]] bool left_out(const char* key) const;
   template <class Value, class Read>
   Value or_else(const char* key, const Value& placeholder, Read read);
