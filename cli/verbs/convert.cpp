@@ -49,7 +49,7 @@ int run_convert(const ConvertArguments& options) {
   if (options.to.empty()) under_option("OUT", [&] { require_known_ending(options.output); });
   if (form.format != nullptr && !options.rule.empty())
     throw InputError("--rule", options.rule,
-                     "applies to csv and json only: this format has its own rule");
+                     "applies to csv, json, lcm-log and mcap only: this format has its own rule");
   require_other_file(options.input, options.output, "OUT");
   const Input input =
       only_one(over(options.over, load_axes(options.input, options.axis, options.decimal_comma)),
@@ -119,7 +119,8 @@ void add_convert(CommandLine& line) {
   verb.axis(options->axis);
   verb.over(options->over);
   verb.option("--rule", options->rule,
-              "For csv and json: linear, cubic_hermite, quintic_hermite; default: unchanged")
+              "For csv, json, lcm-log and mcap: linear, cubic_hermite, quintic_hermite; default: "
+              "unchanged")
       .check(one_of({"linear", "cubic_hermite", "quintic_hermite"}));
   const auto target = add_target_options(verb, options->target);
   verb.option("--intervals", options->intervals, "New knots at this number of equal intervals")

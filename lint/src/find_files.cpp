@@ -14,6 +14,8 @@
 
 #include <fnmatch.h>
 
+#include "jounce/io/table_file.hpp"
+
 namespace jounce {
 namespace {
 
@@ -138,7 +140,8 @@ bool is_below(const fs::path& path, const fs::path& folder) {
 
 bool is_jounce_file(const std::string& path) {
   const std::string ending = fs::path(path).extension().string();
-  constexpr std::array<std::string_view, 4> endings{".toml", ".csv", ".json", ".key"};
+  constexpr std::array<std::string_view, 6> endings{".toml",   ".csv",  ".json",
+                                                    ".lcmlog", ".mcap", ".key"};
   std::error_code none;
   if (std::find(endings.begin(), endings.end(), ending) == endings.end() ||
       !fs::is_regular_file(path, none))
@@ -148,6 +151,7 @@ bool is_jounce_file(const std::string& path) {
   if (ending == ".csv") return head.starts_with("# jounce table");
   if (ending == ".json")
     return head.starts_with('{') && head.find("\"jounce_table\"") != std::string::npos;
+  if (ending != ".key") return is_table(head);
   return is_key(head);
 }
 

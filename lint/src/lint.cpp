@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jounce/base/file.hpp"
+#include "jounce/base/input_errors.hpp"
 #include "jounce/base/parallel.hpp"
 #include "jounce/design/diagnostics.hpp"
 #include "jounce/design/path_text.hpp"
@@ -27,6 +28,7 @@ bool is_key_file(const std::string& path) {
 
 /// Reads the specs of the axes of a machine.
 void require_axes(const MachineSpec& machine, const ExamineAxis& examine_axis) {
+  std::vector<InputError> errors;
   for (const MachineSpec::Axis& axis : machine.axes) {
     const std::string key = axis.key + ".spec";
     const auto located = [&](const InputError& error) {
@@ -34,15 +36,15 @@ void require_axes(const MachineSpec& machine, const ExamineAxis& examine_axis) {
     };
     try {
       const Spec spec = read_spec(axis.spec);
-      if (std::holds_alternative<AxisSpec>(spec.subject)) {
-        if (examine_axis) examine_axis(spec);
-        continue;
-      }
+      if (!std::holds_alternative<AxisSpec>(spec.subject))
+        throw machine.document.located(
+            InputError(key, axis.spec, "must be a spec of kind \"axis\""));
+      if (examine_axis) examine_axis(spec);
     } catch (const InputError& error) {
-      throw located(error);
+      for (const InputError& one : all_errors(error)) errors.push_back(located(one));
     }
-    throw machine.document.located(InputError(key, axis.spec, "must be a spec of kind \"axis\""));
   }
+  if (!errors.empty()) throw InputErrors(std::move(errors));
 }
 
 bool has_no_commands(const Spec& spec) {
@@ -93,9 +95,10 @@ void lint_text_into(FileResult& result, std::string text, const Examine& examine
   } else if (const auto axes = parse_machine(text, name)) {
     require_axes(*axes, examine_axis);
   } else {
-    const Spec spec = parse_spec(std::move(text), name);
-    if (!lint_without_motion(spec, examine_axis, result))
-      examine_motions(inputs_of(spec, path), examine, result);
+    (void)parse_spec(std::move(text), name, [&](const Spec& spec) {
+      if (!lint_without_motion(spec, examine_axis, result))
+        examine_motions(inputs_of(spec, path), examine, result);
+    });
   }
 }
 

@@ -226,7 +226,8 @@ respect to x.
             write_table(path.string(), t.file);
           },
           "path"_a,
-          R"(Writes a table file: JSON if the path ends in ".json", otherwise CSV. The whole file or nothing.
+          R"(Writes a table file: JSON, LCM log or MCAP if the path ends in ".json", ".lcmlog" or ".mcap", otherwise CSV. The
+whole file or nothing.
 
 Raises InputError if a unit is missing, and OSError.)")
       .def("__repr__", table_repr);
@@ -234,8 +235,8 @@ Raises InputError if a unit is missing, and OSError.)")
       "read_table",
       [](const std::filesystem::path& path) { return NamedTable{read_table(path.string())}; },
       "path"_a,
-      "Reads a table file of Jounce, CSV or JSON. Raises InputError with its place for a wrong "
-      "file.");
+      "Reads a table file of Jounce: CSV, JSON, LCM log or MCAP. Raises InputError with its place "
+      "for a wrong file.");
   m.def(
       "parse_table",
       [](const std::string& text, const std::string& name) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "jounce/base/file.hpp"
+#include "jounce/base/input_errors.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/controllers/exchange/exchange_format.hpp"
 #include "jounce/io/points.hpp"
@@ -197,15 +198,21 @@ void read_pvt(TomlReader& top, Spec& spec) {
 }
 
 void read_axis(TomlReader& top, Spec& spec) {
-  AxisSpec axis = spec_detail::read_axis(top.table("axis"), spec.units);
-  axis.homing = spec_detail::read_homing(top, spec.units);
-  axis.follow = spec_detail::read_whom(top);
-  axis.registration = spec_detail::read_registration(top, spec.units, spec.master_unit);
-  (void)spec_detail::read_axis_drive(top, spec.units,
-                                     spec.master_unit);  // axis_drive() reads it again
+  AxisSpec axis;
+  bool whole = true;
+  const auto part = [&](const auto& read) { whole = top.attempt(read) && whole; };
+  part([&] { axis = spec_detail::read_axis(top.table("axis"), spec.units); });
+  part([&] { axis.homing = spec_detail::read_homing(top, spec.units); });
+  part([&] { axis.follow = spec_detail::read_whom(top); });
+  part([&] {
+    axis.registration = spec_detail::read_registration(top, spec.units, spec.master_unit);
+  });
+  // axis_drive() reads it again
+  part([&] { (void)spec_detail::read_axis_drive(top, spec.units, spec.master_unit); });
   spec.subject = axis;
-  spec.switches = spec_detail::read_switches(top, spec, SwitchesOf::position);
-  spec.compare = spec_detail::read_compare(top, spec);
+  part([&] { spec.switches = spec_detail::read_switches(top, spec, SwitchesOf::position); });
+  part([&] { spec.compare = spec_detail::read_compare(top, spec); });
+  if (!whole) throw spec_detail::PartEnded{};
 }
 
 void read_drive_alone(TomlReader& top, Spec& spec) {
@@ -282,7 +289,7 @@ void read_body(TomlReader& top, Spec& spec) {
   const bool several =
       kind.name == std::string_view("axes") || kind.name == std::string_view("path");
   if (!several) read_one_axis(top, spec, kind);
-  if (!top.attempt([&] { kind.read(top, spec); })) return;
+  if (!top.attempt([&] { kind.read(top, spec); })) throw spec_detail::PartEnded{};
   if (kind.runs == Kind::over_master) top.attempt([&] { read_beside_cam(top, spec); });
   if (kind.runs == Kind::over_time) {
     top.attempt([&] { spec.then = spec_detail::read_then(top, spec); });
@@ -297,13 +304,13 @@ void read_body(TomlReader& top, Spec& spec) {
 
 void spec_detail::require_version(TomlReader& top) {
   if (!top.has("jounce"))
-    top.fail("jounce", "",
-             "is missing: a spec begins with `jounce = 1`, the version of its format");
+    top.fail_all("jounce", "",
+                 "is missing: a spec begins with `jounce = 1`, the version of its format");
   const auto version = top.optional_whole("jounce");
   if (*version != Spec::version)
-    top.fail("jounce", std::to_string(*version),
-             "must be " + std::to_string(Spec::version) +
-                 ", the format version that this program reads");
+    top.fail_all("jounce", std::to_string(*version),
+                 "must be " + std::to_string(Spec::version) +
+                     ", the format version that this program reads");
 }
 
 namespace {
@@ -406,17 +413,22 @@ std::string spec_kind(const std::string& text) {
   }
 }
 
-Spec parse_spec(std::string text, std::string name) {
+Spec parse_spec(std::string text, std::string name, const std::function<void(const Spec&)>& use) {
   Document document{std::move(name), std::move(text), {}, {}};
   document.hash = sha256(document.text);
   const toml::table root = spec_detail::parse_toml(document);
-  Spec spec;
-  spec.document = std::move(document);
-  spec_detail::ErrorList errors;
-  TomlReader top(root, "", spec.document, &errors);
-  top.attempt([&] { read_body(top, spec); });
-  errors.throw_any();
-  return spec;
+  return spec_detail::read_document(root, [&](spec_detail::ErrorList& errors) {
+    Spec spec;
+    spec.document = document;
+    TomlReader top(root, "", spec.document, &errors);
+    if (!top.attempt([&] { read_body(top, spec); }) || !use || top.placeholders() > 0) return spec;
+    try {
+      use(spec);
+    } catch (const InputError& error) {
+      for (const InputError& one : all_errors(error)) errors.add(spec.document.located(one));
+    }
+    return spec;
+  });
 }
 
 Spec::Spec() = default;

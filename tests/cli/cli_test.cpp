@@ -1243,7 +1243,7 @@ TEST_F(Cli, AnOptionThatHasNoEffectIsRejected) {
   EXPECT_THAT(run("plot move.toml --over master -o x.svg").err,
               HasSubstr("is over time, without a master: leave out --over"));
   EXPECT_THAT(run("convert " + cam + " y.scl --rule linear").err,
-              HasSubstr("--rule = linear: applies to csv and json only"));
+              HasSubstr("--rule = linear: applies to csv, json, lcm-log and mcap only"));
   EXPECT_THAT(run("check drive.toml --limit foo=3").err,
               HasSubstr("--limit = foo=3: applies to a motion, but this file has none"));
   EXPECT_THAT(run("events " + cam).err, HasSubstr("switch: is missing: add [[switch]]"));

@@ -53,7 +53,7 @@ void expect_same_columns(const TableFile& a, const TableFile& b) {
 }
 
 TEST(Exchange, ReadsBackBitExact) {
-  for (const char* word : {"xyva", "codesys", "twincat", "siemens", "pairs", "sew"})
+  for (const char* word : {"xyva", "codesys", "plcopen", "twincat", "siemens", "pairs", "sew"})
     for (const Extrapolation outside : {Extrapolation::wrap, Extrapolation::hold}) {
       SCOPED_TRACE(word);
       const ExchangeFormat& format = *exchange_format_named(word);
@@ -65,7 +65,7 @@ TEST(Exchange, ReadsBackBitExact) {
 }
 
 TEST(Exchange, KeepsUnitsPolicyAndHashWhereThereAreComments) {
-  for (const char* word : {"xyva", "codesys", "twincat", "siemens"}) {
+  for (const char* word : {"xyva", "codesys", "plcopen", "twincat", "siemens"}) {
     SCOPED_TRACE(word);
     const ExchangeFormat& format = *exchange_format_named(word);
     for (const Extrapolation outside :
@@ -90,7 +90,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST(Exchange, RefusesEveryTruncationThatDropsAKnotOrADigit) {
   const TableFile file = ragged(Interpolation::quintic_hermite, Extrapolation::hold, 4);
-  for (const char* word : {"xyva", "codesys", "twincat", "siemens"}) {
+  for (const char* word : {"xyva", "codesys", "plcopen", "twincat", "siemens"}) {
     const std::string text = written(word, file);
     const std::size_t end = word == std::string("xyva") ? text.size() - 1 : text.find("];") + 1;
     for (std::size_t length = 0; length < end; ++length)
@@ -100,7 +100,7 @@ TEST(Exchange, RefusesEveryTruncationThatDropsAKnotOrADigit) {
 
 TEST(Exchange, RefusesOrKeepsEveryChangedByte) {
   const TableFile file = ragged(Interpolation::quintic_hermite, Extrapolation::hold, 4);
-  for (const char* word : {"xyva", "codesys", "twincat", "siemens"}) {
+  for (const char* word : {"xyva", "codesys", "plcopen", "twincat", "siemens"}) {
     const std::string text = written(word, file);
     const std::size_t first = text.find("sha256");
     for (std::size_t i = text.find('\n', first); i < text.size(); ++i)

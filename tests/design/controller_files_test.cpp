@@ -318,6 +318,14 @@ const std::vector<Target345>& targets() {
        [](const auto& text) {
          return by_quintics(knots_after(text, {"dX := ", "dY := ", "dV := ", "dA := "}));
        }},
+      {"plcopen",
+       [](const auto& text) {
+         const auto member = [](const char* name) {
+           return std::string("<value member=\"") + name + "\"><simpleValue value=\"";
+         };
+         return by_quintics(
+             knots_after(text, {member("dX"), member("dY"), member("dV"), member("dA")}));
+       }},
       {"twincat",
        [](const auto& text) {
          return by_quintics(

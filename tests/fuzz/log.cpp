@@ -2,10 +2,10 @@
 #include <sstream>
 #include <vector>
 
+#include "jounce/base/detail/lcm_log.hpp"
 #include "jounce/executor/replay.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "executor/src/record/lcm_log.hpp"
 #include "fuzz/fuzz.hpp"
 
 namespace jounce::fuzz {
@@ -77,7 +77,7 @@ std::string events(Source& source) {
       const std::size_t at = source.byte() * std::size_t{256} + source.byte();
       data[hash + at % (data.size() - hash)] = static_cast<char>(source.byte());
     }
-    executor_detail::append(bytes, i, 0, channel_of(event), data);
+    base_detail::append(bytes, i, 0, channel_of(event), data);
   }
   return bytes;
 }

@@ -6,9 +6,11 @@
 #include <limits>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "jounce/base/detail/lcm_log.hpp"
 #include "jounce/base/file.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -57,13 +59,45 @@ void expect_same(const TableFile& a, const TableFile& b) {
   EXPECT_TRUE(same_bits(a.table.columns().a, b.table.columns().a));
 }
 
-TEST(TableFile, ReadsBackBitExactInBothFormats) {
+/// The file in all formats that Jounce reads.
+std::vector<std::string> texts_of(const TableFile& file) {
+  std::vector<std::string> all;
+  for (const OwnForm& form : own_forms())
+    if (form.readable) all.push_back(form.write(file));
+  EXPECT_EQ(all.size(), 4U);
+  return all;
+}
+
+TEST(TableFile, ReadsBackBitExactInEachFormat) {
   for (const Interpolation rule :
        {Interpolation::linear, Interpolation::cubic_hermite, Interpolation::quintic_hermite}) {
     const TableFile file = ragged(rule);
-    expect_same(file, parse_table(to_csv(file), "t.csv"));
-    expect_same(file, parse_table(to_json(file), "t.json"));
+    for (const std::string& text : texts_of(file)) {
+      EXPECT_TRUE(is_table(text));
+      expect_same(file, parse_table(text, "t"));
+    }
   }
+}
+
+TEST(TableFile, FormatsAreNamedByTheirEndings) {
+  for (const OwnForm& form : own_forms())
+    EXPECT_STREQ(own_form_of_path(std::string("a") + form.ending)->name, form.name);
+  EXPECT_EQ(own_form_of_path("a.st"), nullptr);
+  EXPECT_TRUE(table_text("a.mcap", ragged()).starts_with("\x89MCAP0\r\n"));
+  EXPECT_TRUE(table_text("a.npy", ragged()).starts_with("# jounce table")) << "not readable";
+}
+
+TEST(TableFile, OtherLogsAreNoTables) {
+  std::string log;
+  base_detail::append(log, 0, 0, "JOUNCE.axis", "data");
+  EXPECT_FALSE(is_table(log)) << "a record";
+  const std::string mcap = to_mcap(ragged());
+  std::string other = mcap;
+  other.replace(other.find("jounce-table"), 12, "ros2-foxy-it");
+  EXPECT_FALSE(is_table(other));
+  const std::string table = to_lcm_log(ragged());
+  EXPECT_EQ(test::error_of([&] { (void)parse_table(table + log, "t"); }),
+            "t: contains more than one event: a file contains one table");
 }
 
 TEST(TableFile, HashesTheSameInBothFormatsAndForNothingElse) {
@@ -96,7 +130,7 @@ std::string complaint(const std::string& text) {
 
 TEST(TableFile, RefusesEveryTruncation) {
   const TableFile file = ragged(Interpolation::cubic_hermite, 4);
-  for (const std::string& text : {to_csv(file), to_json(file)})
+  for (const std::string& text : texts_of(file))
     for (std::size_t length = 0; length + 1 < text.size();
          ++length)  // a last line end may be missing
       EXPECT_NE(complaint(text.substr(0, length)), "") << text.substr(0, length);
@@ -105,7 +139,7 @@ TEST(TableFile, RefusesEveryTruncation) {
 TEST(TableFile, RefusesOrKeepsEveryChangedByte) {
   // For every changed byte, the table read is the table written, or there is an error.
   const TableFile file = ragged(Interpolation::cubic_hermite, 4);
-  for (const std::string& text : {to_csv(file), to_json(file)})
+  for (const std::string& text : texts_of(file))
     for (std::size_t i = 0; i < text.size(); ++i)
       for (const char c : {'0', '9', '-', ' ', '\n', 'x', '\0', '\xff'}) {
         std::string changed = text;

@@ -8,8 +8,8 @@
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "controllers/src/codesys/cam_xyva.hpp"
 #include "controllers/src/exchange/formats.hpp"
-#include "controllers/src/exchange/knot_arrays.hpp"
 
 // A cam as CODESYS SoftMotion declares it (library SM3_Basic, MC_CAM_REF and SMC_CAMXYVA): an array
 // of points, each with dX (master), dY (slave), dV = dY/dX and dA = d2Y/dX2, and a reference to it.
@@ -17,8 +17,6 @@ namespace jounce::controllers_detail {
 namespace {
 
 using profiles_detail::rounded_input;
-
-const KnotType cam_xyva{.name = "SMC_CAMXYVA", .fields = {"dX", "dY", "dV", "dA"}};
 
 /// Fields of an MC_CAM_REF.
 struct Reference {
@@ -147,19 +145,29 @@ std::vector<Exchanged> read_codesys(const std::string& text, const Place& place)
   return cams;
 }
 
-std::string codesys_text(const TableFile& file) {
-  const Columns& columns = file.table.columns();
-  const std::vector<double>& x = columns.x;
-  return "// a cam for CODESYS SoftMotion, by " + made_by() + "\n" + notes_text(file, "//") +
-         "// once, in the program: Cam.pce := ADR(CamPoints);\n"
-         "//   MC_CamTableSelect(CamTable := Cam, Periodic := " +
+}  // namespace
+
+const KnotType cam_xyva{.name = "SMC_CAMXYVA", .fields = {"dX", "dY", "dV", "dA"}};
+
+std::string coupling_calls(const TableFile& file) {
+  return std::string(
+             "// once, in the program: Cam.pce := ADR(CamPoints);\n"
+             "//   MC_CamTableSelect(CamTable := Cam, Periodic := ") +
          (repeats(file.table.outside()) ? "TRUE" : "FALSE") +
          ", MasterAbsolute := TRUE, SlaveAbsolute := TRUE, ...)\n"
          "//   MC_CamIn(MasterOffset := 0, SlaveOffset := 0, MasterScaling := 1,"
          " SlaveScaling := 1, ...)\n"
-         "// A negative scaling reverses the direction.\n" +
-         "VAR_GLOBAL\n  CamPoints : ARRAY[0.." + std::to_string(x.size() - 1) +
-         "] OF SMC_CAMXYVA := [\n" + knots_text(columns, cam_xyva) +
+         "// A negative scaling reverses the direction.\n";
+}
+
+namespace {
+
+std::string codesys_text(const TableFile& file) {
+  const Columns& columns = file.table.columns();
+  const std::vector<double>& x = columns.x;
+  return "// a cam for CODESYS SoftMotion, by " + made_by() + "\n" + notes_text(file, "//") +
+         coupling_calls(file) + "VAR_GLOBAL\n  CamPoints : ARRAY[0.." +
+         std::to_string(x.size() - 1) + "] OF SMC_CAMXYVA := [\n" + knots_text(columns, cam_xyva) +
          "  ];\n  Cam : MC_CAM_REF := (byType := 3, nElements := " + std::to_string(x.size()) +
          ", xStart := " + real_literal(x.front()) + ", xEnd := " + real_literal(x.back()) +
          ");\nEND_VAR\n";

@@ -163,6 +163,11 @@ std::vector<Line> lines_of(std::string_view text) {
   return all;
 }
 
+int line_at(const std::string& text, std::ptrdiff_t offset) {
+  const auto end = text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text));
+  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+}
+
 bool is_comment(std::string_view line) {
   return line.starts_with('#') || line.starts_with("//");
 }

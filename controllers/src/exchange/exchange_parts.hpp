@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,6 +21,9 @@ struct Line {
 
 /// Returns the lines that are not blank.
 std::vector<Line> lines_of(std::string_view text);
+
+/// Returns the number of the line at an offset, from 1; 1 for an unknown offset.
+int line_at(const std::string& text, std::ptrdiff_t offset);
 
 std::string_view trimmed(std::string_view text);
 std::string lower(std::string_view text);

@@ -12,6 +12,7 @@ namespace {
 
 // In the order of their detection: files of columns last.
 constexpr std::array all_rows{&codesys_format,
+                              &plcopen_format,
                               &twincat_mc3_format,
                               &twincat_format,
                               &siemens_format,

@@ -25,6 +25,7 @@ struct FormatRow {
 
 /// The formats, one for each source of a vendor. Add a new format to the list in formats.cpp.
 extern const FormatRow codesys_format;
+extern const FormatRow plcopen_format;
 extern const FormatRow twincat_format;
 extern const FormatRow twincat_mc3_format;
 extern const FormatRow siemens_format;

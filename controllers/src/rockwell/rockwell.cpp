@@ -181,11 +181,6 @@ Exchanged cam_of_tag(const Tag& tag, const Place& place) {
   return cam;
 }
 
-int line_at(const std::string& text, std::ptrdiff_t offset) {
-  const auto end = text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text));
-  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-}
-
 /// The elements in the text form of a tag, or from its decorated members.
 std::vector<std::vector<double>> data_of(const pugi::xml_node& node, const std::string& text,
                                          const std::string& name, const Place& place) {

@@ -9,7 +9,6 @@
 #include "jounce/design/convert.hpp"
 #include "jounce/io/points_text.hpp"
 #include "jounce/io/samples_csv.hpp"
-#include "jounce/io/table_npy.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
@@ -87,9 +86,8 @@ TableForm table_form(const std::string& name, const std::string& path) {
       name.empty() ? exchange_format_of_path(path) : exchange_format_named(name);
   if (format != nullptr) return {format->name, format};
   if (!name.empty()) return {name};
-  for (const char* own : {"json", "npy"})
-    if (path.ends_with(std::string(".") + own)) return {own};
-  return {"csv"};
+  const OwnForm* const own = own_form_of_path(path);
+  return {own != nullptr ? own->name : "csv"};
 }
 
 Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wanted,
@@ -115,8 +113,9 @@ std::string form_text(const TableForm& form, const TableFile& file, const std::s
   if (!every.empty()) return samples_csv(file, every);
   if (form.format != nullptr) return exchange_text(*form.format, file);
   if (form.name == "points") return points_text(file);
-  if (form.name == "npy") return to_npy(file);
-  return form.name == "json" ? to_json(file) : to_csv(file);
+  for (const OwnForm& own : own_forms())
+    if (form.name == own.name) return own.write(file);
+  return to_csv(file);
 }
 
 void require_units(const TableFile& file) {
@@ -175,13 +174,17 @@ std::vector<std::string> all_losses(const Input& input, const TableForm& form, c
 }
 
 std::vector<std::string> form_names() {
-  std::vector<std::string> names{"csv", "json", "npy", "points"};
+  std::vector<std::string> names;
+  for (const OwnForm& own : own_forms()) names.emplace_back(own.name);
+  names.emplace_back("points");
   for (const ExchangeFormat* format : exchange_formats()) names.emplace_back(format->name);
   return names;
 }
 
 std::string known_endings(bool named) {
-  std::string endings = ".csv, .json, .npy";
+  std::string endings;
+  for (const OwnForm& own : own_forms())
+    endings += (endings.empty() ? "" : ", ") + std::string(own.ending);
   for (const ExchangeFormat* format : exchange_formats()) {
     const std::string ending = format->extension;
     if (ending.empty()) continue;
@@ -193,9 +196,8 @@ std::string known_endings(bool named) {
 }
 
 bool has_known_ending(const std::string& path) {
-  const auto ends = [&](const char* ending) { return path.ends_with(ending); };
-  return exchange_format_of_path(path) != nullptr || path == "-" || ends(".csv") || ends(".json") ||
-         ends(".npy");
+  return exchange_format_of_path(path) != nullptr || own_form_of_path(path) != nullptr ||
+         path == "-";
 }
 
 void require_known_ending(const std::string& path) {

@@ -8,10 +8,10 @@
 
 #include <unistd.h>
 
+#include "jounce/base/detail/lcm_log.hpp"
 #include "jounce/base/file.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "executor/src/record/lcm_log.hpp"
 #include "executor/src/record/record_wire.hpp"
 
 namespace jounce {
@@ -196,7 +196,7 @@ void Recorder::write(const RecordEvent& event, std::int64_t microseconds) {
 /// Adds an event to the buffer and to the checksum.
 void Recorder::append(std::string_view channel, const std::string& data,
                       std::int64_t microseconds) {
-  executor_detail::append(buffer_, number_++, microseconds, channel, data);
+  base_detail::append(buffer_, number_++, microseconds, channel, data);
   check_ = continued(check_, channel, data);
 }
 
@@ -257,7 +257,7 @@ void Recorder::write_black_box() {
   Sha256 checksum{};
   const auto add = [&](std::int64_t microseconds, std::string_view channel,
                        const std::string& data) {
-    executor_detail::append(bytes, number++, microseconds, channel, data);
+    base_detail::append(bytes, number++, microseconds, channel, data);
     checksum = continued(checksum, channel, data);
   };
   const auto add_check = [&](std::int64_t microseconds) {

@@ -12,10 +12,10 @@
 #include "jounce/axis/group_path.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/axis/live_cuts.hpp"
+#include "jounce/base/detail/lcm_log.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/src/cycle/commands.hpp"
-#include "executor/src/record/lcm_log.hpp"
 #include "executor/src/record/remade_masters.hpp"
 
 namespace jounce {
@@ -336,7 +336,7 @@ class Replayer {
 Replay replay(std::istream& in, const std::string& name,
               const std::function<void(const RecordedCycle&)>& watch,
               const std::function<void(const RecordedSight&)>& watch_master) {
-  executor_detail::LcmLogReader reader(in, name);
+  base_detail::LcmLogReader reader(in, name);
   Replayer replayer(watch, watch_master);
   while (const auto event = reader.next()) {
     try {

@@ -159,18 +159,11 @@ std::optional<Law> read_law(TomlReader& owner, const char* key) {
 
 namespace {
 
-/// The number of a master position; none if it is missing or wrong.
-std::optional<double> master_of(TomlReader& knot, const std::string& unit) {
-  const auto text = knot.optional_quantity("master");
-  if (!text) return std::nullopt;
-  return quantity(*text, unit);
-}
-
 /// The master position of a knot; without the table of the knot, that of the point of a file that
 /// replaces it.
 std::optional<double> master_of(std::optional<TomlReader> knot, const Units& units,
                                 TomlReader& segment, double MasterSpan::*point) {
-  if (knot) return master_of(*knot, units.x);
+  if (knot) return knot->optional_number("master", units.x);
   if (const auto span = span_of_points(segment, units)) return (*span).*point;
   return std::nullopt;
 }

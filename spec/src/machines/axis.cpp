@@ -14,6 +14,8 @@ const std::vector<std::string> rules{"linear", "cubic_hermite", "quintic_hermite
 }  // namespace
 
 std::string read_unit(TomlReader& reader, const char* key, const char* fallback) {
+  const std::array placeholders{fallback ? fallback : "mm", fallback ? fallback : "deg"};
+  if (const auto unit = reader.placeholder(key, placeholders)) return *unit;
   if (fallback == nullptr && !reader.has(key)) {
     reader.refuse_misspelt(key);
     reader.fail(key, "", std::string("is missing: add ") + key + " = \"mm\", or another unit");

@@ -61,9 +61,11 @@ void read_body(TomlReader& top, MachineSpec& machine) {
     if (machine.axes.empty())
       top.fail("axis", "", "is missing: add [[axis]] with spec = \"FILE.toml\" for each axis");
   });
-  top.for_each("group",
-               [&](TomlReader& reader) { machine.groups.push_back(read_group(reader, folder)); });
-  machine.masters = spec_detail::read_masters(top);
+  top.attempt([&] {
+    top.for_each("group",
+                 [&](TomlReader& reader) { machine.groups.push_back(read_group(reader, folder)); });
+  });
+  top.attempt([&] { machine.masters = spec_detail::read_masters(top); });
   top.finish();
 }
 
@@ -95,17 +97,15 @@ std::optional<FollowWhom> spec_detail::read_whom(TomlReader& owner) {
 }
 
 std::optional<MachineSpec> parse_machine(std::string text, std::string name) {
-  MachineSpec machine{.document = {std::move(name), std::move(text), {}, {}},
-                      .axes = {},
-                      .groups = {},
-                      .masters = {}};
-  if (spec_kind(machine.document.text) != "machine") return std::nullopt;
-  const toml::table root = spec_detail::parse_toml(machine.document);
-  spec_detail::ErrorList errors;
-  TomlReader top(root, "", machine.document, &errors);
-  top.attempt([&] { read_body(top, machine); });
-  errors.throw_any();
-  return machine;
+  if (spec_kind(text) != "machine") return std::nullopt;
+  const Document document{std::move(name), std::move(text), {}, {}};
+  const toml::table root = spec_detail::parse_toml(document);
+  return spec_detail::read_document(root, [&](spec_detail::ErrorList& errors) {
+    MachineSpec machine{.document = document, .axes = {}, .groups = {}, .masters = {}};
+    TomlReader top(root, "", machine.document, &errors);
+    top.attempt([&] { read_body(top, machine); });
+    return machine;
+  });
 }
 
 std::optional<MachineSpec> read_machine(const std::string& path) {

@@ -120,7 +120,8 @@ std::vector<MachineMasterSpec> read_masters(TomlReader& top) {
   std::vector<MachineMasterSpec> masters;
   auto all = top.optional_table("master");
   if (!all) return masters;
-  for (const std::string& name : all->keys()) {
+  bool whole = true;
+  const auto read = [&](const std::string& name) {
     if (!is_name(name))
       all->fail(name.c_str(), name,
                 "must have 1 to 23 characters, each a letter A-Z or a-z, a digit, _ or -");
@@ -128,7 +129,9 @@ std::vector<MachineMasterSpec> read_masters(TomlReader& top) {
       all->fail(name.c_str(), "", "is not a master: begin a section [master.NAME] for each master");
     TomlReader reader = all->table(name.c_str());
     masters.push_back(read_master(reader, name));
-  }
+  };
+  for (const std::string& name : all->keys()) whole = all->attempt([&] { read(name); }) && whole;
+  if (!whole) throw PartEnded{};
   all->finish();
   return masters;
 }

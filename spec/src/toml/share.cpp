@@ -8,7 +8,7 @@
 namespace jounce::spec_detail {
 
 std::optional<double> optional_share(TomlReader& table, const char* key) {
-  if (!table.is_text(key)) return table.optional_number(key, "1");
+  if (table.is_faulty(key) || !table.is_text(key)) return table.optional_number(key, "1");
   const std::string given = table.text(key);
   const std::size_t sign = given.find('%');
   try {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -40,6 +41,9 @@ const char* without_quotes(const toml::node& node) {
   if (real && *real == std::floor(*real)) return ", without a decimal point or an exponent";
   return node.is_string() ? ", without quotes" : "";
 }
+
+constexpr double no_number =
+    std::numeric_limits<double>::quiet_NaN();  ///< instead of a number that is not finite
 
 /// A long list of words is shown only if no word is near.
 std::string rule_of_choice(std::span<const std::string> permitted, const std::string& hint) {
@@ -80,19 +84,6 @@ std::string shown(const toml::node& node) {
   return out.str();
 }
 
-void ErrorList::add(const InputError& error) {
-  const bool known = std::any_of(all_.begin(), all_.end(), [&](const InputError& other) {
-    return other.key() == error.key() && other.line() == error.line() &&
-           other.column() == error.column();
-  });
-  if (!known && all_.size() < most) all_.push_back(error);
-}
-
-void ErrorList::throw_any() const {
-  if (all_.size() == 1) throw all_.front();
-  if (all_.size() > 1) throw InputErrors(all_);
-}
-
 TomlReader::TomlReader(const toml::table& table, std::string path, Document& document,
                        ErrorList* errors)
     : table_(&table), path_(std::move(path)), document_(&document), errors_(errors) {
@@ -107,28 +98,74 @@ void TomlReader::fail(const char* key, const std::string& value, const std::stri
   throw document_->located(InputError(path(key), value, rule));
 }
 
+void TomlReader::fail_all(const char* key, const std::string& value, const std::string& rule) {
+  try {
+    fail(key, value, rule);
+  } catch (const InputError& error) {
+    report(error);
+  }
+  throw PartEnded{};
+}
+
 void TomlReader::report(const InputError& error) const {
   if (errors_ == nullptr) throw error;
-  errors_->add(error);
+  if (!unread_) errors_->add(error);
+}
+
+void TomlReader::end_part(const InputError& error) const {
+  for (const InputError& one : all_errors(error)) errors_->end_part(document_->located(one));
+}
+
+bool TomlReader::is_faulty(const char* key) const {
+  return unread_ || (errors_ != nullptr && errors_->is_faulty(path(key)));
+}
+
+bool TomlReader::left_out(const char* key) const {
+  return !unread_ && is_faulty(key) && errors_->leaves_out();
+}
+
+std::optional<std::string> TomlReader::placeholder(const char* key,
+                                                   std::span<const char* const> words) {
+  if (!is_faulty(key)) return std::nullopt;
+  find(key);
+  errors_->use();
+  return words[errors_->choice(words.size())];
 }
 
 /// The value that `read` returns. With an ErrorList, an error of it is added, and the placeholder
 /// returned.
 template <class Value, class Read>
-Value TomlReader::or_else(Value placeholder, Read read) {
-  try {
-    return read();
-  } catch (const InputError& error) {
-    report(error);
-    return placeholder;
+Value TomlReader::or_else(const char* key, const Value& placeholder, Read read) {
+  if (!is_faulty(key)) {
+    try {
+      return read();
+    } catch (const InputError& error) {
+      report(error);
+    }
   }
+  find(key);
+  errors_->use();
+  return placeholder;
+}
+
+/// The same for a key that may be missing.
+template <class Value, class Read>
+std::optional<Value> TomlReader::optional_or_else(const char* key, const Value& placeholder,
+                                                  Read read) {
+  const toml::node* node = find(key);
+  if (left_out(key) || (node == nullptr && (unread_ || !is_faulty(key)))) return std::nullopt;
+  return or_else(key, placeholder, [&] { return Value(read(*node)); });
 }
 
 const toml::node* TomlReader::find(const char* key) {
   known_.insert(key);
   const toml::node* node = table_->get(key);
   if (node != nullptr) document_->places[path(key)] = place(node->source());
-  return node;
+  return left_out(key) ? nullptr : node;
+}
+
+const toml::node* TomlReader::given(const char* key) const {
+  return left_out(key) ? nullptr : table_->get(key);
 }
 
 const toml::node& TomlReader::require(const char* key, const std::string& example) {
@@ -184,24 +221,28 @@ double TomlReader::read_number(const toml::node& node, const std::string& key,
 }
 
 double TomlReader::number(const char* key, const std::string& unit) {
-  return or_else(1.0, [&] {
+  const double value = or_else(key, no_number, [&] {
     const std::string measure = unit.empty() || unit == "1" ? "" : ", in " + unit;
     return read_number(require(key, std::string(key) + " = NUMBER" + measure), path(key), unit);
   });
+  return std::isnan(value) ? errors_->number(path(key), unit) : value;
 }
 
 std::optional<double> TomlReader::optional_number(const char* key, const std::string& unit) {
-  const toml::node* node = find(key);
   know(key, unit);
-  if (node == nullptr) return std::nullopt;
-  return or_else(1.0, [&] { return read_number(*node, path(key), unit); });
+  auto value = optional_or_else(
+      key, no_number, [&](const toml::node& node) { return read_number(node, path(key), unit); });
+  if (value && std::isnan(*value)) value = errors_->number(path(key), unit);
+  return value;
 }
 
 std::optional<double> TomlReader::optional_positive(const char* key, const std::string& unit) {
-  const auto value = optional_number(key, unit);
-  if (!value || *value > 0) return value;
-  return or_else(1.0,
-                 [&]() -> double { fail(key, jounce::number(*value), "must be greater than 0"); });
+  know(key, unit);
+  return optional_or_else(key, 1.0, [&](const toml::node& node) {
+    const double value = read_number(node, path(key), unit);
+    if (!(value > 0)) fail(key, jounce::number(value), "must be greater than 0");
+    return value;
+  });
 }
 
 void TomlReader::know(const std::string& key, const std::string& unit) {
@@ -209,77 +250,89 @@ void TomlReader::know(const std::string& key, const std::string& unit) {
 }
 
 std::optional<std::string> TomlReader::optional_quantity(const char* key) {
-  const toml::node* node = find(key);
-  if (node == nullptr) return std::nullopt;
-  if (const auto text = node->value_exact<std::string>(); text && printable(*text) == *text)
-    return *text;
-  if (!node->is_number()) fail(key, shown(*node), "must be a number, or a quantity in quotes");
-  return shown(*node);
+  return optional_or_else(key, std::string("1"), [&](const toml::node& node) {
+    if (const auto text = node.value_exact<std::string>(); text && printable(*text) == *text)
+      return *text;
+    if (!node.is_number()) fail(key, shown(node), "must be a number, or a quantity in quotes");
+    return shown(node);
+  });
 }
 
 std::optional<std::size_t> TomlReader::optional_count(const char* key) {
-  const toml::node* node = find(key);
-  if (node == nullptr) return std::nullopt;
-  return or_else(std::size_t{1}, [&] {
-    const auto value = node->value_exact<std::int64_t>();
+  return optional_or_else(key, std::size_t{1}, [&](const toml::node& node) {
+    const auto value = node.value_exact<std::int64_t>();
     if (!value || *value < 1)
-      fail(key, shown(*node),
-           std::string("must be a whole number of at least 1") + without_quotes(*node));
+      fail(key, shown(node),
+           std::string("must be a whole number of at least 1") + without_quotes(node));
     return static_cast<std::size_t>(*value);
   });
 }
 
 std::optional<std::int64_t> TomlReader::optional_whole(const char* key) {
-  const toml::node* node = find(key);
-  if (node == nullptr) return std::nullopt;
-  return or_else(std::int64_t{1}, [&] {
-    const auto value = node->value_exact<std::int64_t>();
+  return optional_or_else(key, std::int64_t{1}, [&](const toml::node& node) {
+    const auto value = node.value_exact<std::int64_t>();
     if (!value)
-      fail(key, shown(*node), std::string("must be a whole number") + without_quotes(*node));
+      fail(key, shown(node), std::string("must be a whole number") + without_quotes(node));
     return *value;
   });
 }
 
 std::int64_t TomlReader::whole(const char* key) {
-  return or_else(std::int64_t{1}, [&] {
+  return or_else(key, std::int64_t{1}, [&] {
     require(key, std::string(key) + " = WHOLE NUMBER");
-    return *optional_whole(key);
+    return optional_whole(key).value_or(1);
   });
 }
 
 std::optional<bool> TomlReader::optional_flag(const char* key) {
-  const toml::node* node = find(key);
-  if (node == nullptr) return std::nullopt;
-  return or_else(false, [&] {
-    if (!node->is_boolean())
-      fail(key, shown(*node), std::string("must be true or false") + without_quotes(*node));
-    return *node->value<bool>();
+  return optional_or_else(key, errors_ != nullptr && errors_->flag(), [&](const toml::node& node) {
+    if (!node.is_boolean())
+      fail(key, shown(node), std::string("must be true or false") + without_quotes(node));
+    return *node.value<bool>();
   });
 }
 
 std::string TomlReader::text(const char* key, const char* word) {
-  require(key, std::string(key) + " = \"" + word + '"');
-  return *optional_text(key);
+  return or_else(key, path(key), [&] {
+    require(key, std::string(key) + " = \"" + word + '"');
+    return optional_text(key).value_or(path(key));
+  });
 }
 
 std::optional<std::string> TomlReader::optional_text(const char* key) {
-  const toml::node* node = find(key);
-  if (node == nullptr) return std::nullopt;
-  const auto value = node->value_exact<std::string>();
-  if (!value) fail(key, shown(*node), "must be a string in quotes");
-  if (!is_printable(*value))
-    fail(key, '"' + printable(*value) + '"', "must not contain control characters");
-  return value;
+  return optional_or_else(key, path(key), [&](const toml::node& node) {
+    const auto value = node.value_exact<std::string>();
+    if (!value) fail(key, shown(node), "must be a string in quotes");
+    if (!is_printable(*value))
+      fail(key, '"' + printable(*value) + '"', "must not contain control characters");
+    return *value;
+  });
+}
+
+/// `hint`: receives the permitted word that is meant, if there is one.
+std::size_t TomlReader::read_choice(const char* key, std::span<const std::string> permitted,
+                                    std::string& hint) {
+  const toml::node& node =
+      require(key, std::string(key) + " = \"WORD\", where WORD is one of " + listed(permitted));
+  const auto given = node.value_exact<std::string>();
+  if (!given) fail(key, shown(node), "must be a string in quotes");
+  if (!is_printable(*given))
+    fail(key, '"' + printable(*given) + '"', "must not contain control characters");
+  for (std::size_t i = 0; i < permitted.size(); ++i)
+    if (permitted[i] == *given) return i;
+  hint = nearest(*given, permitted);
+  if (hint.empty()) hint = contained(*given, permitted);
+  fail(key, '"' + *given + '"', rule_of_choice(permitted, hint));
 }
 
 std::size_t TomlReader::choice(const char* key, std::span<const std::string> permitted) {
-  require(key, std::string(key) + " = \"WORD\", where WORD is one of " + listed(permitted));
-  const std::string given = *optional_text(key);
-  for (std::size_t i = 0; i < permitted.size(); ++i)
-    if (permitted[i] == given) return i;
-  const std::string near = nearest(given, permitted);
-  fail(key, '"' + given + '"',
-       rule_of_choice(permitted, near.empty() ? contained(given, permitted) : near));
+  std::string hint;
+  const std::size_t chosen =
+      or_else(key, permitted.size(), [&] { return read_choice(key, permitted, hint); });
+  if (chosen < permitted.size()) return chosen;
+  const auto meant = std::find(permitted.begin(), permitted.end(), hint);
+  return meant != permitted.end() ? static_cast<std::size_t>(meant - permitted.begin())
+                                  : errors_->choice(permitted.size());
 }
 
 std::optional<std::size_t> TomlReader::optional_choice(const char* key,
@@ -289,26 +342,56 @@ std::optional<std::size_t> TomlReader::optional_choice(const char* key,
 }
 
 std::size_t TomlReader::variant(const char* key, std::span<const std::string> permitted) {
-  const std::size_t chosen = choice(key, permitted);
+  if (is_faulty(key)) throw PartEnded{};
+  std::string hint;
+  std::size_t chosen = permitted.size();
+  try {
+    chosen = read_choice(key, permitted, hint);
+  } catch (const InputError& error) {
+    report(error);
+    const auto meant = std::find(permitted.begin(), permitted.end(), hint);
+    if (meant == permitted.end()) throw PartEnded{};
+    chosen = static_cast<std::size_t>(meant - permitted.begin());
+  }
   describe(std::string(key) + " = \"" + permitted[chosen] + '"');
   return chosen;
 }
 
+TomlReader TomlReader::unread_table(const std::string& name) const {
+  static const toml::table nothing;
+  TomlReader reader(nothing, name, *document_, errors_);
+  reader.unread_ = true;
+  errors_->ignore(name + '.');
+  errors_->use();
+  return reader;
+}
+
 TomlReader TomlReader::table(const char* key, const std::string& example) {
-  require(key, !example.empty()
-                   ? example
-                   : "the section [" + path(key) + "]" + example_of(*table_, path(key)));
-  return *optional_table(key);
+  try {
+    if (unread_) return unread_table(path(key));
+    require(key, !example.empty()
+                     ? example
+                     : "the section [" + path(key) + "]" + example_of(*table_, path(key)));
+  } catch (const InputError& error) {
+    report(error);
+    return unread_table(path(key));
+  }
+  auto given = optional_table(key);
+  return given ? std::move(*given) : unread_table(path(key));
 }
 
 std::optional<TomlReader> TomlReader::optional_table(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (node->is_array_of_tables() && !node->as_array()->front().as_table()->is_inline())
-    throw single_brackets(*document_, path(key), place(node->as_array()->front().source()));
-  if (!node->is_table())
+  if (node->is_table()) return TomlReader(*node->as_table(), path(key), *document_, errors_);
+  try {
+    if (node->is_array_of_tables() && !node->as_array()->front().as_table()->is_inline())
+      throw single_brackets(*document_, path(key), place(node->as_array()->front().source()));
     fail(key, shown(*node), std::string("must be a table: ") + key + " = { KEY = VALUE, ... }");
-  return TomlReader(*node->as_table(), path(key), *document_, errors_);
+  } catch (const InputError& error) {
+    report(error);
+    return unread_table(path(key));
+  }
 }
 
 std::vector<TomlReader> TomlReader::tables(const char* key) {
@@ -323,24 +406,24 @@ std::vector<TomlReader> TomlReader::tables(const char* key) {
   std::vector<TomlReader> readers;
   for (const auto& element : *array) {
     const std::string name = path(key) + "[" + std::to_string(readers.size() + 1) + "]";
-    if (!element.is_table()) {
-      const auto at = place(element.source());
-      throw InputError(name, shown(element), "must be a table: { KEY = VALUE, ... }")
-          .at(document_->name, at.line, at.column);
+    if (element.is_table()) {
+      readers.emplace_back(*element.as_table(), name, *document_, errors_);
+      continue;
     }
-    readers.emplace_back(*element.as_table(), name, *document_, errors_);
+    const auto at = place(element.source());
+    report(InputError(name, shown(element), "must be a table: { KEY = VALUE, ... }")
+               .at(document_->name, at.line, at.column));
+    readers.push_back(unread_table(name));
   }
   return readers;
 }
 
 std::optional<std::pair<double, double>> TomlReader::optional_pair(const char* key,
                                                                    const std::string& unit) {
-  const toml::node* node = find(key);
-  if (node == nullptr) return std::nullopt;
-  return or_else(std::pair{0.0, 1.0}, [&] {
-    const toml::array* array = node->as_array();
+  return optional_or_else(key, std::pair{0.0, 1.0}, [&](const toml::node& node) {
+    const toml::array* array = node.as_array();
     if (array == nullptr || array->size() != 2)
-      fail(key, shown(*node), std::string("must be two numbers: ") + key + " = [lower, upper]");
+      fail(key, shown(node), std::string("must be two numbers: ") + key + " = [lower, upper]");
     return std::pair{read_number(*array->get(0), path(key), unit),
                      read_number(*array->get(1), path(key), unit)};
   });
@@ -350,7 +433,7 @@ std::optional<std::pair<double, double>> TomlReader::optional_range(const char* 
                                                                     const std::string& unit) {
   const toml::node* node = find(key);
   if (node == nullptr || node->is_array()) return optional_pair(key, unit);
-  const double value = or_else(1.0, [&] { return read_number(*node, path(key), unit); });
+  const double value = or_else(key, 1.0, [&] { return read_number(*node, path(key), unit); });
   return std::pair{value, value};
 }
 
@@ -364,35 +447,42 @@ std::vector<double> TomlReader::numbers(const char* key, std::span<const std::st
                                         const std::string& each) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
-  const toml::array* array = node->as_array();
-  if (array == nullptr || array->size() != units.size())
-    fail(key, shown(*node), "must be a list of " + counted(units.size(), "number") + each);
-  std::vector<double> all;
-  for (const std::string& unit : units)
-    all.push_back(read_number(*array->get(all.size()),
-                              path(key) + "[" + std::to_string(all.size() + 1) + "]", unit));
-  return all;
+  return or_else(key, std::vector<double>(units.size(), 1.0), [&] {
+    const toml::array* array = node->as_array();
+    if (array == nullptr || array->size() != units.size())
+      fail(key, shown(*node), "must be a list of " + counted(units.size(), "number") + each);
+    std::vector<double> all;
+    for (const std::string& unit : units) all.push_back(element(key, *array, all.size(), unit));
+    return all;
+  });
 }
 
 std::vector<double> TomlReader::number_list(const char* key, const std::string& unit) {
-  const toml::node& node = require(key, std::string(key) + " = [NUMBER, ...]");
-  const toml::array* array = node.as_array();
-  if (array == nullptr)
-    fail(key, shown(node), std::string("must be a list of numbers: ") + key + " = [NUMBER, ...]");
-  std::vector<double> all;
-  for (const auto& element : *array)
-    all.push_back(
-        read_number(element, path(key) + "[" + std::to_string(all.size() + 1) + "]", unit));
-  return all;
+  return or_else(key, std::vector<double>{1.0}, [&] {
+    const toml::node& node = require(key, std::string(key) + " = [NUMBER, ...]");
+    const toml::array* array = node.as_array();
+    if (array == nullptr)
+      fail(key, shown(node), std::string("must be a list of numbers: ") + key + " = [NUMBER, ...]");
+    std::vector<double> all;
+    while (all.size() < array->size()) all.push_back(element(key, *array, all.size(), unit));
+    return all;
+  });
+}
+
+double TomlReader::element(const char* key, const toml::array& array, std::size_t index,
+                           const std::string& unit) {
+  const std::string name = std::string(key) + "[" + std::to_string(index + 1) + "]";
+  return or_else(name.c_str(), 1.0,
+                 [&] { return read_number(*array.get(index), path(name), unit); });
 }
 
 bool TomlReader::is_text(const char* key) const {
-  const toml::node* node = table_->get(key);
+  const toml::node* node = given(key);
   return node != nullptr && node->is_string();
 }
 
 bool TomlReader::is_table(const char* key) const {
-  const toml::node* node = table_->get(key);
+  const toml::node* node = given(key);
   return node != nullptr && node->is_table();
 }
 
@@ -405,18 +495,20 @@ std::vector<std::string> TomlReader::keys() const {
 std::vector<std::string> TomlReader::texts(const char* key) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
-  const toml::array* array = node->as_array();
-  if (array == nullptr)
-    fail(key, shown(*node),
-         std::string("must be a list of strings: ") + key + " = [" +
-             (node->is_string() ? shown(*node) : "\"TEXT\", ...") + "]");
-  std::vector<std::string> all;
-  for (const auto& element : *array) {
-    const auto value = element.value_exact<std::string>();
-    if (!value) fail(key, shown(element), "must be a string in quotes");
-    all.push_back(*value);
-  }
-  return all;
+  return or_else(key, std::vector<std::string>{}, [&] {
+    const toml::array* array = node->as_array();
+    if (array == nullptr)
+      fail(key, shown(*node),
+           std::string("must be a list of strings: ") + key + " = [" +
+               (node->is_string() ? shown(*node) : "\"TEXT\", ...") + "]");
+    std::vector<std::string> all;
+    for (const auto& element : *array) {
+      const auto value = element.value_exact<std::string>();
+      if (!value) fail(key, shown(element), "must be a string in quotes");
+      all.push_back(*value);
+    }
+    return all;
+  });
 }
 
 void TomlReader::refuse_here(const char* key, const std::string& where) {

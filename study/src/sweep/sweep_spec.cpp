@@ -125,12 +125,12 @@ SweepParameter read_parameter(TomlReader& table, const SpecNumbers& base) {
 }
 
 void read_parameters(TomlReader& top, SweepSpec& spec) {
-  for (TomlReader& table : top.tables("parameter")) {
+  top.for_each("parameter", [&](TomlReader& table) {
     SweepParameter p = read_parameter(table, spec.base);
     for (const SweepParameter& other : spec.parameters)
       if (other.key == p.key) table.fail("key", '"' + p.key + '"', "is given twice");
     spec.parameters.push_back(std::move(p));
-  }
+  });
   if (spec.parameters.empty())
     top.fail("parameter", "",
              "is missing: add [[parameter]] with key and values for each number to vary");
@@ -301,21 +301,18 @@ SweepSpec read_sweep(const std::string& path) {
   return parse_sweep(read_file(path), path);
 }
 
-SweepSpec parse_sweep(std::string text, const std::string& path) {
-  Document document{path == "-" ? "standard input" : path, std::move(text), {}, {}};
-  document.hash = sha256(document.text);
-  const toml::table root = spec_detail::parse_toml(document);
-  TomlReader top(root, "", document);
+namespace {
+
+SweepSpec read_body(TomlReader& top, const std::filesystem::path& folder) {
   spec_detail::require_version(top);
   if (const std::string kind = top.text("kind", "sweep"); kind != "sweep")
-    top.fail(
+    top.fail_all(
         "kind", '"' + kind + '"',
         "is the kind of the base spec: write a sweep spec with kind = \"sweep\" and spec = \"" +
-            std::filesystem::path(path).filename().string() + "\" (see jounce sweep --help)");
+            std::filesystem::path(top.document().name).filename().string() +
+            "\" (see jounce sweep --help)");
   std::string name = top.optional_text("name").value_or("");
-  const std::string file = top.text("spec", "FILE.toml");
-  const std::string base =
-      (std::filesystem::path(path == "-" ? "." : path).parent_path() / file).string();
+  const std::string base = (folder / top.text("spec", "FILE.toml")).string();
   SweepSpec spec{
       {},
       std::move(name),
@@ -332,12 +329,29 @@ SweepSpec parse_sweep(std::string text, const std::string& path) {
       {}};
   spec.optima = read_optima(top, spec.base);
   read_parameters(top, spec);
-  read_monte_carlo(top, spec);
+  top.attempt([&] { read_monte_carlo(top, spec); });
   require_few(top, spec);
   read_figures(top, spec);
   top.finish();
-  spec.document = std::move(document);
   return spec;
+}
+
+}  // namespace
+
+SweepSpec parse_sweep(std::string text, const std::string& path) {
+  Document document{path == "-" ? "standard input" : path, std::move(text), {}, {}};
+  document.hash = sha256(document.text);
+  const toml::table root = spec_detail::parse_toml(document);
+  const auto folder = std::filesystem::path(path == "-" ? "." : path).parent_path();
+  auto spec = spec_detail::read_document(root, [&](spec_detail::ErrorList& errors) {
+    std::optional<SweepSpec> read;
+    Document read_from = document;
+    TomlReader top(root, "", read_from, &errors);
+    top.attempt([&] { read = read_body(top, folder); });
+    if (read) read->document = std::move(read_from);
+    return read;
+  });
+  return *std::move(spec);
 }
 
 }  // namespace jounce

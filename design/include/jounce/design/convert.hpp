@@ -68,8 +68,8 @@ std::string error_text(const Converted& made, const Labels& labels);
 
 /// The format of an output file.
 struct TableForm {
-  /// "csv", "json", "npy" (structured array of NumPy), "points" (CSV of segments with types), or the
-  /// name of the controller's `format`.
+  /// The name of a format of Jounce (own_forms() in jounce/io/table_file.hpp), "points" (CSV of
+  /// segments with types), or the name of the controller's `format`.
   std::string name = "csv";
   const ExchangeFormat* format = nullptr;  ///< format of a controller; null for the other forms
 };

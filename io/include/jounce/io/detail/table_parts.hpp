@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 #include "jounce/base/listed.hpp"
 #include "jounce/io/table_file.hpp"
 
-/// Parts that the CSV and the JSON format of a table share.
+/// Parts that the formats of a table share.
 namespace jounce::io_detail {
 
 inline constexpr int schema_version = 1;  ///< version of the table format
@@ -60,8 +61,21 @@ void require_version(const std::string& version, Fail fail) {
                       ", the format version that this program reads");
 }
 
-/// Reads the parts from CSV or JSON. `name`: name of the file for errors. Throws InputError.
+/// The properties of a table as texts: axis, rule, outside, x_unit, position_unit, sha256, spec, spec_sha256, made_by.
+using TableHead = std::map<std::string, std::string>;
+/// Returns the properties of a table.
+TableHead head_of(const TableFile& file);
+/// Reads the properties; the result has no columns. `name`: name of the file for errors. Throws InputError.
+TableParts parts_of(const TableHead& head, const std::string& name);
+
+/// Reads the parts from CSV, JSON, an LCM log or MCAP. `name`: name of the file for errors. Throws InputError.
 TableParts parse_csv(const std::string& text, const std::string& name);
 TableParts parse_json(const std::string& text, const std::string& name);
+TableParts parse_lcm_log(const std::string& text, const std::string& name);
+TableParts parse_mcap(const std::string& text, const std::string& name);
+
+/// True if the file is a table as an LCM log, or as MCAP.
+bool is_lcm_log(const std::string& text);
+bool is_mcap(const std::string& text);
 
 }  // namespace jounce::io_detail

@@ -15,29 +15,76 @@
 
 namespace jounce::spec_detail {
 
-/// The errors found while a document is read. After an error, the reader continues with all parts
-/// that do not depend on the faulty one.
+/// Ends the reading of a part whose error is already in the ErrorList.
+struct PartEnded {};
+
+/// Collects all errors of a document, without those that only follow from others. For this purpose, the document is
+/// read several times; see read_document().
+///
+/// A faulty value is replaced by a placeholder, and reading continues. An error that a reader throws ends its part. In
+/// the next pass, its key has a placeholder too, so that the pass reaches the next error. The passes end when they find
+/// no new error.
+///
+/// An error may follow from a placeholder. The passes are therefore repeated with other placeholders: between the
+/// values of the neighbors in a list, without the key, great, small, negative. The smallest result is reported, because
+/// a placeholder that fits causes no other error.
 class ErrorList {
  public:
+  explicit ErrorList(const toml::table& root) : root_(&root) {}
+
   /// Adds the error, unless there is already an error with the same key at the same place.
-  void add(const InputError& error);
-  [[nodiscard]] std::size_t size() const { return all_.size(); }
-  /// Throws the last error.
-  [[noreturn]] void throw_last() const { throw all_.back(); }
+  bool add(const InputError& error);
+  /// Adds the error that ended a part. Its key has a placeholder in the next pass.
+  void end_part(const InputError& error);
+  /// Ignores all errors of the keys of this table, which could not be read.
+  void ignore(const std::string& table) { ignored_.insert(table); }
+  /// Ends a pass. Returns true if another pass is necessary.
+  bool again();
   /// Throws if there are errors: a single one as InputError, several as InputErrors.
   void throw_any() const;
 
+  /// True for the key of an error that ended a part.
+  [[nodiscard]] bool is_faulty(const std::string& key) const { return faulty_.contains(key); }
+  /// True if an optional key with an error is left out.
+  [[nodiscard]] bool leaves_out() const { return guess_ % 2 == 1; }
+  /// Placeholders for the value of `key`: a number in `unit`, and one of `count` words.
+  double number(const std::string& key, const std::string& unit);
+  std::size_t choice(std::size_t count);
+  [[nodiscard]] bool flag() const { return guess_ % 2 == 1; }
+  /// Number of placeholders that were used in this pass.
+  [[nodiscard]] std::size_t placeholders() const { return placeholders_; }
+  /// Counts a placeholder.
+  void use() { ++placeholders_; }
+
  private:
   static constexpr std::size_t most = 1000;  ///< greatest number of errors; later ones are dropped
-  std::vector<InputError> all_;
+  static constexpr std::size_t most_passes = 1000;  ///< limit for all placeholders together
+
+  /// The result of the passes with one set of placeholders. A part that could not be read may hide errors.
+  struct Result {
+    std::size_t unread = 0;
+    std::vector<InputError> errors = {};
+  };
+
+  const toml::table* root_;
+  std::size_t guess_ = 0;    ///< number of the set of placeholders
+  std::size_t guesses_ = 8;  ///< number of sets; more if a word has an error
+  std::size_t passes_ = 0;
+  std::size_t placeholders_ = 0;
+  bool ended_ = false;    ///< an error that was not known ended a part of this pass
+  bool guessed_ = false;  ///< errors may depend on the placeholders
+  std::set<std::string> faulty_;
+  std::set<std::string> ignored_;
+  Result found_;  ///< result of the present placeholders
+  std::optional<Result> best_;
 };
 
 /// Reads one table of a TOML document. Every getter records its key and the key's place. finish()
 /// rejects all keys that no getter has read.
 ///
-/// With an ErrorList, an error in a number, a count or a flag, or an unknown key, is added to the
-/// list; the getter then returns a placeholder, and reading continues. Any other error is thrown
-/// and ends the part; see attempt().
+/// With an ErrorList, an error in a value, and an unknown key, are added to the list; the getter
+/// then returns a placeholder, and reading continues. An error that fail() throws ends the part; see
+/// attempt().
 ///
 /// A getter `optional_...` returns nullopt for a missing key. Any other getter throws InputError if
 /// the key is missing.
@@ -86,31 +133,30 @@ class TomlReader {
   /// Two numbers: key = [a, b]; or one, key = a, which means [a, a].
   std::optional<std::pair<double, double>> optional_range(const char* key, const std::string& unit);
   /// Reads a part on which no other part depends. With an ErrorList, the function adds an error of
-  /// the part to the list and returns false. An error that is thrown after another error of the
-  /// same part is dropped, because a placeholder may have caused it.
+  /// the part to the list and returns false.
   template <class Read>
   bool attempt(Read read) {
     if (errors_ == nullptr) {
       read();
       return true;
     }
-    const std::size_t before = errors_->size();
     try {
       read();
       return true;
+    } catch (const PartEnded&) {
     } catch (const InputError& error) {
-      if (errors_->size() == before) errors_->add(document_->located(error));
-      return false;
+      end_part(error);
     }
+    return false;
   }
-  /// Calls read(reader) for each of tables(key). An error in one of them is thrown after the last
-  /// one, because the tables do not depend on each other, but the rest of the document depends on
+  /// Calls read(reader) for each of tables(key). An error in one of them ends the part after the
+  /// last one, because the tables do not depend on each other, but the rest of the part depends on
   /// all of them.
   template <class Read>
   void for_each(const char* key, Read read) {
     bool whole = true;
     for (TomlReader& each : tables(key)) whole = each.attempt([&] { read(each); }) && whole;
-    if (!whole) errors_->throw_last();
+    if (!whole) throw PartEnded{};
   }
   /// True if the key contains tables: [[key]] or key = [{...}, ...].
   bool holds_tables(const char* key);
@@ -122,12 +168,19 @@ class TomlReader {
   std::vector<double> number_list(const char* key, const std::string& unit);
   std::vector<std::string> texts(const char* key);  ///< the texts of key = ["a", "b", ...]
 
-  /// Number of errors that were found so far in the document.
-  [[nodiscard]] std::size_t errors() const { return errors_ == nullptr ? 0 : errors_->size(); }
+  /// Number of placeholders that were used so far, instead of faulty values of the document.
+  [[nodiscard]] std::size_t placeholders() const {
+    return errors_ == nullptr ? 0 : errors_->placeholders();
+  }
+  /// True for a key with an error that ended its part in an earlier pass, and for all keys of a
+  /// table that could not be read.
+  [[nodiscard]] bool is_faulty(const char* key) const;
+  /// One of `words` as the placeholder of a key with an error; nullopt for any other key.
+  std::optional<std::string> placeholder(const char* key, std::span<const char* const> words);
   [[nodiscard]] const Document& document() const { return *document_; }
   /// Line of the table in the document.
   [[nodiscard]] int line() const { return static_cast<int>(table_->source().begin.line); }
-  [[nodiscard]] bool has(const char* key) const { return table_->contains(key); }
+  [[nodiscard]] bool has(const char* key) const { return given(key) != nullptr; }
   /// Records that an error of the number `key` concerns the number `given` of the text, which is
   /// `factor` times as great.
   void convert(const char* key, const char* given, double factor) {
@@ -155,20 +208,35 @@ class TomlReader {
   void refuse_misspelt(const char* key) const;
   /// Throws or adds an InputError for a key, with its place.
   [[noreturn]] void fail(const char* key, const std::string& value, const std::string& rule);
+  /// Like fail(), for a key that determines the meaning of all others: they are not read.
+  [[noreturn]] void fail_all(const char* key, const std::string& value, const std::string& rule);
   void finish();  ///< rejects all keys that were not read
   /// Rejects a key that belongs in another table; `where`: "belongs in the segment, beside end".
   void refuse_here(const char* key, const std::string& where);
 
  private:
+  /// The value of a key, and its place; nullptr if the key is missing, or left out because of its error.
   const toml::node* find(const char* key);
+  [[nodiscard]] const toml::node* given(const char* key) const;
   /// `example`: what the message for a missing key proposes to add.
   const toml::node& require(const char* key, const std::string& example);
   [[nodiscard]] InputError unknown(const toml::key& key, const toml::node& node,
                                    const std::string& rule) const;
   double read_number(const toml::node& node, const std::string& key, const std::string& unit);
+  /// Reads an element of a list of numbers.
+  double element(const char* key, const toml::array& array, std::size_t index,
+                 const std::string& unit);
+  std::size_t read_choice(const char* key, std::span<const std::string> permitted,
+                          std::string& hint);
   void report(const InputError& error) const;
+  void end_part(const InputError& error) const;
+  [[nodiscard]] bool left_out(const char* key) const;
   template <class Value, class Read>
-  Value or_else(Value placeholder, Read read);
+  Value or_else(const char* key, const Value& placeholder, Read read);
+  template <class Value, class Read>
+  std::optional<Value> optional_or_else(const char* key, const Value& placeholder, Read read);
+  /// The reader of a table that could not be read: it returns placeholders, and reports no errors.
+  [[nodiscard]] TomlReader unread_table(const std::string& name) const;
 
   const toml::table* table_;
   std::string path_;
@@ -176,7 +244,22 @@ class TomlReader {
   ErrorList* errors_;
   std::set<std::string> known_;
   std::string what_ = {};  ///< description of the table; "": none
+  bool unread_ = false;    ///< the table is missing, or is no table
 };
+
+/// Returns the result of read(errors), which reads a document into a value of its own with this
+/// ErrorList. Calls `read` again if the document has errors. Throws all of them, in their order, but
+/// not those that only follow from others.
+template <class Read>
+auto read_document(const toml::table& root, const Read& read) {
+  ErrorList errors(root);
+  while (true) {
+    auto value = read(errors);
+    if (errors.again()) continue;
+    errors.throw_any();
+    return value;
+  }
+}
 
 /// Parses a document as TOML. Throws InputError, with the place, for an empty file and for an error
 /// of syntax.

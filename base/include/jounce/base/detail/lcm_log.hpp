@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace jounce::executor_detail {
+namespace jounce::base_detail {
 
 /// An event of an LCM log file (LCM's eventlog.c). All numbers are big-endian. Order of the fields:
 ///
@@ -53,4 +53,4 @@ class LcmLogReader {
   std::int64_t offset_ = 0;
 };
 
-}  // namespace jounce::executor_detail
+}  // namespace jounce::base_detail

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "executor/src/record/lcm_log.hpp"
+#include "jounce/base/detail/lcm_log.hpp"
 
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::executor_detail {
+namespace jounce::base_detail {
 namespace {
 
 constexpr std::uint32_t sync_word = 0xEDA1DA01;
@@ -87,4 +87,4 @@ std::optional<LcmEvent> LcmLogReader::next() {
   return event;
 }
 
-}  // namespace jounce::executor_detail
+}  // namespace jounce::base_detail
