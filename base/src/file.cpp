@@ -95,8 +95,8 @@ class Temporary {
   }
   static constexpr int most_links = 40;  ///< limit of the kernel
 
-  /// Creates the file, with these rights less the umask. mkstemp() makes a private file instead, and its final rights need
-  /// the umask, which a program can only read by changing it for all threads.
+  /// Creates the file, with these rights less the umask. After mkstemp(), which makes a private
+  /// file, the program would need the umask, which it can only read by changing it for all threads.
   Handle created(mode_t rights) {
     std::random_device random;
     for (int tries = 0; tries < most_tries; ++tries) {
