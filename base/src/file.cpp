@@ -10,6 +10,7 @@
 #include <iterator>
 #include <mutex>
 #include <optional>
+#include <random>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -63,15 +64,13 @@ struct Unlinked {
 /// A file under a temporary name in the same folder; removed unless it was renamed.
 class Temporary {
  public:
-  explicit Temporary(const Output& file) : path_(target(file.path)), at_(path_ + ".XXXXXX") {
-    const Handle handle(mkstemp(at_.name.data()));
-    if (handle.number < 0) {
-      at_.name.clear();
-      fail("cannot write " + path_);
-    }
+  explicit Temporary(const Output& file) : path_(target(file.path)), at_("") {
+    struct stat existing {};
+    const bool replaces = stat(path_.c_str(), &existing) == 0;
+    const Handle handle = created(replaces ? 0600 : 0666);
     write_all(handle.number, file);
     if (fsync(handle.number) != 0 && errno != EINVAL) fail("cannot write " + path_);
-    fchmod(handle.number, rights());
+    if (replaces) fchmod(handle.number, existing.st_mode & 07777U);
   }
 
   void rename() {
@@ -96,14 +95,21 @@ class Temporary {
   }
   static constexpr int most_links = 40;  ///< limit of the kernel
 
-  /// mkstemp makes a private file; a file keeps its rights, a new one gets those the user asked for.
-  [[nodiscard]] mode_t rights() const {
-    struct stat existing {};
-    if (stat(path_.c_str(), &existing) == 0) return existing.st_mode & 07777U;
-    const mode_t mask = umask(0);
-    umask(mask);
-    return 0666U & ~mask;
+  /// Creates the file, with these rights less the umask. After mkstemp(), which makes a private
+  /// file, the program would need the umask, which it can only read by changing it for all threads.
+  Handle created(mode_t rights) {
+    std::random_device random;
+    for (int tries = 0; tries < most_tries; ++tries) {
+      at_.name = path_ + '.';
+      for (int i = 0; i < 6; ++i) at_.name += static_cast<char>('a' + random() % 26);
+      Handle handle(open(at_.name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, rights));
+      if (handle.number >= 0) return handle;
+      if (errno != EEXIST) break;
+    }
+    at_.name.clear();
+    fail("cannot write " + path_);
   }
+  static constexpr int most_tries = 100;  ///< for a name that is free
 
   std::string path_;
   Unlinked at_;

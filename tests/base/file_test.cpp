@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,6 +17,16 @@
 
 #include "support/errors.hpp"
 #include "support/temporary_folder.hpp"
+
+namespace {
+int umask_calls = 0;
+}
+
+/// Replaces the function of the C library in this program.
+extern "C" mode_t umask(mode_t mask) noexcept {
+  ++umask_calls;
+  return static_cast<mode_t>(syscall(SYS_umask, mask));
+}
 
 namespace jounce::file_test {
 namespace {
@@ -47,6 +58,29 @@ TEST_F(Files, AFailedWriteLeavesNoTemporaryFile) {
   EXPECT_EQ(status, 0);
   EXPECT_EQ(files(), 1U) << "a alone";
   EXPECT_EQ(read_file(in("a")), "old") << "all files or none";
+}
+
+mode_t rights_of(const std::string& path) {
+  struct stat about {};
+  return stat(path.c_str(), &about) == 0 ? about.st_mode & 07777U : 0;
+}
+
+// All threads share the umask: a call changes it for the files that other threads create.
+TEST_F(Files, HaveTheRightsOfTheUmaskOrOfTheFileBefore) {
+  const mode_t before = umask(027);
+  umask_calls = 0;
+  write_file(in("new"), "1");
+  write_file(in("private"), "1");
+  write_file(in("program"), "1");
+  chmod(in("private").c_str(), 0600);
+  chmod(in("program").c_str(), 0755);
+  write_file(in("private"), "2");
+  write_file(in("program"), "2");
+  EXPECT_EQ(umask_calls, 0);
+  EXPECT_EQ(umask(before), 027U);
+  EXPECT_EQ(rights_of(in("new")), 0640U);
+  EXPECT_EQ(rights_of(in("private")), 0600U);
+  EXPECT_EQ(rights_of(in("program")), 0755U);
 }
 
 TEST_F(Files, ADeviceWithoutEndIsRefused) {

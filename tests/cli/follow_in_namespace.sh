@@ -16,7 +16,8 @@ name = "$1"
 units = { position = "pulse", master = "pulse" }
 [axis]
 cycle = "1 ms"
-longest_gap = "2 s"
+longest_gap = "30 s"
+session_timeout = "10 s"
 [limits]
 velocity = 60000
 acceleration = 2000000
@@ -58,22 +59,24 @@ units = { position = "pulse", master = "pulse" }
 segment = [{ master = 20000, slave = 10000 }]
 END
 
-"$jounce" run machine.toml --enable --log run.csv --seconds 60 > run.txt 2>&1 &
+"$jounce" run machine.toml --enable --watchdog 30 --log run.csv --seconds 60 > run.txt 2>&1 &
 executor=$!
 "$jounce" master far.toml --as line --before 8 --after 40 > line.txt 2>&1 &
 line=$!
 trap 'kill $executor $line 2> /dev/null || true; sleep 0.5; rm -rf "$scratch"' EXIT
-for i in 1 2 3 4 5 6 7 8 9 10; do "$jounce" order web override 100% > /dev/null 2>&1 && break; sleep 0.3; done
+soon "$jounce" order web override 100% || fail "no executor: $(cat run.txt)"
 timeout 20 "$jounce" stream "$examples/7-9.toml" --to bridge --live > 7-9.txt 2>&1 || fail "7-9: $(cat 7-9.txt run.txt line.txt)"
 timeout 20 "$jounce" stream open.toml.follow --to open --live > open.txt 2>&1 || fail "open: $(cat open.txt)"
 timeout 20 "$jounce" stream "$examples/7-7.toml" --to waits --live > 7-7.txt 2>&1 &
 waits=$!
 timeout 20 "$jounce" stream "$examples/7-7.toml" --to open > refused.txt 2>&1 && fail "pass without a live master"
-sleep 1
+wait_for waits '"progress":"waiting"'
 timeout 20 "$jounce" stream once.toml --to web > web.txt 2>&1 || fail "web: $(cat web.txt)"
 wait $waits || fail "7-7: $(cat 7-7.txt)"
 grep -q 'started' 7-7.txt || fail "7-7 does not report that it follows: $(cat 7-7.txt)"
-sleep 11
+soon past bridge 201000 || fail "7-9 ends too early: $(cat "$scratch/status")"
+wait_for web standstill
+wait_for open standstill
 kill -INT $executor
 wait $executor || fail "the executor ended badly: $(cat run.txt)"
 kill -INT $line
@@ -128,10 +131,10 @@ for tick, state, m, mv, p, v in rows:
     assert (p > 0) == (tick > start + 1025), f"begun at {tick - start} ms"
     if tick == start + 1025 + 1200: assert abs(p - 40000) < 1e-6 and abs(v) < 1e-3, (p, v)
 assert abs(max(r[5] for r in rows) - 50000) < 1e-6
-# 7-9: at 50 pulse/ms the last table swings between 30 and 50.
+# 7-9: at 50 pulse/ms the last table swings between 30 and 50. Late cycles may leave out both ends.
 rows = follows("bridge", example_7_9, 200000)
 last = [v / mv for tick, state, m, mv, p, v in rows if m > 120000 and mv > 10000]
-assert abs(min(last) - 0.6) < 1e-3 and abs(max(last) - 1) < 1e-9, (min(last), max(last))
+assert 0.6 - 1e-3 < min(last) < 0.62 and 0.98 < max(last) < 1 + 1e-9, (min(last), max(last))
 # The table that ends at a ratio: the axis brakes within its limits, without a fault.
 rows = log("open")
 assert rows[-1][1] == "standstill" and rows[-1][5] == 0
@@ -140,5 +143,6 @@ for a, b in zip(rows, rows[1:]):
     assert abs(b[5] - a[5]) <= 2000 * (b[0] - a[0]) * (1 + 1e-9), f"{b[5] - a[5]} in a tick at {b[0]}"
 assert speed <= 50000 * (1 + 1e-9)
 brakes = speed ** 2 / 2 / 2e6
-assert 10000 + brakes <= rows[-1][4] + 1e-6 <= 10000 + brakes + 0.1 * speed, rows[-1][4]
+latest = max(b[0] - a[0] for a, b in zip(rows, rows[1:])) / 1000
+assert 10000 + brakes <= rows[-1][4] + 1e-6 <= 10000 + brakes + max(0.1, latest) * speed, rows[-1][4]
 END

@@ -9,10 +9,10 @@ jounce=$1
 example=$2
 cd "$scratch"
 cp "$example"/*.toml .
-sed -i 's/^cycle.*/&\nlongest_gap = "900 ms"\nsession_timeout = "3 s"/' x.toml y.toml
-"$jounce" run machine.toml --enable --log run.csv --record run.lcmlog --seconds 100 2> said &
+patient x.toml y.toml
+"$jounce" run machine.toml --enable --watchdog 30 --log run.csv --record run.lcmlog --seconds 110 2> said &
 executor=$!
-for i in 1 2 3 4 5 6 7 8 9 10; do "$jounce" order plotter enable > /dev/null 2>&1 && break; sleep 0.3; done
+soon "$jounce" order plotter enable || fail "no executor: $(cat said)"
 
 order() { "$jounce" order "$@" > out 2>&1; }
 refused() {  # refused WORDS ARGUMENTS...
@@ -26,18 +26,21 @@ refused() {  # refused WORDS ARGUMENTS...
 
 refused in_group x move --to 10mm
 refused single_axis plotter move --to 10mm
+order plotter override 40% || fail "override: $(cat out)" # the path lasts 10 s, so that each command finds it in motion
 order plotter start || fail "start: $(cat out)"
-sleep 0.5
+soon past plotter 10 || fail "it does not move"
 order plotter hold || fail "hold: $(cat out)"
 refused in_motion plotter start
-sleep 0.5
-"$jounce" monitor plotter --json --seconds 1 | grep -q '"held":true' || fail "not held on the monitor"
+wait_for plotter '"held":true'
 order plotter override 200% || fail "override: $(cat out)"
 order plotter resume || fail "resume: $(cat out)"
-sleep 5
+wait_for plotter '"state":"standstill"'
 
 # Single commands, on the path of judge_group.py.
-tick() { "$jounce" monitor plotter --json --seconds 0.2 | grep -o '"tick":[0-9]*' | tail -1 | cut -d: -f2; }
+tick() {
+  wait_for plotter '"tick":'
+  sed 's/.*"tick":\([0-9]*\).*/\1/' "$scratch/status"
+}
 order plotter override 100% || fail "override: $(cat out)"
 refused in_group x override 50%
 refused 'to is missing' plotter move-linear --to ,
@@ -51,29 +54,30 @@ got=0
 order plotter move-linear --to nan,1 || got=$?
 [ $got = 2 ] || fail "a coordinate nan: exit status $got: $(cat out)"
 first=$(tick)
-order plotter wait 1 || fail "wait: $(cat out)"
+order plotter wait 3 || fail "wait: $(cat out)"
 order plotter move-linear --to 20,10 --velocity 40 || fail "move-linear: $(cat out)"
 order plotter move-linear --to 40,10 --velocity 30 --blend look-ahead --deviation 1 || fail "move-linear: $(cat out)"
 order plotter move-circular --to 40,30 --center 40,20 --velocity 30 --buffered || fail "move-circular: $(cat out)"
 order plotter move-linear --by -40,0 --velocity 30 --buffered || fail "move-linear --by: $(cat out)"
 order plotter move-direct --to 0,0 --blend look-ahead --deviation 1 || fail "move-direct: $(cat out)"
-"$jounce" monitor plotter --json --seconds 0.2 | grep -q '"queue_rows":[1-9]' || fail "no command waits on the monitor"
-sleep 6
+wait_for plotter '"queue_rows":[1-9]'
+wait_for plotter '"state":"standstill".*"queue_rows":0'
 last=$(tick)
 
 order plotter jog --along 1,1 --velocity 20 --hold-to-run --seconds 0.5 || fail "jog: $(cat out)"
 order plotter jog --along -1,-1 --velocity 20 || fail "jog back: $(cat out)"
 sleep 1
 order plotter move-linear --to 0,0 || fail "move-linear: $(cat out)"
-sleep 1
+wait_for plotter '"state":"standstill"'
 sed '/^\[\[command/,$d' square.toml > bed.toml
-printf 'G21 G90 G64 P0.1\nG1 X20 Y0 F3000\nG1 X20 Y10\nG1 X0 Y0\nM30\n' > part.ngc
+printf 'G21 G90 G64 P0.1\nG1 X20 Y0 F900\nG1 X20 Y10\nG1 X0 Y0\nM30\n' > part.ngc
 "$jounce" stream part.ngc --machine bed.toml --to plotter > out 2>&1 || fail "stream G-code: $(cat out)"
 refused 'sent as a whole' plotter move-linear --to 5,5 --buffered
-sleep 2
+wait_for plotter '"state":"standstill"'
 
+order plotter override 40% || fail "override: $(cat out)"
 "$jounce" stream square.toml --to plotter > out 2>&1 || fail "stream: $(cat out)"
-sleep 0.3
+soon past x 10 || fail "it does not move"
 "$jounce" stop plotter > out 2>&1 || fail "stop: $(cat out)"
 got=0
 "$jounce" stream square.toml --to plotter > out 2>&1 || got=$?
@@ -84,13 +88,12 @@ got=0
 [ $got = 1 ] && grep -q not_a_group out || fail "a path for one axis: $got, $(cat out)"
 order plotter disable || fail "disable: $(cat out)"
 for axis in x y; do order $axis move --to 0 || fail "move back: $(cat out)"; done
-sleep 2
+for axis in x y; do wait_for $axis '"state":"standstill".*"position":0\.0,'; done
 order plotter enable || fail "enable: $(cat out)"
 "$jounce" stream square.toml --to plotter > out 2>&1 || fail "stream: $(cat out)"
-sleep 0.3
+soon past x 10 || fail "it does not move"
 order y disable || fail "disable y: $(cat out)"
-sleep 0.5
-"$jounce" monitor plotter --json --seconds 1 | grep -q '"error_stop"' || fail "no fault of the group"
+wait_for plotter '"state":"error_stop"'
 
 kill -INT $executor
 wait $executor || [ $? = 1 ] || fail "the run: $(cat said)"

@@ -7,12 +7,12 @@ set -eu
 jounce=$1
 example=$2
 cd "$scratch"
-sed 's/^cycle.*/&\nlongest_gap = "900 ms"\nsession_timeout = "3 s"/; s/^name = .*/name = "bare"/; /^\[drive/,$d; /^require_home/d; /^\[homing\]/,/^distance/d' \
-  "$example" > bare.toml
-sed 's/^cycle.*/&\nlongest_gap = "900 ms"\nsession_timeout = "3 s"/' "$example" > slide.toml
-"$jounce" run slide.toml bare.toml --enable --log run.csv --record run.lcmlog --seconds 100 2> said &
+cp "$example" slide.toml
+patient slide.toml
+sed 's/^name = .*/name = "bare"/; /^\[drive/,$d; /^require_home/d; /^\[homing\]/,/^distance/d' slide.toml > bare.toml
+"$jounce" run slide.toml bare.toml --enable --watchdog 30 --log run.csv --record run.lcmlog --seconds 100 2> said &
 executor=$!
-for i in 1 2 3 4 5 6 7 8 9 10; do "$jounce" order bare enable > /dev/null 2>&1 && break; sleep 0.3; done
+soon "$jounce" order bare enable || fail "no executor: $(cat said)"
 
 order() { "$jounce" order "$@" > out 2>&1; }
 refused() {  # refused STATUS WORDS ARGUMENTS...
@@ -36,7 +36,7 @@ order bare enable || fail "enable: $(cat out)"
 # before it is homed
 refused 1 not_homed slide move --to 10mm
 order slide move --by 1mm || fail "a move by a distance: $(cat out)"
-sleep 0.5
+wait_for slide standstill
 refused 2 'method = 99.*must be 1 to 14' slide home --method 99
 refused 1 no_such_method slide home --method 15
 refused 2 'search-velocity = 0.*must be greater than 0' slide home --search-velocity 0
@@ -49,7 +49,7 @@ refused 2 'method = 3.*does not apply to move' slide move --to 3 --method 3
 refused 2 'direction = positive.*does not apply to move --by' slide move --by 1mm --direction positive
 refused 2 'at = 5.*waits until the axis is homed' slide home --at 5
 refused 1 no_sensor bare home --method 24
-"$jounce" monitor slide --json --seconds 2 | grep -q '"homed":false' || fail "homed before its homing"
+wait_for slide '"homed":false'
 
 # orders and faults that end it
 refused 1 'not homed: home_timeout' slide home --timeout 100ms
@@ -58,7 +58,7 @@ refused 1 'not homed: home_not_found' slide home --distance 5mm
 order slide reset || fail "reset: $(cat out)"
 "$jounce" order slide home --search-velocity 2mm/s > slow 2>&1 &
 slow=$!
-sleep 1
+wait_for slide '"state":"homing"'
 refused 1 busy slide home
 "$jounce" stop slide > out 2>&1 || fail "stop: $(cat out)"
 status=0
@@ -67,7 +67,7 @@ wait $slow || status=$?
 grep -q 'not homed: stopped' slow || fail "a homing that was stopped: $(cat slow)"
 "$jounce" order slide home --search-velocity 2mm/s > slow 2>&1 &
 slow=$!
-sleep 1
+wait_for slide '"state":"homing"'
 kill -INT $slow
 status=0
 wait $slow || status=$?
@@ -77,15 +77,15 @@ grep -q 'not homed: stopped' slow || fail "Ctrl-C: $(cat slow)"
 # and its end
 order slide home || fail "home: $(cat out)"
 grep -qx 'slide: homed' out || fail "home: $(cat out)"
-"$jounce" monitor slide --json --seconds 2 | grep -q '"homed":true' || fail "not homed on the monitor"
+wait_for slide '"homed":true'
 order slide move --to 0mm || fail "move: $(cat out)"
-sleep 1.5
+wait_for slide standstill
 order slide jog 5mm/s || fail "jog: $(cat out)"
 refused 1 in_motion slide home
 order slide halt || fail "halt: $(cat out)"
-sleep 0.5
+wait_for slide standstill
 order slide move --to 0mm || fail "move back: $(cat out)"
-sleep 1
+wait_for slide standstill
 cat > long.toml <<'END'
 jounce = 1
 kind = "move"
@@ -99,7 +99,7 @@ jerk = 20000
 END
 "$jounce" stream long.toml --to slide > streamed 2>&1 &
 streamer=$!
-sleep 1.5
+wait_for slide _motion
 got=0
 order slide home || got=$?
 if kill -0 $streamer 2> /dev/null; then

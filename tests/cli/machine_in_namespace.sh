@@ -11,8 +11,8 @@ kind = "axis"
 name = "feeder"
 units = { position = "mm", master = "mm" }
 [axis]
-longest_gap = "300 ms"
-session_timeout = "2 s"
+longest_gap = "30 s"
+session_timeout = "10 s"
 [limits]
 velocity = 500
 acceleration = 10000
@@ -30,7 +30,7 @@ END
 cat > machine.toml <<'END'
 jounce = 1
 kind = "machine"
-watchdog = "2 s"
+watchdog = "30 s"
 [master.virtual]
 kind = "table"
 file = "line.toml"
@@ -43,7 +43,7 @@ follow = { master = "virtual" }
 END
 "$1" run machine.toml --enable --log run.csv --seconds 8 2> said &
 executor=$!
-for i in 1 2 3 4 5 6 7 8 9 10; do "$1" order virtual start 2> order.said && break; sleep 0.3; done
+soon "$1" order virtual start || fail "the virtual master does not start: $(cat said)"
 wait $executor || { cat said; fail "the run ended badly"; }
 for axis in feeder virtual; do
   [ -f run.$axis.csv ] || fail "no log of $axis"

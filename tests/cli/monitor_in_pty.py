@@ -79,8 +79,8 @@ def too_late(*_):
 
 
 signal.signal(signal.SIGALRM, too_late)
-executor = subprocess.Popen([jounce, "run", axis, "--enable", "--seconds", "50"], stderr=subprocess.DEVNULL,
-                            stdout=subprocess.DEVNULL)
+executor = subprocess.Popen([jounce, "run", axis, "--enable", "--watchdog", "30", "--seconds", "50"],
+                            stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
 try:
     monitor = Monitor()
     monitor.wait_for("> feeder .*standstill")

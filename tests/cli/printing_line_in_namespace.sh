@@ -8,7 +8,9 @@ here=$(cd "$(dirname "$0")" && pwd)
 jounce=$1
 example=$2
 cd "$scratch"
-"$jounce" run "$example/machine.toml" --enable --log run.csv --record run.lcmlog --seconds 60 2> said &
+cp "$example"/*.toml .
+patient line.toml corrector.toml label.toml
+"$jounce" run machine.toml --enable --watchdog 30 --log run.csv --record run.lcmlog --seconds 60 2> said &
 executor=$!
 order() { "$jounce" order "$@" || fail "order $*"; }
 # rejected REASON ARGUMENTS
@@ -18,9 +20,7 @@ rejected() {
   if "$jounce" order "$@" > answer 2>&1; then fail "accepted: order $*"; fi
   grep -q -- "$reason" answer || { cat answer; fail "order $*: not for $reason"; }
 }
-for attempt in 1 2 3 4 5 6 7 8 9 10; do
-  "$jounce" monitor label --seconds 1 --json 2> /dev/null | grep -q standstill && break
-done
+wait_for label standstill
 rejected not_synchronized label phasing --by 2
 rejected no_movement line change-velocity 50mm/s
 rejected no_movement line finish
@@ -30,11 +30,12 @@ rejected "must be greater than 0" line change-velocity 0mm/s
 rejected "must be 0 or more" corrector repeat --to 1 --wait -1s
 rejected "must be a ratio" label combine 1:1 --second half
 rejected "second: is missing" label combine 1:1
-order line jog 300mm/s
+order line jog 40mm/s
 order label gear-in 1:1 --clutch 200mm
 rejected in_motion label gear-in 2:1 --clutch 100mm # the clutch has not ended
 rejected "cannot be combined" label gear-in 2:1 --clutch 100mm --acceleration 5
-sleep 2
+order line change-velocity 300mm/s
+soon past label 200 || fail "the label does not follow: $(cat "$scratch/status")" # 100 mm in the clutch
 rejected velocity_limit label phasing --by 5mm --velocity 5000mm/s
 rejected no_such_move label phasing --by 1e300
 rejected acceleration_limit label gear-in 3:1 --clutch 0.01mm
@@ -48,8 +49,10 @@ sleep 1
 order label combine 1:1 --second -1:2
 order corrector repeat --to 4mm --wait 100ms
 rejected in_motion corrector repeat --to 5mm
-order line change-velocity 100mm/s --past 2500mm
-sleep 4
+past=$(position line | awk '{ print int($1) + 900 }')
+order line change-velocity 100mm/s --past "$past"mm
+wait_for line '"velocity":100\.0'
+sleep 1.5 # the last second of the judge
 "$jounce" stop label
 order corrector finish
 sleep 1

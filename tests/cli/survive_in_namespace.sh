@@ -11,15 +11,11 @@
 set -eu
 . "$(dirname "$0")/namespace.sh"
 jounce=$1 what=$2 example=$3
+cp "$example/axis.toml" "$scratch"
+patient "$scratch/axis.toml"
+sed -i '/^session_timeout/d' "$scratch/axis.toml"  # 1 s: it is waited for
 
 play() { "$jounce" stream "$example/cam.toml" --to feeder "$@"; }
-state() { "$jounce" monitor feeder --seconds 0.3 --json | tail -1; }
-wait_for() {  # wait_for SECONDS TEXT: until the status shows it
-  for _ in $(seq $(($1 * 3))); do
-    state > "$scratch/status" 2> /dev/null && grep -q "$2" "$scratch/status" && return 0
-  done
-  fail "no status with $2 within $1 s: $(cat "$scratch/status")"
-}
 # The log: no setpoint is further from the one before than the limits of axis.toml allow in that time,
 # neither in position nor in velocity (a stop may take twice the acceleration).
 check_log() {
@@ -39,9 +35,9 @@ case $what in
 streamer)
   # A long table, so that the download takes a while, and a cam that plays for 5.4 s.
   sed 's/^rule = .*/rule = "linear"\nintervals = 400000/' "$example/cam.toml" > "$scratch/long.toml"
-  "$jounce" run "$example/axis.toml" --enable --log "$scratch/run.csv" --seconds 60 --adopt-start 2> "$scratch/notices" &
+  "$jounce" run "$scratch/axis.toml" --enable --watchdog 30 --log "$scratch/run.csv" --seconds 60 --adopt-start 2> "$scratch/notices" &
   executor=$!
-  wait_for 10 standstill
+  wait_for feeder standstill
   seed=${SEED:-1}
   for try in $(seq 8); do
     seed=$((seed * 1103515245 % 2147483648 + 12345))
@@ -53,12 +49,12 @@ streamer)
     kill -9 $streamer 2> /dev/null || true
     wait $streamer 2> /dev/null || true
     # The owner has gone: within its time-out, and a stop or the end of the table, the axis is still and free.
-    wait_for 12 '"velocity":0.*"error":0'
-    wait_for 12 standstill
+    wait_for feeder '"velocity":0.*"error":0'
+    wait_for feeder standstill
   done
   sleep 1.2
   play || fail "the axis is not free"
-  wait_for 12 standstill
+  wait_for feeder standstill
   kill -TERM $executor
   wait $executor || fail "the executor ended badly: $(cat "$scratch/notices")"
   check_log "$scratch/run.csv"
@@ -68,15 +64,15 @@ declared)
   for declared in stopped finished; do
     flag=""
     [ $declared = finished ] && flag=--finish-when-silent
-    "$jounce" run "$example/axis.toml" --enable --adopt-start $flag --json --log "$scratch/$declared.csv" --seconds 60 > "$scratch/$declared" 2> "$scratch/notices" &
+    "$jounce" run "$scratch/axis.toml" --enable --watchdog 30 --adopt-start $flag --json --log "$scratch/$declared.csv" --seconds 60 > "$scratch/$declared" 2> "$scratch/notices" &
     executor=$!
-    wait_for 10 standstill
+    wait_for feeder standstill
     "$jounce" stream "$example/cam.toml" --to feeder --swap "$example/cam.toml" --swap "$example/cam.toml" > "$scratch/out" 2>&1 &
     streamer=$!
-    wait_for 10 synchronized_motion
+    wait_for feeder synchronized_motion
     kill -9 $streamer || fail "the streamer had gone: $(cat "$scratch/out")"
     wait $streamer 2> /dev/null || true
-    wait_for 20 standstill
+    wait_for feeder standstill
     kill -TERM $executor
     wait $executor || fail "the executor ended badly: $(cat "$scratch/notices")"
     tr -d ' \n' < "$scratch/$declared" > "$scratch/line"
@@ -89,16 +85,16 @@ declared)
   done
   ;;
 executor)
-  "$jounce" run "$example/axis.toml" --enable --seconds 60 2> /dev/null &
+  "$jounce" run "$scratch/axis.toml" --enable --watchdog 30 --seconds 60 2> /dev/null &
   executor=$!
-  wait_for 10 standstill
+  wait_for feeder standstill
   play || fail "the stream did not complete"
-  wait_for 5 synchronized_motion
+  wait_for feeder synchronized_motion
   kill -9 $executor
   wait $executor 2> /dev/null || true
-  "$jounce" run "$example/axis.toml" --seconds 60 --log "$scratch/run.csv" 2> "$scratch/notices" &
+  "$jounce" run "$scratch/axis.toml" --seconds 60 --log "$scratch/run.csv" 2> "$scratch/notices" &
   executor=$!
-  wait_for 10 disabled  # no program has enabled it
+  wait_for feeder disabled  # no program has enabled it
   sleep 1
   grep -q started "$scratch/notices" && fail "it moved by itself after its restart"
   # Killed while it is sent a table: the stream ends, whole at the new executor or with a named error.
@@ -108,7 +104,7 @@ executor)
   sleep 1.5
   kill -9 $executor
   wait $executor 2> /dev/null || true
-  "$jounce" run "$example/axis.toml" --enable --seconds 60 2> "$scratch/notices" &
+  "$jounce" run "$scratch/axis.toml" --enable --watchdog 30 --seconds 60 2> "$scratch/notices" &
   executor=$!
   if wait $streamer; then
     grep -q downloaded "$scratch/out" || fail "no outcome: $(cat "$scratch/out")"
@@ -116,14 +112,14 @@ executor)
   else
     grep -q "restarted\|contact_lost\|out_of_time\|stalled" "$scratch/out" || fail "no named error: $(cat "$scratch/out")"
   fi
-  wait_for 10 standstill
+  wait_for feeder standstill
   kill -TERM $executor
   wait $executor || fail "the executor ended badly"
   ;;
 flood)
-  "$jounce" run "$example/axis.toml" --enable --log "$scratch/run.csv" --once --seconds 60 2> "$scratch/notices" &
+  "$jounce" run "$scratch/axis.toml" --enable --watchdog 30 --log "$scratch/run.csv" --once --seconds 60 2> "$scratch/notices" &
   executor=$!
-  wait_for 10 standstill
+  wait_for feeder standstill
   "$4" "$JOUNCE_BUS" 100000 feeder > "$scratch/flood" &
   flood=$!
   sleep 0.3
@@ -132,14 +128,15 @@ flood)
   kill $flood
   wait $flood 2> /dev/null || true
   cat "$scratch/flood"
-  "$jounce" validate "$example/cam.toml" --log "$scratch/run.csv" || fail "another motion was played"
+  played "$example/cam.toml" "$scratch/run.csv" || fail "another motion was played"
   check_log "$scratch/run.csv"
   ;;
 clock)
   export CLOCK_STEPS=$scratch/readings
-  LD_PRELOAD=$4 "$jounce" run "$example/axis.toml" --enable --log "$scratch/run.csv" --once --seconds 60 2> "$scratch/notices" &
+  LD_PRELOAD=$4 "$jounce" run "$scratch/axis.toml" --enable --watchdog 30 --log "$scratch/run.csv" --once \
+    --seconds 60 2> "$scratch/notices" &
   executor=$!
-  wait_for 10 standstill
+  wait_for feeder standstill
   LD_PRELOAD=$4 "$jounce" stream "$example/cam.toml" --to feeder --inject-loss 0.1 || fail "the stream did not complete"
   wait $executor || fail "the executor ended badly: $(cat "$scratch/notices")"
   [ "$(wc -l < "$scratch/readings")" = 2 ] || fail "the clock was not stepped on both sides"
@@ -148,7 +145,7 @@ clock)
   rm "$scratch/readings"
   LD_PRELOAD=$4 date > /dev/null
   grep -q "^0$" "$scratch/readings" && fail "the clock is not stepped: a program that reads it counts no reading"
-  "$jounce" validate "$example/cam.toml" --log "$scratch/run.csv" || fail "another motion was played"
+  played "$example/cam.toml" "$scratch/run.csv" || fail "another motion was played"
   check_log "$scratch/run.csv"
   ;;
 disk)
@@ -160,9 +157,9 @@ disk)
     trap '' XFSZ
     ulimit -S -f 128
   }
-  "$jounce" run "$example/axis.toml" --enable --log "$scratch/full/run.csv" --once --seconds 60 > "$scratch/out" 2> "$scratch/notices" &
+  "$jounce" run "$scratch/axis.toml" --enable --watchdog 30 --log "$scratch/full/run.csv" --once --seconds 60 > "$scratch/out" 2> "$scratch/notices" &
   executor=$!
-  wait_for 10 standstill
+  wait_for feeder standstill
   play || fail "the stream did not complete"
   wait $executor || status=$?
   cat "$scratch/notices"
@@ -176,16 +173,16 @@ disk)
   # The black box: the one before stays readable, the terminal and the status name the one that is missing.
   mkdir "$scratch/box"
   mount -t tmpfs -o size=2m tmpfs "$scratch/box" 2> /dev/null || exit 0
-  "$jounce" run "$example/axis.toml" --enable --black-box "$scratch/box/fault.lcmlog" --seconds 60 2> "$scratch/notices" &
+  "$jounce" run "$scratch/axis.toml" --enable --watchdog 30 --black-box "$scratch/box/fault.lcmlog" --seconds 60 2> "$scratch/notices" &
   executor=$!
-  wait_for 10 standstill
+  wait_for feeder standstill
   "$jounce" stop feeder --abort
-  wait_for 10 '"error":[1-9]'
+  wait_for feeder '"error":[1-9]'
   grep -q '"unwritten":""' "$scratch/status" || fail "a black box that was written is called missing"
   "$jounce" order feeder reset
   dd if=/dev/zero of="$scratch/box/filler" bs=1k 2> /dev/null || true
   "$jounce" stop feeder --abort
-  wait_for 10 '"unwritten":"black box"'
+  wait_for feeder '"unwritten":"black box"'
   [ "$(grep -c "no black box: .*No space left" "$scratch/notices")" = 1 ] || fail "not reported once: $(cat "$scratch/notices")"
   "$jounce" replay "$scratch/box/fault.lcmlog" > "$scratch/replay" || fail "the black box from before is not readable"
   kill -TERM $executor

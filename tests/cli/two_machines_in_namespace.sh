@@ -10,7 +10,9 @@ url='udpm://239.255.76.67:7667?ttl=1'
 . "$(dirname "$0")/machines.sh"
 
 "$jounce" new key -o "$scratch/line.key" > /dev/null
-there "$jounce" run "$example/axis.toml" --url "$url" --key "$scratch/line.key" --enable --log "$scratch/run.csv" \
+cp "$example/axis.toml" "$scratch"
+patient "$scratch/axis.toml"
+there "$jounce" run "$scratch/axis.toml" --url "$url" --key "$scratch/line.key" --enable --watchdog 30 --log "$scratch/run.csv" \
   --once --seconds 40 2> "$scratch/notices" &
 executor=$!
 # Without a ttl nothing leaves this machine, and without the key nothing is believed.
@@ -23,4 +25,4 @@ status=0
 "$jounce" stream "$example/cam.toml" --to feeder --url "$url" --key "$scratch/line.key" || fail "the stream did not complete"
 ip link set here down
 wait $executor || fail "the executor ended badly: $(cat "$scratch/notices")"
-"$jounce" validate "$example/cam.toml" --log "$scratch/run.csv" || fail "another motion was played than the one designed"
+played "$example/cam.toml" "$scratch/run.csv" || fail "another motion was played than the one designed"
