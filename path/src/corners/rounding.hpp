@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "jounce/path/plan.hpp"
@@ -19,6 +21,30 @@ struct Lines {
 };
 Lines lines_of(const Route& route, const Program& program, const Rates& rates);
 
+/// The shape of the path at a junction of a route.
+struct CornerShape {
+  enum class How : std::uint8_t {
+    through,  ///< not rounded, and passed without a stop
+    rest,     ///< not rounded: the motion rests
+    turn,
+    blend
+  };
+
+  double trim = 0;
+  double wanted = 0;  ///< trim if there were no corners at the other ends of its sides
+  double share = 0;   ///< share b of a turn
+  double velocity = PathSettings::none;
+  How how = How::through;
+  JointNote note = JointNote::none;
+
+  [[nodiscard]] bool is_round() const { return how == How::turn || how == How::blend; }
+};
+
+/// Chooses the shape of each junction. `stop`: junctions at which the plan rests although their
+/// corners could be rounded.
+std::vector<CornerShape> shapes_of(const Route& route, const Lines& lines, const Program& program,
+                                   const Rates& rates, const std::vector<bool>& stop);
+
 /// A route with its corners rounded, and the limits for its timing law.
 struct Rounded {
   std::optional<Path> path;  ///< nullopt: no corner is rounded, so the path of the route applies
@@ -26,10 +52,9 @@ struct Rounded {
   std::vector<JointMark> joints;
 };
 
-/// Rounds the corners. `stop`: junctions at which the plan rests although their corners could be
-/// rounded.
+/// Rounds the corners.
 Rounded rounded(const Route& route, const Lines& lines, const Program& program, const Rates& rates,
-                const std::vector<bool>& stop);
+                std::span<const CornerShape> shapes);
 
 /// Receives the units of a route one after another.
 class UnitSink {
@@ -40,9 +65,9 @@ class UnitSink {
   ~UnitSink() = default;
 };
 
-/// Sends the units of a motion that rests at each corner. No corner is rounded, so the path of the
-/// route applies.
+/// Sends the units of a motion that rests at each corner, with the same shapes. No corner is
+/// rounded, so the path of the route applies.
 void send_stopping_units(const Route& route, const Lines& lines, const Program& program,
-                         const Rates& rates, UnitSink& to);
+                         const Rates& rates, std::span<const CornerShape> shapes, UnitSink& to);
 
 }  // namespace jounce

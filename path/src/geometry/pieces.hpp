@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 // The numbers of the pieces of a path for n axes.
 //   line     start[n], step[n]
@@ -43,6 +44,11 @@ class TurnNumbers {
   const double* data_;
   std::size_t n_;
 };
+
+/// Appends `count` numbers.
+inline void append(std::vector<double>& numbers, const double* from, std::size_t count) {
+  numbers.insert(numbers.end(), from, from + count);
+}
 
 inline std::size_t polynomial_count(std::size_t n, int degree) {
   return 1 + n * (static_cast<std::size_t>(degree) + 1);

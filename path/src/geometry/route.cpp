@@ -2,8 +2,10 @@
 #include "path/src/geometry/route.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "jounce/profiles/detail/large_pages.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -13,6 +15,7 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::reserve_large;
 using profiles_detail::rounded_sum;
 
 constexpr double same_vector = 1e-20;  ///< share of the square of a vector that its change may have
@@ -50,11 +53,15 @@ bool continues(const std::vector<PathPiece>& pieces, const PathPiece& next,
       pieces.back().settings != next.settings)
     return false;
   const PathPiece& last = pieces.back();
+  const double* before = numbers.data() + last.data + axes;
+  const double* behind = numbers.data() + next.data + axes;
+  const double by_length = 1 / last.length;
+  const double by_next = 1 / next.length;
   double change = 0;
   double size = 0;
   for (std::size_t i = 0; i < axes; ++i) {
-    const double u = numbers[last.data + axes + i] / last.length;
-    const double w = numbers[next.data + axes + i] / next.length;
+    const double u = before[i] * by_length;
+    const double w = behind[i] * by_next;
     change += (w - u) * (w - u);
     size += u * u;
   }
@@ -77,9 +84,9 @@ Route route_of(const Program& program) {
   std::vector<double> numbers;
   std::vector<Joint> joints{{0, true}};
   std::vector<std::int32_t> empty;
-  pieces.reserve(program.commands().size());
-  joints.reserve(program.commands().size() + 1);
-  numbers.reserve(program.commands().size() * 2 * n);
+  reserve_large(pieces, program.commands().size());
+  reserve_large(joints, program.commands().size() + 1);
+  reserve_large(numbers, program.commands().size() * 2 * n);
   Point at = program.start();
   double length = 0;
   bool buffered = false;
@@ -115,9 +122,13 @@ Route route_of(const Program& program) {
         empty.push_back(command.line);
         continue;
       }
-      numbers.insert(numbers.end(), at.begin(), at.begin() + static_cast<std::ptrdiff_t>(n));
-      for (std::size_t i = 0; i < n; ++i) numbers.push_back(to[i] - at[i]);
-      std::copy_n(to, n, at.begin());
+      std::array<double, 2 * max_axes> straight;
+      for (std::size_t i = 0; i < n; ++i) {
+        straight[i] = at[i];
+        straight[n + i] = to[i] - at[i];
+        at[i] = to[i];
+      }
+      append(numbers, straight.data(), 2 * n);
       if (!buffered && !joints.back().rests && continues(pieces, piece, numbers, n)) {
         PathPiece& whole = pieces.back();
         numbers.resize(piece.data);
@@ -161,8 +172,12 @@ void append_part(const Path& from, std::size_t k, double u0, double u1,
   // The share of the step: a difference of two places within the whole would have fewer digits.
   const double share = piece.length / whole.length;
   if (whole.kind == PieceKind::line) {
-    for (std::size_t i = 0; i < n; ++i) numbers.push_back(data[i] + data[n + i] * s0);
-    for (std::size_t i = 0; i < n; ++i) numbers.push_back(data[n + i] * share);
+    std::array<double, 2 * max_axes> line;
+    for (std::size_t i = 0; i < n; ++i) {
+      line[i] = data[i] + data[n + i] * s0;
+      line[n + i] = data[n + i] * share;
+    }
+    append(numbers, line.data(), 2 * n);
   } else if (whole.kind == PieceKind::curve) {
     const int degree = static_cast<int>(data[0]);
     const auto count = static_cast<std::size_t>(degree) + 1;

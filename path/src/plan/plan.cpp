@@ -80,43 +80,53 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
   if (averaged) averaged = joined.with_linear(std::move(*averaged));
   const Rates shaping = joined.corner_rates(sharp);
   const auto corners_of = [&](const Route& route, const Lines& lines,
-                              const std::vector<bool>& stop) {
-    return joined.with_fitted(rounded(route, lines, program, shaping, stop), route);
+                              std::span<const CornerShape> shapes) {
+    return joined.with_fitted(rounded(route, lines, program, shaping, shapes), route);
   };
   const auto law_of = [&](Jointed& path, const Route& route, bool times_only = false) {
     return fastest_law(path.rounded, joined.rates(), program, route, times_only);
   };
   const Lines lines = lines_of(sharp, program, shaping);
-  const std::vector<bool> everywhere(sharp.joints.size(), true);
-  const auto stop_times_at = [&](std::span<const Rest> at) {
-    if (!joined.fitted()) return stop_times(sharp, lines, program, joined.rates(), at);
-    Jointed stops = corners_of(sharp, lines, everywhere);
+  const auto shapes_with_stops = [&] {
+    return shapes_of(sharp, lines, program, shaping, std::vector<bool>(sharp.joints.size(), true));
+  };
+  const auto stop_times_at = [&](std::span<const Rest> at, std::span<const CornerShape> shapes) {
+    if (!joined.fitted()) return stop_times(sharp, lines, program, joined.rates(), shapes, at);
+    Jointed stops = corners_of(sharp, lines, shapes_with_stops());
     return times_of(law_of(stops, sharp, true).rests, at);
   };
   Jointed result;
   Laws law;
   Route* from = nullptr;  // route of the result
   double stop_duration = 0;
-  if (!options.stop_at_corners) {
-    Route& route = averaged ? *averaged : sharp;
-    const Lines other = averaged ? lines_of(route, program, shaping) : Lines{};
-    const Lines& lines_there = averaged ? other : lines;
-    std::vector<bool> stop(route.joints.size(), false);
-    result = corners_of(route, lines_there, stop);
-    law = law_of(result, route);
-    const bool alike = route.joints.size() == sharp.joints.size();
-    const std::vector<double> stopping =
-        stop_times_at(alike ? std::span(law.rests) : std::span<Rest>());
-    stop_duration = stopping.back();
-    if (alike && mark_slower(law.rests, stopping, stop)) {
-      result = corners_of(route, lines_there, stop);
-      law = law_of(result, route);
+  if (!options.stop_at_corners && !averaged) {
+    std::vector<bool> stop(sharp.joints.size(), false);
+    std::vector<CornerShape> shapes = shapes_of(sharp, lines, program, shaping, stop);
+    result = corners_of(sharp, lines, shapes);
+    law = law_of(result, sharp);
+    stop_duration = law.rests.back().time;
+    if (std::ranges::any_of(shapes, &CornerShape::is_round)) {
+      const std::vector<double> stopping = stop_times_at(law.rests, shapes);
+      stop_duration = stopping.back();
+      if (mark_slower(law.rests, stopping, stop)) {
+        shapes = shapes_of(sharp, lines, program, shaping, stop);
+        result = corners_of(sharp, lines, shapes);
+        law = law_of(result, sharp);
+      }
     }
-    if (law.rests.back().time <= stop_duration) from = &route;
+    if (law.rests.back().time <= stop_duration) from = &sharp;
+  } else if (!options.stop_at_corners) {
+    const Lines averages = lines_of(*averaged, program, shaping);
+    const std::vector<bool> stop(averaged->joints.size(), false);
+    result =
+        corners_of(*averaged, averages, shapes_of(*averaged, averages, program, shaping, stop));
+    law = law_of(result, *averaged);
+    stop_duration = stop_times_at({}, shapes_with_stops()).back();
+    if (law.rests.back().time <= stop_duration) from = &*averaged;
   }
   if (from == nullptr) {
     from = &sharp;
-    result = corners_of(sharp, lines, everywhere);
+    result = corners_of(sharp, lines, shapes_with_stops());
     law = law_of(result, sharp);
     stop_duration = law.rests.back().time;
   }

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "jounce/profiles/detail/large_pages.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
 #include "path/src/timing/stretch.hpp"
@@ -141,7 +142,7 @@ TimingLaw::TimingLaw(std::vector<LawInterval> stretches) : stretches_(std::move(
   constexpr std::size_t in_a_part = 4;
   const std::size_t parts = stretches_.size() / in_a_part + 1;
   parts_per_second_ = static_cast<double>(parts) / duration();
-  before_.reserve(parts + 1);
+  profiles_detail::reserve_large(before_, parts + 1);
   before_.push_back(0);
   for (std::size_t i = 0; i < stretches_.size(); ++i)
     while (before_.size() <= part_at(stretches_[i].time, parts))

@@ -4,15 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/profiles/detail/large_pages.hpp"
+
 #include "path/src/timing/not_limited.hpp"
 #include "path/src/timing/window.hpp"
 
 namespace jounce {
 
+using profiles_detail::reserve_large;
+
 std::vector<LawInterval> stretches_of(const Path& path, std::size_t first, std::size_t count,
                                       std::span<const LawPhase> phases) {
   std::vector<LawInterval> law;
-  law.reserve(phases.size());
+  reserve_large(law, phases.size());
   double time = 0;
   std::size_t piece = first;
   const std::size_t last = first + count - 1;
@@ -244,6 +248,10 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
   const Path& path = rounded.path ? *rounded.path : route.path;
   Collected made;
   made.times_only = times_only;
+  const auto rests = static_cast<std::size_t>(
+      std::ranges::count_if(units, [](const Unit& unit) { return !(unit.entry > 0); }));
+  reserve_large(made.laws.rests, rests + 1);
+  if (rests > 1 && !times_only) reserve_large(made.laws.stretches, units.size());
   for (std::size_t i = 0; i < units.size();) {
     std::size_t last = i + 1;
     while (last < units.size() && units[last].entry > 0) ++last;
@@ -269,9 +277,10 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
 }
 
 std::vector<double> stop_times(const Route& route, const Lines& lines, const Program& program,
-                               const Rates& rates, std::span<const Rest> at) {
+                               const Rates& rates, std::span<const CornerShape> shapes,
+                               std::span<const Rest> at) {
   StopTimes sum(route, program, rates, at);
-  send_stopping_units(route, lines, program, rates, sum);
+  send_stopping_units(route, lines, program, rates, shapes, sum);
   return sum.times();
 }
 

@@ -29,8 +29,9 @@ std::vector<LawInterval> stretches_of(const Path& path, std::size_t first, std::
                                       std::span<const LawPhase> phases);
 
 /// The times at which a motion that rests at each corner begins the given rests, and its duration.
-/// The motion rests at all of them; they ascend.
+/// The motion rests at all of them; they ascend. `shapes`: shapes of the junctions.
 std::vector<double> stop_times(const Route& route, const Lines& lines, const Program& program,
-                               const Rates& rates, std::span<const Rest> at);
+                               const Rates& rates, std::span<const CornerShape> shapes,
+                               std::span<const Rest> at);
 
 }  // namespace jounce

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "jounce/profiles/curve/query.hpp"
+#include "jounce/profiles/detail/large_pages.hpp"
 #include "jounce/profiles/detail/ramps.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
@@ -29,6 +30,7 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::reserve_large;
 using profiles_detail::rounded_input;
 using profiles_detail::rounded_value;
 
@@ -50,7 +52,8 @@ struct Ramps {
 };
 Ramps ramps_of(const Box& box, double v0, double peak, double v1) {
   const double up = ramp_time(peak - v0, box.acceleration, box.jerk);
-  const double down = ramp_time(peak - v1, box.deceleration, box.jerk);
+  const bool alike = v0 == v1 && box.acceleration == box.deceleration;
+  const double down = alike ? up : ramp_time(peak - v1, box.deceleration, box.jerk);
   return {up + down, 0.5 * ((v0 + peak) * up + (peak + v1) * down)};
 }
 
@@ -97,19 +100,20 @@ LawInterval stretch_of(const Unit& unit, double v0, double v1) {
     s.duration = s.length / s.peak;
     return s;
   }
+  Ramps ramps{0, PathSettings::none};  // of the greatest velocity, if the length permits it
   if (box.velocity > least) {
     const double most = box.velocity;
-    const bool reached = most < PathSettings::none &&
-                         least_ramps_length(box, v0, most, v1) <= s.length * (1 + rounded_input) &&
-                         ramps_of(box, v0, most, v1).length <= s.length;
-    s.peak = reached ? most : peak_of(box, s.length, v0, v1);
+    if (most < PathSettings::none &&
+        least_ramps_length(box, v0, most, v1) <= s.length * (1 + rounded_input))
+      ramps = ramps_of(box, v0, most, v1);
+    s.peak = ramps.length <= s.length ? most : peak_of(box, s.length, v0, v1);
   }
   // Ramps so small take no time worth having, and their phases are too short to be fitted on an arc.
   if (s.peak - least <= no_ramp * s.peak) s.peak = least;
+  if (!(ramps.length <= s.length) || s.peak == least) ramps = ramps_of(box, v0, s.peak, v1);
   // For a ramp over a few units in the last place of the velocity, rounding changes the length by a
   // large share. The peak is rounded down until the ramps fit; the cruise takes the rest of the
   // length.
-  Ramps ramps = ramps_of(box, v0, s.peak, v1);
   for (double back = 2e-16; ramps.length > s.length && s.peak > least; back *= 2) {
     s.peak = std::max(least, s.peak * (1 - back));
     ramps = ramps_of(box, v0, s.peak, v1);
@@ -132,7 +136,9 @@ double reached_within(const Unit& unit, double v, double cap, double acceleratio
 /// v of (1) at the start of each unit, and at the end.
 std::vector<double> velocities(const std::vector<Unit>& units) {
   const std::size_t n = units.size();
-  std::vector<double> v(n + 1);
+  std::vector<double> v;
+  reserve_large(v, n + 1);
+  v.resize(n + 1);
   for (std::size_t k = n; k-- > 1;) {
     const double cap = std::min({units[k].entry, units[k].box.velocity, units[k - 1].box.velocity});
     v[k] = reached_within(units[k], v[k + 1], cap, units[k].box.deceleration);
@@ -229,7 +235,7 @@ bool join_ramps(std::vector<Unit>& units, std::vector<double>& v) {
 
 std::vector<LawInterval> timed(const std::vector<Unit>& units, const std::vector<double>& v) {
   std::vector<LawInterval> law;
-  law.reserve(units.size());
+  reserve_large(law, units.size());
   double time = 0;
   double start = 0;
   for (std::size_t k = 0; k < units.size(); ++k) {
