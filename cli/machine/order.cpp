@@ -126,7 +126,7 @@ void add_order(CommandLine& line) {
                               "Numbers without a unit have the unit of the axis.");
   verb.option("NAME", options->executor, "Name of the executor").required();
   verb.option("WHAT", options->words.what,
-              fmt::format("{} (the table of a virtual master, the program of a group)",
+              fmt::format("{}. start: the table of a virtual master, the program of a group",
                           fmt::join(command_words(), ", ")))
       .required()
       .check(command_word(*options));

@@ -201,6 +201,7 @@ void read_axis(TomlReader& top, Spec& spec) {
   axis.homing = spec_detail::read_homing(top, spec.units);
   axis.follow = spec_detail::read_whom(top);
   axis.registration = spec_detail::read_registration(top, spec.units, spec.master_unit);
+  axis.compensation = spec_detail::read_axis_compensation(top, spec.units, spec.name);
   (void)spec_detail::read_axis_drive(top, spec.units,
                                      spec.master_unit);  // axis_drive() reads it again
   spec.subject = axis;

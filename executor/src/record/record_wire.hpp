@@ -10,6 +10,7 @@
 
 #include "executor/src/record/record_fields.hpp"
 #include "jounce_record/axis_t.hpp"
+#include "jounce_record/compensation_t.hpp"
 #include "jounce_record/cycle_t.hpp"
 #include "jounce_record/gear_t.hpp"
 #include "jounce_record/job_t.hpp"
@@ -18,6 +19,7 @@
 #include "jounce_record/output_t.hpp"
 #include "jounce_record/program_t.hpp"
 #include "jounce_record/queue_t.hpp"
+#include "jounce_record/references_t.hpp"
 #include "jounce_record/registration_t.hpp"
 #include "jounce_record/rows_t.hpp"
 #include "jounce_record/sample_t.hpp"
@@ -32,8 +34,9 @@ namespace jounce::record_wire {
 using namespace jounce_record;
 using namespace record_fields;
 
-inline constexpr std::int16_t version = 7;          ///< version of the format, in every type
-inline constexpr std::size_t knots_an_event = 200;  ///< greatest number of knots in an event
+inline constexpr std::int16_t version = 7;           ///< version of the format, in every type
+inline constexpr std::size_t knots_an_event = 200;   ///< greatest number of knots in an event
+inline constexpr std::size_t values_an_event = 200;  ///< the same of values of a compensation
 
 template <std::size_t N>
 void put_text(const std::string& text, std::uint8_t (&bytes)[N]) {
@@ -61,6 +64,8 @@ sample_t on_wire(const RecordedSample& ours);
 program_t on_wire(const RecordedProgram& ours);
 registration_t on_wire(const RecordedRegistration& ours);
 triggers_t on_wire(const RecordedTriggers& ours);
+compensation_t on_wire(const RecordedCompensation& ours);
+references_t on_wire(const RecordedReferences& ours);
 
 RecordedAxis ours(const axis_t& w);
 RecordedTable ours(const table_t& w);
@@ -77,5 +82,7 @@ RecordedSample ours(const sample_t& w);
 RecordedProgram ours(const program_t& w);
 RecordedRegistration ours(const registration_t& w);
 RecordedTriggers ours(const triggers_t& w);
+RecordedCompensation ours(const compensation_t& w);
+RecordedReferences ours(const references_t& w);
 
 }  // namespace jounce::record_wire

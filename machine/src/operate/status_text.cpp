@@ -24,11 +24,13 @@ using Json = nlohmann::ordered_json;
 std::string status_text(const std::string& axis, const wire::Status& s) {
   return fmt::format(
       "{:<12} {:<9} tick {:<10} master {:<12} position {:<12.6g} velocity {:<12.6g} late "
-      "{}{}{}{}{}",
+      "{}{}{}{}{}{}{}",
       axis, name(s.state), s.tick,
       std::isnan(s.master_position) ? "none" : fmt::format("{:.6g}", s.master_position),
       s.slave_position, s.slave_velocity, s.late_ticks, s.held ? "  held" : "",
       s.homed ? "  homed" : "",
+      std::isnan(s.correction) ? "" : fmt::format("  compensated {:+.6g}", s.correction),
+      s.gear == wire::GearState::none ? "" : "  " + gear_text(s),
       s.last_error == 0 ? "" : fmt::format("  {}", name(static_cast<Cause>(s.last_error))),
       s.unwritten == 0 ? "" : fmt::format("  not written: {}", unwritten_files(s.unwritten)));
 }
@@ -48,6 +50,10 @@ std::string status_json(const std::string& axis, const wire::Status& s) {
                   {"progress", name(s.progress)},
                   {"held", s.held},
                   {"homed", s.homed},
+                  {"gear", name(s.gear)},
+                  {"gear_master", s.gear_master},
+                  {"ratio", s.ratio},
+                  {"correction", s.correction},
                   {"unwritten", unwritten_files(s.unwritten)},
                   {"queue_rows", s.queue_rows}};
   return line.dump();
@@ -114,6 +120,11 @@ std::string status_json(const std::string& axis, const wire::Event& event) {
   return line.dump();
 }
 
+std::string gear_text(const wire::Status& s) {
+  const std::string ratio = s.ratio == 0 ? "" : fmt::format(", ratio {:.6g}", s.ratio);
+  return std::string(name(s.gear)) + ratio;
+}
+
 std::string unwritten_files(std::uint8_t files) {
   std::string text;
   for (const auto& [bit, word] : {std::pair{wire::log_unwritten, "log"},
@@ -131,9 +142,7 @@ std::string master_text(const wire::MasterStatus& master, bool ascii) {
                               : fmt::format("measured {:.3g} ms ago", 1e3 * master.age_s);
   // Samples of a sender that the executor rejects; its terminal prints the reason.
   const std::string rejected =
-      master.refused > 0
-          ? fmt::format(", {} rejected (unit, epoch, order)", master.refused)
-          : "";
+      master.refused > 0 ? fmt::format(", {} rejected (unit, epoch, order)", master.refused) : "";
   if (master.lost)
     return fmt::format("{}{}, {}{}", master.master, std::isnan(master.age_s) ? "" : " is lost", age,
                        rejected);
