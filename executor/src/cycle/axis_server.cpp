@@ -137,10 +137,11 @@ void AxisServer::handle(const ArmRequested& arm) {
     build(arm);
 }
 
-/// On a modulo axis, positions a turn apart are equal: a coupling shifts by whole turns if
-/// necessary.
+/// On a modulo axis, positions a turn apart are equal: a coupling, or a table over time, shifts by
+/// whole turns if necessary. A table over time has no coupling of its own.
 ArmRequested AxisServer::on_axis(ArmRequested arm) const {
   const double turn = options_.axis.modulo;
+  if (arm.mode == wire::ArmMode::play && !arm.master) arm.coupling = {};
   if (turn != 0 && !arm.coupling.slave_period) arm.coupling.slave_period = turn;
   return arm;
 }
