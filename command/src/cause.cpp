@@ -220,7 +220,7 @@ constexpr std::array entries{
           "Make this distance greater than one turn, and check the index of the encoder."},
     Entry{Cause::both_switches, "both_switches", "Both limit switches were on during the homing.",
           "Check the wiring and the supply of both limit switches."},
-    Entry{Cause::not_homed, "not_homed", "The axis is not homed, and its spec has require_home.",
+    Entry{Cause::not_homed, "not_homed", "The axis is not homed, and the command requires it.",
           "Home the axis: `jounce order NAME home`. A move by a distance (--by) is permitted "
           "before the homing."},
     Entry{Cause::no_such_method, "no_such_method", "The homing method does not exist.",
@@ -291,6 +291,18 @@ constexpr std::array entries{
           "forward."},
     Entry{Cause::cutter_away, "cutter_away", "The cutter does not stand at its home position.",
           "Move the axis to its home position: `jounce order NAME move --to POSITION`."},
+    Entry{Cause::no_compensation, "no_compensation",
+          "The spec of the axis has no compensation (HIMC error 0x83aa0190).",
+          "Add [compensation] with its table to the spec of the axis."},
+    Entry{Cause::compensation_active, "compensation_active",
+          "The compensation of the axis, or of an axis that refers to it, is active (HIMC error "
+          "0x83aa00d2).",
+          "Disable that axis, and switch its compensation off: `jounce order NAME "
+          "disable-compensation`."},
+    Entry{Cause::compensation_inactive, "compensation_inactive",
+          "The compensation of the axis is not active.", "Nothing."},
+    Entry{Cause::enabled, "enabled", "The axis is enabled (HIMC error 0x83aa006e).",
+          "Disable the axis, send the command, and enable the axis again."},
 };
 
 /// True for the rejections with a measured value and a limit.

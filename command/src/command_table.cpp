@@ -19,6 +19,7 @@ constexpr Cause uns = Cause::not_synchronized;
 constexpr Cause stp = Cause::stopping;
 constexpr Cause nil = Cause::no_movement;
 constexpr Cause ncp = Cause::no_cut_plan;
+constexpr Cause ena = Cause::enabled;
 
 // clang-format off
 //                          dis  sta  dsc  syn  stp  err  cnt  hom
@@ -34,6 +35,7 @@ constexpr ByState finishes {off, nil, ok,  ok,  stp, err, nil, mov};
 constexpr ByState changes  {off, nil, ok,  syn, stp, err, ok,  mov};
 constexpr ByState uncouples{off, uns, uns, ok,  stp, err, uns, uns};
 constexpr ByState cuts     {off, ncp, ncp, ok,  stp, err, ncp, ncp};
+constexpr ByState while_off{ok,  ena, mov, syn, stp, ena, mov, mov};
 // clang-format on
 
 constexpr CommandSender own = CommandSender::owner;
@@ -117,6 +119,8 @@ constexpr std::array rows{
     sent<command::Park>("park", 33, "park", "", own, cuts),
     sent<command::TouchProbe>("touch_probe", 30, "touch-probe", "MC_TouchProbe", own, always),
     sent<command::AbortTrigger>("abort_trigger", 31, "abort-trigger", "MC_AbortTrigger", own, always),
+    sent<command::EnableCompensation>("enable_compensation", 46, "enable-compensation", "", own, while_off),
+    sent<command::DisableCompensation>("disable_compensation", 47, "disable-compensation", "", own, while_off),
 };
 // clang-format on
 

@@ -18,6 +18,7 @@
 #include "jounce/controllers/time_table_limits.hpp"
 #include "jounce/design/disc.hpp"
 #include "jounce/design/sync_check.hpp"
+#include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/pvt/check.hpp"
 #include "jounce/validate/loop.hpp"
@@ -194,6 +195,22 @@ void keep_worst(Report& report, const Labels& labels) {
   });
 }
 
+/// Adds the first passage of a limit of the position to its worst finding: there, the soft limit of a
+/// controller stops the axis (Googol manual, example 9-1).
+void name_first_passages(const Input& input, Report& report) {
+  if (input.labels.over_master) return;
+  const auto& motion = std::get<Trajectory>(*input.curve);
+  for (const char* const limit : {"limit/position_max", "limit/position_min"}) {
+    const auto worst = std::find_if(report.findings.begin(), report.findings.end(),
+                                    [&](const Finding& f) { return f.broken && f.rule == limit; });
+    if (worst == report.findings.end()) continue;
+    const std::vector<double> passages = crossings(motion, 0, worst->limit);
+    if (passages.empty()) continue;
+    worst->advice = fmt::format("the motion first passes this limit at {:.6g} {}; {}",
+                                passages.front(), input.labels.units.x, worst->advice);
+  }
+}
+
 Report check_curve(const Input& input, int continuity) {
   const Table& table = input.table.table;
   Report report = of_motion(input, [&](const auto& motion) { return check(motion, input.limits); });
@@ -202,6 +219,7 @@ Report check_curve(const Input& input, int continuity) {
     for (Finding& f : report.findings)
       if (f.broken && f.rule.name().starts_with("position"))
         f.advice = "move this part of the path into the range of the axis";
+  name_first_passages(input, report);
   append(report, check_joints(input, continuity));
   for (Finding& f : report.findings)
     if (f.broken && f.rule.family() == RuleFamily::continuity)

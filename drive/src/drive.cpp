@@ -6,9 +6,9 @@ namespace jounce {
 DriveSetpoint drive_setpoint(const Tick& tick, const Command& command) {
   return {.tick = tick.tick,
           .time = tick.time,
-          .position = tick.position - tick.offset,
-          .velocity = tick.velocity,
-          .acceleration = tick.acceleration,
+          .position = tick.position + tick.correction[0] - tick.offset,
+          .velocity = tick.velocity + tick.correction[1],
+          .acceleration = tick.acceleration + tick.correction[2],
           .enable = tick.power,
           .reset = command.kind() == CommandKind::reset && !tick.refused};
 }

@@ -207,6 +207,8 @@ void read_axis(TomlReader& top, Spec& spec) {
   part([&] {
     axis.registration = spec_detail::read_registration(top, spec.units, spec.master_unit);
   });
+  part(
+      [&] { axis.compensation = spec_detail::read_axis_compensation(top, spec.units, spec.name); });
   // axis_drive() reads it again
   part([&] { (void)spec_detail::read_axis_drive(top, spec.units, spec.master_unit); });
   spec.subject = axis;

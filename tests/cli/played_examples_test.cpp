@@ -52,6 +52,7 @@ const std::map<std::string, std::string> no_tables{
     {"ci/jounce-textconv", "a script"},
     {"ci/pre-commit", "a script"},
     {"ci/pre-commit-config.yaml", "a setting of pre-commit"},
+    {"compensated-table/corrections.csv", "the user table of compensated-table/y.toml"},
     {"measured-cam/measured.csv", "the points of measured-cam/spline.toml, which is played"},
     {"pmc600-path/sequence.csv", "the records of pmc600-path/sequence.toml, which is played"},
     {"gcode-part/machine.toml", "a machine, which needs a program"},

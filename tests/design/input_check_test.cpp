@@ -170,6 +170,27 @@ std::string refusal(const std::string& key, const std::string& value) {
       [&] { (void)only(cam("0", "0") + "[table]\n" + key + " = " + value + "\n"); });
 }
 
+// Example 9-1 of the Googol manual, in closed form: 225 ms smoothed ramp more than the trapezoid.
+TEST(PositionRange, TheFindingNamesTheFirstPassageOfTheLimit) {
+  const auto advice = [](const std::string& smooth, const std::string& pos) {
+    const Report report = check_all(only(
+        "jounce = 1\nkind = \"move\"\nunits = { position = \"pulse\", time = \"ms\" }\n[move]\n"
+        "profile = \"googol_trap\"\npos = " +
+        pos + "\nvel = 50\nacc = 0.125\n" + smooth +
+        "[limits]\nposition_min = -20000\nposition_max = 20000\n"));
+    std::string all;
+    for (const Finding& finding : report.findings)
+      if (finding.broken) all += finding.advice + '\n';
+    return all;
+  };
+  using ::testing::StartsWith;
+  EXPECT_THAT(advice("smooth_time = 25\n", "1000000"),
+              StartsWith("the motion first passes this limit at 612.5 ms; move the target"));
+  EXPECT_THAT(advice("", "1000000"), StartsWith("the motion first passes this limit at 600 ms; "));
+  EXPECT_THAT(advice("", "-1000000"), StartsWith("the motion first passes this limit at 600 ms; "));
+  EXPECT_EQ(advice("", "20000"), "");
+}
+
 TEST(TableTolerance, BelowTheRoundingIsRefused) {
   EXPECT_THAT(refusal("tolerance", "1e-30"),
               ::testing::HasSubstr("table.tolerance = 1e-30 mm: must be at least 1.24"));

@@ -287,6 +287,62 @@ TEST(Cia402Axis, TellsAFaultAndResetsIt) {
   EXPECT_FALSE(cycle(false).fault);
 }
 
+// 0x60B8 to 0x60BD, and the counters 0x60D5 to 0x60D8.
+TEST(Cia402Axis, ReportsTheCapturesOfItsTouchProbes) {
+  Cia402Axis axis({.increments_per_rev = 1000, .position_per_rev = 10, .touch_probes = 2});
+  EXPECT_EQ(axis.command({}, {}).touch_probe, 0x3333);
+  Cia402Inputs inputs{.touch_probe_status = 0b10};  // captured before the executor started
+  EXPECT_EQ(axis.feedback(inputs).triggers.count, 0);
+  EXPECT_EQ(axis.feedback(inputs).triggers.wired, 0b11);
+
+  inputs.touch_probe_status = 0b100'0000'0010;  // probe 2, falling
+  inputs.position_actual = 5000;
+  inputs.touch_probe_position = {0, 0, 0, 4987};
+  Triggers now = axis.feedback(inputs).triggers;
+  ASSERT_EQ(now.count, 1);
+  EXPECT_EQ(now.change[0].input, 2);
+  EXPECT_FALSE(now.change[0].rising);
+  EXPECT_DOUBLE_EQ(now.change[0].position, 49.87);
+  EXPECT_TRUE(std::isnan(now.change[0].age));
+  EXPECT_EQ(axis.feedback(inputs).triggers.count, 0) << "the same capture";
+
+  inputs.touch_probe_count = {3, 1, 0, 0};  // the bit of probe 1, rising, is still 1
+  inputs.touch_probe_position = {4990, 4995, 0, 4987};
+  now = axis.feedback(inputs).triggers;
+  ASSERT_EQ(now.count, 2);
+  EXPECT_TRUE(now.change[0].rising);
+  EXPECT_DOUBLE_EQ(now.change[0].position, 49.9);
+  EXPECT_FALSE(now.change[1].rising);
+  EXPECT_DOUBLE_EQ(now.change[1].position, 49.95);
+  EXPECT_EQ(now.on, 0);
+}
+
+TEST(Cia402Axis, ALatchedPositionCountsThroughTheWrap) {
+  Cia402Axis axis({.increments_per_rev = 1 << 20, .position_per_rev = 360, .touch_probes = 1});
+  constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
+  Cia402Inputs inputs{.position_actual = most - 10};
+  (void)axis.feedback(inputs);
+  inputs.position_actual = std::numeric_limits<std::int32_t>::min() + 20;  // 31 further
+  inputs.touch_probe_position = {std::numeric_limits<std::int32_t>::min() + 9, 0, 0, 0};
+  inputs.touch_probe_count = {1, 0, 0, 0};
+  const Feedback now = axis.feedback(inputs);
+  ASSERT_EQ(now.triggers.count, 1);
+  EXPECT_NEAR(now.position - now.triggers.change[0].position, 11 * 360.0 / (1 << 20), 1e-9);
+}
+
+TEST(Cia402Axis, ADriveHasAtMostTwoTouchProbes) {
+  for (const int probes : {-1, 3})
+    EXPECT_THROW(
+        Cia402Axis({.increments_per_rev = 1000, .position_per_rev = 10, .touch_probes = probes}),
+        InputError);
+  Cia402Axis none({.increments_per_rev = 1000, .position_per_rev = 10});
+  Cia402Inputs inputs;
+  (void)none.feedback(inputs);
+  inputs.touch_probe_count = {1, 1, 1, 1};
+  EXPECT_EQ(none.feedback(inputs).triggers.count, 0);
+  EXPECT_EQ(none.command({}, inputs).touch_probe, 0);
+}
+
 TEST(Cia402Axis, ASetpointThatIsNoNumberMovesNothing) {
   Cia402Axis axis({.increments_per_rev = 1000, .position_per_rev = 10});
   Plant plant;

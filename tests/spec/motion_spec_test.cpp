@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "jounce/base/file.hpp"
@@ -21,6 +22,8 @@
 
 namespace jounce::motion_spec_test {
 namespace {
+
+using ::testing::HasSubstr;
 
 std::string complaint(const std::string& text) {
   return test::error_of([&] { (void)make_axes(parse_spec(text, "a.toml")); });
@@ -109,6 +112,70 @@ TEST(MoveSpec, AModuloAxisGoesTheWayItIsTold) {
   EXPECT_EQ(end("direction = \"shortest\""), 370);
   EXPECT_EQ(end("direction = \"negative\""), 10);
   EXPECT_EQ(end("direction = \"fastest\""), 370);
+}
+
+// The same motion as with the target that the way leads to, to the last bit.
+TEST(MoveSpec, EveryProfileWithATargetTurnsTheWayItIsTold) {
+  const std::string deg = "position = \"deg\"";
+  const std::string ramps = "velocity = 720\nacceleration = 7200\n";
+  const std::vector<std::string> profiles{
+      "profile = \"trapezoid\"\n" + ramps, "profile = \"s_curve\"\njerk = 90000\n" + ramps,
+      "profile = \"fourth_order\"\njerk = 90000\njounce = 1e7\n" + ramps,
+      "profile = \"himc\"\nsmoothing_time = 50\n" + ramps,
+      "profile = \"pmc600\"\nmode = \"trapezoid\"\n" + ramps};
+  for (const std::string& profile : profiles)
+    for (const auto& [direction, from, to, target] : {std::tuple{"shortest", "350", "10", "370"},
+                                                      {"negative", "350", "10", "10"},
+                                                      {"positive", "350", "340", "700"},
+                                                      {"shortest", "10", "350", "-10"},
+                                                      {"positive", "10", "350", "350"},
+                                                      {"current", "725", "10", "730"},
+                                                      {"shortest", "0", "180", "180"}}) {
+      const std::string start = profile + "from = " + from + "\n";
+      SCOPED_TRACE(start + direction);
+      const std::string turned =
+          start + "to = " + to + "\nperiod = 360\ndirection = \"" + direction + "\"";
+      expect_same(curve(move_spec(turned, "", deg)),
+                  curve(move_spec(start + "to = " + target, "", deg)));
+    }
+}
+
+TEST(MoveSpec, APeriodNeedsATarget) {
+  EXPECT_THAT(complaint(move_spec("profile = \"himc_velocity\"\nvelocity = 10\nacceleration = 20\n"
+                                  "period = 360")),
+              HasSubstr("move.period = 360 mm: applies to a move to one target position only"));
+  EXPECT_THAT(complaint(move_spec("profile = \"trapezoid\"\nto = 5\nvelocity = 10\n"
+                                  "acceleration = 20\ndirection = \"positive\"")),
+              HasSubstr("direction"));
+  EXPECT_THAT(complaint(move_spec("profile = \"trapezoid\"\nto = 5\nvelocity = 10\n"
+                                  "acceleration = 20\nperiod = 0")),
+              HasSubstr("period = 0"));
+}
+
+TEST(QueueSpec, OnAModuloAxisEachMoveTurnsFromTheTargetBeforeIt) {
+  const auto queue = [](const std::string& period, const std::vector<std::string>& moves) {
+    std::string text = "jounce = 1\nkind = \"queue\"\nunits = { position = \"deg\" }\n" + period +
+                       "start = { position = 350 }\n[dynamics]\nvelocity = 360\n"
+                       "acceleration = 3600\njerk = 72000\n";
+    for (const std::string& move : moves) text += "[[command]]\n" + move + "\n";
+    return text;
+  };
+  const std::string go = "type = \"absolute\"\nposition = ";
+  expect_same(
+      curve(queue("period = 360\n",
+                  {go + "10", go + "90\nmode = \"blending_low\"",
+                   go + "80\ndirection = \"positive\"\nmode = \"blending_high\"",
+                   "type = \"relative\"\ndistance = 300", "type = \"dwell\"\ntime = 0.1",
+                   go + "10\ndirection = \"negative\""})),
+      curve(queue("", {go + "370", go + "450\nmode = \"blending_low\"",
+                       go + "800\nmode = \"blending_high\"", "type = \"relative\"\ndistance = 300",
+                       "type = \"dwell\"\ntime = 0.1", go + "1090"})));
+  EXPECT_THAT(complaint(queue("period = 360\n", {go + "10", go + "90\nmode = \"aborting\""})),
+              HasSubstr("needs a place where the command before it ends"));
+  EXPECT_THAT(complaint(queue("period = 360\n", {"type = \"velocity\"", go + "90"})),
+              HasSubstr("needs a place where the command before it ends"));
+  EXPECT_THAT(complaint(queue("", {go + "10\ndirection = \"positive\""})),
+              HasSubstr("needs period"));
 }
 
 TEST(MoveSpec, FourthOrderIsTheLibrarys) {
@@ -724,6 +791,26 @@ TEST(Then, FiltersKeepToWhatHimcTakes) {
   EXPECT_EQ(filter(notch + "damping = 0.5\ncontroller = \"himc\"\n"),
             "a.toml:12:11: then[1].damping = 0.5: must be from 0.7 to 1.5 for VSF (HIMC error "
             "0x83aa0474)");
+}
+
+TEST(Then, InShapeAndTheVsfOfHimcExcludeEachOther) {
+  const std::string zv = "[[then]]\noperator = \"shaper\"\nkind = \"zv\"\nfrequency = 5\n";
+  const std::string vsf = "[[then]]\noperator = \"notch\"\nfrequency = 5\ndamping = 1\n";
+  const std::string himc = "controller = \"himc\"\n";
+  const auto both = [](const std::string& more) {
+    return complaint(
+        move_spec("profile = \"himc\"\nto = 50\nvelocity = 10\nacceleration = 20\n"
+                  "smoothing_time = 50",
+                  more));
+  };
+  EXPECT_EQ(both(zv + himc), "") << "with smoothing";
+  EXPECT_EQ(both(vsf + himc), "");
+  EXPECT_EQ(both(zv + vsf), "") << "filters of no controller";
+  EXPECT_THAT(both(zv + himc + vsf + himc),
+              HasSubstr("then[2].controller: is a second filter of HIMC: InShape is active, and "
+                        "excludes the VSF (error 0x83aa00c8): keep one of the two"));
+  EXPECT_THAT(both(vsf + himc + zv + himc), HasSubstr("the VSF is active, and excludes InShape"));
+  EXPECT_THAT(both(zv + himc + zv + himc), HasSubstr("excludes a second one"));
 }
 
 /// A cam with an acceleration of its own at both ends, which are open.

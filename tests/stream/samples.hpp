@@ -175,7 +175,8 @@ struct Text {
            m.actual_position, m.following_error, m.torque, m.override_, name(m.progress), m.reason,
            m.units.x, m.units.position, m.queue_rows, m.queue_capacity, m.outputs, m.boot,
            m.rejected, m.not_authentic, m.start_command, static_cast<int>(m.start), m.start_cause,
-           m.start_reason, m.held, m.homed, static_cast<int>(m.unwritten));
+           m.start_reason, m.held, m.homed, static_cast<int>(m.unwritten), name(m.gear),
+           m.gear_master, m.ratio, m.correction);
     for (const unsigned byte : m.table) fields(byte);
     for (const int count : m.lateness) fields(count);
     for (const int count : m.computing) fields(count);

@@ -100,7 +100,11 @@ std::vector<Message> messages() {
                       .start_reason = "would_reverse",
                       .held = true,
                       .homed = true,
-                      .unwritten = 6};
+                      .unwritten = 6,
+                      .gear = wire::GearState::in_gear,
+                      .gear_master = true,
+                      .ratio = -0.5,
+                      .correction = 0.0125};
   const std::vector<wire::Row> rows{{0.1, 2, 0, 40, 0, 0, wire::RowOrder::cubic, false},
                                     {0.25, 9, 40, 0, 0, 0, wire::RowOrder::cubic, true}};
   const auto ours = [](wire::Body body) { return Message{"feeder", 11, std::move(body), 99}; };

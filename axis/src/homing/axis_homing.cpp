@@ -49,6 +49,7 @@ std::optional<Refusal> misplaced_home(const HomingSpec& spec, const Limits& limi
 }
 
 MotionAxis::Rejection MotionAxis::act(const command::Home& what) {
+  if (keeps_coordinate()) return Refusal{Cause::compensation_active};
   const HomingSpec spec = chosen(what, config_.homing);
   const auto method = homing_method(spec.method);
   if (!method) return Refusal{Cause::no_such_method, static_cast<double>(spec.method)};

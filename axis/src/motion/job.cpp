@@ -140,6 +140,9 @@ Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<co
   if (cam_) {
     couple(coupling, position, tick);
   } else {
+    turn_ = coupling.slave_period.value_or(0);
+    if (!(turn_ >= 0 && std::isfinite(turn_)))
+      throw InputError("slave_period", turn_, "must not be negative");
     const Trajectory trajectory = time_->curve<OverTime>();
     ranges_ = extrema(*time_);
     survey_steps(trajectory, tick);
@@ -197,16 +200,24 @@ double Job::tolerance() const {
   return rounded_input * stroke + rounded_digit * std::abs(ranges_[0].peak().value);
 }
 
+double Job::turns_to(double position) const {
+  return turn_ == 0 ? 0 : turn_ * std::round((position - first_.slave[0]) / turn_);
+}
+
 Cause Job::begin(const MotionState& axis, const Moment& now) noexcept {
   progress_ = Progress::running;
   (void)now;
-  const bool there = std::abs(first_.slave[0] - axis.position) <= tolerance();
+  shift_ = turns_to(axis.position);
+  const double near = tolerance() + rounded_digit * std::abs(shift_);
+  const bool there = std::abs(first_.slave[0] + shift_ - axis.position) <= near;
   return there ? Cause::none : Cause::not_at_start;
 }
 
 Setpoint Job::at(const Moment& now) noexcept {
   progress_ = !repeats() && now.t >= duration() ? Progress::done : Progress::running;
-  return at(now.t);
+  Setpoint next = at(now.t);
+  next.slave[0] += shift_;
+  return next;
 }
 
 double Job::known() const noexcept {
@@ -220,8 +231,8 @@ Peaks Job::peaks() const noexcept {
 
 std::optional<MotionState> Job::end() const noexcept {
   const Jet& last = last_.slave;
-  if (repeats()) return MotionState{last[0], last[1], last[2]};
-  return MotionState{last[0], 0, 0};
+  if (repeats()) return MotionState{last[0] + shift_, last[1], last[2]};
+  return MotionState{last[0] + shift_, 0, 0};
 }
 
 std::optional<Refusal> Job::admit(const AxisConfig& config,
@@ -236,10 +247,11 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const Moti
   const auto& [p_step, v_step, a_step] = job.steps();
   const double dt = seconds(config.period);
   const double v_most = *limits.acceleration * dt;
-  const double near = job.tolerance();
-  const double p0 = job.first().slave[0];
   const double position = from.position;
-  const double p1 = job.last().slave[0];
+  const double shift = job.turns_to(position);
+  const double near = job.tolerance() + rounded_digit * std::abs(shift);
+  const double p0 = job.first().slave[0] + shift;
+  const double p1 = job.last().slave[0] + shift;
   const double end = job.start() + job.duration();
 
   std::optional<Refusal> refusal;
@@ -263,10 +275,12 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const Moti
     rule(std::abs(p1 - p0) <= near && !job.ramps(), Cause::not_closed, p1, p0, end);
   if (!job.repeats()) within(Cause::end_velocity, job.last().slave[1], v_most, end);
   within(Cause::position_step, p_step.step, near, p_step.where);
-  const double lowest = limits.position_min.value_or(p.min.value);
-  const double highest = limits.position_max.value_or(p.max.value);
-  rule(p.min.value >= lowest - near, Cause::position_limit, p.min.value, lowest, p.min.where);
-  rule(p.max.value <= highest + near, Cause::position_limit, p.max.value, highest, p.max.where);
+  const double least = p.min.value + shift;
+  const double greatest = p.max.value + shift;
+  const double lowest = limits.position_min.value_or(least);
+  const double highest = limits.position_max.value_or(greatest);
+  rule(least >= lowest - near, Cause::position_limit, least, lowest, p.min.where);
+  rule(greatest <= highest + near, Cause::position_limit, greatest, highest, p.max.where);
   peak(Cause::velocity_limit, v, limits.velocity);
   peak(Cause::acceleration_limit, a, limits.acceleration);
   peak(Cause::jerk_limit, j, limits.jerk);

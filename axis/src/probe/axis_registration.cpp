@@ -52,8 +52,9 @@ void MotionAxis::add_correction(Setpoint& next) const {
 /// After the setpoint of this tick: a capture may need its position.
 void MotionAxis::probe() {
   commanded_seen_.add(dt(), now_.position, now_.velocity);
-  actual_seen_.add(dt(), inputs_.feedback.position + now_.offset, inputs_.feedback.velocity);
-  probes_.step(inputs_.feedback, {commanded_seen_, actual_seen_, master_seen_, now_.offset}, dt(),
+  const double offset = now_.offset - in_feedback_;
+  actual_seen_.add(dt(), inputs_.feedback.position + offset, inputs_.feedback.velocity);
+  probes_.step(inputs_.feedback, {commanded_seen_, actual_seen_, master_seen_, offset}, dt(),
                config_);
   now_.probe = probes_.now();
 }

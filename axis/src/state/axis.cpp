@@ -26,6 +26,7 @@ MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches,
       plane_axes_(compare.plane_axes),
       outputs_(switches, compare) {
   if (config_.registration) registration_.emplace(*config_.registration);
+  if (config_.compensation) compensation_.emplace(*config_.compensation, config_.modulo);
   now_.position = config_.position;
   unranged_.limits.position_min = unranged_.limits.position_max = std::nullopt;
 }
@@ -78,6 +79,8 @@ void MotionAxis::report() {
   if (armed_ && armed_.group() != 0)
     now_.next = {armed_.group(), armed_.waiting(), armed_.tick_or(-1)};
   now_.held = held_;
+  now_.ratio = base_ == Base::live ? live_->ratio() : 0;
+  now_.compensated = compensation_ && compensation_->active();
   now_.waiting = armed_.waiting() || !next_.empty() || later_ || change_;
   now_.progress = played ? played->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
@@ -95,7 +98,7 @@ void MotionAxis::take(const Inputs& inputs) {
   inputs_.negative_switch |= inputs_.feedback.sensors.negative.on;
   see_renamed(before);
   remember_master();
-  now_.actual_position = inputs_.feedback.position + now_.offset;
+  see_feedback();
   now_.torque = inputs_.feedback.torque;
   // A disabled axis takes the position of its drive: enabling causes no motion.
   if (state_ == State::disabled && std::isfinite(now_.actual_position))

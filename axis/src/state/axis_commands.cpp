@@ -83,6 +83,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Reset& /*it*/) {
 }
 
 MotionAxis::Rejection MotionAxis::act(const command::SetPosition& what) {
+  if (keeps_coordinate()) return Refusal{Cause::compensation_active};
   const double position = what.position + (what.relative ? now_.position : 0);
   const Limits& limits = config_.limits;
   if (limits.position_min && position < *limits.position_min)
@@ -97,12 +98,9 @@ MotionAxis::Rejection MotionAxis::set_position(double position) {
   if (!std::isfinite(position)) return Refusal{Cause::no_value, position};
   if (!(std::abs(position) <= furthest(config_)))
     return Refusal{Cause::position_limit, position, furthest(config_)};
-  const double by = position - now_.position;
-  commanded_seen_.shift(by);
-  actual_seen_.shift(by);
-  now_.offset += by;
+  now_.offset += position - now_.position;
+  rename(position - now_.position);
   now_.position = position;
-  outputs_.place(SwitchesOf::position);
   return std::nullopt;
 }
 

@@ -94,6 +94,13 @@ AxisConfig resolved(AxisConfig config) {
       throw InputError("registration." + error.key(), error.value(), error.rule());
     }
   }
+  if (config.compensation) {
+    try {
+      (void)LiveCompensation(*config.compensation, config.modulo);
+    } catch (const InputError& error) {
+      throw InputError("compensation." + error.key(), error.value(), error.rule());
+    }
+  }
   if (config.limit_acceleration == 0) config.limit_acceleration = config.stop_acceleration;
   return config;
 }

@@ -68,6 +68,27 @@ void require_leaders(const std::vector<MachineAxis>& axes, std::size_t masters) 
   }
 }
 
+/// Throws InputError unless the references of each compensation are axes of the machine, and the
+/// corrected axis itself at the index `own` of the table.
+void require_references(const std::vector<MachineAxis>& axes) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const auto& compensation = axes[i].config.compensation;
+    const std::vector<std::size_t>& references = axes[i].references;
+    const std::string key = axes[i].name + ".compensation.reference";
+    const std::size_t count = compensation ? compensation->table.axes.size() : 0;
+    if (references.size() != count)
+      throw InputError(key, static_cast<double>(references.size()),
+                       "must be " + std::to_string(count) + " axes, as in the table");
+    for (std::size_t j = 0; j < count; ++j) {
+      if (references[j] >= axes.size() || axes[references[j]].group)
+        throw InputError(key, static_cast<double>(references[j]), "the machine has no such axis");
+      if ((references[j] == i) != (compensation->own == j))
+        throw InputError(key, axes[references[j]].name,
+                         "must be the corrected axis at the index own of the table, and only there");
+    }
+  }
+}
+
 using Memberships = std::vector<std::optional<std::size_t>>;  ///< group of each axis
 
 /// The group of each axis. Throws for groups that cannot be.
@@ -144,6 +165,7 @@ std::vector<MachineAxis> checked(std::vector<MachineAxis> axes, std::size_t mast
   require_names(axes);
   require_one_period(axes);
   require_leaders(axes, masters);
+  require_references(axes);
   return axes;
 }
 
@@ -224,6 +246,7 @@ void Machine::step(std::int64_t tick, std::span<AxisImage> images, std::span<con
   // Before the first axis is stepped: if one begins, all begin.
   for (std::size_t i = 0; i < images.size(); ++i)
     images[i].inputs.peers = is_incomplete(i, images) ? Peers::missing : Peers::ready;
+  announce_references(images);
   for (const std::size_t i : order_) {
     AxisImage& image = images[i];
     image.inputs.master = master_of(axes_[i].follow, images, masters);
@@ -236,8 +259,33 @@ void Machine::step(std::int64_t tick, std::span<AxisImage> images, std::span<con
     if (memberships_[i]) lead(i, *memberships_[i], images);
     image.tick = motion_[i].step(tick, image.command, image.inputs);
   }
+  compensate(images);
   for (const std::size_t i : order_)
     if (axes_[i].group) moved_[i] = moves(images[i].tick);
+}
+
+/// An axis keeps its coordinate while another axis is corrected by its position.
+void Machine::announce_references(std::span<AxisImage> images) const {
+  for (AxisImage& image : images) image.inputs.referenced = false;
+  for (std::size_t i = 0; i < images.size(); ++i)
+    for (const std::size_t k : axes_[i].references)
+      if (k != i && images[i].tick.compensated) images[k].inputs.referenced = true;
+}
+
+/// After the step of all axes: their setpoints of this tick are known.
+void Machine::compensate(std::span<AxisImage> images) {
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const std::vector<std::size_t>& axes = axes_[i].references;
+    if (axes.empty()) continue;
+    References& references = images[i].inputs.references;
+    for (std::size_t j = 0; j < axes.size(); ++j) {
+      const Tick& axis = images[axes[j]].tick;
+      const double turn = axes_[axes[j]].config.modulo;
+      references[j] = {turn != 0 ? wrapped(axis.position, 0, turn) : axis.position, axis.velocity,
+                       axis.acceleration, 0};
+    }
+    images[i].tick.correction = motion_[i].compensate(references);
+  }
 }
 
 /// The inputs of a group before its step: can its axes follow? In motion, they follow since the

@@ -48,7 +48,8 @@ AxisServer::AxisServer(ExecutorOptions options, Receiver& receiver, MachineExcha
                              places[k] = position_of(axes[k]);
                            return places;
                          });
-  LogColumns more{.probes = options_.logs_probes};
+  LogColumns more{.probes = options_.logs_probes,
+                  .compensation = options_.axis.compensation.has_value()};
   if (options_.axis.registration) more.registration = options_.axis.registration->add_to;
   if (options_.log) log_.emplace(*options_.log, options_.units, more);
   if (options_.enable) commands_.send({command::Enable{}});
@@ -136,10 +137,11 @@ void AxisServer::handle(const ArmRequested& arm) {
     build(arm);
 }
 
-/// On a modulo axis, positions a turn apart are equal: a coupling shifts by whole turns if
-/// necessary.
+/// On a modulo axis, positions a turn apart are equal: a coupling, or a table over time, shifts by
+/// whole turns if necessary. A table over time has no coupling of its own.
 ArmRequested AxisServer::on_axis(ArmRequested arm) const {
   const double turn = options_.axis.modulo;
+  if (arm.mode == wire::ArmMode::play && !arm.master) arm.coupling = {};
   if (turn != 0 && !arm.coupling.slave_period) arm.coupling.slave_period = turn;
   return arm;
 }
@@ -585,7 +587,11 @@ wire::Status AxisServer::status() const {
                       .units = options_.units,
                       .held = last_.held,
                       .homed = last_.homed,
-                      .unwritten = unwritten()};
+                      .unwritten = unwritten(),
+                      .gear = gear(),
+                      .gear_master = options_.leads,
+                      .ratio = last_.ratio};
+  if (last_.compensated) status.correction = last_.correction[0];
   if (last_.job != 0 || last_.progress != Progress::done)
     status.progress = jounce::on_wire(last_.progress);
   if (last_.armed != 0) status.next = last_.waiting ? wire::Next::waiting : wire::Next::armed;
@@ -596,6 +602,15 @@ wire::Status AxisServer::status() const {
     if (kept->second.made.movement->synchronized()) status.master_position = last_.master;
   }
   return status;
+}
+
+/// State of the pair of the axis and its live master.
+wire::GearState AxisServer::gear() const {
+  if (options_.follow.what == Follow::What::nothing) return wire::GearState::none;
+  const bool follows = last_.state == State::synchronized_motion && last_.job != 0;
+  if (!follows) return wire::GearState::disengaged;
+  if (last_.ratio == 0) return wire::GearState::in_cam;
+  return last_.progress == Progress::running ? wire::GearState::in_gear : wire::GearState::engaging;
 }
 
 std::uint8_t AxisServer::unwritten() const {

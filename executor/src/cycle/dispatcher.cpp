@@ -30,7 +30,8 @@ std::vector<MachineAxis> machine_of(const std::vector<ExecutorOptions>& axes) {
   std::vector<MachineAxis> machine;
   for (const auto& axis : axes)
     machine.push_back({axis.receiver.executor, axis.axis, axis.switches, axis.follow, axis.compare,
-                       axis.group ? std::optional(axis.group->of) : std::nullopt, axis.second});
+                       axis.group ? std::optional(axis.group->of) : std::nullopt, axis.second,
+                       axis.references});
   return machine;
 }
 

@@ -26,13 +26,13 @@ MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t
     }
     auto job = arm.master ? std::make_shared<Job>(id, arm.master->table, arm.slave.table, tick,
                                                   arm.coupling, position)
-                          : std::make_shared<Job>(id, arm.slave.table, nullptr, tick);
+                          : std::make_shared<Job>(id, arm.slave.table, nullptr, tick, arm.coupling);
     MadeMovement made{
         .movement = job, .first = job->first().slave[0], .last = job->last().slave[0]};
     made.source = MadeFrom{{.id = id, .tick = tick}, arm.master.value_or(arm.slave)};
+    made.source->job.coupling = arm.coupling;
     if (arm.master) {
       made.source->cam = arm.slave;
-      made.source->job.coupling = arm.coupling;
       made.source->job.position = position;
     }
     return made;

@@ -86,6 +86,8 @@ TickLog::TickLog(std::filesystem::path path, const Units& units, const LogColumn
   if (more.registration)
     file_ << ",deviation" << m << "],correction"
           << (*more.registration == CorrectionOf::master ? m : u) << "],marks,missed,strays";
+  if (more.compensation)
+    file_ << ",compensated,compensation" << u << "],drive_position" << u << "]";
   file_ << '\n';
   file_.flush();
   if (file_) return;
@@ -112,6 +114,9 @@ void TickLog::add(const Tick& tick) {
   const RegistrationReading& marks = tick.registration;
   if (more_.registration)
     join(line_, "", marks.deviation, marks.correction, marks.marks, marks.missed, marks.strays);
+  if (more_.compensation)
+    join(line_, "", tick.compensated ? 1 : 0, tick.correction[0],
+         tick.position + tick.correction[0] - tick.offset);
   line_ += '\n';
   file_ << line_;
   look();

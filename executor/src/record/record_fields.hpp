@@ -200,6 +200,18 @@ void each_coupling(Ours& c, Theirs& w, F f) {
   f("master_jump", c.master_jump, w.master_jump);
 }
 
+template <class Ours, class Theirs, class F>
+void each_of_references(Ours& r, Theirs& w, F f) {
+  f("referenced", r.referenced, w.referenced);
+  f("compensated", r.compensated, w.compensated);
+  for (std::size_t j = 0; j < Compensation::most_references; ++j) {
+    f("reference_position", r.references[j][0], w.position[j]);
+    f("reference_velocity", r.references[j][1], w.velocity[j]);
+    f("reference_acceleration", r.references[j][2], w.acceleration[j]);
+    f("correction", r.correction[j], w.correction[j]);
+  }
+}
+
 /// Number of enumerators that a record may contain.
 template <class Enum>
 constexpr int count_of = 0;

@@ -11,6 +11,7 @@
 #include "executor/src/record/record_fields.hpp"
 #include "jounce_record/axis_t.hpp"
 #include "jounce_record/check_t.hpp"
+#include "jounce_record/compensation_t.hpp"
 #include "jounce_record/cycle_t.hpp"
 #include "jounce_record/gear_t.hpp"
 #include "jounce_record/job_t.hpp"
@@ -19,6 +20,7 @@
 #include "jounce_record/output_t.hpp"
 #include "jounce_record/program_t.hpp"
 #include "jounce_record/queue_t.hpp"
+#include "jounce_record/references_t.hpp"
 #include "jounce_record/registration_t.hpp"
 #include "jounce_record/rows_t.hpp"
 #include "jounce_record/sample_t.hpp"
@@ -33,8 +35,9 @@ namespace jounce::record_wire {
 using namespace jounce_record;
 using namespace record_fields;
 
-inline constexpr std::int16_t version = 7;          ///< version of the format, in every type
-inline constexpr std::size_t knots_an_event = 200;  ///< greatest number of knots in an event
+inline constexpr std::int16_t version = 7;           ///< version of the format, in every type
+inline constexpr std::size_t knots_an_event = 200;   ///< greatest number of knots in an event
+inline constexpr std::size_t values_an_event = 200;  ///< the same of values of a compensation
 
 template <std::size_t N>
 void put_text(const std::string& text, std::uint8_t (&bytes)[N]) {
@@ -63,6 +66,8 @@ program_t on_wire(const RecordedProgram& ours);
 registration_t on_wire(const RecordedRegistration& ours);
 triggers_t on_wire(const RecordedTriggers& ours);
 check_t on_wire(const RecordedCheck& ours);
+compensation_t on_wire(const RecordedCompensation& ours);
+references_t on_wire(const RecordedReferences& ours);
 
 RecordedAxis ours(const axis_t& w);
 RecordedTable ours(const table_t& w);
@@ -80,5 +85,7 @@ RecordedProgram ours(const program_t& w);
 RecordedRegistration ours(const registration_t& w);
 RecordedTriggers ours(const triggers_t& w);
 RecordedCheck ours(const check_t& w);
+RecordedCompensation ours(const compensation_t& w);
+RecordedReferences ours(const references_t& w);
 
 }  // namespace jounce::record_wire

@@ -90,6 +90,9 @@ Recorder::Recorder(RecorderOptions options, std::vector<RecordedAxis> axes, Reco
       write(part, 0);
     if (axis.config.registration)
       write(RecordedRegistration{axis.axis, *axis.config.registration}, 0);
+    if (axis.config.compensation)
+      for (const RecordedCompensation& part : parts_of(axis.axis, *axis.config.compensation))
+        write(part, 0);
   }
   for (const RecordedMaster& master : masters_) write(master, 0);
   write_check();
@@ -157,6 +160,7 @@ void Recorder::take(const RecordBuffer::Item& item) {
   if (item.what == What::sample) return write(item.sample, now_);
   const bool sight = item.what == What::sight;
   if (!sight) write_triggers(item.cycle);
+  if (!sight) write_references(item.cycle);
   const RecordEvent event = sight ? RecordEvent(item.sight) : RecordEvent(item.cycle);
   const std::string data = encoded(event);
   write(channel_of(event), data, now_);
@@ -174,6 +178,19 @@ void Recorder::write_triggers(const RecordedCycle& cycle) {
   wired = now.wired;
   on = now.on;
   write(RecordedTriggers{cycle.axis, now}, now_);
+}
+
+/// Writes the references of a compensation in each cycle, and a change of Inputs::referenced.
+void Recorder::write_references(const RecordedCycle& cycle) {
+  const bool compensates = cycle.axis < axes_.size() && axes_[cycle.axis].config.compensation;
+  if (!compensates && referenced_.contains(cycle.axis) == cycle.inputs.referenced) return;
+  if (cycle.inputs.referenced)
+    referenced_.insert(cycle.axis);
+  else
+    referenced_.erase(cycle.axis);
+  write(RecordedReferences{cycle.axis, cycle.inputs.referenced, cycle.inputs.references,
+                           cycle.tick.compensated, cycle.tick.correction},
+        now_);
 }
 
 void Recorder::close() {

@@ -72,6 +72,16 @@ class Replayer {
       motions_[part.axis] = std::make_unique<MotionAxis>(axis.config, axis.outputs, axis.compare);
   }
 
+  /// Reconstructs the axis with the whole correction table.
+  void take(const RecordedCompensation& part) {
+    static_cast<void>(config(part.axis));
+    RecordedAxis& axis = result_.axes[part.axis];
+    if (apply(part, axis.config.compensation) && part.axis < motions_.size())
+      motions_[part.axis] = std::make_unique<MotionAxis>(axis.config, axis.outputs, axis.compare);
+  }
+
+  void take(const RecordedReferences& seen) { references_[seen.axis] = seen; }
+
   void take(const RecordedTriggers& changed) { triggers_[changed.axis] = changed.triggers; }
 
   void take(const RecordedTable& part) {
@@ -192,6 +202,12 @@ class Replayer {
     Triggers& triggers = triggers_[cycle.axis];
     cycle.inputs.feedback.triggers = triggers;
     triggers.count = 0;
+    if (const auto seen = references_.find(cycle.axis); seen != references_.end()) {
+      cycle.inputs.referenced = seen->second.referenced;
+      cycle.inputs.references = seen->second.references;
+      cycle.tick.compensated = seen->second.compensated;
+      cycle.tick.correction = seen->second.correction;
+    }
     if (cycle.axis >= result_.axes.size())
       throw InputError("axis", std::to_string(cycle.axis + 1),
                        "is missing from the start of the record");
@@ -237,12 +253,16 @@ class Replayer {
                        "must be greater than the one before, not negative, and within 146 years");
     last->second = cycle.tick.tick;
     if (const auto what = other_master(cycle)) return differ(cycle, *what);
-    const Tick now = motions_[cycle.axis]->step(cycle.tick.tick, command, cycle.inputs);
+    MotionAxis& motion = *motions_[cycle.axis];
+    Tick now = motion.step(cycle.tick.tick, command, cycle.inputs);
+    if (motion.config().compensation) now.correction = motion.compensate(cycle.inputs.references);
     ++result_.compared;
     for (const Movement* movement : now.handed_back)
       if (movement != nullptr) drop({cycle.axis, movement->id()});
     const bool switches = !result_.axes[cycle.axis].switches;
-    if (const auto what = first_difference(cycle.tick, now, switches)) differ(cycle, *what);
+    if (const auto what = first_difference(cycle.tick, now, switches)) return differ(cycle, *what);
+    if (!same_bits(cycle.tick.correction[0], now.correction[0]))
+      differ(cycle, {"correction", cycle.tick.correction[0], now.correction[0]});
   }
 
   void differ(const RecordedCycle& cycle, const TickDifference& what) {
@@ -322,6 +342,7 @@ class Replayer {
   std::vector<std::unique_ptr<MotionAxis>> motions_;
   std::map<std::size_t, std::int64_t> last_ticks_;
   std::map<std::size_t, Triggers> triggers_;
+  std::map<std::size_t, RecordedReferences> references_;
   std::map<Sha256, Growing> growing_;
   std::map<Sha256, std::shared_ptr<const Table>> tables_;
   std::map<Key, std::shared_ptr<Movement>> movements_;

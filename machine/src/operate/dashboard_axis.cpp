@@ -97,6 +97,13 @@ void add_motion(std::vector<Row>& rows, const wire::Status& s, const View& view)
              (std::isnan(s.torque) ? "not known" : fmt::format("{:.0f} %", 100 * s.torque))}}));
   rows.push_back(line("actual", {{padded(valued(s.actual_position, u), 21) + "following error " +
                                   valued(s.following_error, u)}}));
+  if (!std::isnan(s.correction))
+    rows.push_back(line("correction", {{valued(s.correction, u), Tone::plain}}));
+  if (s.gear != wire::GearState::none || s.gear_master)
+    rows.push_back(
+        line("gear", {{(s.gear == wire::GearState::none ? "" : gear_text(s)) +
+                       std::string(s.gear == wire::GearState::none || !s.gear_master ? "" : ", ") +
+                       (s.gear_master ? "master of another axis" : "")}}));
   rows.push_back(line("override", {{bar(s.override_ / 2, view.ascii)},
                                    {fmt::format(" {:.0f} %", 100 * s.override_)}}));
 }

@@ -29,13 +29,16 @@ std::string number_text(double value, const std::string& unit) {
 
 std::string status_text(const std::string& axis, const wire::Status& s) {
   return fmt::format(
-      "{:<12} {:<9} tick {:<10} {:<19} position {:<14} velocity {:<16} late {}{}{}{}{}", axis,
+      "{:<12} {:<9} tick {:<10} {:<19} position {:<14} velocity {:<16} late {}{}{}{}{}{}{}", axis,
       name(s.state), s.tick,
       std::isnan(s.master_position) ? "no master"
                                     : "master " + number_text(s.master_position, s.units.x),
       number_text(s.slave_position, s.units.position),
       number_text(s.slave_velocity, rate_unit(s.units.position, "s", 1)), s.late_ticks,
       s.held ? "  held" : "", s.homed ? "  homed" : "",
+      std::isnan(s.correction) ? ""
+                               : "  compensated " + number_text(s.correction, s.units.position),
+      s.gear == wire::GearState::none ? "" : "  " + gear_text(s),
       s.last_error == 0 ? "" : fmt::format("  {}", name(static_cast<Cause>(s.last_error))),
       s.unwritten == 0 ? "" : fmt::format("  not written: {}", unwritten_files(s.unwritten)));
 }
@@ -55,6 +58,10 @@ std::string status_json(const std::string& axis, const wire::Status& s) {
                   {"progress", name(s.progress)},
                   {"held", s.held},
                   {"homed", s.homed},
+                  {"gear", name(s.gear)},
+                  {"gear_master", s.gear_master},
+                  {"ratio", s.ratio},
+                  {"correction", s.correction},
                   {"unwritten", unwritten_files(s.unwritten)},
                   {"queue_rows", s.queue_rows}};
   return line.dump();
@@ -119,6 +126,11 @@ std::string status_json(const std::string& axis, const wire::Event& event) {
                   {"offset_s", event.offset_s},
                   {"position", event.position}};
   return line.dump();
+}
+
+std::string gear_text(const wire::Status& s) {
+  const std::string ratio = s.ratio == 0 ? "" : fmt::format(", ratio {:.6g}", s.ratio);
+  return std::string(name(s.gear)) + ratio;
 }
 
 std::string unwritten_files(std::uint8_t files) {

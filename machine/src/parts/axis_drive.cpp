@@ -26,7 +26,8 @@ std::shared_ptr<AxisDrive> make(const AxisDriveSpec& spec, const AxisConfig& axi
                                        Cia402Config{.increments_per_rev = shared.increments_per_rev,
                                                     .position_per_rev = shared.position_per_rev,
                                                     .reversed = shared.reversed,
-                                                    .window = shared.window},
+                                                    .window = shared.window,
+                                                    .touch_probes = shared.touch_probes},
                                        shared.silent_cycles);
 }
 

@@ -71,6 +71,13 @@ AxisConfig config_of(const Spec& spec) {
   if (axis->homing) config.homing = homing_of(*axis->homing, unit);
   config.require_home = axis->require_home;
   config.registration = axis->registration;
+  if (axis->compensation) {
+    const std::vector<std::string>& names = axis->compensation->axes;
+    const auto own = std::find(names.begin(), names.end(), "");
+    config.compensation = AxisCompensation{.table = axis->compensation->table};
+    if (own != names.end())
+      config.compensation->own = static_cast<std::size_t>(own - names.begin());
+  }
   if (axis->longest_gap > 0) config.longest_gap = std::llround(axis->longest_gap / axis->cycle);
   return config;
 }
@@ -103,13 +110,17 @@ void require_marks(const std::optional<LiveRegistrationSpec>& registration,
   if (!registration) return;
   const std::vector<MachineMarks> marks =
       drive && drive->machine ? drive->machine->marks : std::vector<MachineMarks>{};
-  const bool wired = std::any_of(marks.begin(), marks.end(), [&](const MachineMarks& one) {
-    return one.input == registration->input;
-  });
+  const int probes = drive && drive->shared ? drive->shared->touch_probes : 0;
+  const bool wired = registration->input <= probes ||
+                     std::any_of(marks.begin(), marks.end(), [&](const MachineMarks& one) {
+                       return one.input == registration->input;
+                     });
   if (!wired)
-    throw InputError("registration.input", std::to_string(registration->input),
-                     "is a trigger input that the drive does not have: add "
-                     "[[drive.machine.marks]] with this input");
+    throw InputError(
+        "registration.input", std::to_string(registration->input),
+        "is a trigger input that the drive does not have: add "
+        "[[drive.machine.marks]] with this input, or touch_probes to a drive in shared "
+        "memory");
 }
 
 /// Throws InputError for a home position outside the position range. An axis without [homing] has the
@@ -167,7 +178,8 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   executor.build_apart = 2000;  // knots: about a millisecond
   if (!options.log.empty()) executor.log = log_of(options.log, spec.name, axes);
   const auto drive = axis_drive(spec);
-  executor.logs_probes = drive && drive->machine && !drive->machine->marks.empty();
+  executor.logs_probes = drive && ((drive->machine && !drive->machine->marks.empty()) ||
+                                   (drive->shared && drive->shared->touch_probes > 0));
   if (drive) executor.drive = make_drive(*drive, executor.axis);
   return executor;
 }
@@ -230,6 +242,29 @@ void set_leaders(ExecutorOptions& executor, const Read& axis, const std::vector<
   executor.follow = resolved(axis, *axis.follow, "follow", axis.spec.master_unit, axes, masters);
   for (const FollowWhom& second : axis.follow->second)
     executor.second = resolved(axis, second, "follow.second", "", axes, masters);
+}
+
+/// Sets the references of the compensation of an axis: other axes of the machine by name, and the axis
+/// itself.
+void set_references(ExecutorOptions& executor, const Read& axis, std::size_t index,
+                    const std::vector<Leader>& axes) {
+  const auto& compensation = std::get<AxisSpec>(axis.spec.subject).compensation;
+  for (std::size_t j = 0; compensation && j < compensation->axes.size(); ++j) {
+    const std::string& name = compensation->axes[j];
+    const auto refuse = [&](const char* key, const std::string& value, const std::string& rule) {
+      throw axis.spec.document.located(
+          InputError("compensation.reference[" + std::to_string(j + 1) + "]." + key, value, rule));
+    };
+    const auto other =
+        std::find_if(axes.begin(), axes.end(), [&](const Leader& one) { return one.name == name; });
+    if (!name.empty() && other == axes.end())
+      refuse("axis", name,
+             "is not an axis of this machine" +
+                 meant(name, axes, ": name one of its axes, or add that axis to the machine"));
+    if (!name.empty() && other->unit != compensation->units[j])
+      refuse("unit", compensation->units[j], "must be " + other->unit + ", the unit of " + name);
+    executor.references.push_back(name.empty() ? index : other->follow.index);
+  }
 }
 
 /// A file that the machine's spec names.
@@ -331,7 +366,13 @@ MachineParts machine_parts(const MachineOptions& options) {
   if (machine)
     for (const MachineSpec::Group& group : machine->groups)
       machine_detail::add_machine_group(group, machine->document, options, parts);
-  for (std::size_t i = 0; i < read.size(); ++i) set_leaders(parts.axes[i], read[i], axes, masters);
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    set_leaders(parts.axes[i], read[i], axes, masters);
+    set_references(parts.axes[i], read[i], i, axes);
+    for (const Follow& follow : {parts.axes[i].follow, parts.axes[i].second})
+      if (follow.what == Follow::What::setpoint || follow.what == Follow::What::actual)
+        parts.axes[follow.index].leads = true;
+  }
   if (options.notify)
     for (auto& axis : parts.axes) axis.notify = notice_of(options, axis, parts.axes.size());
   try {

@@ -126,7 +126,9 @@ ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& optio
   if (options.ticks || is_listed) axis = recorded_axis(path, options.axis);
   LastTicks ticks(axis.axis, options.last.value_or(usual_ticks));
   std::optional<TickLog> csv;
-  if (is_listed) csv.emplace(options.csv, axis.units);
+  if (is_listed)
+    csv.emplace(options.csv, axis.units,
+                LogColumns{.compensation = axis.config.compensation.has_value()});
   Replay result = replay(in, path, [&](const RecordedCycle& cycle) {
     if (options.ticks || options.last) ticks.add(cycle);
     if (csv && !options.last && cycle.axis == axis.axis) csv->add(cycle.tick);

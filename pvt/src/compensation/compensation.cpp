@@ -190,4 +190,18 @@ double Compensation::at(std::span<const double> references) const {
   return pvt_detail::evaluated(here, s, references.size())[0];
 }
 
+Jet Compensation::at(std::span<const Jet> references) const {
+  std::array<double, most_references> places{};
+  for (std::size_t j = 0; j < references.size(); ++j) places[j] = references[j][0];
+  const Cell here = cell(std::span(places).first(references.size()));
+  std::array<pvt_detail::Terms<3>, most_references> s{};  // series over time
+  for (std::size_t j = 0; j < references.size(); ++j) {
+    const auto& [x, v, a, jerk] = references[j];
+    const double per = here.per_interval[j];
+    s[j] = {(x - here.start[j]) * per, v * per, a / 2 * per};
+  }
+  const auto c = pvt_detail::evaluated(here, s, references.size());
+  return {c[0], c[1], 2 * c[2], 0};
+}
+
 }  // namespace jounce

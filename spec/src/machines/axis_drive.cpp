@@ -54,7 +54,12 @@ std::optional<AxisDriveSpec> read_axis_drive(TomlReader& top, const Units& units
     return drive;
   }
   if (drive.type == AxisDriveSpec::Type::simulated) drive.model = read_model_file(*table, units);
-  if (drive.type == AxisDriveSpec::Type::shared_memory) drive.shared = read_shared(*table, units);
+  if (drive.type == AxisDriveSpec::Type::shared_memory) {
+    drive.shared = read_shared(*table, units);
+    const auto probes = table->optional_count("touch_probes").value_or(0);
+    if (probes > 2) table->fail("touch_probes", std::to_string(probes), "must be 0, 1 or 2");
+    drive.shared->touch_probes = static_cast<int>(probes);
+  }
   table->finish();
   return drive;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -79,13 +80,7 @@ MoveSpec read_point_to_point(MotionFields& f) {
   if (s.duration && !(*s.duration > 0))
     move.fail("duration", number(*s.duration), "must be greater than 0");
   s.period = f.optional("period", 0);
-  if (const auto direction = move.optional_choice("direction", direction_names)) {
-    if (!s.period)
-      move.fail("direction", '"' + direction_names[*direction] + '"',
-                "needs period, because only a modulo axis has a choice of direction: add period, "
-                "or leave direction out");
-    s.direction = directions[*direction];
-  }
+  s.direction = read_direction(move, s.period.has_value());
   return s;
 }
 
@@ -103,7 +98,54 @@ constexpr std::array general{
     ProfileReader{"fourth_order", read_fourth_order},
     ProfileReader{"point_to_point", read_point_to_point}, ProfileReader{"velocity", read_velocity}};
 
+/// Applies `period` and `direction` to a move from rest to a target, of any profile.
+void read_period(MotionFields& f, MoveSpec& spec) {
+  const auto period = f.optional("period", 0);
+  TomlReader& move = f.reader();
+  if (!period) return;
+  const Direction direction = read_direction(move, true);
+  std::visit(
+      [&](auto& s) {
+        const auto turned = [&](const char* key, double from, double to) {
+          return turned_target(move, key, {.position = from}, to, direction, *period);
+        };
+        if constexpr (requires { s.from + s.to; }) {
+          s.to = turned("to", s.from, s.to);
+        } else if constexpr (requires { s.from + static_cast<double>(s.pos); }) {
+          const double target = turned("pos", s.from, static_cast<double>(s.pos));
+          s.pos = std::llround(target);
+          if (static_cast<double>(s.pos) != target)
+            move.fail("period", number(*period), "must lead to a whole number of pulses");
+        } else {
+          move.fail("period", number(*period),
+                    "applies to a move to one target position only: leave it out");
+        }
+      },
+      spec);
+}
+
 }  // namespace
+
+Direction read_direction(TomlReader& move, bool modulo) {
+  const auto direction = move.optional_choice("direction", direction_names);
+  if (!direction) return Direction::shortest;
+  if (!modulo)
+    move.fail("direction", '"' + direction_names[*direction] + '"',
+              "needs period, because only a modulo axis has a choice of direction: add period, "
+              "or leave direction out");
+  return directions[*direction];
+}
+
+double turned_target(TomlReader& move, const char* key, const MotionState& from, double to,
+                     Direction direction, double period, const Bounds& bounds) {
+  try {
+    const ModuloTarget target = modulo_target(from, to, direction, period, bounds);
+    if (target.status == MoveStatus::ok) return target.position;
+    move.fail(key, number(to), explain(target.status));
+  } catch (const InputError& error) {
+    move.fail(error.key().c_str(), error.value(), error.rule());
+  }
+}
 
 std::span<const ProfileReader> general_profiles() {
   return general;
@@ -119,6 +161,7 @@ MoveSpec read_move(TomlReader move, const Units& units) {
   }();
   MotionFields fields(move, units);
   MoveSpec spec = all[move.variant("profile", names)].read(fields);
+  if (!std::holds_alternative<PointToPointSpec>(spec)) read_period(fields, spec);
   move.finish();
   return spec;
 }

@@ -104,44 +104,31 @@ const std::string& unit_of(const std::string& axis, std::span<const AxisPart> pa
   return (named == parts.end() ? parts.front() : *named).units.position;
 }
 
-/// Throws InputError unless there is at least one point, and no more than a spec may have.
-std::size_t reference_count(TomlReader& reference) {
-  const std::size_t count = reference.optional_count("count").value_or(0);
-  if (count < 2 || count > 1'000'000)
-    reference.fail("count", std::to_string(count), "must be from 2 to 1e6");
-  return count;
-}
-
 /// Reads values in the unit of the corrected axis, and the grid in the units of its references.
 Operator read_compensation(MotionFields& f, std::span<const AxisPart> parts) {
-  static const std::vector<std::string> rules{"linear", "cubic"};
   TomlReader& then = f.reader();
   CompensateSpec s;
   s.axis = then.optional_text("axis").value_or("");
   const std::string& unit = unit_of(s.axis, parts);
-  if (const auto rule = then.optional_choice("rule", rules))
-    s.table.rule = static_cast<GridRule>(*rule);
   s.tolerance = then.optional_number("tolerance", unit);
-  s.table.most = then.optional_number("most", unit).value_or(s.table.most);
-  if (!(s.table.most > 0)) then.fail("most", number(s.table.most), "must be greater than 0");
-  std::size_t points = 1;
-  for (TomlReader& reference : then.tables("reference")) {
+  s.table = read_correction_grid(then, unit, [&](TomlReader& reference) {
     s.references.push_back(reference.optional_text("axis").value_or(""));
-    const std::string& own = s.references.back().empty() ? s.axis : s.references.back();
-    const std::string& grid = unit_of(own, parts);
-    s.table.axes.push_back({reference.number("base", grid), reference.number("interval", grid),
-                            reference_count(reference)});
-    points *= s.table.axes.back().count;
-    if (points > 1'000'000)
-      then.fail("reference", "", "makes a grid of more than 1e6 points: lower the counts");
-    reference.finish();
-  }
-  if (s.references.empty())
-    then.fail("reference", "",
-              "is missing: add [[then.reference]] with base, interval and count for each axis that "
-              "the correction depends on, one to three");
-  s.table.values = then.numbers("values", std::vector<std::string>(points, unit));
+    return unit_of(s.references.back().empty() ? s.axis : s.references.back(), parts);
+  });
   return s;
+}
+
+/// HIMC filters a motion by InShape or by the VSF, once (HMPL manual 15.1). `active`: the operator
+/// with a controller so far; "": none.
+void require_one_himc_filter(TomlReader& then, const std::string& name, std::string& active) {
+  if (!then.has("controller") || (name != "shaper" && name != "notch")) return;
+  const auto filter = [](const std::string& of) { return of == "shaper" ? "InShape" : "the VSF"; };
+  if (!active.empty())
+    then.fail("controller", "",
+              std::string("is a second filter of HIMC: ") + filter(active) +
+                  " is active, and excludes " + (active == name ? "a second one" : filter(name)) +
+                  " (error 0x83aa00c8): keep one of the two");
+  active = name;
 }
 
 struct OperatorReader {
@@ -166,9 +153,11 @@ std::vector<Operator> read_then(TomlReader& top, const Spec& spec) {
   names.emplace_back("compensation");
   const std::vector<AxisPart> parts = spec.parts();
   std::vector<Operator> all;
+  std::string himc_filter;
   top.for_each("then", [&](TomlReader& then) {
     MotionFields fields(then, spec.units);
     const std::size_t chosen = then.variant("operator", names);
+    require_one_himc_filter(then, names[chosen], himc_filter);
     all.push_back(chosen < operators.size() ? operators[chosen].read(fields)
                                             : read_compensation(fields, parts));
     then.finish();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <set>
 #include <span>
 #include <string>
@@ -92,6 +93,12 @@ std::span<const ProfileReader> controller_profiles();
 
 /// Reads [move], [[knot]], [axis].
 MoveSpec read_move(TomlReader move, const Units& units);
+/// The target `to` on an axis with this period, as the position in the given direction from the state
+/// `from`. An error has the place of `key`. The bounds count only for a state in motion.
+double turned_target(TomlReader& move, const char* key, const MotionState& from, double to,
+                     Direction direction, double period, const Bounds& bounds = within(1, 1));
+/// Reads `direction` of a move; only a modulo axis has one.
+Direction read_direction(TomlReader& move, bool modulo);
 Table read_knots(TomlReader& top, Spec& spec, Interpolation rule);
 AxisSpec read_axis(TomlReader axis, const Units& units);
 /// Reads [homing], if it exists.
@@ -99,6 +106,14 @@ std::optional<AxisSpec::Homing> read_homing(TomlReader& top, const Units& units)
 /// Reads [registration], if it exists.
 std::optional<LiveRegistrationSpec> read_registration(TomlReader& top, const Units& units,
                                                       const std::string& master_unit);
+/// Reads the correction table of `table`: rule, most, reference, values. `unit`: the unit of the
+/// corrected axis; unit_of_reference reads the axis of a reference and returns its unit.
+CompensationSpec read_correction_grid(
+    TomlReader& table, const std::string& unit,
+    const std::function<std::string(TomlReader& reference)>& unit_of_reference);
+/// Reads [compensation] of the axis with this name, if it exists.
+std::optional<AxisSpec::Compensation> read_axis_compensation(TomlReader& top, const Units& units,
+                                                             const std::string& name);
 /// Reads [follow], the master of an axis, and in it the table `second`, its second master.
 std::optional<FollowWhom> read_whom(TomlReader& owner);
 /// Reads [master.NAME]: the masters of a machine.

@@ -51,6 +51,8 @@ inline constexpr int last_of<StartAt> = static_cast<int>(StartAt::master_positio
 template <>
 inline constexpr int last_of<StartOutcome> = static_cast<int>(StartOutcome::dropped);
 template <>
+inline constexpr int last_of<GearState> = static_cast<int>(GearState::in_cam);
+template <>
 inline constexpr int last_of<CamEnd> = static_cast<int>(CamEnd::extend);
 template <>
 inline constexpr int last_of<Progress> = static_cast<int>(Progress::broken);

@@ -54,6 +54,10 @@ void put(const Status& from, jounce_lcm::status_t& to) {
   to.held = from.held ? 1 : 0;
   to.homed = from.homed ? 1 : 0;
   to.unwritten = static_cast<std::int8_t>(from.unwritten);
+  to.gear = number_of(from.gear);
+  to.gear_master = from.gear_master ? 1 : 0;
+  to.ratio = from.ratio;
+  to.correction = from.correction;
 }
 
 bool get(const jounce_lcm::status_t& from, Status& to) {
@@ -78,6 +82,8 @@ bool get(const jounce_lcm::status_t& from, Status& to) {
   to.start_command = from.start_command;
   to.start_cause = from.start_cause;
   to.unwritten = static_cast<std::uint8_t>(from.unwritten);
+  to.ratio = from.ratio;
+  to.correction = from.correction;
   return get_enum(from.state, to.state) && get_enum(from.next, to.next) && to.tick >= 0 &&
          to.cycle_ns > 0 && to.late_ticks >= 0 && to.finished >= 0 && to.stopped >= 0 &&
          get_bytes(from.table_prefix, to.table) && to.override_ >= 0 && to.override_ <= 2 &&
@@ -89,7 +95,8 @@ bool get(const jounce_lcm::status_t& from, Status& to) {
          get_text(from.unit_position, unit_bytes, to.units.position) && to.start_command >= 0 &&
          get_enum(from.start_outcome, to.start) &&
          get_text(from.start_reason, reason_bytes, to.start_reason) &&
-         get_flag(from.held, to.held) && get_flag(from.homed, to.homed) && to.unwritten <= 7;
+         get_flag(from.held, to.held) && get_flag(from.homed, to.homed) && to.unwritten <= 7 &&
+         get_enum(from.gear, to.gear) && get_flag(from.gear_master, to.gear_master);
 }
 
 void put(const Event& from, jounce_lcm::event_t& to) {

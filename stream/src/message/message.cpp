@@ -42,6 +42,11 @@ const char* name(Progress progress) {
   return names[static_cast<std::size_t>(progress)];
 }
 
+const char* name(GearState gear) {
+  constexpr const char* names[] = {"no master", "disengaged", "engaging", "in gear", "in cam"};
+  return names[static_cast<std::size_t>(gear)];
+}
+
 const char* name(EventKind kind) {
   constexpr const char* names[] = {"compare", "track", "tappet", "probe", "mark", "end_of_profile"};
   return names[static_cast<std::size_t>(kind)];

@@ -90,6 +90,12 @@ struct Tick {
   double end_of_profile = std::numeric_limits<double>::quiet_NaN();
   ProbeStep probe{};                   ///< captures of the touch probes in this tick
   RegistrationReading registration{};  ///< state of the registration
+  bool compensated = false;            ///< true if the compensation is active
+  /// Correction of the compensation and its derivatives, u, u/s, u/s^2; 0 if it is not active. The
+  /// drive receives position + correction[0] - offset.
+  Jet correction{};
+  /// Ratio of the gear that the axis plays, u/m; 0: it plays no gear.
+  double ratio = 0;
 
   std::optional<Refusal> refused{};  ///< reason why the command of this tick was rejected
   std::optional<Refusal> dropped{};  ///< reason why the waiting motion was dropped
@@ -142,6 +148,11 @@ bool in_motion(const Tick& tick);
 /// **Touch probes** (touch_probe.hpp) capture positions at the edges of trigger inputs, in every
 /// state.
 ///
+/// **Compensation** (AxisConfig::compensation) adds a correction to the setpoint of the drive, after
+/// all checks. The position of the axis, its limits and its outputs do not include it; feedback is
+/// converted back. It is switched on and off while the axis is disabled, and moves nothing then. While
+/// it is active, the coordinates of the axis and of its references do not change.
+///
 /// **Registration** (AxisConfig::registration) corrects every motion that follows the live master by
 /// the marks that a trigger input reports. It begins without a correction when such a motion begins,
 /// and continues if another such motion replaces it. A correction of the master (a phase) is included
@@ -165,6 +176,11 @@ class MotionAxis {
   /// Executes the command and returns the outputs of this tick. Call once a tick; `tick` must be >=
   /// 0 and greater than in the previous call (asserted).
   Tick step(std::int64_t tick, const Command& command = {}, const Inputs& inputs = {});
+
+  /// Second part of a tick, after step() of every axis of the machine: computes the correction of the
+  /// compensation from the setpoints of its references. Returns it as Tick::correction, also for the
+  /// next step. Requires AxisConfig::compensation.
+  Jet compensate(const References& references);
 
   /// The configuration with its defaults filled in.
   [[nodiscard]] const AxisConfig& config() const { return config_; }
@@ -246,6 +262,8 @@ class MotionAxis {
     return probes_.start(what, inputs_.feedback, config_);
   }
   Rejection act(const command::AbortTrigger& what) { return probes_.abort(what.input); }
+  Rejection act(const command::EnableCompensation& /*on*/) { return set_compensation(true); }
+  Rejection act(const command::DisableCompensation& /*off*/) { return set_compensation(false); }
   Rejection act(const command::Cut& what);
   Rejection act(const command::Park& it);
   Rejection act(const command::Release& /*it*/) { return end_motion(Ending::release); }
@@ -275,6 +293,12 @@ class MotionAxis {
   void end_of_marks();
   void add_correction(Setpoint& next) const;
   void probe();
+
+  // axis_compensation.cpp: the compensation, and feedback in the coordinate of the axis
+  Rejection set_compensation(bool on);
+  void see_feedback();
+  [[nodiscard]] bool keeps_coordinate() const;
+  void rename(double by);
 
   // axis_phasing.cpp: the phase shift of a coupling
   Rejection act(const command::PhasingAbsolute& what);
@@ -398,6 +422,8 @@ class MotionAxis {
   PositionHistory commanded_seen_, actual_seen_, master_seen_;
   std::optional<LiveRegistration> registration_;
   Jet phase_{};  // correction of the master that inputs_.master includes
+  std::optional<LiveCompensation> compensation_;
+  double in_feedback_ = 0;  // correction that the feedback of this tick includes
 
   bool has_master_ = false;  // true from the start of a cam to the next table without a cam
   std::array<std::size_t, 2> plane_axes_;

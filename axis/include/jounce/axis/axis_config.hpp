@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "jounce/axis/live_compensation.hpp"
 #include "jounce/command/cause.hpp"
 #include "jounce/gear/live_registration.hpp"
 #include "jounce/profiles/limits/limits.hpp"
@@ -63,6 +64,8 @@ struct AxisConfig {
 
   /// Registration of every motion that follows the live master; nullopt: none.
   std::optional<LiveRegistrationSpec> registration = {};
+  /// Correction table that the command EnableCompensation switches on; nullopt: none.
+  std::optional<AxisCompensation> compensation = {};
 };
 
 /// Converts ns to s. Compute the duration of n ticks as seconds(n * period), so that rounding

@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "jounce/axis/live_compensation.hpp"
 #include "jounce/profiles/curve/jet.hpp"
 
 namespace jounce {
@@ -131,6 +132,11 @@ struct Inputs {
   Peers peers = Peers::ready;  ///< state of the other axes, for the start of the armed movement
   /// True if the communication thread of the executor does not respond: the axis stops.
   bool watchdog = false;
+  /// True if the active compensation of another axis refers to this axis: the axis then keeps its
+  /// coordinate.
+  bool referenced = false;
+  /// Setpoints of the references of the compensation in this tick, for MotionAxis::compensate().
+  References references{};
 };
 
 }  // namespace jounce

@@ -31,6 +31,9 @@ namespace jounce {
 /// least until the ramp ends. If the master table repeats, admit() rejects a ramp, because the axis
 /// would not return to its start position.
 ///
+/// On a modulo axis (`slave_period` of the coupling), a table over time without a cam begins at the
+/// position that differs from its first point by whole turns and is nearest to the axis.
+///
 /// The constructor throws InputError if `time` is not over time or has the policy `advance`, if
 /// `cam` is not over the position of a master, and for an invalid coupling. Units: u is the unit of
 /// the axis, m the unit of the master.
@@ -96,6 +99,9 @@ class Job final : public Movement {
 
   /// Tolerance for equal positions, u: 1e-9 of the stroke, plus rounding.
   [[nodiscard]] double tolerance() const;
+  /// The whole turns by which the job is shifted if it begins at this position, u; 0 on a linear
+  /// axis, and with a cam.
+  [[nodiscard]] double turns_to(double position) const;
 
  private:
   void couple(const CouplingSpec& spec, double position, double tick);
@@ -117,6 +123,8 @@ class Job final : public Movement {
   int direction_ = 0;
   Extremum master_excess_;
   Progress progress_ = Progress::running;
+  double turn_ = 0;   // length of a turn of a modulo axis, u; 0: none
+  double shift_ = 0;  // whole turns since begin(), u
 };
 
 /// Checks a job against an axis in the state `from`: the start position, rest at both ends, the

@@ -44,6 +44,9 @@ struct MachineAxis {
   /// A group is a virtual axis: its position is the length along its path. nullopt: a single axis.
   std::optional<AxisGroup> group = {};
   Follow second = {};  ///< second live master, for command::CombineAxes
+  /// Indices of the axes that the compensation refers to, in the order of the table; the index of the
+  /// axis itself is possible.
+  std::vector<std::size_t> references = {};
 };
 
 /// The process image of one axis: its inputs and its outputs in one tick.
@@ -85,6 +88,9 @@ struct AxisImage {
 /// of an enabled group can no longer follow (a fault, an abort, a disable), the group stops on its
 /// path, with the fault `axis_fault`.
 ///
+/// **Compensation.** After all axes have been stepped, each correction is computed from the setpoints
+/// of its references in the same tick. So two axes may refer to each other.
+///
 /// **Masters** are inputs: one Jet for each master and tick, in m (the unit of the master), m/s,
 /// m/s^2, m/s^3. NaN: lost. If an axis is a master, m is the unit of that axis. The jerk of an
 /// axis's setpoint counts as 0; the acceleration and jerk of an actual position count as 0.
@@ -98,7 +104,8 @@ class Machine {
   /// the axis, for no axis or more than 64 axes, a missing or duplicate name, different periods, an
   /// invalid configuration, invalid switches, an invalid position compare, an index out of range,
   /// an axis that follows itself, a ring of axes that follow the setpoints of each other, an axis in
-  /// two groups, and an axis of a group that has a live master.
+  /// two groups, an axis of a group that has a live master, and references that do not belong to the
+  /// compensation.
   explicit Machine(std::vector<MachineAxis> axes, std::size_t masters = 0);
 
   [[nodiscard]] std::size_t size() const { return axes_.size(); }  ///< number of axes
@@ -123,6 +130,8 @@ class Machine {
   };
   void gather(std::size_t group, std::span<AxisImage> images) const;
   void lead(std::size_t axis, const Membership& in, std::span<AxisImage> images) const;
+  void announce_references(std::span<AxisImage> images) const;
+  void compensate(std::span<AxisImage> images);
 
   std::vector<std::optional<Membership>> memberships_;  // one for each axis
   std::vector<std::size_t> order_;  // order of the steps: leaders and groups first

@@ -109,6 +109,12 @@ enum class Cause : std::uint8_t {
   web_stands = 94,
   cutter_away = 95,
 
+  // Compensation: rejected commands.
+  no_compensation = 96,
+  compensation_active = 97,
+  compensation_inactive = 98,
+  enabled = 99,
+
   // Reasons why the last motion ended without a fault; none: it reached its end.
   stopped = 80,
   halted = 81,

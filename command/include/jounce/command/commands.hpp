@@ -122,8 +122,10 @@ enum class CommandKind : std::uint8_t {
   park,
   touch_probe,
   abort_trigger,
+  enable_compensation,
+  disable_compensation,
 };
-inline constexpr std::size_t command_kinds = 48;  ///< number of kinds
+inline constexpr std::size_t command_kinds = 50;  ///< number of kinds
 
 }  // namespace jounce
 
@@ -723,6 +725,15 @@ constexpr void each_field(C& c, F f) {
   f(hold_to_run, c.hold_to_run);
 }
 
+/// Switches the compensation of a disabled axis on (EnableComp of HIMC).
+struct EnableCompensation {
+  static constexpr auto kind = CommandKind::enable_compensation;
+};
+/// Switches the compensation of a disabled axis off (DisableComp of HIMC).
+struct DisableCompensation {
+  static constexpr auto kind = CommandKind::disable_compensation;
+};
+
 /// Captures the position of the axis at the edges of a trigger input. A new command for the same
 /// input replaces the previous one.
 struct TouchProbe {
@@ -785,7 +796,8 @@ using SharedCommand =
                  command::MoveSuperimposed, command::MoveVelocity, command::Halt, command::GearOut,
                  command::CamOut, command::Finish, command::MoveRepetitive, command::ChangeVelocity,
                  command::PhasingAbsolute, command::PhasingRelative, command::Cut, command::Park,
-                 command::TouchProbe, command::AbortTrigger>;
+                 command::TouchProbe, command::AbortTrigger, command::EnableCompensation,
+                 command::DisableCompensation>;
 
 /// A command that a client sends to an axis.
 ///

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "jounce/drive/cia402.hpp"
@@ -13,15 +14,24 @@ struct Cia402Outputs {
   std::uint16_t controlword = 0;     ///< 0x6040
   std::int8_t mode = 8;              ///< 0x6060; 8: cyclic synchronous position
   std::int32_t target_position = 0;  ///< 0x607A, increments
+  std::uint16_t touch_probe = 0;     ///< 0x60B8, touch probe function
 };
+
+/// Number of captures in the process data: probe 1 rising and falling, probe 2 rising and falling.
+inline constexpr int cia402_captures = 4;
 
 /// Process data of one cycle from a drive to the executor.
 struct Cia402Inputs {
-  std::uint16_t statusword = 0;      ///< 0x6041
-  std::int8_t mode = 0;              ///< 0x6061
-  std::int32_t position_actual = 0;  ///< 0x6064, increments
-  std::int32_t velocity_actual = 0;  ///< 0x606C, increments/s
-  std::int16_t torque_actual = 0;    ///< 0x6077, 1/1000 of the rated torque
+  std::uint16_t statusword = 0;          ///< 0x6041
+  std::int8_t mode = 0;                  ///< 0x6061
+  std::int32_t position_actual = 0;      ///< 0x6064, increments
+  std::int32_t velocity_actual = 0;      ///< 0x606C, increments/s
+  std::int16_t torque_actual = 0;        ///< 0x6077, 1/1000 of the rated torque
+  std::uint16_t touch_probe_status = 0;  ///< 0x60B9
+  /// 0x60BA to 0x60BD: positions that the drive has latched, increments.
+  std::array<std::int32_t, cia402_captures> touch_probe_position{};
+  /// 0x60D5 to 0x60D8: numbers of captures so far; 0 in a drive that does not count them.
+  std::array<std::uint16_t, cia402_captures> touch_probe_count{};
 };
 
 /// Scaling of a drive and its window for the transition to operation.
@@ -32,6 +42,9 @@ struct Cia402Config {
   /// Window around the drive's position, u, >= 0; 0: a hundredth of a turn. While the setpoint is
   /// outside the window, the drive does not go to operation enabled.
   double window = 0;
+  /// Number of touch probe inputs of the drive, 0 to 2. They are the trigger inputs 1 and 2 of the
+  /// axis.
+  int touch_probes = 0;
 };
 
 /// Connects an axis to a drive in the mode cyclic synchronous position, by means of process data. A
@@ -51,13 +64,18 @@ struct Cia402Config {
 /// target (bit 12). `fault` means that the drive is in a fault or in its reaction to a fault. The
 /// position is the drive's counter, extended beyond 32 bits from its first value on.
 ///
+/// **Touch probes.** Both edges of all probes are active all the time, in continuous mode. A capture
+/// is new if its counter has changed, or if its bit in 0x60B9 has become 1. It has the latched
+/// position and no time stamp. Without counters, a drive reports each edge once until its bit is 0
+/// again.
+///
 /// **Reset.** A reset has an effect only if the drive is in the state fault. It keeps bit 7 set
 /// until the drive has left this state, for at most `reset_cycles` cycles.
 class Cia402Axis {
  public:
   static constexpr int reset_cycles = 100;  ///< greatest duration of a reset, cycles
 
-  /// Throws InputError like Increments, and for an invalid window.
+  /// Throws InputError like Increments, and for an invalid window or number of touch probes.
   explicit Cia402Axis(const Cia402Config& config);
 
   /// Returns the feedback of this cycle from the inputs. Call before command(), once in each cycle.
@@ -67,8 +85,14 @@ class Cia402Axis {
                                       const Cia402Inputs& inputs) noexcept;
 
  private:
+  void see_probes(const Cia402Inputs& inputs, Triggers& triggers) noexcept;
+
   Increments increments_;
   double window_;
+  int probes_;
+  std::uint16_t probe_status_ = 0;  // of the previous cycle
+  std::array<std::uint16_t, cia402_captures> probe_count_{};
+  std::uint8_t probe_on_ = 0;  // states of the inputs, after their last edges
   bool seen_ = false;
   std::int64_t actual_ = 0;  // increments
   std::int64_t target_ = 0;

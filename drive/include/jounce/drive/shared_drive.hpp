@@ -14,7 +14,7 @@ namespace jounce {
 /// process. The other process simulates a drive or communicates with a real one. Each side writes
 /// its own half as a whole, together with the number of its cycle.
 struct SharedProcessData {
-  static constexpr std::uint64_t magic_number = 0x3145'4349'5244'4a4a;  ///< "JJDRICE1"
+  static constexpr std::uint64_t magic_number = 0x3245'4349'5244'4a4a;  ///< "JJDRICE2"
 
   /// Data with the number of the cycle in which they were written.
   template <class T>

@@ -132,6 +132,7 @@ class AxisServer {
   void take_ticks();
   void write(const Tick& tick);
   [[nodiscard]] std::uint8_t unwritten() const;
+  [[nodiscard]] wire::GearState gear() const;
   void notify(const std::string& notice) const;
 
   ExecutorOptions options_;

@@ -40,11 +40,13 @@ ExecutorCutter executor_cutter(const CutJob& job, const Units& units);
 
 /// Options of one axis, or of one group, of an executor.
 struct ExecutorOptions {
-  AxisConfig axis;                        ///< configuration
-  AxisSwitches switches = {};             ///< cam switches
-  AxisCompare compare = {};               ///< position compare
-  Follow follow = {};                     ///< live master of the axis
-  Follow second = {};                     ///< its second live master, for command::CombineAxes
+  AxisConfig axis;                           ///< configuration
+  AxisSwitches switches = {};                ///< cam switches
+  AxisCompare compare = {};                  ///< position compare
+  Follow follow = {};                        ///< live master of the axis
+  Follow second = {};                        ///< its second live master, for command::CombineAxes
+  std::vector<std::size_t> references = {};  ///< references of its compensation, see MachineAxis
+  bool leads = false;  ///< true: another axis of the machine has this axis as its live master
   std::shared_ptr<AxisDrive> drive = {};  ///< drive that receives the setpoints; null: no drive
   Units units{};  ///< units of the axis; tables in other units are rejected; empty: not checked
   ReceiverOptions receiver{};  ///< options of its receiver, with the name of the axis

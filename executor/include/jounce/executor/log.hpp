@@ -16,6 +16,7 @@ namespace jounce {
 struct LogColumns {
   bool probes = false;                            ///< captures of the touch probes
   std::optional<CorrectionOf> registration = {};  ///< state of the registration
+  bool compensation = false;                      ///< state and correction of the compensation
 };
 
 /// The tick log of an axis: a CSV file with one line for each tick. The first line contains the

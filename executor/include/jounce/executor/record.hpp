@@ -169,12 +169,34 @@ struct RecordedCheck {
   Sha256 hash{};  ///< the checksum; executor/lcm/check_t.lcm defines it
 };
 
+/// The correction table of an axis, or a part of it: `spec` has the values from `first` on, at most
+/// 200. These events follow the axis, and precede its cycles.
+struct RecordedCompensation {
+  std::size_t axis = 0;        ///< index of the axis
+  AxisCompensation spec = {};  ///< the table, with the values of this part
+  std::size_t first = 0;       ///< index of the first value of this part
+};
+/// Returns the table of an axis as parts, in the order for apply().
+std::vector<RecordedCompensation> parts_of(std::size_t axis, const AxisCompensation& whole);
+/// Adds a part to the table. Returns false while values are missing.
+bool apply(const RecordedCompensation& part, std::optional<AxisCompensation>& whole);
+
+/// Inputs and outputs of the compensation of an axis in one tick. This event precedes the cycle of the
+/// tick. `referenced` stays until the next event; the other members count for one cycle.
+struct RecordedReferences {
+  std::size_t axis = 0;      ///< index of the axis
+  bool referenced = false;   ///< Inputs::referenced
+  References references{};   ///< Inputs::references
+  bool compensated = false;  ///< Tick::compensated
+  Jet correction{};          ///< Tick::correction
+};
+
 /// Any event of a record.
 using RecordEvent =
     std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle, RecordedLoss,
                  RecordedQueue, RecordedRows, RecordedGear, RecordedMaster, RecordedSight,
                  RecordedOutput, RecordedSample, RecordedProgram, RecordedRegistration,
-                 RecordedTriggers, RecordedCheck>;
+                 RecordedTriggers, RecordedCheck, RecordedCompensation, RecordedReferences>;
 
 /// Returns the channel of an event: "JOUNCE.cycle", ...
 std::string_view channel_of(const RecordEvent& event);

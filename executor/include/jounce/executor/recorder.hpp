@@ -125,6 +125,7 @@ class Recorder {
   void append(std::string_view channel, const std::string& data, std::int64_t microseconds);
   void write_check();
   void write_triggers(const RecordedCycle& cycle);
+  void write_references(const RecordedCycle& cycle);
   void flush();
   void keep(Box& box, const std::string& data, std::int64_t microseconds);
   void watch(Box& box, const RecordedCycle& cycle);
@@ -146,7 +147,8 @@ class Recorder {
   std::set<Sha256> tables_;
   /// The states of the trigger inputs of each axis in the record: wired, on.
   std::map<std::size_t, std::pair<std::uint8_t, std::uint8_t>> triggers_;
-  std::vector<Box> boxes_;  // black boxes of the masters, then of the axes
+  std::set<std::size_t> referenced_;  // axes with Inputs::referenced in the last cycle
+  std::vector<Box> boxes_;            // black boxes of the masters, then of the axes
   std::string trouble_;
   std::uint8_t unwritten_ = 0;
   std::int64_t lost_ = 0;

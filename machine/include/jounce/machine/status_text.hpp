@@ -30,6 +30,8 @@ std::string event_text(const wire::Event& event);
 /// For a lost master, returns that it is lost. `ascii` selects ASCII characters only.
 std::string master_text(const wire::MasterStatus& master, bool ascii);
 
+/// Returns the state of the gear pair of an axis with its live master: "in gear, ratio -0.5".
+std::string gear_text(const wire::Status& status);
 /// Returns the names of the files that could not be written, from wire::Status::unwritten: "log,
 /// black box".
 std::string unwritten_files(std::uint8_t files);

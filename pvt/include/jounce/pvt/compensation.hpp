@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve/fitted.hpp"
+#include "jounce/profiles/curve/jet.hpp"
 
 namespace jounce {
 
@@ -57,7 +58,7 @@ struct CompensationSpec {
 /// of slope; check() reports these steps. The cubic rule avoids them, except at the edges of the
 /// grid.
 ///
-/// at() does not allocate or throw. The constructor throws InputError, with keys that count from 1
+/// at() and cell() do not allocate or throw. The constructor throws InputError, with keys that count from 1
 /// ("values[3]"), in these cases: no or more than three references; an interval that is not
 /// positive; fewer than two points; a number of values that differs from the number of grid points;
 /// a value that is not finite, or whose magnitude is above `most`; the cubic rule with three
@@ -77,6 +78,10 @@ class Compensation {
   /// Returns the correction at the positions of the references; `references` has references()
   /// entries.
   [[nodiscard]] double at(std::span<const double> references) const;
+  /// Returns the correction and its first two derivatives with respect to time, for references that
+  /// move as their jets state. The third derivative is 0. At a grid line, the derivatives are those
+  /// of the cell that begins there.
+  [[nodiscard]] Jet at(std::span<const Jet> references) const;
 
   /// One cell of the grid. With s = (x - start) / interval in [0, 1] for each reference, the
   /// correction in the cell is the sum of k[i] s1^a s2^b s3^c over a, b, c < order, where i = a +

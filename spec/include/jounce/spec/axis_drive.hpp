@@ -32,6 +32,7 @@ struct AxisDriveSpec {
     /// a hundredth of a turn.
     double window = 0;
     /// Number of cycles, >= 1, without new data after which the drive has a fault.
+    int touch_probes = 0;  ///< number of touch probe inputs, 0 to 2
     int silent_cycles = 50;
   };
 

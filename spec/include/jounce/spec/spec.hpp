@@ -116,6 +116,13 @@ struct AxisSpec {
     std::optional<double> distance = {};
   };
 
+  /// [compensation]: the table, with the name and the unit of each reference. "": the axis itself.
+  struct Compensation {
+    CompensationSpec table = {};
+    std::vector<std::string> axes = {};
+    std::vector<std::string> units = {};
+  };
+
   double cycle = 1e-3;  ///< s, period of the cyclic thread
   double position = 0;  ///< u, position at the start
   // Stops and supervision, see jounce/axis/axis_config.hpp. 0 means that the key is omitted. Units:
@@ -138,6 +145,7 @@ struct AxisSpec {
   std::optional<Homing> homing = {};
   std::optional<FollowWhom> follow = {};                  ///< the leader that the axis follows
   std::optional<LiveRegistrationSpec> registration = {};  ///< [registration]
+  std::optional<Compensation> compensation = {};          ///< [compensation]
 };
 
 /// A spec of kind "drive": a drive without an axis, for `jounce identify` and for optimizing a cam.

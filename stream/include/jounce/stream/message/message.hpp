@@ -230,6 +230,16 @@ using Histogram = std::array<std::int32_t, 16>;
 /// Bits of Status::unwritten: files that ended before the end of the run, or were never created.
 enum Unwritten : std::uint8_t { log_unwritten = 1, record_unwritten = 2, black_box_unwritten = 4 };
 
+/// State of the pair of an axis and its live master (HMPL manual, chapter 6). The numbers are part of
+/// the wire format.
+enum class GearState : std::int8_t {
+  none = 0,        ///< the axis has no master
+  disengaged = 1,  ///< the axis has a master, and does not follow it
+  engaging = 2,    ///< the axis engages: a ramp, a clutch, or it waits for its sync position
+  in_gear = 3,     ///< the axis follows its master at the ratio
+  in_cam = 4,      ///< the axis follows its master by a cam, a follow table or a plan of cuts
+};
+
 /// Status of an axis, sent every few milliseconds. Only the newest status is valid.
 struct Status {
   State state = State::disabled;  ///< state of the axis
@@ -267,11 +277,15 @@ struct Status {
   Units units{};                            ///< units of the axis; empty: any
   std::int32_t start_command = 0;           ///< number of the last start of this session; 0: none
   StartOutcome start = StartOutcome::none;  ///< outcome of this start
-  std::int32_t start_cause = 0;  ///< number of the Cause for which it was dropped; 0: none
-  std::string start_reason{};    ///< the reason as text
-  bool held = false;             ///< true if a motion is held until the command resume
-  bool homed = false;            ///< true if the axis was homed
-  std::uint8_t unwritten = 0;    ///< files that could not be written, see Unwritten
+  std::int32_t start_cause = 0;      ///< number of the Cause for which it was dropped; 0: none
+  std::string start_reason{};        ///< the reason as text
+  bool held = false;                 ///< true if a motion is held until the command resume
+  bool homed = false;                ///< true if the axis was homed
+  std::uint8_t unwritten = 0;        ///< files that could not be written, see Unwritten
+  GearState gear = GearState::none;  ///< state of the gear pair of the axis with its master
+  bool gear_master = false;          ///< true if another axis has this axis as its master
+  double ratio = 0;                  ///< ratio of the gear, u/m; 0: no gear
+  double correction = unknown;       ///< correction of the compensation, u; NaN: not active
 
   /// Value of an unknown number: NaN.
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -372,6 +386,7 @@ const char* name(Refusal refusal);
 const char* name(Next next);
 const char* name(Progress progress);
 const char* name(EventKind kind);
+const char* name(GearState gear);
 
 /// The chunks of a table.
 struct Cut {

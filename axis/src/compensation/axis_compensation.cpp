@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cassert>
+#include <cmath>
+
+#include "jounce/axis/axis.hpp"
+
+// The compensation of an axis. The drive receives the setpoint plus the correction; so feedback minus
+// the correction of the previous tick is the actual position. A disabled axis follows its drive: its
+// position is the one whose corrected setpoint is the position of the drive.
+
+namespace jounce {
+
+/// Switches the compensation on or off at the present place of the drive: only the position of the
+/// axis changes.
+MotionAxis::Rejection MotionAxis::set_compensation(bool on) {
+  if (!compensation_) return Refusal{Cause::no_compensation};
+  if (compensation_->active() == on)
+    return Refusal{on ? Cause::compensation_active : Cause::compensation_inactive};
+  if (on && !now_.homed) return Refusal{Cause::not_homed};
+  const double output = now_.position + in_feedback_;
+  compensation_->set(on);
+  const double position = compensation_->position_of(output);
+  rename(position - now_.position);
+  now_.correction = {output - position, 0, 0, 0};
+  see_feedback();
+  return std::nullopt;
+}
+
+/// Feedback in the coordinate of the axis.
+void MotionAxis::see_feedback() {
+  const double drive = inputs_.feedback.position + now_.offset;
+  in_feedback_ = now_.correction[0];
+  if (compensation_ && state_ == State::disabled && std::isfinite(drive))
+    in_feedback_ = drive - compensation_->position_of(drive);
+  now_.actual_position = drive - in_feedback_;
+}
+
+/// True while a compensation depends on the coordinate of the axis.
+bool MotionAxis::keeps_coordinate() const {
+  return (compensation_ && compensation_->active()) || inputs_.referenced;
+}
+
+/// Gives the place of the axis another position, without motion.
+void MotionAxis::rename(double by) {
+  commanded_seen_.shift(by);
+  actual_seen_.shift(by);
+  now_.position += by;
+  outputs_.place(SwitchesOf::position);
+}
+
+Jet MotionAxis::compensate(const References& references) {
+  assert(compensation_);
+  compensation_->see(references);
+  now_.correction = compensation_->correction();
+  return now_.correction;
+}
+
+}  // namespace jounce
