@@ -90,7 +90,10 @@ class Rounding {
 
   Rounded run() {
     choose_shapes();
-    for (std::size_t k = 1; k + 1 < shapes_.size(); ++k) share(k);
+    for (std::size_t k = 1; k + 1 < shapes_.size(); ++k) {
+      rates_.require_wanted();
+      share(k);
+    }
     for (std::size_t k = 1; k + 1 < shapes_.size(); ++k) rest_if_faster(k);
     const bool sharp =
         std::none_of(shapes_.begin(), shapes_.end(), [](const Shape& s) { return s.trim > 0; });
@@ -114,6 +117,7 @@ class Rounding {
     shapes_.resize(count + 1);
     shapes_[0].how = shapes_[count].how = How::rest;
     for (std::size_t k = 1; k < count; ++k) {
+      rates_.require_wanted();
       shapes_[k] = shape(k, std::min(whole(k - 1), whole(k)));
       shapes_[k].wanted = shapes_[k].trim;
     }
@@ -504,6 +508,7 @@ class Rounding {
       add({length, b, entry, dwell, placed_, 1, static_cast<std::uint32_t>(joint)});
     };
     for (std::size_t k = 0; k < count; ++k) {
+      rates_.require_wanted();
       const Shape& here = shapes_[k];
       if (k > 0 && corner_of(k, here)) {
         Box b;
