@@ -117,6 +117,8 @@ constexpr std::array rows{
     sent<command::Park>("park", 33, "park", "", own, cuts),
     sent<command::TouchProbe>("touch_probe", 30, "touch-probe", "MC_TouchProbe", own, always),
     sent<command::AbortTrigger>("abort_trigger", 31, "abort-trigger", "MC_AbortTrigger", own, always),
+    sent<command::SetCoordinateTransform>("set_coordinate_transform", 60, "set-coordinate-transform",
+        "MC_SetCoordinateTransform", own, begins),
 };
 // clang-format on
 

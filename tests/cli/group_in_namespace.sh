@@ -42,6 +42,12 @@ order plotter override 100% || fail "override: $(cat out)"
 refused in_group x override 50%
 refused 'to is missing' plotter move-linear --to ,
 refused 'has no length' plotter move-linear --to 0,0
+got=0
+order x move-linear x=5 || got=$?
+[ $got = 2 ] && grep -q 'must be a group' out || fail "a coordinate of a single axis: $got, $(cat out)"
+got=0
+order plotter move-linear z=5 || got=$?
+[ $got = 2 ] && grep -q 'names z, but the axes of the group are x, y' out || fail "an unknown axis: $got, $(cat out)"
 refused 'to has 3 coordinates, but the group has 2 axes' plotter move-linear --to 0,0,5
 refused 'position_max' plotter move-linear --to 1000000000,0
 refused 'needs a buffer mode that blends' plotter move-linear --to 5,5 --deviation 1
@@ -52,9 +58,9 @@ order plotter move-linear --to nan,1 || got=$?
 [ $got = 2 ] || fail "a coordinate nan: exit status $got: $(cat out)"
 first=$(tick)
 order plotter wait 1 || fail "wait: $(cat out)"
-order plotter move-linear --to 20,10 --velocity 40 || fail "move-linear: $(cat out)"
+order plotter move-linear y=10mm x=20mm --velocity 40 || fail "move-linear: $(cat out)"
 order plotter move-linear --to 40,10 --velocity 30 --blend look-ahead --deviation 1 || fail "move-linear: $(cat out)"
-order plotter move-circular --to 40,30 --center 40,20 --velocity 30 --buffered || fail "move-circular: $(cat out)"
+order plotter move-circular x=40 y=30 --center x=40,y=20 --velocity 30 --buffered || fail "move-circular: $(cat out)"
 order plotter move-linear --by -40,0 --velocity 30 --buffered || fail "move-linear --by: $(cat out)"
 order plotter move-direct --to 0,0 --blend look-ahead --deviation 1 || fail "move-direct: $(cat out)"
 "$jounce" monitor plotter --json --seconds 0.2 | grep -q '"queue_rows":[1-9]' || fail "no command waits on the monitor"
@@ -69,8 +75,11 @@ sleep 1
 sed '/^\[\[command/,$d' square.toml > bed.toml
 printf 'G21 G90 G64 P0.1\nG1 X20 Y0 F3000\nG1 X20 Y10\nG1 X0 Y0\nM30\n' > part.ngc
 "$jounce" stream part.ngc --machine bed.toml --to plotter > out 2>&1 || fail "stream G-code: $(cat out)"
-refused 'sent as a whole' plotter move-linear --to 5,5 --buffered
-sleep 2
+order plotter move-linear x=5 y=5 --velocity 50 --buffered || fail "after a path: $(cat out)"
+order plotter move-linear x=0 y=0 --velocity 50 --blend look-ahead || fail "after a path: $(cat out)"
+"$jounce" monitor plotter --json --seconds 0.5 | grep -q '"path_length":[0-9].*"remaining":[0-9].*"commands":[1-9]' ||
+  fail "no place on the path"
+sleep 3
 
 "$jounce" stream square.toml --to plotter > out 2>&1 || fail "stream: $(cat out)"
 sleep 0.3

@@ -19,6 +19,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string length_text(double value, const std::string& unit) {
+  return six_digits(value) + (unit.empty() ? "" : " " + unit);
+}
+
 }  // namespace
 
 std::string status_text(const std::string& axis, const wire::Status& s) {
@@ -63,6 +67,46 @@ std::string status_json(const std::string& axis, const wire::MasterStatus& m) {
                   {"velocity", m.velocity}, {"age", m.age_s},          {"taken", m.taken},
                   {"refused", m.refused}};
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string status_text(const std::string& group, const wire::GroupStatus& g) {
+  return fmt::format("{:<12} path      tick {:<10} {}, feed {:.6g}, remaining {}", group, g.tick,
+                     place_text(g, ""), g.feed, remaining_text(g, ""));
+}
+
+std::string status_json(const std::string& group, const wire::GroupStatus& g) {
+  const Json line{{"name", group},
+                  {"tick", g.tick},
+                  {"axes", g.axes},
+                  {"place", g.place},
+                  {"framed", g.framed},
+                  {"path_position", g.position},
+                  {"path_length", g.length},
+                  {"feed", g.feed},
+                  {"remaining", g.remaining_s},
+                  {"estimated", g.estimated},
+                  {"line", g.line},
+                  {"commands", g.commands},
+                  {"look_ahead", g.look_ahead}};
+  return line.dump();
+}
+
+std::string place_text(const wire::GroupStatus& group, const std::string& unit) {
+  std::string place = group.framed ? "frame" : "";
+  for (std::size_t k = 0; k < group.axes.size() && k < group.place.size(); ++k)
+    place += fmt::format("{}{} {:.6g}", place.empty() ? "" : " ", group.axes[k], group.place[k]);
+  const std::string position = place + "; path " + length_text(group.position, unit);
+  if (std::isnan(group.length)) return position + ", no path";
+  return fmt::format("{} of {}, line {}", position, length_text(group.length, unit), group.line);
+}
+
+std::string remaining_text(const wire::GroupStatus& group, const std::string& unit) {
+  std::string text =
+      std::isnan(group.remaining_s) ? "not known" : six_digits(group.remaining_s) + " s";
+  if (group.estimated && !std::isnan(group.remaining_s)) text += " (estimate)";
+  text += fmt::format(", {} commands", group.commands);
+  if (!std::isnan(group.look_ahead)) text += ", look-ahead " + length_text(group.look_ahead, unit);
+  return text;
 }
 
 std::string event_text(const wire::Event& event) {
@@ -131,9 +175,7 @@ std::string master_text(const wire::MasterStatus& master, bool ascii) {
                               : fmt::format("measured {:.3g} ms ago", 1e3 * master.age_s);
   // Samples of a sender that the executor rejects; its terminal prints the reason.
   const std::string rejected =
-      master.refused > 0
-          ? fmt::format(", {} rejected (unit, epoch, order)", master.refused)
-          : "";
+      master.refused > 0 ? fmt::format(", {} rejected (unit, epoch, order)", master.refused) : "";
   if (master.lost)
     return fmt::format("{}{}, {}{}", master.master, std::isnan(master.age_s) ? "" : " is lost", age,
                        rejected);

@@ -49,6 +49,22 @@ std::optional<wire::Status> present_status(Transport& link, const std::string& e
   return next_status_of(link, executor, timeout, key, clock);
 }
 
+std::optional<wire::GroupStatus> present_group(Transport& link, const std::string& executor,
+                                               Nanos timeout, const std::optional<wire::Key>& key,
+                                               const Clock& clock) {
+  link.subscribe(wire::channel(executor, wire::Lane::group), 1);
+  Rejects rejects;
+  const Nanos end = clock() + timeout;
+  for (Nanos left = timeout; left > Nanos{}; left = end - clock()) {
+    const auto message = next_message(link, left, rejects, key);
+    const auto* const group = message && message->executor == executor
+                                  ? std::get_if<wire::GroupStatus>(&message->body)
+                                  : nullptr;
+    if (group != nullptr) return *group;
+  }
+  return std::nullopt;
+}
+
 CallOutcome outcome_of(const wire::Reply& reply, const std::string& executor) {
   if (reply.outcome == wire::Outcome::accepted) return {};
   if (reply.outcome == wire::Outcome::pending)
