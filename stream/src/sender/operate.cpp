@@ -9,6 +9,7 @@
 
 #include "jounce/command/cause.hpp"
 #include "jounce/command/command_table.hpp"
+#include "jounce/stream/transport/link.hpp"
 
 namespace jounce {
 
@@ -54,6 +55,7 @@ std::optional<wire::GroupStatus> present_group(Transport& link, const std::strin
                                                const Clock& clock) {
   link.subscribe(wire::channel(executor, wire::Lane::group), 1);
   Rejects rejects;
+  drain(link, Nanos{}, key, rejects, [](const wire::Message& /*old*/) {});
   const Nanos end = clock() + timeout;
   for (Nanos left = timeout; left > Nanos{}; left = end - clock()) {
     const auto message = next_message(link, left, rejects, key);
