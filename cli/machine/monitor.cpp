@@ -44,7 +44,7 @@ int print_all(Watch& watch, const MonitorArguments& options) {
     std::fflush(stdout);
   };
   for (const Duration duration(options.seconds); duration.goes_on();) {
-    options.events ? watch.run(turn, {}, {}, print) : watch.run(turn, print, print);
+    options.events ? watch.run(turn, {}, {}, print) : watch.run(turn, print, print, {}, print);
     if (const std::string who = watch.silent(nanos(options.silence)); !who.empty())
       return give_up(who, options.silence, options.link.url);
   }

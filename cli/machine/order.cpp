@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,7 +30,8 @@ namespace {
 struct OrderArguments {
   std::string executor;
   CommandWords words;
-  double seconds = 0;  // length of a hold-to-run jog; 0: until Ctrl-C
+  std::vector<std::string> values;  // after the command
+  double seconds = 0;               // length of a hold-to-run jog; 0: until Ctrl-C
   std::int64_t at = -1;
   LinkOptions link;
   bool json = false;
@@ -43,12 +45,21 @@ wire::Status present(const OrderArguments& options, KeyedLink& link) {
   return *status;
 }
 
+/// The axes of a group, if the command names them.
+std::vector<std::string> axes_of(const OrderArguments& options, KeyedLink& link) {
+  if (!names_axes(options.words)) return {};
+  const auto group =
+      present_group(link.transport(), options.executor, std::chrono::seconds(1), link.key());
+  if (!group) throw InputError("NAME", options.executor, "must be a group: the command names axes");
+  return group->axes;
+}
+
 CallOutcome execute(const OrderArguments& options, KeyedLink& link, const Units& units) {
   const bool homes = options.words.what == "home";
   if (homes && options.at >= 0)
     throw InputError("--at", std::to_string(options.at),
                      "cannot be combined with home, which waits until the axis is homed");
-  const ClientCommand command = command_of(options.words, units);
+  const ClientCommand command = command_of(options.words, units, axes_of(options, link));
   std::optional<Interrupt> interrupt;
   if (homes || holds_to_run(command)) interrupt.emplace();
   return execute_command(
@@ -76,7 +87,8 @@ int report(const OrderArguments& options, const CallOutcome& outcome, const wire
   return status_of(outcome, {StreamError::refused});
 }
 
-int run_order(const OrderArguments& options) {
+int run_order(OrderArguments& options) {
+  set_values(options.words, options.values);
   require_name_on_bus("NAME", options.executor);
   require_taken(options.words);
   if (options.seconds != 0) require_held(options.words, fmt::format("{}", options.seconds));
@@ -120,7 +132,7 @@ void add_order(CommandLine& line) {
                               "jounce order feeder move --by 80mm --blend next\n"
                               "jounce order feeder jog -20mm/s --hold-to-run\n"
                               "jounce order feeder inch 0.5mm --velocity 5mm/s\n"
-                              "jounce order plotter move-linear --to 10mm,5mm --velocity 80mm/s\n"
+                              "jounce order plotter move-linear x=10mm y=5mm --velocity 80mm/s\n"
                               "jounce order feeder override 50%\n"
                               "jounce order feeder home --method 24 --search-velocity 40mm/s\n"
                               "Numbers without a unit have the unit of the axis.");
@@ -132,8 +144,9 @@ void add_order(CommandLine& line) {
       .required()
       .check(command_word(*options));
   verb.option(
-      "VALUE", options->words.value,
-      "Factor of override (50%), distance of inch, velocity of change-velocity and jog (0: rest), "
+      "VALUE", options->values,
+      "Coordinates of a group (x=10mm y=5mm). Factor of override (50%), distance of inch, velocity "
+      "of change-velocity and jog (0: rest), "
       "position of set-position, ratio of gear-in, gear-in-pos, combine (3:2), time of wait (s)");
   add_options(verb, options->words);
   verb.option("--seconds", options->seconds, "End a --hold-to-run jog after this number of seconds")

@@ -121,6 +121,8 @@ constexpr std::array rows{
     sent<command::AbortTrigger>("abort_trigger", 31, "abort-trigger", "MC_AbortTrigger", own, always),
     sent<command::EnableCompensation>("enable_compensation", 46, "enable-compensation", "", own, while_off),
     sent<command::DisableCompensation>("disable_compensation", 47, "disable-compensation", "", own, while_off),
+    sent<command::SetCoordinateTransform>("set_coordinate_transform", 60, "set-coordinate-transform",
+        "MC_SetCoordinateTransform", own, begins),
 };
 // clang-format on
 

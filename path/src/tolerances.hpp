@@ -12,4 +12,8 @@ inline constexpr double least_rate = 1e-12;
 /// Share of the duration of a plan: the rest of a law that has no other stretch.
 inline constexpr double shortest_rest = 1e-9;
 
+/// Share of the largest coordinate by which joints may differ from those of the tool position that was
+/// computed from them.
+inline constexpr double same_joint = 1e-9;
+
 }  // namespace jounce::path_detail

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <ostream>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -75,16 +77,26 @@ Point start_of(const Plan& plan) {
   return start;
 }
 
-class GroupExamples : public testing::TestWithParam<const char*> {};
+/// A spec, and its duration in s by the closed forms of its comment; 0: no closed form.
+struct Example {
+  const char* file;
+  double duration = 0;
+};
+void PrintTo(const Example& example, std::ostream* to) {
+  *to << example.file;
+}
+
+class GroupExamples : public testing::TestWithParam<Example> {};
 
 TEST_P(GroupExamples, ArePlayedAsPlanned) {
-  const std::vector<Input> path = read(GetParam());
+  const std::vector<Input> path = read(GetParam().file);
   const std::size_t n = path.size();
   const auto axes = axes_for(path, start_of(*path.front().plan));
   // Limits that do not bind may change the last bit of a plan.
   const auto& spec = std::get<PathSpec>(path.front().spec->subject);
   const Plan wanted = plan(spec.program, within(spec.limits, axes.back().group->configs));
   EXPECT_NEAR(wanted.duration(), path.front().plan->duration(), 1e-9);
+  if (GetParam().duration > 0) EXPECT_NEAR(wanted.duration(), GetParam().duration, 2e-6);
   test::Site site(axes);
   site.advance(10ms);
   Client client(site.link, "group", {}, site.clock);
@@ -119,15 +131,67 @@ TEST_P(GroupExamples, ArePlayedAsPlanned) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfTheManuals, GroupExamples,
-                         testing::Values("himc-path/lines.toml", "himc-path/stadium.toml",
-                                         "himc-path/square.toml", "himc-path/second-lap.toml",
-                                         "himc-path/arc-corners.toml", "himc-path/helix.toml",
-                                         "pmc600-path/lines.toml", "pmc600-path/arcs.toml",
-                                         "pmc600-path/ellipse.toml", "pmc600-path/helix.toml",
-                                         "pmc600-path/corners.toml", "pmc600-path/sequence.toml",
-                                         "pmc600-path/gcode.toml", "pmc600-path/gcode-arcs.toml",
-                                         "plotter/square.toml", "path-square/curvature.toml"));
+/// HIMC 8.1.6: Ex 1 lines, Ex 2 stadium, Ex 3-1 square, 3-2 second-lap, 3-3 arc-corners, Ex 4 helix (its
+/// length 1573.976207 at 100 mm/s, and two ramps of 2 sqrt(100 / 25000) s), Ex 5 frame, work-frames.
+/// PMC600: 8.1 lines, 8.3 arcs, 8.4 ellipse, 8.5 helix (110409.535 / 10000 + 10000 / 20000 s), 8.6 corners
+/// and sequence, 8.8 gcode-arcs, 8.9 gcode; 7.3.1 blended-corner. 8.2 is below.
+INSTANTIATE_TEST_SUITE_P(
+    OfTheManuals, GroupExamples,
+    testing::Values(Example{"himc-path/lines.toml", 2 * 1.540705},
+                    Example{"himc-path/stadium.toml"}, Example{"himc-path/square.toml"},
+                    Example{"himc-path/second-lap.toml"}, Example{"himc-path/arc-corners.toml"},
+                    Example{"himc-path/helix.toml", 15.73976207 + 2 * std::sqrt(100 / 25000.0)},
+                    Example{"himc-path/arc-forms.toml"}, Example{"himc-path/arc-speed.toml"},
+                    Example{"himc-path/frame.toml"}, Example{"himc-path/work-frames.toml"},
+                    Example{"pmc600-path/lines.toml", 2.5 + 2.870829},
+                    Example{"pmc600-path/arcs.toml", 2.070796 + 3.641593},
+                    Example{"pmc600-path/ellipse.toml", 2 * 1.918083},
+                    Example{"pmc600-path/helix.toml", 11.0409535 + 0.5},
+                    Example{"pmc600-path/corners.toml", 7.386350},
+                    Example{"pmc600-path/sequence.toml"},
+                    Example{"pmc600-path/gcode.toml", 1.514214 + 2.457023},
+                    Example{"pmc600-path/gcode-arcs.toml", 6.055806},
+                    Example{"pmc600-path/blended-corner.toml"}, Example{"plotter/square.toml"},
+                    Example{"path-square/curvature.toml"}));
+
+/// PMC600 8.2: the live speed ratio. At the ratios 0.5, 1.5 and 1, the line of 5000 pulses has the printed
+/// speeds 1500, 4500 and 3000.
+TEST(GroupExamples, TheSpeedRatioIsLive) {
+  std::vector<Input> path = read("pmc600-path/ratio.toml");
+  auto& spec = std::get<PathSpec>(path.front().spec->subject);
+  spec.override_steps.clear();
+  const auto axes = axes_for(path, {});
+  test::Site site(axes);
+  site.advance(10ms);
+  Client client(site.link, "group", {}, site.clock);
+  ASSERT_TRUE(client.enable().ok());
+  ASSERT_TRUE(client.command(command::Override{0.5}).ok());
+  ASSERT_TRUE(client.release().ok());
+  double farthest = 0;
+  site.after = [&] {
+    farthest = std::max(farthest, std::abs(site.last(0).position * 4 - site.last(1).position * 3));
+  };
+  StreamPlan line = path_plan("group", path);
+  ASSERT_TRUE(site.stream(line).ok());
+  const auto reaches = [&](double speed) {
+    for (int k = 0; k < 2000; ++k) {
+      site.advance(1ms);
+      const double now = std::hypot(site.last(0).velocity, site.last(1).velocity);
+      if (std::abs(now - speed) < 1e-6) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(reaches(1500));
+  for (const auto [ratio, speed] : {std::pair{1.5, 4500.0}, {1.0, 3000.0}}) {
+    ASSERT_TRUE(client.command(command::Override{ratio}).ok());
+    ASSERT_TRUE(client.release().ok());
+    EXPECT_TRUE(reaches(speed)) << ratio;
+  }
+  site.advance(3s);
+  EXPECT_NEAR(site.last(0).position, 3000, 1e-9);
+  EXPECT_NEAR(site.last(1).position, 4000, 1e-9);
+  EXPECT_LT(farthest, 1e-8) << "off the line";
+}
 
 TEST(GroupStream, IsRejectedWithItsReason) {
   const std::vector<Input> path = read("path-square/deviation.toml");

@@ -45,6 +45,12 @@ order plotter override 100% || fail "override: $(cat out)"
 refused in_group x override 50%
 refused 'to is missing' plotter move-linear --to ,
 refused 'has no length' plotter move-linear --to 0,0
+got=0
+order x move-linear x=5 || got=$?
+[ $got = 2 ] && grep -q 'must be a group' out || fail "a coordinate of a single axis: $got, $(cat out)"
+got=0
+order plotter move-linear z=5 || got=$?
+[ $got = 2 ] && grep -q 'names z, but the axes of the group are x, y' out || fail "an unknown axis: $got, $(cat out)"
 refused 'to has 3 coordinates, but the group has 2 axes' plotter move-linear --to 0,0,5
 refused 'position_max' plotter move-linear --to 1000000000,0
 refused 'needs a buffer mode that blends' plotter move-linear --to 5,5 --deviation 1
@@ -55,9 +61,9 @@ order plotter move-linear --to nan,1 || got=$?
 [ $got = 2 ] || fail "a coordinate nan: exit status $got: $(cat out)"
 first=$(tick)
 order plotter wait 3 || fail "wait: $(cat out)"
-order plotter move-linear --to 20,10 --velocity 40 || fail "move-linear: $(cat out)"
+order plotter move-linear y=10mm x=20mm --velocity 40 || fail "move-linear: $(cat out)"
 order plotter move-linear --to 40,10 --velocity 30 --blend look-ahead --deviation 1 || fail "move-linear: $(cat out)"
-order plotter move-circular --to 40,30 --center 40,20 --velocity 30 --buffered || fail "move-circular: $(cat out)"
+order plotter move-circular x=40 y=30 --center x=40,y=20 --velocity 30 --buffered || fail "move-circular: $(cat out)"
 order plotter move-linear --by -40,0 --velocity 30 --buffered || fail "move-linear --by: $(cat out)"
 order plotter move-direct --to 0,0 --blend look-ahead --deviation 1 || fail "move-direct: $(cat out)"
 wait_for plotter '"queue_rows":[1-9]'
@@ -72,7 +78,9 @@ wait_for plotter '"state":"standstill"'
 sed '/^\[\[command/,$d' square.toml > bed.toml
 printf 'G21 G90 G64 P0.1\nG1 X20 Y0 F900\nG1 X20 Y10\nG1 X0 Y0\nM30\n' > part.ngc
 "$jounce" stream part.ngc --machine bed.toml --to plotter > out 2>&1 || fail "stream G-code: $(cat out)"
-refused 'sent as a whole' plotter move-linear --to 5,5 --buffered
+order plotter move-linear x=5 y=5 --velocity 50 --buffered || fail "after a path: $(cat out)"
+order plotter move-linear x=0 y=0 --velocity 50 --blend look-ahead || fail "after a path: $(cat out)"
+wait_for plotter '"path_length":[0-9].*"remaining":[0-9].*"commands":[1-9]'
 wait_for plotter '"state":"standstill"'
 
 order plotter override 40% || fail "override: $(cat out)"

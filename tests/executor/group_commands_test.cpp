@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/executor/group_queue.hpp"
+#include "jounce/path/direct.hpp"
 
 #include "executor/plotter_site.hpp"
 #include "support/random.hpp"
@@ -314,6 +315,110 @@ TEST(GroupCommands, ArcsRelativeAndDirectMoves) {
   EXPECT_NEAR(site.last(y).position, 60, 1e-12);
 }
 
+TEST(GroupCommands, AFrameMovesTheFollowingCommands) {
+  Judged site;
+  command::SetCoordinateTransform frame{.rotation = 90};
+  frame.offset = at(100, 20);
+  ASSERT_TRUE(site.order("plotter", frame).ok());
+  EXPECT_EQ(site.last(group).state, State::standstill) << "nothing moves";
+  // (10, 0) of the part is (100, 30) of the machine, and (10, -40) is (140, 30).
+  site.requested.lines = {{0, 0, 100, 30}, {100, 30, 140, 30}, {140, 30, 140, 50}};
+  ASSERT_TRUE(site.order("plotter", command::MoveLinearAbsolute{.to = at(10, 0)}).ok());
+  const command::PathDynamics buffered{.buffer = PathBuffer::buffered};
+  ASSERT_TRUE(
+      site.order("plotter", command::MoveLinearAbsolute{at(as_configured, -40), buffered}).ok());
+  ASSERT_TRUE(
+      site.order("plotter", command::MoveLinearRelative{at(20, as_configured), buffered}).ok());
+  site.advance(5s);
+  EXPECT_NEAR(site.last(x).position, 140, 1e-9);
+  EXPECT_NEAR(site.last(y).position, 50, 1e-9);
+  EXPECT_THAT(site.order("plotter", command::MoveLinearAbsolute{.to = at(30, -40)}).reason,
+              HasSubstr("has no length"))
+      << "the group is there";
+  // An arc about (30, -50) of the part, (150, 50) of the machine, and a jog along x of the part.
+  site.requested = {.lines = {{150, 40, 150, 60}}, .circles = {{150, 50, 10}}};
+  command::MoveCircularAbsolute quarter{.to = at(20, -50)};
+  quarter.center = {30, -50};
+  const CallOutcome outcome = site.order("plotter", quarter);
+  ASSERT_TRUE(outcome.ok()) << outcome.reason;
+  site.advance(3s);
+  EXPECT_NEAR(site.last(x).position, 150, 1e-9);
+  EXPECT_NEAR(site.last(y).position, 40, 1e-9);
+  ASSERT_TRUE(
+      site.order("plotter", command::GroupJog{.along = at(1, 0), .dynamics = {.velocity = 20}})
+          .ok());
+  site.advance(500ms);
+  ASSERT_TRUE(site.order("plotter", command::Halt{}).ok());
+  site.advance(1s);
+  EXPECT_NEAR(site.last(x).position, 150, 1e-9);
+  EXPECT_GT(site.last(y).position, 45);
+  // Without values, the coordinates are those of the machine again; and after a disable.
+  site.requested = {.lines = {{150, 40, 150, 60}, {150, site.last(y).position, 120, 30}}};
+  ASSERT_TRUE(site.order("plotter", command::SetCoordinateTransform{}).ok());
+  ASSERT_TRUE(site.order("plotter", command::MoveLinearAbsolute{.to = at(120, 30)}).ok());
+  site.advance(3s);
+  EXPECT_NEAR(site.last(x).position, 120, 1e-9);
+  ASSERT_TRUE(site.order("plotter", frame).ok());
+  ASSERT_TRUE(site.order("plotter", command::Disable{}).ok());
+  site.advance(10ms);
+  EXPECT_THAT(site.order("plotter", frame).reason, HasSubstr("not_enabled"));
+  ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
+  site.requested = {.lines = {{120, 30, 100, 0}}};
+  ASSERT_TRUE(site.order("plotter", command::MoveLinearAbsolute{.to = at(100, 0)}).ok());
+  site.advance(3s);
+  EXPECT_NEAR(site.last(y).position, 0, 1e-9);
+}
+
+TEST(GroupCommands, AFrameIsChecked) {
+  Judged site;
+  const auto reason = [&](const command::SetCoordinateTransform& frame) {
+    const CallOutcome outcome = site.order("plotter", frame);
+    EXPECT_FALSE(outcome.ok());
+    return outcome.reason;
+  };
+  command::SetCoordinateTransform third;
+  third.offset[2] = 5;
+  EXPECT_THAT(reason(third), HasSubstr("offset has 3 coordinates, but the group has 2 axes"));
+  command::SetCoordinateTransform turned{.rotation = 30};
+  turned.zyz = {1, 2, 3};
+  EXPECT_THAT(reason(turned), HasSubstr("cannot be combined with rotation"));
+  turned.rotation = as_configured;
+  EXPECT_THAT(reason(turned), HasSubstr("needs three axes"));
+}
+
+/// The axis x needs 100 / 200 s at its velocity, and y is there long before.
+TEST(GroupCommands, AFastMoveTakesTheShortestTimeOfEachAxis) {
+  Judged site;
+  site.requested.tolerance = 1e9;  // its path is not a line
+  ASSERT_TRUE(
+      site.order("plotter", command::MoveDirectAbsolute{.to = at(100, 10), .fast = true}).ok());
+  std::int64_t begun = -1, y_there = -1, x_there = -1;
+  for (int k = 0; k < 3000 && x_there < 0; ++k) {
+    site.advance(1ms);
+    const std::int64_t tick = site.last(group).tick;
+    if (begun < 0 && site.last(group).state == State::discrete_motion) begun = tick;
+    if (y_there < 0 && std::abs(site.last(y).position - 10) < 1e-9) y_there = tick;
+    if (std::abs(site.last(x).position - 100) < 1e-9) x_there = tick;
+  }
+  ASSERT_GE(begun, 0);
+  const Limits axis = limits(200, 2000, 1e5);
+  const auto time = [&](double distance) { return direct({}, {distance}, {axis})[0].end() * 1000; };
+  EXPECT_NEAR(static_cast<double>(x_there - begun), time(100), 2);
+  EXPECT_NEAR(static_cast<double>(y_there - begun), time(10), 2);
+  EXPECT_LT(y_there + 100, x_there);
+  site.advance(100ms);
+  EXPECT_EQ(site.last(group).state, State::standstill);
+  // A buffered fast move begins at rest, and a line after it too.
+  const command::PathDynamics buffered{.buffer = PathBuffer::buffered};
+  ASSERT_TRUE(site.order("plotter", command::MoveDirectAbsolute{at(0, 0), {}, true}).ok());
+  ASSERT_TRUE(site.order("plotter", command::MoveLinearAbsolute{at(10, 0), buffered}).ok());
+  site.advance(3s);
+  EXPECT_NEAR(site.last(x).position, 10, 1e-12);
+  EXPECT_THAT(
+      site.order("plotter", command::MoveDirectAbsolute{at(5, 5), blending(50), true}).reason,
+      HasSubstr("fast begins and ends at rest: leave out --blend"));
+}
+
 TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
   Limits axis = limits(200, 2000, 1e5);
   axis.position_min = -500;
@@ -356,13 +461,50 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
 
   ASSERT_TRUE(site.order("plotter", command::Disable{}).ok());
   EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(1, 0)}), HasSubstr("not_enabled"));
-  ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
+}
+
+TEST(GroupCommands, FollowAPathThatWasSentAsAWhole) {
+  Judged site;
   site.each_tick = {};
   ASSERT_TRUE(site.order("plotter", command::StartTable{}).ok());
   site.advance(100ms);
-  EXPECT_THAT(reason(command::MoveLinearAbsolute{at(1, 0), blending(50)}),
-              HasSubstr("plays a path that was sent as a whole"));
-  EXPECT_EQ(site.last(group).state, State::discrete_motion);
+  const auto reason = [&](const ClientCommand& command) {
+    return site.order("plotter", command).reason;
+  };
+  EXPECT_THAT(reason(command::GroupWait{1}), HasSubstr("a wait needs a motion before it"));
+  EXPECT_THAT(reason(command::MoveDirectAbsolute{at(5, 5), {.buffer = PathBuffer::buffered}, true}),
+              HasSubstr("a fast move begins at rest"));
+  const command::PathDynamics buffered{.buffer = PathBuffer::buffered};
+  ASSERT_EQ(reason(command::MoveLinearAbsolute{at(100, 10), buffered}), "");
+  ASSERT_EQ(reason(command::MoveLinearRelative{at(0, 20), blending(50)}), "");
+  EXPECT_THAT(reason(command::MoveLinearAbsolute{at(100, 30), buffered}),
+              HasSubstr("has no length"));
+  EXPECT_EQ(site.last(group).finished, 0U) << "the program is still played";
+  for (int k = 0; k < 100 && site.last(group).finished < 1; ++k) site.advance(100ms);
+  EXPECT_EQ(site.last(group).finished, 1U);
+  site.requested.lines = {{site.last(x).position, site.last(y).position, 100, 10},
+                          {100, 10, 100, 30}};
+  site.before = {site.last(x), site.last(y), site.last(group)};
+  site.each_tick = [&] { site.judge(); };
+  site.advance(3s);
+  EXPECT_EQ(site.last(x).position, 100);
+  EXPECT_EQ(site.last(y).position, 30);
+  EXPECT_EQ(site.last(group).finished, 2U);
+  EXPECT_EQ(site.last(group).state, State::standstill);
+}
+
+TEST(GroupCommands, AHaltDropsTheCommandsThatFollow) {
+  Judged site;
+  site.each_tick = {};
+  ASSERT_TRUE(site.order("plotter", command::StartTable{}).ok());
+  site.advance(100ms);
+  const command::PathDynamics buffered{.buffer = PathBuffer::buffered};
+  ASSERT_TRUE(site.order("plotter", command::MoveLinearAbsolute{at(100, 10), buffered}).ok());
+  ASSERT_TRUE(site.order("plotter", command::Halt{}).ok());
+  site.advance(2s);
+  EXPECT_EQ(site.last(group).state, State::standstill);
+  EXPECT_EQ(site.last(group).finished, 0U);
+  EXPECT_NE(site.last(x).position, 100);
 }
 
 TEST(GroupCommands, AHeldGroupTakesCommandsAndContinues) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -91,6 +92,61 @@ TEST(CommandWords, AMoveOfAGroupHasCoordinates) {
                                              mm));
   EXPECT_EQ(jog.along[1], -1);
   EXPECT_TRUE(holds_to_run(jog));
+}
+
+TEST(CommandWords, CoordinatesHaveTheNamesOfTheAxes) {
+  const std::vector<std::string> axes{"x", "y", "z"};
+  const auto words = [](const std::string& what, const std::vector<std::string>& values,
+                        std::map<std::string, std::string> options = {}) {
+    CommandWords made{.what = what, .options = std::move(options)};
+    set_values(made, values);
+    require_taken(made);
+    return made;
+  };
+  const CommandWords named = words("move-linear", {"y=1cm", "x=-5mm"}, {{"velocity", "80"}});
+  EXPECT_TRUE(names_axes(named));
+  const auto line = std::get<command::MoveLinearAbsolute>(command_of(named, mm, axes));
+  EXPECT_EQ(line.to[0], -5);
+  EXPECT_EQ(line.to[1], 10);
+  EXPECT_TRUE(std::isnan(line.to[2])) << "an axis without a name stays";
+  const auto arc = std::get<command::MoveCircularAbsolute>(
+      command_of(words("move-circular", {"x=40", "y=30"}, {{"center", "y=20,x=40"}}), mm, axes));
+  EXPECT_EQ(arc.to[1], 30);
+  EXPECT_EQ(arc.center[0], 40);
+  EXPECT_EQ(arc.center[1], 20);
+  const auto by = std::get<command::MoveDirectRelative>(
+      command_of(words("move-direct", {}, {{"by", "z=2"}}), mm, axes));
+  EXPECT_TRUE(std::isnan(by.to[0]));
+  EXPECT_EQ(by.to[2], 2);
+  const auto jog = std::get<command::GroupJog>(command_of(words("jog", {"y=-1"}), mm, axes));
+  EXPECT_EQ(jog.along[1], -1);
+  const auto frame = std::get<command::SetCoordinateTransform>(
+      command_of(words("set-coordinate-transform", {"x=120"}, {{"rotation", "30"}}), mm, axes));
+  EXPECT_EQ(frame.offset[0], 120);
+  EXPECT_EQ(frame.rotation, 30);
+  EXPECT_FALSE(names_axes(words("wait", {"0.5"})));
+
+  const auto wrong = [&](const std::string& what, const std::vector<std::string>& values,
+                         const std::map<std::string, std::string>& options = {}) {
+    return test::error_of([&] { (void)command_of(words(what, values, options), mm, axes); });
+  };
+  EXPECT_EQ(wrong("move-linear", {"u=1"}),
+            "--to = u=1: names u, but the axes of the group are x, y, z");
+  EXPECT_EQ(wrong("move-linear", {"x=1", "x=2"}), "--to = x=1,x=2: names an axis twice");
+  EXPECT_EQ(wrong("move-linear", {"=2"}),
+            "--to = =2: names no axis, but the axes of the group are x, y, z");
+  EXPECT_EQ(wrong("move-linear", {"x="}), "--to = x=: has a name without a coordinate");
+  EXPECT_EQ(wrong("move-linear", {}, {{"to", "x=1,2"}}),
+            "--to = x=1,2: has coordinates with and without a name: name all of them, or none");
+  EXPECT_EQ(wrong("move-linear", {"x=1"}, {{"to", "5"}}),
+            "VALUE = x=1: cannot be combined with --to");
+  EXPECT_EQ(wrong("move-linear", {"x=1"}, {{"by", "5"}}),
+            "VALUE = x=1: cannot be combined with --by: use --by x=1");
+  EXPECT_EQ(wrong("wait", {"1", "2"}),
+            "VALUE = 1: is one of several values: give one value, or coordinates such as x=10 y=5");
+  EXPECT_EQ(wrong("halt", {"x=1"}), "VALUE = x=1: has names of axes, but halt has no coordinates");
+  EXPECT_EQ(wrong("move-circular", {"x=1"}, {{"center", "z=3"}}),
+            "--center = ,,3: has 3 coordinates, and must have at most 2");
 }
 
 TEST(CommandWords, APhaseShiftIsInTheUnitsOfTheMaster) {

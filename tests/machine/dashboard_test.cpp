@@ -308,6 +308,30 @@ TEST(Terminal, ClearsWhatARowLeavesOver) {
             "\x1b[H\x1b[0ma\x1b[0m\x1b[K\r\n\x1b[0m\x1b[K\x1b[J");
 }
 
+TEST(Dashboard, ShowsThePlaceOfAGroupOnItsPath) {
+  std::vector<Watched> axes;
+  take(axes, "plotter", moving(), 1s);
+  take(axes, "plotter",
+       wire::GroupStatus{.boot = 7,
+                         .tick = 10,
+                         .axes = {"x", "y"},
+                         .place = {10, -2.5},
+                         .framed = true,
+                         .line = 12,
+                         .commands = 3,
+                         .estimated = true,
+                         .position = 12.5,
+                         .length = 400,
+                         .feed = 80,
+                         .remaining_s = 4.25,
+                         .look_ahead = 380});
+  std::string all;
+  for (const Row& row : rows_of(axes, {.height = 40, .now = 1s}))
+    for (const Span& span : row) all += span.text;
+  EXPECT_THAT(all, HasSubstr("frame x 10 y -2.5; path 12.5 mm of 400 mm, line 12"));
+  EXPECT_THAT(all, HasSubstr("4.25 s (estimate), 3 commands, look-ahead 380 mm"));
+}
+
 TEST(Dashboard, ShowsTheMasterOfTheChosenAxis) {
   std::vector<Watched> axes;
   const wire::MasterStatus there{7, "line", "mm", 10, false, 1234.5, 500, 0.0013, 12, 1};

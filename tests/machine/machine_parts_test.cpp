@@ -222,6 +222,53 @@ TEST_F(MachineGroups, RejectWhatTheyCannotPlayWithItsPlace) {
   EXPECT_THAT(error(good, hard), AllOf(HasSubstr("machine.toml:10"), HasSubstr("x.acceleration")));
 }
 
+TEST_F(MachineGroups, OfJointsHaveTheCoordinatesOfTheirTool) {
+  const std::string examples = JOUNCE_SOURCE_DIR "/examples/";
+  const auto scara = machine_parts({.files = {examples + "scara/machine.toml"}}).axes[3];
+  EXPECT_EQ(scara.group->coordinates(), (std::vector<std::string>{"x", "y", "z"}));
+  EXPECT_EQ(scara.group->names, (std::vector<std::string>{"a0", "a1", "z_joint"}));
+  EXPECT_EQ(scara.units.position, "mm");
+  EXPECT_EQ(scara.group->unit, "") << "deg and mm";
+  EXPECT_EQ(scara.group->program->first, 3U);
+  EXPECT_EQ(scara.group->program->axes.size(), 3U);
+  const auto gantry = machine_parts({.files = {examples + "gantry/machine.toml"}}).axes[4];
+  EXPECT_EQ(gantry.group->coordinates().size(), 3U);
+  EXPECT_EQ(gantry.group->program->first, 3U);
+  EXPECT_EQ(gantry.group->program->axes.size(), 4U);
+}
+
+TEST_F(MachineGroups, RejectAKinematicsOfOtherJoints) {
+  using testing::HasSubstr;
+  const auto belt = [&](const std::string& first, const std::string& map) {
+    const std::string joint = "limits = { velocity = 20, acceleration = 1, jerk = 10 }\n";
+    std::ofstream(folder_ / "belt.toml")
+        << "jounce = 1\nkind = \"path\"\nunits = { position = \"mm\", time = \"s\" }\n[path]\n"
+           "velocity = 10\n[[axis]]\nname = \"u\"\n[[axis]]\nname = \"v\"\n"
+        << map << "[[joint]]\nname = \"" << first << "\"\n"
+        << joint << "[[joint]]\nname = \"y\"\n"
+        << joint;
+  };
+  const std::string core_xy = "[kinematics]\ntype = \"corexy\"\n";
+  const std::string keys = "axes = [\"x\", \"y\"]\nkinematics = \"belt.toml\"\n";
+  belt("a", core_xy);
+  EXPECT_THAT(error(keys), HasSubstr("has the joints a, y, but the axes of the group are x, y"));
+  belt("x", core_xy);
+  const auto parts = machine_parts({.files = {machine(keys, part())}});
+  EXPECT_EQ(parts.axes[2].group->coordinates(), (std::vector<std::string>{"u", "v"}));
+  EXPECT_THAT(error(keys + "program = \"part.toml\"\n"),
+              HasSubstr("must be u, v, the coordinates of the group"));
+  EXPECT_THAT(error("axes = [\"x\", \"y\"]\nkinematics = \"part.toml\"\n"),
+              HasSubstr("must be a spec of kind \"path\" with [kinematics]"));
+  std::ofstream(folder_ / "tool.toml")
+      << "jounce = 1\nkind = \"path\"\nunits = { position = \"mm\", time = \"s\" }\n[path]\n"
+         "velocity = 10\n[kinematics]\ntype = \"corexy\"\n[[axis]]\nname = \"u\"\n"
+         "[[axis]]\nname = \"v\"\n[[joint]]\nname = \"x\"\nlimits = { velocity = 20, "
+         "acceleration = 1, jerk = 10 }\n[[joint]]\nname = \"y\"\nlimits = { velocity = 20, "
+         "acceleration = 1, jerk = 10 }\n[[command]]\ntype = \"line\"\nto = [3, 4]\n";
+  EXPECT_THAT(error("axes = [\"x\", \"y\"]\nprogram = \"tool.toml\"\n"),
+              HasSubstr("add kinematics = \"FILE\" to the [[group]]"));
+}
+
 TEST_F(MachineGroups, TheNameOfAGroupIsItsOwn) {
   const std::string path = machine("axes = [\"x\", \"y\"]\nprogram = \"part.toml\"\n", part());
   std::string text;

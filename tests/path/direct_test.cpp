@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/path/direct.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -40,6 +41,28 @@ TEST(Direct, PathInvariantIsAStraightLine) {
     const double share = (axes[0].at(t, Side::left).position - 1) / 200;
     EXPECT_NEAR(axes[1].at(t, Side::left).position, 2 - 60 * share, 1e-11);
   }
+}
+
+/// The plan has the motions of direct(), which has another code for its polynomials.
+TEST(Direct, AFastMoveAsAPlanIsTheSameMotion) {
+  const Point from{1, -2, 3};
+  const Point to{201, 18, 2};
+  const std::vector<Trajectory> axes = direct(from, to, limits);
+  const Plan made = direct_plan(from, to, limits);
+  ASSERT_NEAR(made.duration(), axes[0].end(), 1e-12);
+  std::array<Motion, 3> at;
+  for (int k = 0; k <= 1000; ++k) {
+    const double t = made.duration() * k / 1000;
+    made.at(t, at);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(at[i].position, axes[i].at(t, Side::left).position, 1e-10);
+      EXPECT_NEAR(at[i].velocity, axes[i].at(t, Side::left).velocity, 1e-8);
+    }
+  }
+  const PlanAxes curves = to_axes(made);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(check(curves.curves[i], limits[i]).ok());
+  EXPECT_NEAR(made.path().length(), std::sqrt(200 * 200 + 20 * 20 + 1), 1e-9);
+  EXPECT_THROW(direct_plan(from, from, limits), InputError);
 }
 
 TEST(Direct, RejectsBadInput) {

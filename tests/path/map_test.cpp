@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -81,6 +82,11 @@ TEST(Map, CoreXYHasTheMotorsOfTheOracle) {
   for (const auto& row : oracle().at("corexy"))
     expect_joints(jets_at_third(*core_xy_map(2), row), row.at("motors_at_third"), 1);
 }
+
+/// Range of a coordinate.
+struct Sides {
+  double low, high;
+};
 
 /// Forward kinematics of a SCARA with two arms.
 std::array<double, 2> scara_tool(double a, double b, double first, double second) {
@@ -441,6 +447,59 @@ TEST(Map, RandomProgramsOfAScaraKeepTheLimitsOfTheirJoints) {
       EXPECT_THAT(error.rule(), HasSubstr("of the joints")) << seed;
     }
   }
+}
+
+/// The tool of the joints of random points is the point again.
+void expect_tool(const AxisMap& map, const std::vector<Sides>& box) {
+  Random random(42);
+  std::array<Jet, max_axes> point{};
+  std::array<Jet, max_axes> joints{};
+  int there = 0;
+  for (int round = 0; round < 300; ++round) {
+    for (std::size_t i = 0; i < map.axes(); ++i)
+      point[i] = {box[i].low + (box[i].high - box[i].low) * random(), 0, 0, 0};
+    if (map.jets(std::span(point).first(map.axes()), std::span(joints).first(map.joints())) !=
+        MapState::ok)
+      continue;
+    std::array<double, max_axes> at{};
+    for (std::size_t k = 0; k < map.joints(); ++k) at[k] = joints[k][0];
+    const auto tool = map.tool(std::span(at).first(map.joints()));
+    ASSERT_TRUE(tool);
+    for (std::size_t i = 0; i < map.axes(); ++i) EXPECT_NEAR((*tool)[i], point[i][0], 1e-8);
+    ++there;
+  }
+  EXPECT_GT(there, 100);
+}
+
+TEST(Map, TheToolOfTheJointsIsThePoint) {
+  expect_tool(*scara_map({.arms = {300, 250}}), {{-540, 540}, {-540, 540}});
+  expect_tool(*scara_map({.arms = {300, 250}, .elbow = Elbow::left, .with_z = true, .offset_z = 5}),
+              {{-540, 540}, {-540, 540}, {-10, 100}});
+  expect_tool(*scara_map({.arms = {300, 250, 80}, .offsets = {10, -20, 5}}),
+              {{-500, 500}, {-500, 500}, {-170, 170}});
+  for (const double angle : {0.0, 25.0, -30.0})
+    expect_tool(*linear_delta_map({.outer_radius = 200,
+                                   .inner_radius = 40,
+                                   .arm = 320,
+                                   .distance = 30,
+                                   .rail_angle = angle,
+                                   .first_rail = 90}),
+                {{-80, 80}, {-80, 80}, {-60, 60}});
+  expect_tool(*core_xy_map(3), {{-100, 100}, {-100, 100}, {0, 50}});
+  const std::array<std::size_t, 4> beam{0, 1, 1, 2};
+  expect_tool(*gantry_map(3, beam), {{-100, 100}, {-100, 100}, {0, 50}});
+}
+
+TEST(Map, JointsThatDoNotFitTogetherHaveNoTool) {
+  const auto scara = scara_map({.arms = {300, 250}});
+  EXPECT_TRUE(scara->tool(std::array<double, 2>{0, 90}));
+  EXPECT_FALSE(scara->tool(std::array<double, 2>{0, -90})) << "the other side of the elbow";
+  EXPECT_TRUE(scara->tool(std::array<double, 2>{360, 90})) << "a whole turn";
+  const std::array<std::size_t, 3> beam{0, 1, 1};
+  const auto gantry = gantry_map(2, beam);
+  EXPECT_TRUE(gantry->tool(std::array<double, 3>{5, 7, 7}));
+  EXPECT_FALSE(gantry->tool(std::array<double, 3>{5, 7, 8})) << "a skewed beam";
+  EXPECT_FALSE(identity_map(2)->tool(std::array<double, 2>{std::nan(""), 0}));
 }
 
 TEST(Map, ParametersAreChecked) {

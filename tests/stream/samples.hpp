@@ -128,6 +128,9 @@ inline std::vector<wire::Message> samples() {
       {name, 0, wire::Event{983, 44, wire::EventKind::track, 31, true, 5000, 0.000412, 88.5}, 204},
       {name, 0, wire::MasterStatus{983, "line", "mm", 5000, false, 359.25, -7.5, 0.004, 1234, 56}},
       {name, 0, wire::Claim{983, 982, true}},
+      {name, 0,
+       wire::GroupStatus{
+           983, 5001, {"x", "y"}, {1.5, -2.5}, true, 17, 3, true, 12.5, 400, 80, 4.25, 380}},
   };
 }
 
@@ -207,6 +210,12 @@ struct Text {
   void operator()(const wire::MasterStatus& m) {
     fields("master_status", m.boot, m.master, m.unit, m.tick, m.lost, m.position, m.velocity,
            m.age_s, m.taken, m.refused);
+  }
+  void operator()(const wire::GroupStatus& m) {
+    fields("group_status", m.boot, m.tick, m.framed, m.line, m.commands, m.estimated, m.position,
+           m.length, m.feed, m.remaining_s, m.look_ahead);
+    for (const std::string& axis : m.axes) fields(axis);
+    for (const double place : m.place) fields(place);
   }
   void operator()(const wire::Claim& m) { fields("claim", m.boot, m.rival, m.up); }
   void operator()(const wire::Event& m) {

@@ -30,7 +30,7 @@ TEST(UdpTransport, CarriesEveryMessage) {
   UdpTransport other(place());
   for (const auto lane :
        {wire::Lane::table, wire::Lane::command, wire::Lane::reply, wire::Lane::status,
-        wire::Lane::masters, wire::Lane::event, wire::Lane::claim})
+        wire::Lane::masters, wire::Lane::event, wire::Lane::claim, wire::Lane::group})
     link.subscribe(wire::channel("feeder_2-B", lane), 10);
   link.subscribe(wire::channel("line", wire::Lane::master), 10);
   for (const wire::Message& message : test::samples()) {

@@ -44,8 +44,9 @@ TEST_F(UnixTransportTest, CarriesEveryMessageToTheOthersAndToItself) {
   UnixTransport here(folder());
   UnixTransport there(folder());
   for (UnixTransport* link : {&here, &there}) {
-    for (const auto lane : {wire::Lane::table, wire::Lane::command, wire::Lane::reply,
-                            wire::Lane::status, wire::Lane::masters, wire::Lane::claim})
+    for (const auto lane :
+         {wire::Lane::table, wire::Lane::command, wire::Lane::reply, wire::Lane::status,
+          wire::Lane::masters, wire::Lane::claim, wire::Lane::group})
       link->subscribe(wire::channel("feeder_2-B", lane), 10);
     link->subscribe(wire::channel("feeder_2-B", wire::Lane::event), 10);
     link->subscribe(wire::channel("line", wire::Lane::master), 10);

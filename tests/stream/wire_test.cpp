@@ -24,6 +24,7 @@
 #include "jounce_lcm/claim_t.hpp"
 #include "jounce_lcm/command_t.hpp"
 #include "jounce_lcm/event_t.hpp"
+#include "jounce_lcm/group_status_t.hpp"
 #include "jounce_lcm/header_t.hpp"
 #include "jounce_lcm/heartbeat_t.hpp"
 #include "jounce_lcm/master_status_t.hpp"
@@ -86,6 +87,7 @@ TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::chunk_t>(0x15e7a1ad123b3fb0, 100);
   expect_type<jounce_lcm::claim_t>(0xcfa72b3fe99a4735, 93);
   expect_type<jounce_lcm::event_t>(0xf5bb83ca4a1124a5, 122);
+  expect_type<jounce_lcm::group_status_t>(0xbf7e0d564dd7f81d, 434);
   expect_type<jounce_lcm::header_t>(0x38846353a6819b65, 163);
   expect_type<jounce_lcm::heartbeat_t>(0x1249b7b537d13d0d, 81);
   expect_type<jounce_lcm::master_status_t>(0xb47ced7b012d6442, 173);
@@ -119,6 +121,7 @@ TEST(Wire, IsDocumented) {
   EXPECT_TRUE(is_documented<jounce_lcm::chunk_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::claim_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::event_t>(page));
+  EXPECT_TRUE(is_documented<jounce_lcm::group_status_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::header_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::heartbeat_t>(page));
   EXPECT_TRUE(is_documented<jounce_lcm::master_status_t>(page));
@@ -273,6 +276,31 @@ TEST(Wire, RefusesFieldsOutOfRange) {
   EXPECT_EQ(reject(forged(wire::Stop{.command = 1}, fields + 4, 2)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Heartbeat{.command = 1}, fields + 4, 2)), Reject::bad_field);
   EXPECT_EQ(reject(forged(wire::Ack{.boot = 1}, fields + 7, 0)), Reject::bad_field) << "boot 0";
+}
+
+TEST(Wire, RefusesGroupsOutOfRange) {
+  constexpr std::size_t fields = 56;  // behind type and envelope
+  const wire::GroupStatus seen{.boot = 1, .tick = 5, .axes = {"x", "y"}, .place = {1, 2}};
+  const auto status = [&](std::size_t at, unsigned value) {
+    Bytes bytes = wire::encode({"plotter", 0, seen});
+    bytes.at(at) = static_cast<std::byte>(value);
+    seal(bytes);
+    return reject(bytes);
+  };
+  EXPECT_EQ(status(fields + 7, 0), Reject::bad_field) << "boot 0";
+  EXPECT_EQ(status(fields + 8, 0x80), Reject::bad_field) << "tick < 0";
+  EXPECT_EQ(status(fields + 19, 0), Reject::bad_field) << "no axes";
+  EXPECT_EQ(status(fields + 19, 3), Reject::bad_field) << "a third axis without a name";
+  EXPECT_EQ(status(fields + 19, 1), Reject::bad_field) << "a name beyond the axes";
+  EXPECT_EQ(status(fields + 19, 10), Reject::bad_field) << "10 axes";
+  EXPECT_EQ(status(fields + 20, '.'), Reject::bad_field) << "a dot in a name";
+  EXPECT_EQ(status(fields + 236 + 2 * 8, 0), Reject::bad_field) << "a place beyond the axes";
+  EXPECT_EQ(status(fields + 308, 2), Reject::bad_field) << "framed 2";
+  EXPECT_EQ(status(fields + 309, 0x80), Reject::bad_field) << "line < 0";
+  EXPECT_EQ(status(fields + 313, 0x80), Reject::bad_field) << "commands < 0";
+  EXPECT_EQ(status(fields + 317, 2), Reject::bad_field) << "estimated 2";
+  EXPECT_EQ(status(fields + 318, 0xBF), Reject::bad_field) << "position < 0";
+  EXPECT_EQ(status(fields + 326, 0xBF), Reject::bad_field) << "length < 0";
 }
 
 TEST(Wire, RefusesMastersOutOfRange) {
@@ -465,10 +493,12 @@ TEST(Wire, EveryTextIsUtf8WithoutControlCharacters) {
       wire::Status{.units = others},
       wire::Master{.unit = mark},
       wire::MasterStatus{.boot = 1, .master = "line", .unit = mark},
-      wire::MasterStatus{.boot = 1, .master = mark, .unit = "mm"}};
+      wire::MasterStatus{.boot = 1, .master = mark, .unit = "mm"},
+      wire::GroupStatus{.boot = 1, .axes = {mark}, .place = {0}}};
   for (const wire::Body& body : bodies) {
-    const bool none =
-        wire::lane(body) == wire::Lane::master || wire::lane(body) == wire::Lane::masters;
+    const bool none = wire::lane(body) == wire::Lane::master ||
+                      wire::lane(body) == wire::Lane::masters ||
+                      wire::lane(body) == wire::Lane::group;
     const Bytes good = wire::encode({"feeder", none ? 0 : 1, body});
     ASSERT_TRUE(std::holds_alternative<wire::Message>(wire::decode(good))) << body.index();
     for (const std::string bad : {"\xff\xfe\xfd", "a\x1b[J", "a\x7f", "\xc2\x9b", "\xc0\xaf",

@@ -56,6 +56,28 @@ TEST(Board, GivesEachReaderEachSampleOnce) {
   EXPECT_EQ(next(board, late)["axes"][0]["samples"].size(), 3U);
 }
 
+TEST(Board, AGroupHasItsPlaceOnThePath) {
+  Board board({"plotter", "x"});
+  std::int64_t seen = 0;
+  wire::GroupStatus group{.boot = 7, .tick = 1, .axes = {"x", "y"}, .place = {1, 2}};
+  board.take("plotter", group);
+  EXPECT_EQ(next(board, seen)["axes"][0]["group"], nullptr) << "before its first status";
+  wire::Status status = at(1, 1);
+  status.boot = 7;
+  board.take("plotter", status, 0s);
+  group.length = 400;
+  group.line = 12;
+  board.take("plotter", group);
+  const json axes = next(board, seen)["axes"];
+  EXPECT_EQ(axes[0]["group"]["length"], 400.0);
+  EXPECT_EQ(axes[0]["group"]["line"], 12);
+  EXPECT_EQ(axes[0]["group"]["remaining"], nullptr);
+  EXPECT_EQ(axes[0]["group"]["place"], (json{1.0, 2.0}));
+  EXPECT_EQ(axes[1]["group"], nullptr);
+  EXPECT_EQ(board.axes_of("plotter"), (std::vector<std::string>{"x", "y"}));
+  EXPECT_TRUE(board.axes_of("x").empty());
+}
+
 TEST(Board, ListsEventsOfAllTicksWithTheirRemedy) {
   Board board({"feeder"});
   const auto tick = [](std::int64_t number, State state) {

@@ -73,6 +73,20 @@ ordered_json facts(const wire::MasterStatus& m) {
           {"position", m.position}, {"velocity", m.velocity}, {"age_ms", 1e3 * m.age_s}};
 }
 
+ordered_json facts(const wire::GroupStatus& g) {
+  return {{"axes", g.axes},
+          {"place", g.place},
+          {"framed", g.framed},
+          {"position", g.position},
+          {"length", g.length},
+          {"feed", g.feed},
+          {"remaining", g.remaining_s},
+          {"estimated", g.estimated},
+          {"line", g.line},
+          {"commands", g.commands},
+          {"look_ahead", g.look_ahead}};
+}
+
 }  // namespace
 
 Board::Board(std::vector<std::string> axes) {
@@ -111,6 +125,11 @@ void Board::take(const std::string& axis, const wire::MasterStatus& master) {
   }
 }
 
+void Board::take(const std::string& axis, const wire::GroupStatus& group) {
+  AxisView* const at = find(axis);
+  if (at != nullptr && at->heard >= Nanos{} && at->status.boot == group.boot) at->group = group;
+}
+
 void Board::note(const AxisView& view, double time, const char* kind, Cause cause) {
   log_.push_back({++count_, view.name, time, kind,
                   cause == Cause::none ? jounce::name(view.last->state) : jounce::name(cause),
@@ -143,6 +162,12 @@ std::optional<Units> Board::units(const std::string& axis) const {
   return std::nullopt;
 }
 
+std::vector<std::string> Board::axes_of(const std::string& group) const {
+  for (const AxisView& view : axes_)
+    if (view.name == group && view.group) return view.group->axes;
+  return {};
+}
+
 std::string Board::json_since(std::int64_t& seen, Nanos now) const {
   ordered_json axes = ordered_json::array();
   for (const AxisView& view : axes_) {
@@ -153,6 +178,8 @@ std::string Board::json_since(std::int64_t& seen, Nanos now) const {
     if (heard) axis["heard"] = std::chrono::duration<double>(now - view.heard).count();
     ordered_json& masters = axis["masters"] = ordered_json::array();
     for (const auto& [name, master] : view.masters) masters.push_back(facts(master));
+    axis["group"] = nullptr;
+    if (view.group) axis["group"] = facts(*view.group);
     ordered_json& samples = axis["samples"] = ordered_json::array();
     for (const Sample& s : view.samples)
       if (s.number > seen) samples.push_back({s.time, s.position, s.velocity, s.error});

@@ -42,6 +42,9 @@ class Board {
   /// cycle is the earliest.
   void take(const std::string& axis, const wire::MasterStatus& master);
 
+  /// Stores the place of a group on its path.
+  void take(const std::string& axis, const wire::GroupStatus& group);
+
   /// Adds the changes in these ticks of an axis to the list of events: states, faults, rejected
   /// commands, and the ends of motions. `period`: duration of a tick, ns. The ticks follow those of
   /// the previous call.
@@ -50,11 +53,16 @@ class Board {
   /// Returns the units of an axis; nullopt if no status has arrived.
   [[nodiscard]] std::optional<Units> units(const std::string& axis) const;
 
+  /// Returns the names of the axes of a group; empty for a single axis.
+  [[nodiscard]] std::vector<std::string> axes_of(const std::string& group) const;
+
   /// Returns the state of all axes as JSON, with the samples whose number is above `seen`; sets
   /// `seen` to the newest number. NaN becomes null. The form is {"axes": [{"name", "state", "heard"
   /// (s since the last status), "position", ..., "samples": [[time s, position, velocity, following
-  /// error], ...], "masters": [{"name", "unit", "lost", "position", "velocity", "age_ms"}]}],
-  /// "log": [{"axis", "time", "kind", "name", "text", "remedy"}]}, where time is tick * cycle.
+  /// error], ...], "masters": [{"name", "unit", "lost", "position", "velocity", "age_ms"}],
+  /// "group": null or {"axes", "place", "framed", "position", "length", "feed", "remaining",
+  /// "estimated", "line", "commands", "look_ahead"}}], "log": [{"axis", "time", "kind", "name",
+  /// "text", "remedy"}]}, where time is tick * cycle.
   /// `kind` is state, fault, rejected, dropped or ended.
   [[nodiscard]] std::string json_since(std::int64_t& seen, Nanos now) const;
 
@@ -72,7 +80,8 @@ class Board {
     Nanos heard{-1};
     std::deque<Sample> samples{};
     std::map<std::string, wire::MasterStatus> masters{};  // by name
-    std::optional<TraceTick> last{};                      // the last tick of the log
+    std::optional<wire::GroupStatus> group{};
+    std::optional<TraceTick> last{};  // the last tick of the log
   };
 
   struct Entry {

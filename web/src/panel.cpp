@@ -69,7 +69,7 @@ struct Panel::Impl {
   void open_ears() {
     ears = make_link();
     for (const std::string& axis : options.axes)
-      for (const auto lane : {wire::Lane::status, wire::Lane::masters})
+      for (const auto lane : {wire::Lane::status, wire::Lane::masters, wire::Lane::group})
         ears->subscribe(wire::channel(axis, lane), waiting_statuses);
   }
 
@@ -97,6 +97,8 @@ struct Panel::Impl {
       if (own && board.has(message->executor)) trace_status(message->executor, *status);
     } else if (const auto* const master = std::get_if<wire::MasterStatus>(&message->body))
       board.take(message->executor, *master);
+    else if (const auto* const group = std::get_if<wire::GroupStatus>(&message->body))
+      board.take(message->executor, *group);
   }
 
   [[nodiscard]] const Trace& trace() const { return own ? *own : *options.trace; }
@@ -177,13 +179,15 @@ struct Panel::Impl {
     const WordOrder order = read_word_order(body);
     index_of(order.axis);
     std::optional<Units> units;
+    std::vector<std::string> axes;
     {
       const std::scoped_lock lock(mutex);
       units = board.units(order.axis);
+      axes = board.axes_of(order.axis);
     }
     if (!units) throw TransportError(order.axis + " has sent no message yet");
     const auto link = make_link();
-    return send_command(*link, order.axis, command_of(order.words, *units), -1, options.key);
+    return send_command(*link, order.axis, command_of(order.words, *units, axes), -1, options.key);
   }
 
   CallOutcome outcome_of_order(const std::string& body) {

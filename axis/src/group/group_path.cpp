@@ -37,9 +37,11 @@ GroupPath::GroupPath(std::uint64_t id, GroupProgram program)
 
 void GroupPath::seek(double t) {
   std::array<Motion, max_axes> motion;
-  cursor_.at(t, std::span(motion).first(program_.axes.size()));
-  for (std::size_t k = 0; k < program_.axes.size(); ++k)
-    parts_[k] = {motion[k].position, motion[k].velocity, motion[k].acceleration, motion[k].jerk};
+  cursor_.at(t, std::span(motion).first(program_.first + program_.axes.size()));
+  for (std::size_t k = 0; k < program_.axes.size(); ++k) {
+    const Motion& axis = motion[program_.first + k];
+    parts_[k] = {axis.position, axis.velocity, axis.acceleration, axis.jerk};
+  }
 }
 
 Cause GroupPath::begin(const MotionState& group, const Moment& /*now*/) noexcept {
@@ -56,7 +58,9 @@ Setpoint GroupPath::at(const Moment& now) noexcept {
   Setpoint next{0, 0, {origin_ + q.position, q.velocity, q.acceleration, q.jerk}};
   if (now.t < end) return next;
   progress_ = Progress::done;
-  next.slave = {origin_ + program_.plan->path().length(), 0, 0, 0};
+  const LawInterval& last = program_.plan->law().stretches().back();
+  // A replay has only the law: its length differs from that of a fitted path by rounding.
+  next.slave = {origin_ + (last.start + last.length), 0, 0, 0};
   for (Jet& part : parts_) part = {part[0], 0, 0, 0};
   return next;
 }

@@ -137,24 +137,28 @@ double norm(std::span<const AxisConfig> axes, double (*of)(const AxisConfig&)) {
 
 GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const AxisConfig> axes,
                            std::span<const std::string> names, const std::string& unit) {
-  if (plan->path().axes() != axes.size())
+  const bool joints = plan->given().fit.has_value();
+  if (joints ? plan->path().axes() <= axes.size() : plan->path().axes() != axes.size())
     throw InputError(
         "axes", std::to_string(axes.size()),
         "must be " + std::to_string(plan->path().axes()) + ", the number of axes of the path");
   GroupProgram program{.plan = std::move(plan), .axes = {}};
+  program.first = program.plan->path().axes() - axes.size();
   const PlanAxes motions = to_axes(*program.plan);
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const AxisConfig config = resolved(axes[k]);
-    const Ranges ranges = extrema(motions.curves[k]);
+    const Ranges ranges = extrema(motions.curves[program.first + k]);
     std::array<double, 4> peak{};
     for (std::size_t i = 1; i < peak.size(); ++i) peak[i] = std::abs(ranges[i].peak().value);
-    const PlannedAxis axis{names[k], unit, *program.plan, motions.curves[k], config};
+    const PlannedAxis axis{names[k], unit, *program.plan, motions.curves[program.first + k],
+                           config};
     require_smooth(axis);
     require_inside(axis, ranges[0]);
     require_within(axis, 1, ranges[1].peak(), config.limits.velocity);
     require_within(axis, 2, ranges[2].peak(), config.limits.acceleration);
     require_within(axis, 3, ranges[3].peak(), config.limits.jerk);
-    const Jet& fit = motions.error[k];  // error of arcs, which have a greater reserve
+    const Jet& fit =
+        motions.error[program.first + k];  // error of arcs, which have a greater reserve
     program.axes.push_back({config,
                             {.velocity = peak[1] + fit[1],
                              .acceleration = peak[2] + fit[2],

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -91,23 +92,45 @@ void require_axes(const char* key, const std::array<double, N>& coordinates, std
 
 }  // namespace
 
-PathCommands::PathCommands(std::size_t axes, const Point& start, std::int32_t first)
-    : axes_(axes), start_(start), first_(first) {}
+PathCommands::PathCommands(std::size_t axes, const Point& start, std::int32_t first,
+                           std::size_t path_axes)
+    : axes_(axes), path_axes_(path_axes), start_(start), first_(first) {}
+
+Point PathCommands::part() const {
+  return framed() ? within(frame_, position()) : position();
+}
+
+Point PathCommands::machine(const Point& part) const {
+  return framed() ? placed(frame_, part) : part;
+}
+
+/// True if the last command ends here. In a frame, the coordinates are rounded.
+bool PathCommands::is_at(const Point& part) const {
+  if (!framed()) return part == position();
+  const Point at = machine(part);
+  double scale = 1;
+  double far = 0;
+  for (std::size_t i = 0; i < axes_; ++i) {
+    scale = std::max({scale, std::abs(at[i]), std::abs(part[i])});
+    far = std::max(far, std::abs(at[i] - position()[i]));
+  }
+  return far <= profiles_detail::rounded_sum * scale;
+}
 
 Point PathCommands::target(const command::Coordinates& to, bool relative) const {
   const char* const key = relative ? "by" : "to";
   require_axes(key, to, axes_);
   if (!is_given(to)) throw InputError(key, "", "is missing: give at least one coordinate");
-  return moved(position(), to, relative);
+  return moved(part(), to, relative);
 }
 
 void PathCommands::add_line(const command::Coordinates& to, bool relative,
                             const PathSettings& settings) {
   const Point end = target(to, relative);
-  if (end == position())
+  if (is_at(end))
     throw InputError(relative ? "by" : "to", "",
                      "has no length: the path already ends at these coordinates");
-  all_.push_back({settings, Line{}, end});
+  all_.push_back({settings, Line{}, machine(end)});
 }
 
 template <bool relative>
@@ -124,7 +147,7 @@ template <bool relative>
 void PathCommands::append(const command::MoveCircular<relative>& arc) {
   const PathSettings settings = settings_of(arc.path);
   if (axes_ < 2) throw InputError("axes", "1", "must be at least 2 for an arc");
-  const Point& from = position();
+  const Point from = part();
   const Point to = is_given(arc.to) ? target(arc.to, relative) : from;
   require_axes("via", arc.via, axes_);
   const bool through = is_given(arc.via);
@@ -139,12 +162,13 @@ void PathCommands::append(const command::MoveCircular<relative>& arc) {
   const Plane plane{0, 1};
   const ArcRotation rotation =
       arc.clockwise ? ArcRotation::clockwise : ArcRotation::counterclockwise;
-  const Arc made =
+  const Arc arc_of_part =
       through  ? arc_through(from, moved(from, arc.via, relative), to,
                              std::min<std::size_t>(axes_, 3), arc.turns)
       : around ? arc_about(from, moved(from, arc.center, relative), to, plane, rotation, arc.turns)
                : arc_of_radius(from, arc.radius, to, plane, rotation, arc.turns);
-  all_.push_back({settings, made, to});
+  const Arc made = framed() ? placed(frame_, arc_of_part) : arc_of_part;
+  all_.push_back({settings, made, made.to});
 }
 
 void PathCommands::append(const command::GroupWait& wait) {
@@ -162,7 +186,7 @@ template void PathCommands::append(const command::MoveCircularAbsolute& arc);
 template void PathCommands::append(const command::MoveCircularRelative& arc);
 
 /// To the end of the position range, or as far as an axis moves in an hour.
-void PathCommands::append(const command::GroupJog& jog, std::span<const AxisConfig> axes) {
+void PathCommands::append(const command::GroupJog& jog, std::span<const Limits> limits) {
   require_axes("along", jog.along, axes_);
   double square = 0;
   for (const double component : jog.along)
@@ -173,39 +197,44 @@ void PathCommands::append(const command::GroupJog& jog, std::span<const AxisConf
         "along", "",
         "must be a direction: give components whose squares have a sum that is greater "
         "than 0 and finite, such as 1,0");
+  Point direction{};
+  for (std::size_t i = 0; i < axes_; ++i)
+    direction[i] = std::isnan(jog.along[i]) ? 0 : jog.along[i] / norm;
+  if (framed()) direction = placed({{}, frame_.rotation}, direction);
   constexpr double longest = 3600;  // s
   double length = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < axes_; ++i) {
-    const double u = std::isnan(jog.along[i]) ? 0 : jog.along[i] / norm;
+    const double u = direction[i];
     if (u == 0) continue;
-    const Limits& limits = axes[i].limits;
-    const auto& end = u > 0 ? limits.position_max : limits.position_min;
-    const double most = *limits.velocity * longest / std::abs(u);
-    length = std::min(length, end ? std::min(most, (*end - position()[i]) / u) : most);
+    const auto& end = u > 0 ? limits[i].position_max : limits[i].position_min;
+    if (limits[i].velocity) length = std::min(length, *limits[i].velocity * longest / std::abs(u));
+    if (end) length = std::min(length, (*end - position()[i]) / u);
   }
   if (!(length > 0))
     throw InputError("along", length, "leads outward: an axis stands at the end of its range");
-  command::MoveLinearAbsolute line{.path = {.along = jog.dynamics}};
-  for (std::size_t i = 0; i < axes_; ++i) {
-    if (std::isnan(jog.along[i])) continue;
-    const Limits& limits = axes[i].limits;
-    line.to[i] = std::clamp(position()[i] + length * (jog.along[i] / norm),
-                            limits.position_min.value_or(-PathSettings::none),
-                            limits.position_max.value_or(PathSettings::none));
-  }
-  append(line);
+  if (!std::isfinite(length))
+    throw InputError("along", "",
+                     "has no end: add position_min and position_max to the limits of the [[axis]] "
+                     "in the kinematics of the group");
+  Point to = position();
+  for (std::size_t i = 0; i < axes_; ++i)
+    if (direction[i] != 0)
+      to[i] = std::clamp(to[i] + length * direction[i],
+                         limits[i].position_min.value_or(-PathSettings::none),
+                         limits[i].position_max.value_or(PathSettings::none));
+  all_.push_back({settings_of({.along = jog.dynamics}), Line{}, to});
 }
 
-void PathCommands::append(const ClientCommand& command, std::span<const AxisConfig> axes) {
+void PathCommands::append(const ClientCommand& command, std::span<const Limits> limits) {
   std::visit(
       [&](const auto& what) {
         using What = std::remove_cvref_t<decltype(what)>;
         if constexpr (std::is_same_v<What, command::GroupJog>)
-          append(what, axes);
-        else if constexpr (is_path_command<What>)
+          append(what, limits);
+        else if constexpr (requires { append(what); })
           append(what);
         else
-          throw InputError("command", "", "is not a command of a group");
+          throw InputError("command", "", "is not a motion of a group");
       },
       command);
 }
@@ -216,7 +245,7 @@ bool PathCommands::moves() const {
 }
 
 Program PathCommands::program() const {
-  Program program(axes_, start_);
+  Program program(axes_, start_, path_axes_);
   std::int32_t number = first_;
   for (const One& one : all_) {
     if (const Wait* const wait = std::get_if<Wait>(&one.what)) {
@@ -263,7 +292,8 @@ PathCommands PathCommands::slowed(const Plan& plan) const {
 PathCommands PathCommands::from(std::int32_t number) const {
   const std::int32_t skipped = std::clamp(number, first_, last() + 1) - first_;
   PathCommands rest(axes_, skipped == 0 ? start_ : all_[static_cast<std::size_t>(skipped) - 1].to,
-                    first_ + skipped);
+                    first_ + skipped, path_axes_);
+  rest.frame_ = frame_;
   rest.all_.assign(all_.begin() + skipped, all_.end());
   return rest;
 }
@@ -284,6 +314,25 @@ std::int32_t PathCommands::number_at(std::int32_t number, double u) const {
     if (u < end) break;
   }
   return number;
+}
+
+Frame frame_of(const command::SetCoordinateTransform& what, std::size_t axes,
+               std::size_t path_axes) {
+  require_axes("offset", what.offset, axes);
+  Point offset{};
+  for (std::size_t i = 0; i < axes; ++i)
+    if (!std::isnan(what.offset[i])) offset[i] = what.offset[i];
+  const bool turns = !std::isnan(what.rotation);
+  if (is_given(what.zyz)) {
+    if (turns) throw InputError("zyz", "", "cannot be combined with rotation: give one of the two");
+    if (path_axes < 3) throw InputError("zyz", "", "needs three axes that are no followers");
+    std::array<double, 3> angles{};
+    for (std::size_t i = 0; i < 3; ++i) angles[i] = std::isnan(what.zyz[i]) ? 0 : what.zyz[i];
+    return euler_frame(offset, angles);
+  }
+  if (turns && path_axes < 2)
+    throw InputError("rotation", what.rotation, "needs two axes that are no followers");
+  return turned_frame(offset, turns ? what.rotation : 0);
 }
 
 }  // namespace jounce

@@ -86,7 +86,9 @@ void MotionAxis::report() {
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;
   now_.override_ = on_path() ? path_.granted(factor_, request().next) : factor_;
-  now_.rate = on_path() ? path_.time(now_.tick).rate : 1;
+  const PathTime time = on_path() ? path_.time(now_.tick) : PathTime{};
+  now_.rate = time.rate;
+  now_.path_time = time.s;
 }
 
 // ---- inputs ------------------------------------------------------------------------------------

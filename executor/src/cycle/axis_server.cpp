@@ -41,14 +41,19 @@ AxisServer::AxisServer(ExecutorOptions options, Receiver& receiver, MachineExcha
       queues_(exchange_.rows, recorded_rows()),
       builder_(worker, options_.build_apart, options_.group) {
   if (options_.group)
-    group_queue_.emplace(*options_.group, worker, options_.build_apart,
-                         [axes = options_.group->of.axes, position_of = std::move(position_of)] {
-                           Point places{};
-                           for (std::size_t k = 0; k < axes.size(); ++k)
-                             places[k] = position_of(axes[k]);
-                           return places;
-                         });
-  LogColumns more{.probes = options_.logs_probes,
+    group_queue_.emplace(
+        *options_.group, worker, options_.build_apart,
+        [axes = options_.group->of.axes, position_of = std::move(position_of)] {
+          Point places{};
+          for (std::size_t k = 0; k < axes.size(); ++k) places[k] = position_of(axes[k]);
+          return places;
+        },
+        [this](std::uint64_t movement) {
+          const auto kept = movements_.find(movement);
+          return kept == movements_.end() ? nullptr : kept->second.made.program;
+        });
+  LogColumns more{.path = options_.group.has_value(),
+                  .probes = options_.logs_probes,
                   .compensation = options_.axis.compensation.has_value()};
   if (options_.axis.registration) more.registration = options_.axis.registration->add_to;
   if (options_.log) log_.emplace(*options_.log, options_.units, more);
@@ -611,6 +616,14 @@ wire::GearState AxisServer::gear() const {
   if (!follows) return wire::GearState::disengaged;
   if (last_.ratio == 0) return wire::GearState::in_cam;
   return last_.progress == Progress::running ? wire::GearState::in_gear : wire::GearState::engaging;
+}
+
+std::optional<wire::GroupStatus> AxisServer::group_status() {
+  if (!group_queue_) return std::nullopt;
+  const auto playing = movements_.find(last_.job);
+  return group_report_.status(*options_.group, last_, group_queue_->places(),
+                              playing == movements_.end() ? nullptr : playing->second.made.program,
+                              *group_queue_);
 }
 
 std::uint8_t AxisServer::unwritten() const {

@@ -116,6 +116,7 @@ void Dispatcher::announce(const wire::Event& event, std::size_t axis) {
 
 void Dispatcher::publish(std::size_t axis) {
   pump_.publish(servers_[axis].status(), axis);
+  if (auto group = servers_[axis].group_status()) pump_.publish_group(std::move(*group), axis);
   masters_.publish(axis);
   const auto repeat = [&](const auto& entry) {
     if (entry.first != axis) return false;

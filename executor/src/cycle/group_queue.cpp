@@ -8,19 +8,11 @@
 
 #include "jounce/axis/group_program.hpp"
 #include "jounce/command/command_table.hpp"
+#include "jounce/executor/group_plan.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
-
-GroupLimits limits_of(const std::vector<AxisConfig>& configs) {
-  GroupLimits limits = within({.axes = std::vector<Limits>(configs.size())}, configs);
-  for (std::size_t k = 0; k < configs.size(); ++k) {
-    limits.axes[k].position_min = configs[k].limits.position_min;
-    limits.axes[k].position_max = configs[k].limits.position_max;
-  }
-  return limits;
-}
 
 /// The slope of the rate must hold also for the programs that continue this one: the axes may use
 /// their limits there.
@@ -53,6 +45,26 @@ bool aborts(const ClientCommand& command) {
       command);
 }
 
+/// True for a move in which each axis takes its own shortest time.
+bool is_fast(const ClientCommand& command) {
+  return std::visit(
+      [](const auto& what) {
+        if constexpr (requires { what.fast; }) return what.fast;
+        return false;
+      },
+      command);
+}
+
+bool blends(const ClientCommand& command) {
+  return std::visit(
+      [](const auto& what) {
+        if constexpr (requires { what.path.buffer; })
+          return what.path.buffer >= PathBuffer::blending_low;
+        return false;
+      },
+      command);
+}
+
 bool rests(const Tick& group) {
   return group.state == State::standstill && group.job == 0;
 }
@@ -60,42 +72,74 @@ bool rests(const Tick& group) {
 }  // namespace
 
 GroupQueue::GroupQueue(const ExecutorGroup& group, Worker& worker, std::size_t most_at_once,
-                       std::function<Point()> places)
+                       std::function<Point()> places, ProgramOf program_of)
     : group_(std::make_shared<const ExecutorGroup>(group)),
       worker_(worker),
       most_at_once_(most_at_once),
-      places_(std::move(places)) {}
+      places_(std::move(places)),
+      program_of_(std::move(program_of)) {}
 
 void GroupQueue::take(const ClientCommand& command, const Request& request) {
   waiting_.push_back({command, request});
 }
 
+GroupQueue::~GroupQueue() {
+  drop_attempt();
+}
+
 void GroupQueue::clear() {
-  attempt_.reset();
+  if (!starts_following_) following_.reset();
+  drop_attempt();
   idle_.clear();
   cancel();
+}
+
+/// The worker ends its plan soon.
+void GroupQueue::drop_attempt() {
+  if (attempt_ && attempt_->canceled) *attempt_->canceled = true;
+  attempt_.reset();
 }
 
 /// The outcome of a step that the axis has still counts.
 void GroupQueue::cancel() {
   if (attempt_ && attempt_->program) return waiting_.resize(1);
   waiting_.clear();
-  attempt_.reset();
+  drop_attempt();
   halting_ = false;
   next_way_ = Way::shorter;
 }
 
 std::optional<GroupQueue::Step> GroupQueue::next(const Tick& group) {
+  if (group.state == State::disabled) frame_ = {};
+  if (starts_following_) return std::nullopt;
+  if (auto step = begin_following(group)) return step;
   if (waiting_.empty()) return std::nullopt;
   if (attempt_ && attempt_->program) return std::nullopt;
   return attempt_ ? proceed() : begin(group);
 }
 
+/// At the end of the present motion. If the motion was ended before, its followers are dropped.
+std::optional<GroupQueue::Step> GroupQueue::begin_following(const Tick& group) {
+  if (!following_ || in_motion(group)) return std::nullopt;
+  starts_following_ = rests(group) && group.finished > following_->finished;
+  if (!starts_following_) {
+    following_.reset();
+    return std::nullopt;
+  }
+  return Play{following_->program, {.kind = CommandKind::move_linear_absolute}};
+}
+
 void GroupQueue::answered(bool accepted, std::uint64_t movement) {
+  if (std::exchange(starts_following_, false)) {
+    if (accepted)
+      playing_ = Playing{movement, std::move(following_->commands), following_->program};
+    following_.reset();
+    return;
+  }
   if (!attempt_ || !attempt_->program) return;
   if (accepted) {
     playing_ = Playing{movement, std::move(attempt_->commands), std::move(attempt_->program),
-                       attempt_->origin};
+                       attempt_->origin, attempt_->fast};
     idle_.clear();
   }
   if (accepted || attempt_->way == Way::rest) {
@@ -116,7 +160,12 @@ void GroupQueue::fail() {
 std::size_t GroupQueue::size(const Tick& group) const {
   const auto played =
       plays(group) ? static_cast<std::size_t>(playing_->commands.last() - current(group) + 1) : 0;
-  return played + waiting_.size() + idle_.size();
+  const std::size_t after = following_ && !starts_following_ ? following_->commands.size() : 0;
+  return played + after + waiting_.size() + idle_.size();
+}
+
+std::optional<std::int32_t> GroupQueue::command(const Tick& group) const {
+  return plays(group) ? std::optional(current(group)) : std::nullopt;
 }
 
 /// The first command is done with.
@@ -137,29 +186,53 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
   if (const Cause no = permitted(group.state, kind_of(command)); no != Cause::none)
     return finish(no);
   try {
+    if (const auto* const what = std::get_if<command::SetCoordinateTransform>(&command)) {
+      const std::size_t axes = group_->coordinates().size();
+      frame_ = frame_of(*what, axes, group_->kinematics ? group_->kinematics->path_axes : axes);
+      return finish(Cause::none);
+    }
+    if (is_fast(command) && blends(command))
+      throw InputError("fast", "", "begins and ends at rest: leave out --blend");
     if (rests(group)) {
       halting_ = releasing_ = false;
       return fresh();
     }
+    if (is_fast(command) && !aborts(command))
+      return finish(Cause::in_motion,
+                    "a fast move begins at rest: send it when the group rests, or with the buffer "
+                    "mode aborting");
+    if (aborts(command)) following_.reset();
     if (aborts(command))
       return std::exchange(halting_, true) ? std::nullopt : std::optional(Step(Halt{}));
     if (next_way_ == Way::rest) return std::nullopt;  // the present motion ends first
     if (auto step = joined(group)) return step;
     return proceed();
   } catch (const InputError& error) {
-    return finish(Cause::no_value, reason_of(error, group_->names));
+    return finish(Cause::no_value, reason_of(error, group_->coordinates()));
   }
+}
+
+/// No commands yet, from the present place of the group.
+PathCommands GroupQueue::commands_from_rest() const {
+  const std::size_t axes = group_->coordinates().size();
+  return {axes, coordinates_of(places_(), *group_), 1,
+          group_->kinematics ? group_->kinematics->path_axes : axes};
 }
 
 /// A motion from rest. A wait alone moves nothing: it waits for the next command.
 std::optional<GroupQueue::Step> GroupQueue::fresh() {
-  PathCommands commands(group_->names.size(), places_());
+  PathCommands commands = commands_from_rest();
+  commands.set_frame(frame_);
   passed_ = first_passed;
   if (aborts(waiting_.front().command)) idle_.clear();
-  for (const command::GroupWait& wait : idle_) commands.append(wait);
-  commands.append(waiting_.front().command, group_->configs);
+  const ClientCommand& command = waiting_.front().command;
+  const bool fast = is_fast(command);
+  if (!fast)
+    for (const command::GroupWait& wait : idle_) commands.append(wait);
+  commands.append(command, coordinate_limits(*group_));
   if (commands.moves()) {
-    plan(Way::rest, std::move(commands), nullptr);
+    plan(Way::rest,
+         {.commands = std::move(commands), .fast = fast ? std::optional(places_()) : std::nullopt});
     return proceed();
   }
   if (idle_.size() >= most_commands)
@@ -168,12 +241,38 @@ std::optional<GroupQueue::Step> GroupQueue::fresh() {
   return finish(Cause::none);
 }
 
+/// The coordinates at the end of the present motion.
+Point GroupQueue::end_of(const Tick& group) const {
+  if (plays(group)) return playing_->commands.position();
+  const auto program = program_of_ ? program_of_(group.job) : nullptr;
+  if (!program) throw InputError("command", "", "cannot follow the present motion: send it again");
+  const Path& path = program->plan->path();
+  return path.point(path.pieces().size() - 1, path.pieces().back().length);
+}
+
+/// The command follows the end of the present motion, at rest.
+std::optional<GroupQueue::Step> GroupQueue::follow(const Tick& group) {
+  const std::size_t axes = group_->coordinates().size();
+  PathCommands commands =
+      following_ ? following_->commands
+                 : PathCommands(axes, end_of(group), 1,
+                                group_->kinematics ? group_->kinematics->path_axes : axes);
+  if (commands.size() >= most_commands)
+    return finish(Cause::buffer_full, std::to_string(commands.size()) + " commands wait (limit " +
+                                          std::to_string(most_commands) +
+                                          "): send this one again later");
+  commands.set_frame(frame_);
+  commands.append(waiting_.front().command, coordinate_limits(*group_));
+  if (!commands.moves())
+    return finish(Cause::in_motion, "a wait needs a motion before it: send it after the next line");
+  plan(Way::after, {.commands = std::move(commands)});
+  attempt_->finished = following_ ? following_->finished : group.finished;
+  return proceed();
+}
+
 /// The command continues the present motion.
 std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
-  if (!plays(group))
-    return finish(Cause::in_motion,
-                  "the group plays a path that was sent as a whole: wait for its end, or send the "
-                  "command with the buffer mode aborting");
+  if (!plays(group) || playing_->fast) return follow(group);
   const std::int32_t now = current(group);
   const PathCommands& all = playing_->commands;
   if (all.size() >= 2 * most_commands)
@@ -189,46 +288,51 @@ std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
   PathCommands commands = next_way_ == Way::shorter  ? all.from(now - passed_ / 2)
                           : next_way_ == Way::slower ? all.slowed(*playing_->program->plan)
                                                      : all;
-  commands.append(waiting_.front().command, group_->configs);
+  commands.set_frame(frame_);
+  commands.append(waiting_.front().command, coordinate_limits(*group_));
   if (next_way_ == Way::stopping) commands = commands.stopping();
-  plan(next_way_, std::move(commands), &group);
+  plan(next_way_, {.commands = std::move(commands),
+                   .before = playing_->program,
+                   .q = group.position - playing_->origin});
   return std::nullopt;
 }
 
-/// Plans at once, or starts the planning in the thread of the worker. `group`: null for a motion
-/// from rest.
-void GroupQueue::plan(Way way, PathCommands commands, const Tick* group) {
-  const auto before = group != nullptr ? playing_->program : nullptr;
-  const double q = group != nullptr ? group->position - playing_->origin : 0;
-  const auto work = [commands, group_of = group_, before, q] {
-    return planned(commands, *group_of, before.get(), q);
+/// Plans at once, or starts the planning in the thread of the worker.
+void GroupQueue::plan(Way way, Task task) {
+  Attempt attempt{way, task.commands, {}, std::make_shared<std::atomic<bool>>(false)};
+  attempt.fast = task.fast.has_value();
+  const std::size_t size = task.commands.size();
+  const auto work = [task = std::move(task), group = group_, canceled = attempt.canceled] {
+    return planned(task, *group, *canceled);
   };
-  std::future<Planned> result;
-  if (commands.size() > most_at_once_) {
-    result = worker_.ask(work);
+  if (size > most_at_once_) {
+    attempt.planned = worker_.ask(work);
   } else {
     std::promise<Planned> now;
     now.set_value(work());
-    result = now.get_future();
+    attempt.planned = now.get_future();
   }
-  attempt_.emplace(Attempt{way, std::move(commands), std::move(result)});
+  attempt_.emplace(std::move(attempt));
 }
 
-GroupQueue::Planned GroupQueue::planned(const PathCommands& commands, const ExecutorGroup& group,
-                                        const GroupProgram* before, double q) {
+GroupQueue::Planned GroupQueue::planned(const Task& task, const ExecutorGroup& group,
+                                        const std::atomic<bool>& canceled) {
   try {
-    auto path =
-        std::make_shared<const Plan>(jounce::plan(commands.program(), limits_of(group.configs)));
+    const std::vector<Limits> limits = coordinate_limits(group);
+    const auto program =
+        task.fast ? fast_program(*task.fast, task.commands.position(), group)
+                  : planned_program(task.commands.program(), {.axes = limits}, group, &canceled);
     Planned made;
-    if (before != nullptr) {
-      made.agreement = agreement(*before->plan, *path, q);
+    if (task.before != nullptr) {
+      made.agreement = agreement(*task.before->plan, *program->plan, task.q);
       if (!made.agreement) return made;
     }
-    made.program = std::make_shared<const GroupProgram>(with_peaks_of_limits(
-        group_program(std::move(path), group.configs, group.names, group.unit)));
+    made.program = std::make_shared<const GroupProgram>(with_peaks_of_limits(*program));
     return made;
+  } catch (const PlanCanceled&) {
+    return {};
   } catch (const InputError& error) {
-    return {.reason = reason_of(error, group.names)};
+    return {.reason = reason_of(error, group.coordinates())};
   } catch (const std::bad_alloc&) {
     return {.reason = "the path does not fit into the memory of the executor"};
   }
@@ -241,6 +345,11 @@ std::optional<GroupQueue::Step> GroupQueue::proceed() {
   Planned made = attempt_->planned.get();
   if (!made.reason.empty()) return finish(Cause::bad_table, made.reason);
   const Request& request = waiting_.front().request;
+  if (attempt_->way == Way::after) {
+    following_ =
+        Following{std::move(attempt_->commands), std::move(made.program), attempt_->finished};
+    return finish(Cause::none);
+  }
   if (attempt_->way == Way::rest) {
     attempt_->program = made.program;
     return Play{std::move(made.program), request};

@@ -8,6 +8,7 @@
 #include "jounce/axis/job.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/axis/live_cuts.hpp"
+#include "jounce/executor/group_plan.hpp"
 #include "jounce/path/program_numbers.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -69,13 +70,10 @@ MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const Execut
   try {
     if (canceled) return {};
     const LimitedProgram sent = program_of(arm.slave.table->columns().p);
-    require_order(sent.names, group.names);
-    auto path =
-        std::make_shared<const Plan>(plan(sent.program, within(sent.limits, group.configs)));
-    if (canceled) return {};
-    return movement_of(std::make_shared<const GroupProgram>(
-                           group_program(std::move(path), group.configs, group.names, group.unit)),
-                       id);
+    require_coordinates(sent.names, group);
+    return movement_of(planned_program(sent.program, sent.limits, group, &canceled), id);
+  } catch (const PlanCanceled&) {
+    return {};
   } catch (const InputError& error) {
     return {.reason = error.what()};
   } catch (const std::bad_alloc&) {

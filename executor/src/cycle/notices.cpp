@@ -59,8 +59,9 @@ std::string fault_text(const Tick& now, const std::string& unit, const AxisConfi
 }
 
 std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options) {
-  const std::string words =
-      text(refusal, options.units.position, options.units.x, group_names(options));
+  const bool of_joints = options.group && options.group->kinematics;
+  const std::string words = text(refusal, of_joints ? options.group->unit : options.units.position,
+                                 options.units.x, group_names(options));
   if (refusal.cause == Cause::no_master_input)
     return std::string(name(refusal.cause)) + ": The axis has no live master: " +
            (options.follow.what == Follow::What::nothing

@@ -82,6 +82,7 @@ TickLog::TickLog(std::filesystem::path path, const Units& units, const LogColumn
   file_ << "tick,time [s],state,master" << m << "],master_velocity" << m << "/s],position" << u
         << "],velocity" << u << "/s],acceleration" << u
         << "/s^2],job,fault,outputs,edges [s],held,homed";
+  if (more.path) file_ << ",path_time [s]";
   if (more.probes) file_ << ",captures [s=" << units.position << "]";
   if (more.registration)
     file_ << ",deviation" << m << "],correction"
@@ -110,6 +111,7 @@ void TickLog::add(const Tick& tick) {
   join(line_, tick.tick, tick.time, name(tick.state), tick.master, tick.master_velocity,
        tick.position, tick.velocity, tick.acceleration, tick.job, name(tick.fault), tick.switches,
        tick.held ? 1 : 0, tick.homed ? 1 : 0);
+  if (more_.path) join(line_, "", tick.path_time);
   if (more_.probes) join(line_, "", tick.probe);
   const RegistrationReading& marks = tick.registration;
   if (more_.registration)

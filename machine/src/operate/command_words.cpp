@@ -504,9 +504,98 @@ void require_one(const CommandWords& words, const std::vector<std::string>& opti
   }
 }
 
+/// The option of a word that takes coordinates, and that stands for its arguments; "": none.
+std::string coordinate_option(const std::string& word) {
+  for (const Form& form : forms_of(word))
+    for (const Field& field : form.command->fields)
+      if (field.range == FieldRange::coordinate) return field.option;
+  return "";
+}
+
+/// The index of an axis among the axes of the group.
+std::size_t axis_index(const std::string& name, const std::string& option, const std::string& text,
+                       const std::vector<std::string>& axes) {
+  const auto found = std::find(axes.begin(), axes.end(), name);
+  if (found == axes.end())
+    throw InputError(option, text,
+                     "names " + (name.empty() ? "no axis" : name) +
+                         ", but the axes of the group are " + listed(axes));
+  return static_cast<std::size_t>(found - axes.begin());
+}
+
+/// "y=5,x=10" as a list in the order of the axes: "10,5".
+std::string in_order(const std::string& option, const std::string& text,
+                     const std::vector<std::string>& axes) {
+  if (text.find('=') == std::string::npos) return text;
+  std::vector<std::string> given(axes.size());
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string one = text.substr(begin, end - begin);
+    const std::size_t equals = one.find('=');
+    if (equals == std::string::npos)
+      throw InputError(option, text,
+                       "has coordinates with and without a name: name all of them, or none");
+    const std::size_t first = std::min(one.find_first_not_of(' '), equals);
+    const std::size_t last = one.find_last_not_of(' ', equals == 0 ? 0 : equals - 1);
+    std::string& place = given[axis_index(equals == 0 ? "" : one.substr(first, last + 1 - first),
+                                          option, text, axes)];
+    if (!place.empty()) throw InputError(option, text, "names an axis twice");
+    place = one.substr(equals + 1);
+    if (place.empty()) throw InputError(option, text, "has a name without a coordinate");
+    begin = end + 1;
+  }
+  while (!given.empty() && given.back().empty()) given.pop_back();
+  std::string list;
+  for (const std::string& one : given) list += (&one == given.data() ? "" : ",") + one;
+  return list;
+}
+
+/// The words with all coordinates in the order of the axes.
+CommandWords without_names(CommandWords words, const std::vector<std::string>& axes) {
+  for (const Form& form : forms_of(words.what))
+    for (const Field& field : form.command->fields) {
+      if (field.range != FieldRange::coordinate) continue;
+      const auto given = words.options.find(field.option);
+      if (given != words.options.end())
+        given->second = in_order(dashed(field.option), given->second, axes);
+    }
+  return words;
+}
+
 }  // namespace
 
-ClientCommand command_of(const CommandWords& words, const Units& units) {
+void set_values(CommandWords& words, const std::vector<std::string>& values) {
+  words.value.clear();
+  std::string list;
+  for (const std::string& value : values) {
+    const bool named = value.find('=') != std::string::npos;
+    if (values.size() > 1 && !named)
+      throw InputError(value_word, value,
+                       "is one of several values: give one value, or coordinates such as x=10 y=5");
+    (named ? list : words.value) += (named && !list.empty() ? "," : "") + value;
+  }
+  if (list.empty()) return;
+  const std::string option = coordinate_option(words.what);
+  if (option.empty())
+    throw InputError(value_word, list,
+                     "has names of axes, but " + words.what + " has no coordinates");
+  if (!text_of(words, option).empty())
+    throw InputError(value_word, list, "cannot be combined with " + dashed(option));
+  if (option == "to" && !text_of(words, "by").empty())
+    throw InputError(value_word, list, "cannot be combined with --by: use --by " + list);
+  words.options[option] = list;
+}
+
+bool names_axes(const CommandWords& words) {
+  return std::any_of(words.options.begin(), words.options.end(), [](const auto& option) {
+    return option.second.find('=') != std::string::npos;
+  });
+}
+
+ClientCommand command_of(const CommandWords& given, const Units& units,
+                         const std::vector<std::string>& axes) {
+  const CommandWords words =
+      names_axes(given) && !axes.empty() ? without_names(given, axes) : given;
   const Form form = form_of(words);
   const CommandKind kind = form.command->kind;
   CommandValues values = values_of(command_of(kind));

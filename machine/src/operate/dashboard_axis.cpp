@@ -122,6 +122,13 @@ void add_masters(std::vector<Row>& rows, const Watched& axis, const View& view) 
         "master", {{master_text(master, view.ascii), master.lost ? Tone::wrong : Tone::plain}}));
 }
 
+void add_group(std::vector<Row>& rows, const Watched& axis, const View& view) {
+  if (!axis.group) return;
+  const std::string unit = unit_of(*axis.status, view.ascii);
+  rows.push_back(line("path", {{place_text(*axis.group, unit)}}));
+  rows.push_back(line("remaining", {{remaining_text(*axis.group, unit)}}));
+}
+
 /// The cycle and the link: what is late, what was refused.
 void add_health(std::vector<Row>& rows, const wire::Status& s, const View& view) {
   rows.push_back(
@@ -169,6 +176,7 @@ std::vector<Row> details(const Watched& axis, const View& view) {
                                    : line("fault", {{words_of(s.last_error), Tone::wrong}}));
   add_motion(rows, s, view);
   add_masters(rows, axis, view);
+  add_group(rows, axis, view);
   const auto room = static_cast<std::size_t>(std::max(0, view.width - static_cast<int>(label)));
   rows.push_back(line("", {{sparkline(axis.trace, room, view.ascii), Tone::moves}}));
   rows.push_back(line("queue", queue_of(s, view.ascii)));

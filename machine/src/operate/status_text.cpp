@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 /// "12.5 mm"; "12.5" without a unit.
 std::string number_text(double value, const std::string& unit) {
-  return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
+  return six_digits(value) + (unit.empty() ? "" : " " + unit);
 }
 
 }  // namespace
@@ -77,6 +77,46 @@ std::string status_json(const std::string& axis, const wire::MasterStatus& m) {
                   {"velocity", m.velocity}, {"age", m.age_s},          {"taken", m.taken},
                   {"refused", m.refused}};
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string status_text(const std::string& group, const wire::GroupStatus& g) {
+  return fmt::format("{:<12} path      tick {:<10} {}, feed {:.6g}, remaining {}", group, g.tick,
+                     place_text(g, ""), g.feed, remaining_text(g, ""));
+}
+
+std::string status_json(const std::string& group, const wire::GroupStatus& g) {
+  const Json line{{"name", group},
+                  {"tick", g.tick},
+                  {"axes", g.axes},
+                  {"place", g.place},
+                  {"framed", g.framed},
+                  {"path_position", g.position},
+                  {"path_length", g.length},
+                  {"feed", g.feed},
+                  {"remaining", g.remaining_s},
+                  {"estimated", g.estimated},
+                  {"line", g.line},
+                  {"commands", g.commands},
+                  {"look_ahead", g.look_ahead}};
+  return line.dump();
+}
+
+std::string place_text(const wire::GroupStatus& group, const std::string& unit) {
+  std::string place = group.framed ? "frame" : "";
+  for (std::size_t k = 0; k < group.axes.size() && k < group.place.size(); ++k)
+    place += fmt::format("{}{} {:.6g}", place.empty() ? "" : " ", group.axes[k], group.place[k]);
+  const std::string position = place + "; path " + number_text(group.position, unit);
+  if (std::isnan(group.length)) return position + ", no path";
+  return fmt::format("{} of {}, line {}", position, number_text(group.length, unit), group.line);
+}
+
+std::string remaining_text(const wire::GroupStatus& group, const std::string& unit) {
+  std::string text =
+      std::isnan(group.remaining_s) ? "not known" : six_digits(group.remaining_s) + " s";
+  if (group.estimated && !std::isnan(group.remaining_s)) text += " (estimate)";
+  text += fmt::format(", {} commands", group.commands);
+  if (!std::isnan(group.look_ahead)) text += ", look-ahead " + number_text(group.look_ahead, unit);
+  return text;
 }
 
 std::string event_text(const wire::Event& event) {

@@ -51,6 +51,12 @@ void take(std::vector<Watched>& axes, const std::string& name, const wire::Maste
                                [](const auto& a, const auto& b) { return a.tick < b.tick; }));
 }
 
+void take(std::vector<Watched>& axes, const std::string& name, const wire::GroupStatus& group) {
+  const auto axis =
+      std::find_if(axes.begin(), axes.end(), [&](const Watched& a) { return a.name == name; });
+  if (axis != axes.end() && axis->status) axis->group = group;
+}
+
 bool take(std::vector<Watched>& axes, const std::string& name, const wire::Event& event) {
   const auto axis =
       std::find_if(axes.begin(), axes.end(), [&](const Watched& a) { return a.name == name; });
@@ -71,7 +77,8 @@ Watch::Watch(Transport& link, WatchOptions options) : link_(link), options_(std:
   options_.names.assign(names.begin(), names.end());
   if (names.empty()) names.insert("*");
   for (const std::string& name : names)
-    for (const auto lane : {wire::Lane::status, wire::Lane::masters, wire::Lane::event})
+    for (const auto lane :
+         {wire::Lane::status, wire::Lane::masters, wire::Lane::event, wire::Lane::group})
       link_.subscribe(wire::channel(name, lane), queue_capacity);
   for (const std::string& name : options_.names) axes_.push_back({.name = name});
 }
@@ -79,7 +86,8 @@ Watch::Watch(Transport& link, WatchOptions options) : link_(link), options_(std:
 void Watch::run(
     Nanos time, const std::function<void(const std::string& axis, const wire::Status&)>& on_status,
     const std::function<void(const std::string& axis, const wire::MasterStatus&)>& on_master,
-    const std::function<void(const std::string& axis, const wire::Event&)>& on_event) {
+    const std::function<void(const std::string& axis, const wire::Event&)>& on_event,
+    const std::function<void(const std::string& axis, const wire::GroupStatus&)>& on_group) {
   const Nanos end = steady_now() + time;
   for (Nanos left = time; left > Nanos{}; left = end - steady_now()) {
     const auto message = next_message(link_, left, rejects_, options_.key);
@@ -93,6 +101,9 @@ void Watch::run(
       if (on_master) on_master(axis, *master);
     } else if (const auto* event = std::get_if<wire::Event>(&message->body)) {
       if (take(axes_, axis, *event) && on_event) on_event(axis, *event);
+    } else if (const auto* group = std::get_if<wire::GroupStatus>(&message->body)) {
+      take(axes_, axis, *group);
+      if (on_group) on_group(axis, *group);
     }
   }
 }

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include "jounce/axis/group_program.hpp"
+#include "jounce/base/listed.hpp"
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/design/input.hpp"
 #include "jounce/design/make.hpp"
+#include "jounce/executor/group_plan.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/spec.hpp"
 
@@ -28,7 +31,8 @@ std::size_t index_of(const std::string& name, const MachineParts& parts) {
 }
 
 /// The motions of the axes of a path over s; the file has one for each axis.
-std::vector<Input> path_of(const std::string& file, std::size_t axes) {
+std::vector<Input> path_of(const std::string& file, const ExecutorGroup& group) {
+  const std::size_t axes = group.coordinates().size();
   std::vector<Input> inputs = read_inputs(file);
   if (!inputs.front().plan)
     throw InputError("program", file,
@@ -36,7 +40,12 @@ std::vector<Input> path_of(const std::string& file, std::size_t axes) {
                          ? "overlaps lines in time, so its path depends on time: "
                            "remove overlap"
                          : "must be a spec of kind \"path\"");
-  if (inputs.size() != axes)
+  const auto* const path = std::get_if<PathSpec>(&inputs.front().spec->subject);
+  const bool joined = path != nullptr && path->joints;
+  if (joined && !group.kinematics)
+    throw InputError("program", file,
+                     "has [kinematics]: add kinematics = \"FILE\" to the [[group]]");
+  if (inputs.size() != axes + (joined ? group.names.size() : 0))
     throw InputError("program", file,
                      "has " + std::to_string(inputs.size()) + " axes, but the group has " +
                          std::to_string(axes));
@@ -63,14 +72,19 @@ double tolerance_of(const std::string& text, const std::string& unit) {
 
 std::shared_ptr<const GroupProgram> program_of(const MachineSpec::Group& spec,
                                                const ExecutorGroup& group, const Units& units) {
-  const std::vector<Input> path = path_of(spec.program, group.names.size());
+  const std::size_t joints = group.kinematics ? group.names.size() : 0;
+  std::vector<Input> path = path_of(spec.program, group);
   std::vector<std::string> names;
   for (const Input& axis : path) {
-    require_units(axis, units, spec.program);
+    if (!group.kinematics) require_units(axis, units, spec.program);
     names.push_back(axis.axis);
   }
-  require_order(names, group.names);
+  require_coordinates(names, group);
   try {
+    if (joints > 0) {
+      const auto& own = std::get<PathSpec>(path.front().spec->subject);
+      return planned_program(own.program, own.limits, group);
+    }
     return std::make_shared<const GroupProgram>(
         group_program(path.front().plan, group.configs, group.names, group.unit));
   } catch (const InputError& error) {
@@ -80,18 +94,52 @@ std::shared_ptr<const GroupProgram> program_of(const MachineSpec::Group& spec,
   }
 }
 
+/// The kinematics of a group from a spec of kind "path". Its joints are the axes of the group.
+GroupKinematics kinematics_of(const std::string& file, const ExecutorGroup& group,
+                              const std::vector<std::string>& units) {
+  const Spec spec = read_spec(file);
+  const auto* const path = std::get_if<PathSpec>(&spec.subject);
+  if (path == nullptr || !path->joints)
+    throw InputError("kinematics", file, "must be a spec of kind \"path\" with [kinematics]");
+  const std::vector<AxisPart> parts = spec.parts();
+  const std::size_t tool = path->program.axes();
+  GroupKinematics made{
+      .path_axes = path->program.path_axes(), .joints = *path->joints, .limits = path->limits};
+  std::vector<std::string> joints;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    (k < tool ? made.names : joints).push_back(parts[k].name);
+  if (joints != group.names)
+    throw InputError("kinematics", file,
+                     "has the joints " + listed(joints) + ", but the axes of the group are " +
+                         listed(group.names) + ": use the same names in the same order");
+  for (std::size_t k = 0; k < joints.size(); ++k)
+    if (parts[tool + k].units.position != units[k])
+      throw InputError("kinematics", file,
+                       "has the unit " + parts[tool + k].units.position + " for the joint " +
+                           joints[k] + ", but the axis has " + units[k]);
+  if (seconds_per_unit(spec) != 1) throw InputError("kinematics", file, "needs units.time = \"s\"");
+  made.unit = spec.units.position;
+  made.joints.limits = within({.axes = path->joints->limits}, group.configs).axes;
+  return made;
+}
+
 ExecutorGroup group_of(const MachineSpec::Group& spec, const MachineParts& parts) {
   ExecutorGroup group;
+  std::vector<std::string> units;
   for (const std::string& name : spec.axes) {
     const std::size_t index = index_of(name, parts);
     group.of.axes.push_back(index);
     group.names.push_back(name);
     group.configs.push_back(resolved(parts.axes[index].axis));
-    if (parts.axes[index].units.position != parts.axes[group.of.axes.front()].units.position)
+    units.push_back(parts.axes[index].units.position);
+    if (spec.kinematics.empty() &&
+        parts.axes[index].units.position != parts.axes[group.of.axes.front()].units.position)
       throw InputError("axes", name,
                        "has another unit than " + spec.axes.front() + ": use the same unit");
   }
-  group.unit = parts.axes[group.of.axes.front()].units.position;
+  if (std::all_of(units.begin(), units.end(), [&](const auto& u) { return u == units.front(); }))
+    group.unit = units.front();
+  if (!spec.kinematics.empty()) group.kinematics = kinematics_of(spec.kinematics, group, units);
   return group;
 }
 
@@ -127,10 +175,14 @@ ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& optio
   ExecutorOptions made;
   ExecutorGroup& group = made.group.emplace(group_of(spec, parts));
   const ExecutorOptions& first = parts.axes[group.of.axes.front()];
-  made.units = {"", first.units.position};
-  if (spec.tolerance) group.of.tolerance = tolerance_of(*spec.tolerance, made.units.position);
+  made.units = {"", group.kinematics ? group.kinematics->unit : first.units.position};
+  if (spec.tolerance) group.of.tolerance = tolerance_of(*spec.tolerance, group.unit);
   if (!spec.program.empty()) group.program = program_of(spec, group, made.units);
   if (!spec.program.empty()) made.compare = compare_of(read_spec(spec.program));
+  if (made.compare.plane && group.kinematics)
+    throw InputError("program", spec.program,
+                     "compares a plane of two coordinates, which is not possible with kinematics: "
+                     "compare along the path");
   made.axis = group_config(group.configs);
   made.receiver.executor = spec.name;
   made.receiver.session_timeout = first.receiver.session_timeout;

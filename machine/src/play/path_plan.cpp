@@ -17,8 +17,6 @@ bool is_path(const std::vector<Input>& axes) {
 StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes) {
   const auto& path = std::get<PathSpec>(axes.front().spec->subject);
   const auto refuse = [](const char* key, const char* rule) { throw InputError(key, "", rule); };
-  if (path.joints)
-    refuse("kinematics", "is not possible for a group: its axes are those of the path");
   if (path.overlap) refuse("overlap", "is not possible for a group: its path would depend on time");
   if (!path.override_steps.empty())
     refuse("override", "is a command for a group: `jounce order GROUP override`");
@@ -26,7 +24,8 @@ StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes) {
   if (units.x != "s") throw InputError("units.time", units.x, "must be s for a group");
   LimitedProgram sent{.program = path.program, .limits = path.limits, .names = {}};
   for (const Input& axis : axes) {
-    if (axis.table.units.position != units.position)
+    const bool has_length = sent.names.size() < path.program.path_axes() || !path.joints;
+    if (has_length && axis.table.units.position != units.position)
       throw InputError(axis.axis + ".unit", axis.table.units.position,
                        "must be " + units.position + ": the axes of a group have the same unit");
     sent.names.push_back(axis.axis);

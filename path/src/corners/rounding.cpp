@@ -47,6 +47,7 @@ class Rounding {
   template <class Add>
   void assemble_sharp(Add add) {
     for (std::size_t k = 0; k < view_.count(); ++k, ++placed_) {
+      view_.rates.require_wanted();
       if (k > 0 && !stopping_) mark(k);
       add_units(k, view_.piece(k).length, add);
     }
@@ -114,6 +115,7 @@ class Rounding {
   template <class Add>
   void assemble(Add add) {
     for (std::size_t k = 0; k < view_.count(); ++k) {
+      view_.rates.require_wanted();
       const CornerShape& here = shapes_[k];
       if (k > 0) mark(k);
       if (here.is_round()) {

@@ -78,10 +78,14 @@ class Shapes {
     shapes_.resize(count + 1);
     shapes_[0].how = shapes_[count].how = How::rest;
     for (std::size_t k = 1; k < count; ++k) {
+      view_.rates.require_wanted();
       shapes_[k] = shape(k, std::min(whole(k - 1), whole(k)));
       shapes_[k].wanted = shapes_[k].trim;
     }
-    for (std::size_t k = 1; k < count; ++k) share(k);
+    for (std::size_t k = 1; k < count; ++k) {
+      view_.rates.require_wanted();
+      share(k);
+    }
     for (std::size_t k = 1; k < count; ++k) rest_if_faster(k);
     return std::move(shapes_);
   }

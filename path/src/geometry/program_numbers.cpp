@@ -15,12 +15,14 @@
 // The list: 1 (its version), the number of axes, that of the path axes, the start; for each axis the
 // number of characters of its name, these characters, velocity, acceleration and jerk; velocity,
 // acceleration, deceleration, jerk, normal and total acceleration of the path; then the commands,
-// each with its word. An omitted limit is -1.
+// each with its word. An omitted limit is -1. If the path is for a machine with joints, the version is
+// 2, and the number of joints and their names follow the limits of the path.
 
 namespace jounce {
 namespace {
 
 constexpr double list_version = 1;
+constexpr double version_with_joints = 2;
 constexpr double omitted = -1;
 constexpr double most_characters = 64;  ///< for the name of an axis
 
@@ -40,6 +42,10 @@ class Writer {
   template <class Enum>
   void word(Enum value) {
     number(static_cast<double>(value));
+  }
+  void name(const std::string& name) {
+    number(static_cast<double>(name.size()));
+    for (const char c : name) number(static_cast<unsigned char>(c));
   }
 
   std::vector<double> list;
@@ -102,6 +108,12 @@ class Reader {
     Point point{};
     for (std::size_t i = 0; i < axes; ++i) point[i] = number();
     return point;
+  }
+  std::string name() {
+    std::string name;
+    for (std::int64_t left = whole(0, most_characters); left > 0; --left)
+      name.push_back(static_cast<char>(whole(' ', '~')));
+    return name;
   }
   int line() { return static_cast<int>(whole(0, 1e9)); }
   [[noreturn]] void fail(const std::string& value, const std::string& rule) const {
@@ -187,14 +199,13 @@ std::vector<double> numbers_of(const LimitedProgram& all) {
   const Program& program = all.program;
   const std::size_t n = program.axes();
   Writer to;
-  to.number(list_version);
+  const std::size_t joints = all.names.size() > n ? all.names.size() - n : 0;
+  to.number(joints > 0 ? version_with_joints : list_version);
   to.number(static_cast<double>(n));
   to.number(static_cast<double>(program.path_axes()));
   to.point(program.start(), n);
   for (std::size_t k = 0; k < n; ++k) {
-    const std::string name = k < all.names.size() ? all.names[k] : "";
-    to.number(static_cast<double>(name.size()));
-    for (const char c : name) to.number(static_cast<unsigned char>(c));
+    to.name(k < all.names.size() ? all.names[k] : "");
     const Limits axis = k < all.limits.axes.size() ? all.limits.axes[k] : Limits{};
     for (const auto& limit : {axis.velocity, axis.acceleration, axis.jerk}) to.limit(limit);
   }
@@ -202,6 +213,8 @@ std::vector<double> numbers_of(const LimitedProgram& all) {
   for (const double limit : {path.velocity, path.acceleration, path.deceleration, path.jerk,
                              path.normal_acceleration, path.total_acceleration})
     to.limit(limit);
+  if (joints > 0) to.number(static_cast<double>(joints));
+  for (std::size_t k = n; k < n + joints; ++k) to.name(all.names[k]);
   std::optional<std::uint32_t> settings;  // settings of the command before
   for (const Program::Command& command : program.commands()) {
     if (settings != command.settings) write(program.settings()[command.settings], to);
@@ -223,15 +236,14 @@ std::vector<double> numbers_of(const LimitedProgram& all) {
 
 LimitedProgram program_of(std::span<const double> numbers) {
   Reader from(numbers);
-  if (const double version = from.number(); version != list_version)
-    from.fail(number(version), "must be 1, the version of the list");
+  const double version = from.number();
+  if (version != list_version && version != version_with_joints)
+    from.fail(number(version), "must be 1 or 2, the version of the list");
   const auto n = static_cast<std::size_t>(from.whole(1, max_axes));
   const auto path_axes = static_cast<std::size_t>(from.whole(1, static_cast<double>(n)));
   LimitedProgram all{.program = Program(n, from.point(n), path_axes), .limits = {}, .names = {}};
   for (std::size_t k = 0; k < n; ++k) {
-    std::string& name = all.names.emplace_back();
-    for (std::int64_t left = from.whole(0, most_characters); left > 0; --left)
-      name.push_back(static_cast<char>(from.whole(' ', '~')));
+    all.names.push_back(from.name());
     Limits axis;
     for (auto* limit : {&axis.velocity, &axis.acceleration, &axis.jerk}) *limit = from.limit();
     all.limits.axes.push_back(axis);
@@ -240,6 +252,9 @@ LimitedProgram program_of(std::span<const double> numbers) {
   for (double* limit : {&path.velocity, &path.acceleration, &path.deceleration, &path.jerk,
                         &path.normal_acceleration, &path.total_acceleration})
     *limit = from.limit_or_none();
+  if (version == version_with_joints)
+    for (std::int64_t left = from.whole(1, max_axes); left > 0; --left)
+      all.names.push_back(from.name());
   while (!from.ended()) {
     const auto word = static_cast<Word>(from.whole(0, words - 1));
     if (word == Word::settings) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/path/axis_map.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+
+#include "path/src/tolerances.hpp"
 
 namespace jounce {
 namespace {
@@ -25,6 +29,32 @@ class Linear final : public AxisMap {
     return MapState::ok;
   }
   [[nodiscard]] const LinearMap* linear() const override { return &map_; }
+
+  /// Solves the normal equations by elimination with pivots.
+  [[nodiscard]] std::optional<Point> tool(std::span<const double> joints) const override {
+    const std::size_t n = axes();
+    std::array<std::array<double, max_axes + 1>, max_axes> a{};
+    for (std::size_t k = 0; k < this->joints(); ++k)
+      for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t m = 0; m < n; ++m) a[i][m] += map_.rows[k][i] * map_.rows[k][m];
+        a[i][n] += map_.rows[k][i] * (joints[k] - map_.offset[k]);
+      }
+    for (std::size_t i = 0; i < n; ++i) {
+      std::size_t pivot = i;
+      for (std::size_t row = i + 1; row < n; ++row)
+        if (std::abs(a[row][i]) > std::abs(a[pivot][i])) pivot = row;
+      if (a[pivot][i] == 0) return std::nullopt;  // the joints do not move this axis
+      std::swap(a[i], a[pivot]);
+      for (std::size_t row = 0; row < n; ++row) {
+        if (row == i) continue;
+        const double factor = a[row][i] / a[i][i];
+        for (std::size_t m = i; m <= n; ++m) a[row][m] -= factor * a[i][m];
+      }
+    }
+    Point tool{};
+    for (std::size_t i = 0; i < n; ++i) tool[i] = a[i][n] / a[i][i];
+    return gives(tool, joints) ? std::optional(tool) : std::nullopt;
+  }
 
  private:
   LinearMap map_;
@@ -47,6 +77,29 @@ double AxisMap::turn(std::size_t) const {
 
 bool AxisMap::bounds(std::span<const Segment>, std::span<JointBounds>) const {
   return false;
+}
+
+std::optional<Point> AxisMap::tool(std::span<const double>) const {
+  return std::nullopt;
+}
+
+bool AxisMap::gives(const Point& tool, std::span<const double> joints) const {
+  std::array<Jet, max_axes> point{};
+  std::array<Jet, max_axes> given{};
+  double scale = 1;
+  for (std::size_t i = 0; i < axes(); ++i) {
+    point[i] = {tool[i], 0, 0, 0};
+    scale = std::max(scale, std::abs(tool[i]));
+  }
+  if (jets(std::span(point).first(axes()), std::span(given).first(joints_)) != MapState::ok)
+    return false;
+  for (std::size_t k = 0; k < joints_; ++k) {
+    double off = given[k][0] - joints[k];
+    if (const double period = turn(k); period > 0) off -= period * std::round(off / period);
+    if (!(std::abs(off) <= path_detail::same_joint * std::max(scale, std::abs(joints[k]))))
+      return false;
+  }
+  return true;
 }
 
 const LinearMap* AxisMap::linear() const {

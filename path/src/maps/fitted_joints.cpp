@@ -207,6 +207,7 @@ class Fitting {
   }
 
   void divide(const Part& part, int depth) {
+    rates_.require_wanted();
     Jets point{};
     Jets begin{};
     Jets end{};

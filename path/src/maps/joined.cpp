@@ -88,15 +88,17 @@ double median(std::vector<double>& values) {
 }  // namespace
 
 Joined::Joined(const Program& program, const GroupLimits& limits,
-               const std::optional<JointSpace>& joints)
+               const std::optional<JointSpace>& joints, const std::atomic<bool>* canceled)
     : program_(program),
       joints_(joints),
       limits_(all_limits(limits, joints)),
       tool_(rates_of(limits, program.axes(), program.path_axes())),
       rates_(tool_) {
-  if (!joints) return;
-  require_fitting_joints(program, *joints);
-  rates_ = rates_of(limits_, program.axes() + joints->map->joints(), program.path_axes());
+  if (joints) {
+    require_fitting_joints(program, *joints);
+    rates_ = rates_of(limits_, program.axes() + joints->map->joints(), program.path_axes());
+  }
+  tool_.canceled = rates_.canceled = canceled;
 }
 
 Route Joined::with_linear(Route route) const {

@@ -26,8 +26,8 @@ struct Jointed {
 class Joined {
  public:
   /// Throws InputError for joints that do not fit the program or their map.
-  Joined(const Program& program, const GroupLimits& limits,
-         const std::optional<JointSpace>& joints);
+  Joined(const Program& program, const GroupLimits& limits, const std::optional<JointSpace>& joints,
+         const std::atomic<bool>* canceled = nullptr);
 
   /// Limits of the axes of the tool, then of the joints.
   [[nodiscard]] const GroupLimits& limits() const { return limits_; }

@@ -54,6 +54,42 @@ struct LinearDelta {
     return MapState::ok;
   }
 
+  /// The tool is at the distance `arm` from three points, the ends of the arms less the radius of the
+  /// platform, and below them: (2) in the plane of these points, tool - first = s u + t v - h w.
+  [[nodiscard]] std::optional<Point> tool_of(const double* joint) const {
+    using Vector = std::array<double, 3>;
+    const auto dot = [](const Vector& p, const Vector& q) {
+      return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    };
+    const auto less = [](const Vector& p, const Vector& q, double factor) {
+      return Vector{p[0] - factor * q[0], p[1] - factor * q[1], p[2] - factor * q[2]};
+    };
+    std::array<Vector, 3> end{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double out = radius - joint[i] * sn;
+      end[i] = {out * outwards[i][0], out * outwards[i][1], distance + joint[i] * cs};
+    }
+    Vector u = less(end[1], end[0], 1);
+    const double first = std::sqrt(dot(u, u));
+    const Vector side = less(end[2], end[0], 1);
+    if (!(first > 0)) return std::nullopt;
+    for (double& component : u) component /= first;
+    const double along = dot(side, u);
+    Vector v = less(side, u, along);
+    const double across = std::sqrt(dot(v, v));
+    if (!(across > 0)) return std::nullopt;
+    for (double& component : v) component /= across;
+    const Vector w{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double s = first / 2;  // (2)
+    const double t = (along * along + across * across - 2 * along * s) / (2 * across);
+    const double square = arm * arm - s * s - t * t;
+    if (!(square >= 0)) return std::nullopt;
+    const double h = std::sqrt(square) * (w[2] > 0 ? 1 : -1);
+    Point tool{};
+    for (std::size_t i = 0; i < 3; ++i) tool[i] = end[0][i] + s * u[i] + t * v[i] - h * w[i];
+    return tool;
+  }
+
   template <class S>
   void joints_of(const S* p, S* joint) const {
     for (std::size_t i = 0; i < 3; ++i) {

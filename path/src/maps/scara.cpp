@@ -47,6 +47,20 @@ struct Scara {
     return stretched || folded ? MapState::singular : MapState::ok;
   }
 
+  [[nodiscard]] std::optional<Point> tool_of(const double* joint) const {
+    Point tool{};
+    double angle = 0;  // deg
+    const std::array<double, 3> arm{a, b, c};
+    for (std::size_t i = 0; i < arms(); ++i) {
+      angle += joint[i] - offset[i];
+      tool[0] += arm[i] * std::cos(angle / degrees_per_rad);
+      tool[1] += arm[i] * std::sin(angle / degrees_per_rad);
+    }
+    if (with_z) tool[2] = joint[arms()] - offset[arms()];
+    if (c > 0) tool[with_z ? 3 : 2] = angle;
+    return tool;
+  }
+
   template <class S>
   void joints_of(const S* p, S* joint) const {
     S x = p[0];

@@ -45,6 +45,7 @@ inline Series<Interval, 9> enclosure(const Segment& f) {
 /// A map from one formula for numbers and for intervals. A Kinematics has
 ///   std::size_t axes, joints;  double turn(joint);  MapState state(const double* point);
 ///   template <class S> void joints_of(const S* point, S* joints)
+///   std::optional<Point> tool_of(const double* joints)
 template <class Kinematics>
 class SeriesMap final : public AxisMap {
  public:
@@ -68,6 +69,11 @@ class SeriesMap final : public AxisMap {
   }
 
   [[nodiscard]] double turn(std::size_t joint) const override { return of_.turn(joint); }
+
+  [[nodiscard]] std::optional<Point> tool(std::span<const double> joints) const override {
+    const std::optional<Point> point = of_.tool_of(joints.data());
+    return point && gives(*point, joints) ? point : std::nullopt;
+  }
 
   bool bounds(std::span<const Segment> point, std::span<JointBounds> joints) const override {
     using S = Series<Interval, 9>;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/path/direct.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
+#include <utility>
 
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/sequences/synchronize.hpp"
@@ -115,6 +119,55 @@ std::vector<Trajectory> aborted(const Plan& plan, double t, const Point& to) {
   }
   append_moves(std::span(moves).first(n), Sync::time, axes);
   return trajectories(std::move(axes));
+}
+
+Plan direct_plan(const Point& from, const Point& to, const std::vector<Limits>& limits) {
+  const std::vector<Trajectory> motions = direct(from, to, limits);
+  const std::size_t n = motions.size();
+  double square = 0;
+  for (std::size_t k = 0; k < n; ++k) square += profiles_detail::square(to[k] - from[k]);
+  std::vector<double> breaks;
+  for (const Trajectory& motion : motions)
+    breaks.insert(breaks.end(), motion.breaks().begin(), motion.breaks().end());
+  std::sort(breaks.begin(), breaks.end());
+  const double duration = breaks.back();
+  const double speed = std::sqrt(square) / duration;
+  std::vector<PathPiece> pieces;
+  std::vector<double> numbers;
+  double begin = 0;
+  for (const double end : breaks) {
+    const double h = end - begin;
+    if (!(h > rounded_value * duration)) continue;  // breaks of several axes at one time
+    pieces.push_back({.start = begin * speed,
+                      .length = h * speed,
+                      .data = numbers.size(),
+                      .line = 1,
+                      .kind = PieceKind::curve});
+    constexpr double degree = 3;
+    numbers.push_back(degree);
+    for (const Trajectory& motion : motions) {
+      const Jet at = motion.jet(begin);
+      const double jerk = motion.jet(begin + h / 2)[3];
+      numbers.insert(numbers.end(), {at[0], at[1] * h, at[2] * h * h / 2, jerk * h * h * h / 6});
+    }
+    begin = end;
+  }
+  const LawInterval even{.length = speed * duration,
+                         .v0 = speed,
+                         .peak = speed,
+                         .v1 = speed,
+                         .duration = duration,
+                         .single_phase = true,
+                         .pieces = static_cast<std::uint32_t>(pieces.size())};
+  Plan::Given given;
+  given.limits.axes = limits;
+  given.settings.emplace_back();
+  given.path_axes = n;
+  return {Path(n, std::move(pieces), std::move(numbers)),
+          TimingLaw({even}),
+          {},
+          duration,
+          std::move(given)};
 }
 
 }  // namespace jounce

@@ -71,7 +71,7 @@ std::vector<double> times_of(std::span<const Rest> rests, std::span<const Rest> 
 }  // namespace
 
 Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& options) {
-  const Joined joined(program, limits, options.joints);
+  const Joined joined(program, limits, options.joints, options.canceled);
   require_inside(program, limits);
   Route tool = route_of(program);
   std::optional<Route> averaged;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <span>
 
 #include "jounce/path/group_limits.hpp"
 #include "jounce/path/path.hpp"
+#include "jounce/path/plan.hpp"
 #include "jounce/path/program.hpp"
 
 // Limits as numbers, and the resulting limits of the law on each piece of a path.
@@ -17,6 +19,12 @@ struct Rates {
   std::size_t path_axes = 0;
   std::array<double, max_axes> velocity{}, acceleration{}, jerk{};
   PathLimits path;
+  const std::atomic<bool>* canceled = nullptr;  ///< PlanOptions::canceled
+
+  /// Throws PlanCanceled if the plan is canceled. Long loops call it.
+  void require_wanted() const {
+    if (canceled != nullptr && canceled->load(std::memory_order_relaxed)) throw PlanCanceled();
+  }
 };
 
 /// Converts the limits. Throws InputError if they do not fit the program.

@@ -68,6 +68,7 @@ class WindowLaw {
       : path_(path), rates_(reserved(rates)), first_(units.front().piece) {
     for (const Unit& unit : units)
       for (std::uint32_t k = 0; k < unit.pieces; ++k) {
+        rates.require_wanted();
         const std::size_t piece = unit.piece + k;
         if (piece < first_ + bounds_.size()) continue;  // a part of an arc
         const PathSettings& settings = program.settings()[path.pieces()[piece].settings];
@@ -98,6 +99,7 @@ class WindowLaw {
     std::vector<RawPhase> phases;
     for (const double a : {0.9, 0.6, 0.35, 0.2})
       for (const double j : {0.9, 0.6, 0.35}) {
+        rates_.require_wanted();
         std::vector<RawPhase> next = raw(a * acceleration_, j * jerk_);
         if (next.empty()) continue;
         double time = a * acceleration_ / (j * jerk_);
@@ -253,6 +255,7 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
   reserve_large(made.laws.rests, rests + 1);
   if (rests > 1 && !times_only) reserve_large(made.laws.stretches, units.size());
   for (std::size_t i = 0; i < units.size();) {
+    rates.require_wanted();
     std::size_t last = i + 1;
     while (last < units.size() && units[last].entry > 0) ++last;
     const std::span<const Unit> run(units.data() + i, last - i);

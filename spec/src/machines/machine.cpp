@@ -27,15 +27,20 @@ MachineSpec::Axis read_one(TomlReader& reader, const std::filesystem::path& fold
   return axis;
 }
 
+/// A file that a spec in `folder` names; "": none.
+std::string beside(const std::filesystem::path& folder, const std::string& file) {
+  const std::filesystem::path given(file);
+  return !file.empty() && given.is_relative() ? (folder / given).string() : file;
+}
+
 MachineSpec::Group read_group(TomlReader& reader, const std::filesystem::path& folder) {
   MachineSpec::Group group{.name = reader.text("name"), .key = reader.path("name")};
   group.key.erase(group.key.rfind('.'));
   group.axes = reader.texts("axes");
   if (group.axes.empty())
     reader.fail("axes", "", "is missing: add the names of its axes, such as axes = [\"x\", \"y\"]");
-  group.program = reader.optional_text("program").value_or("");
-  if (const std::filesystem::path given(group.program); !given.empty() && given.is_relative())
-    group.program = (folder / given).string();
+  group.program = beside(folder, reader.optional_text("program").value_or(""));
+  group.kinematics = beside(folder, reader.optional_text("kinematics").value_or(""));
   group.tolerance = reader.optional_quantity("tolerance");
   reader.finish();
   return group;

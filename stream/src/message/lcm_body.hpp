@@ -12,6 +12,7 @@
 #include "jounce_lcm/command_t.hpp"
 #include "jounce_lcm/coupling_t.hpp"
 #include "jounce_lcm/event_t.hpp"
+#include "jounce_lcm/group_status_t.hpp"
 #include "jounce_lcm/header_t.hpp"
 #include "jounce_lcm/heartbeat_t.hpp"
 #include "jounce_lcm/master_status_t.hpp"
@@ -53,6 +54,7 @@ void put(const Master& from, jounce_lcm::master_t& to);
 void put(const Event& from, jounce_lcm::event_t& to);
 void put(const MasterStatus& from, jounce_lcm::master_status_t& to);
 void put(const Claim& from, jounce_lcm::claim_t& to);
+void put(const GroupStatus& from, jounce_lcm::group_status_t& to);
 
 // Returns false if a field is out of its range.
 bool get(const jounce_lcm::header_t& from, Header& to);
@@ -73,6 +75,7 @@ bool get(const jounce_lcm::master_t& from, Master& to);
 bool get(const jounce_lcm::event_t& from, Event& to);
 bool get(const jounce_lcm::master_status_t& from, MasterStatus& to);
 bool get(const jounce_lcm::claim_t& from, Claim& to);
+bool get(const jounce_lcm::group_status_t& from, GroupStatus& to);
 
 template <class Body>
 struct LcmOf;
@@ -112,5 +115,7 @@ template <>
 struct LcmOf<MasterStatus> : std::type_identity<jounce_lcm::master_status_t> {};
 template <>
 struct LcmOf<Claim> : std::type_identity<jounce_lcm::claim_t> {};
+template <>
+struct LcmOf<GroupStatus> : std::type_identity<jounce_lcm::group_status_t> {};
 
 }  // namespace jounce::wire

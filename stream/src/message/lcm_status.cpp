@@ -171,6 +171,55 @@ bool get(const jounce_lcm::master_status_t& from, MasterStatus& to) {
          !(to.age_s < 0) && !std::isinf(to.age_s) && to.taken >= 0 && to.refused >= 0;
 }
 
+void put(const GroupStatus& from, jounce_lcm::group_status_t& to) {
+  if (from.axes.empty() || from.axes.size() > GroupStatus::most_axes)
+    throw InputError("axes", std::to_string(from.axes.size()), "must be 1 to 9");
+  to.boot = from.boot;
+  to.tick = from.tick;
+  to.axes = static_cast<std::int32_t>(from.axes.size());
+  for (std::size_t k = 0; k < from.axes.size(); ++k)
+    put_text(from.axes[k], to.names + k * executor_bytes, executor_bytes);
+  for (std::size_t k = 0; k < GroupStatus::most_axes; ++k)
+    to.place[k] = k < from.place.size() && k < from.axes.size() ? from.place[k] : Status::unknown;
+  to.framed = from.framed ? 1 : 0;
+  to.line = from.line;
+  to.commands = put_count("commands", from.commands);
+  to.estimated = from.estimated ? 1 : 0;
+  to.position = from.position;
+  to.length = from.length;
+  to.feed = from.feed;
+  to.remaining_s = from.remaining_s;
+  to.look_ahead = from.look_ahead;
+}
+
+bool get(const jounce_lcm::group_status_t& from, GroupStatus& to) {
+  static_assert(sizeof from.names == GroupStatus::most_axes * executor_bytes);
+  const auto counts = [](double value) { return std::isfinite(value) && value >= 0; };
+  const auto is_known = [](double value) { return !std::isinf(value) && !(value < 0); };
+  to.boot = from.boot;
+  to.tick = from.tick;
+  to.line = from.line;
+  to.position = from.position;
+  to.length = from.length;
+  to.feed = from.feed;
+  to.remaining_s = from.remaining_s;
+  to.look_ahead = from.look_ahead;
+  if (from.axes < 1 || from.axes > static_cast<int>(GroupStatus::most_axes)) return false;
+  for (std::size_t k = 0; k < GroupStatus::most_axes; ++k) {
+    std::string axis;
+    if (!get_text(from.names + k * executor_bytes, executor_bytes, axis)) return false;
+    const bool wanted = k < static_cast<std::size_t>(from.axes);
+    if (wanted ? !is_executor_name(axis) : !axis.empty()) return false;
+    if (wanted) to.axes.push_back(std::move(axis));
+    if (wanted) to.place.push_back(from.place[k]);
+    if (std::isinf(from.place[k]) || (!wanted && !std::isnan(from.place[k]))) return false;
+  }
+  return to.boot >= 1 && to.tick >= 0 && to.line >= 0 && get_count(from.commands, to.commands) &&
+         get_flag(from.framed, to.framed) && get_flag(from.estimated, to.estimated) &&
+         counts(to.position) && is_known(to.length) && counts(to.feed) &&
+         is_known(to.remaining_s) && is_known(to.look_ahead);
+}
+
 void put(const Claim& from, jounce_lcm::claim_t& to) {
   to.boot = from.boot;
   to.rival = from.rival;

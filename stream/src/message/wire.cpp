@@ -84,7 +84,7 @@ template <class Body>
 bool is_session_of(const jounce_lcm::envelope_t& envelope) {
   if (envelope.challenge < 0) return false;
   if (is_one_of<Body, Master, Claim>) return envelope.session == 0 && envelope.challenge == 0;
-  if (is_one_of<Body, Event, MasterStatus>) return envelope.session == 0;
+  if (is_one_of<Body, Event, MasterStatus, GroupStatus>) return envelope.session == 0;
   constexpr bool may_have_none = is_one_of<Body, Status, Stop, Reply, Command>;
   return envelope.session > 0 || (may_have_none && envelope.session == 0);
 }
@@ -196,12 +196,13 @@ Lane lane(const Body& body) {
   if (is_any<Master>(body)) return Lane::master;
   if (is_any<MasterStatus>(body)) return Lane::masters;
   if (is_any<Claim>(body)) return Lane::claim;
+  if (is_any<GroupStatus>(body)) return Lane::group;
   return is_any<Event>(body) ? Lane::event : Lane::command;
 }
 
 std::string channel(const std::string& executor, Lane lane) {
-  constexpr const char* ends[] = {".table",  ".command", ".reply",   ".status",
-                                  ".master", ".event",   ".masters", ".claim"};
+  constexpr const char* ends[] = {".table", ".command", ".reply", ".status", ".master",
+                                  ".event", ".masters", ".claim", ".group"};
   return "JOUNCE2." + executor + ends[static_cast<std::size_t>(lane)];
 }
 

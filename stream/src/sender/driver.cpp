@@ -169,6 +169,11 @@ void ReceiverPump::publish_master(wire::MasterStatus status, std::size_t axis) {
   send_message(link_, {receivers_[axis].executor(), 0, status}, key_);
 }
 
+void ReceiverPump::publish_group(wire::GroupStatus status, std::size_t axis) {
+  status.boot = receivers_[axis].boot();
+  send_message(link_, {receivers_[axis].executor(), 0, status}, key_);
+}
+
 void ReceiverPump::subscribe_claims(std::function<void(const wire::Message&)> take) {
   claims_ = std::move(take);
   for (const Receiver& receiver : receivers_)

@@ -9,6 +9,7 @@
 
 #include "jounce/command/cause.hpp"
 #include "jounce/command/command_table.hpp"
+#include "jounce/stream/transport/link.hpp"
 
 namespace jounce {
 
@@ -47,6 +48,23 @@ std::optional<wire::Status> present_status(Transport& link, const std::string& e
                                            const Clock& clock) {
   link.subscribe(wire::channel(executor, wire::Lane::status), 1);
   return next_status_of(link, executor, timeout, key, clock);
+}
+
+std::optional<wire::GroupStatus> present_group(Transport& link, const std::string& executor,
+                                               Nanos timeout, const std::optional<wire::Key>& key,
+                                               const Clock& clock) {
+  link.subscribe(wire::channel(executor, wire::Lane::group), 1);
+  Rejects rejects;
+  drain(link, Nanos{}, key, rejects, [](const wire::Message& /*old*/) {});
+  const Nanos end = clock() + timeout;
+  for (Nanos left = timeout; left > Nanos{}; left = end - clock()) {
+    const auto message = next_message(link, left, rejects, key);
+    const auto* const group = message && message->executor == executor
+                                  ? std::get_if<wire::GroupStatus>(&message->body)
+                                  : nullptr;
+    if (group != nullptr) return *group;
+  }
+  return std::nullopt;
 }
 
 CallOutcome outcome_of(const wire::Reply& reply, const std::string& executor) {

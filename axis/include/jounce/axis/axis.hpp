@@ -60,6 +60,7 @@ struct Tick {
   Cause reason = Cause::none;
   double override_ = 1;    ///< override factor in effect, 0 to 2
   double rate = 1;         ///< present rate of path time: 1 is the original speed of the path
+  double path_time = 0;    ///< time of the path that is played, s; 0: no path
   bool held = false;       ///< true if the motion is held until the command resume
   bool homed = false;      ///< true after homing: the position refers to the home position
   bool power = false;      ///< request to the drive: follow the setpoints

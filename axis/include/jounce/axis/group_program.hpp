@@ -23,6 +23,8 @@ struct GroupAxis {
 struct GroupProgram {
   std::shared_ptr<const Plan> plan;  ///< over s, in the units of the axes
   std::vector<GroupAxis> axes;       ///< in the order of the axes of the plan
+  /// Place of the first axis of the group among the axes of the plan; not 0 if they are joints.
+  std::size_t first = 0;
 };
 
 /// Checks a plan against the limits of the axes that will play it: position range, velocity,
@@ -35,7 +37,8 @@ struct GroupProgram {
 ///
 /// Throws InputError with the key "axes" if the numbers of axes differ, and with the name of the
 /// axis and the broken limit ("x.velocity") if a limit is exceeded by more than a billionth. `unit`:
-/// unit of the axes for messages; "": not known.
+/// unit of the axes for messages; "": not known. If the plan has joints, the axes of the group are
+/// these joints.
 GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const AxisConfig> axes,
                            std::span<const std::string> names, const std::string& unit = {});
 

@@ -7,12 +7,13 @@
 #include <span>
 #include <variant>
 
-#include "jounce/axis/axis_config.hpp"
 #include "jounce/command/commands.hpp"
 #include "jounce/path/arc.hpp"
+#include "jounce/path/frame.hpp"
 #include "jounce/path/plan.hpp"
 #include "jounce/path/point.hpp"
 #include "jounce/path/program.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 namespace jounce {
 
@@ -27,7 +28,12 @@ namespace jounce {
 class PathCommands {
  public:
   /// `axes`: 1 to max_axes. `start`: where the first command begins. `first`: its number.
-  PathCommands(std::size_t axes, const Point& start, std::int32_t first = 1);
+  /// `path_axes`: number of path axes (Program); 0: all axes.
+  PathCommands(std::size_t axes, const Point& start, std::int32_t first = 1,
+               std::size_t path_axes = 0);
+
+  /// Sets the frame of the commands that are appended from now on.
+  void set_frame(const Frame& frame) { frame_ = frame; }
 
   /// Appends a command. Throws InputError with the name of the field for a command without a
   /// coordinate or of no length, for a coordinate beyond the axes, and for an arc that does not fit.
@@ -38,10 +44,10 @@ class PathCommands {
   void append(const command::MoveDirect<relative>& line);
   template <bool relative>
   void append(const command::MoveCircular<relative>& arc);
-  /// A jog ends where an axis reaches the end of its range. `axes`: configurations of the axes.
-  void append(const command::GroupJog& jog, std::span<const AxisConfig> axes);
+  /// A jog ends where an axis reaches the end of its range. `limits`: limits of the axes.
+  void append(const command::GroupJog& jog, std::span<const Limits> limits);
   /// Appends a command of a client. Throws InputError also for a command that is none of a group.
-  void append(const ClientCommand& command, std::span<const AxisConfig> axes);
+  void append(const ClientCommand& command, std::span<const Limits> limits);
 
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   [[nodiscard]] bool empty() const { return all_.empty(); }
@@ -78,13 +84,24 @@ class PathCommands {
     std::variant<Line, Arc, Wait> what;
     Point to;
   };
+  [[nodiscard]] bool framed() const { return frame_ != Frame{}; }
+  /// End of the last command in the frame.
+  [[nodiscard]] Point part() const;
+  [[nodiscard]] Point machine(const Point& part) const;
+  [[nodiscard]] bool is_at(const Point& part) const;
   [[nodiscard]] Point target(const command::Coordinates& to, bool relative) const;
   void add_line(const command::Coordinates& to, bool relative, const PathSettings& settings);
 
-  std::size_t axes_;
+  std::size_t axes_, path_axes_;
+  Frame frame_;
   Point start_;
   std::int32_t first_;
   std::deque<One> all_;
 };
+
+/// Returns the frame of a command for a group with this number of path axes. Throws InputError with
+/// the name of the field.
+Frame frame_of(const command::SetCoordinateTransform& what, std::size_t axes,
+               std::size_t path_axes);
 
 }  // namespace jounce

@@ -124,8 +124,9 @@ enum class CommandKind : std::uint8_t {
   abort_trigger,
   enable_compensation,
   disable_compensation,
+  set_coordinate_transform,
 };
-inline constexpr std::size_t command_kinds = 50;  ///< number of kinds
+inline constexpr std::size_t command_kinds = 51;  ///< number of kinds
 
 }  // namespace jounce
 
@@ -632,7 +633,9 @@ struct MoveLinear {
 using MoveLinearAbsolute = MoveLinear<false>;
 using MoveLinearRelative = MoveLinear<true>;
 
-/// Moves a group along a straight line, as fast as its axes permit (PLCopen: path-invariant).
+/// Moves a group to a point, as fast as its axes permit: along a straight line (PMC600:
+/// Path_Invariant), or, if `fast`, each axis in its own shortest time (PMC600: Fast). A fast move
+/// begins and ends at rest, and its path depends on the limits of the axes.
 template <bool relative_>
 struct MoveDirect {
   static constexpr bool relative = relative_;
@@ -640,6 +643,7 @@ struct MoveDirect {
       relative ? CommandKind::move_direct_relative : CommandKind::move_direct_absolute;
   Coordinates to = no_coordinates<most_coordinates>();
   PathDynamics path = {};
+  bool fast = false;
 };
 using MoveDirectAbsolute = MoveDirect<false>;
 using MoveDirectRelative = MoveDirect<true>;
@@ -692,6 +696,10 @@ constexpr void each_field(C& c, F f) {
       c.turns);
   }
   each_field(c.path, f);
+  if constexpr (requires { c.fast; })
+    f(Field{"fast", Quantity::none, FieldRange::flag, "fast",
+            "move-direct: each axis moves in its own shortest time, not along a straight line"},
+      c.fast);
 }
 
 /// Lets a group rest at the end of its last command (SMC_GroupWait). The duration need not be a
@@ -733,6 +741,33 @@ struct EnableCompensation {
 struct DisableCompensation {
   static constexpr auto kind = CommandKind::disable_compensation;
 };
+/// Sets the frame of the following single commands of a group: the position and orientation of the
+/// part in the machine (MC_SetCoordinateTransform, G54). Coordinates are those of the part. Nothing
+/// moves. The frame applies until the next SetCoordinateTransform, or until the group is disabled.
+/// Without values, the coordinates are again those of the machine.
+struct SetCoordinateTransform {
+  static constexpr auto kind = CommandKind::set_coordinate_transform;
+  /// Origin of the part in the machine, u; a coordinate that is not given is 0.
+  Coordinates offset = no_coordinates<most_coordinates>();
+  /// Rotation about the third axis, from the first axis towards the second, deg; not given: 0.
+  double rotation = as_configured;
+  /// Three rotations instead of `rotation`: about Z, the new Y, and the new Z, deg.
+  std::array<double, 3> zyz = no_coordinates<3>();
+};
+template <Of<SetCoordinateTransform> C, class F>
+constexpr void each_field(C& c, F f) {
+  for (auto& coordinate : c.offset)
+    f(Field{"offset", Quantity::position, FieldRange::coordinate, "offset",
+            "set-coordinate-transform: origin of the part, in coordinates of the machine"},
+      coordinate);
+  f(Field{"rotation", Quantity::none, FieldRange::given, "rotation",
+          "set-coordinate-transform: rotation of the part about the third axis, deg"},
+    c.rotation);
+  for (auto& angle : c.zyz)
+    f(Field{"angle", Quantity::none, FieldRange::coordinate, "zyz",
+            "set-coordinate-transform: three rotations, about Z, Y and Z, deg: 30,90,0"},
+      angle);
+}
 
 /// Captures the position of the axis at the edges of a trigger input. A new command for the same
 /// input replaces the previous one.
@@ -808,7 +843,7 @@ using ClientCommand =
              command::MoveLinearAbsolute, command::MoveLinearRelative,
              command::MoveCircularAbsolute, command::MoveCircularRelative,
              command::MoveDirectAbsolute, command::MoveDirectRelative, command::GroupWait,
-             command::GroupJog, command::CombineAxes>::type;
+             command::GroupJog, command::CombineAxes, command::SetCoordinateTransform>::type;
 static_assert(std::is_trivially_copyable_v<ClientCommand>);
 
 /// Returns the kind of a command in any variant of commands.
@@ -842,15 +877,16 @@ inline bool holds_to_run(const ClientCommand& command) {
       command);
 }
 
-/// True for the commands of a group, which the executor plans together (group_queue.hpp).
-template <class C>
-inline constexpr bool is_path_command =
-    C::kind >= CommandKind::move_linear_absolute&& C::kind <= CommandKind::group_jog;
-
-/// True for the kinds of these commands.
+/// True for the kinds of the single commands of a group, which the executor takes one after another
+/// (group_queue.hpp).
 constexpr bool is_path_kind(CommandKind kind) {
-  return kind >= CommandKind::move_linear_absolute && kind <= CommandKind::group_jog;
+  return (kind >= CommandKind::move_linear_absolute && kind <= CommandKind::group_jog) ||
+         kind == CommandKind::set_coordinate_transform;
 }
+
+/// True for these commands.
+template <class C>
+inline constexpr bool is_path_command = is_path_kind(C::kind);
 
 /// Returns the fields of the command C, in the order of the wire.
 template <class C>

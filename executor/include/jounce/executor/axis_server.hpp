@@ -13,6 +13,7 @@
 #include "jounce/executor/cycle.hpp"
 #include "jounce/executor/executor_options.hpp"
 #include "jounce/executor/group_queue.hpp"
+#include "jounce/executor/group_report.hpp"
 #include "jounce/executor/last_start.hpp"
 #include "jounce/executor/log.hpp"
 #include "jounce/executor/made_movement.hpp"
@@ -66,6 +67,8 @@ class AxisServer {
   [[nodiscard]] const ExecutorOptions& options() const { return options_; }
   /// The status message of the axis.
   [[nodiscard]] wire::Status status() const;
+  /// The place of a group on its path; nullopt for a single axis.
+  [[nodiscard]] std::optional<wire::GroupStatus> group_status();
   /// Returns the output changes since the last call.
   [[nodiscard]] std::vector<wire::Event> take_events() { return std::exchange(events_, {}); }
 
@@ -149,7 +152,8 @@ class AxisServer {
   MovementBuilder builder_;
   std::optional<GroupQueue> group_queue_;  // single commands of a group
   std::uint64_t group_movement_ = 0;       // id of its last movement
-  std::uint64_t numbers_ = 0;              // numbers of movements
+  GroupReport group_report_;
+  std::uint64_t numbers_ = 0;  // numbers of movements
   bool retired_ = false;
   bool log_truncated_ = false;
   std::uint64_t ended_with_group_ = 0;

@@ -21,6 +21,18 @@ namespace jounce {
 class Recorder;
 class Trace;
 
+/// Kinematics of a group whose axes are the joints of a machine.
+struct GroupKinematics {
+  std::vector<std::string> names =
+      {};                     ///< names of the axes of the tool: the coordinates of commands
+  std::size_t path_axes = 0;  ///< number of path axes among them; the others are followers
+  /// From the axes of the tool to the joints, with the lower of the limits of the kinematics and of
+  /// the axes of the group.
+  JointSpace joints;
+  GroupLimits limits;     ///< limits of the axes of the tool, and of its path
+  std::string unit = {};  ///< unit of the path axes; "": not known
+};
+
 /// A group of an executor (docs/executor/groups.md).
 struct ExecutorGroup {
   AxisGroup of;                                      ///< its axes in the machine
@@ -28,6 +40,12 @@ struct ExecutorGroup {
   std::vector<AxisConfig> configs;                   ///< configurations of these axes
   std::string unit = {};                             ///< unit of these axes; "": not known
   std::shared_ptr<const GroupProgram> program = {};  ///< path that StartTable plays; null: none
+  std::optional<GroupKinematics> kinematics = {};    ///< nullopt: commands address the axes
+
+  /// Names of the coordinates of commands: the axes of the tool, or of the group.
+  [[nodiscard]] const std::vector<std::string>& coordinates() const {
+    return kinematics ? kinematics->names : names;
+  }
 };
 
 /// The cutter of an axis (docs/gear/cuts.md).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -28,7 +29,8 @@ namespace jounce {
 /// wait.
 ///
 /// If the group already brakes for the end of its path when a command arrives, the command begins
-/// at rest.
+/// at rest. Commands that arrive while the group plays a path that was sent as a whole, or a fast
+/// move, are planned from the end of this motion, and begin there at rest.
 ///
 ///     queue.take(command, request);
 ///     while (const auto step = queue.next(tick)) ...    // often; the server executes the step
@@ -36,6 +38,8 @@ namespace jounce {
 class GroupQueue {
  public:
   using Request = CommandQueue::Request;
+  /// Returns the program of a movement of the group; null: none.
+  using ProgramOf = std::function<std::shared_ptr<const GroupProgram>(std::uint64_t movement)>;
   /// Greatest number of commands that have not ended (the default of HIMC).
   static constexpr std::size_t most_commands = 512;
 
@@ -66,7 +70,11 @@ class GroupQueue {
   /// calling thread plans itself; the worker plans longer programs. `places`: returns the present
   /// positions of the axes of the group.
   GroupQueue(const ExecutorGroup& group, Worker& worker, std::size_t most_at_once,
-             std::function<Point()> places);
+             std::function<Point()> places, ProgramOf program_of = {});
+  /// Cancels the planning in progress.
+  ~GroupQueue();
+  GroupQueue(const GroupQueue&) = delete;
+  GroupQueue& operator=(const GroupQueue&) = delete;
 
   /// Adds a command of the group.
   void take(const ClientCommand& command, const Request& request);
@@ -85,10 +93,17 @@ class GroupQueue {
   /// rests.
   void release() { releasing_ = true; }
 
+  /// Present positions of the axes of the group.
+  [[nodiscard]] Point places() const { return places_(); }
+  /// Frame of the commands (command::SetCoordinateTransform).
+  [[nodiscard]] const Frame& frame() const { return frame_; }
+
   /// True if so many commands wait to be planned that the caller must reject further ones.
   [[nodiscard]] bool full() const { return waiting_.size() >= most_waiting; }
   /// Number of commands that have not ended.
   [[nodiscard]] std::size_t size(const Tick& group) const;
+  /// Number of the command that the group plays, from 1; nullopt: it plays no single command.
+  [[nodiscard]] std::optional<std::int32_t> command(const Tick& group) const;
 
  private:
   static constexpr std::size_t most_waiting = 16;
@@ -100,6 +115,13 @@ class GroupQueue {
     PathCommands commands;
     std::shared_ptr<const GroupProgram> program;
     double origin = 0;  // position of the group at the start of the program
+    bool fast = false;
+  };
+  /// The commands that begin at rest when the present motion has ended.
+  struct Following {
+    PathCommands commands;
+    std::shared_ptr<const GroupProgram> program;
+    std::uint64_t finished = 0;  // motions of the group before the present motion ends
   };
   struct Planned {
     std::shared_ptr<const GroupProgram> program = {};
@@ -114,26 +136,44 @@ class GroupQueue {
     slower,    // and the present commands get no faster than they are planned
     stopping,  // the command begins at rest
     rest,      // the command begins a new motion
+    after,     // the command follows the end of the present motion
   };
   struct Attempt {
     Way way = Way::rest;
     PathCommands commands;
     std::future<Planned> planned;
+    std::shared_ptr<std::atomic<bool>> canceled;
     std::shared_ptr<const GroupProgram> program = {};  // set: the group has the step
     double origin = 0;
+    bool fast = false;
+    std::uint64_t finished = 0;  // see Following
   };
   struct Waiting {
     ClientCommand command = {};
     Request request = {};
   };
 
-  static Planned planned(const PathCommands& commands, const ExecutorGroup& group,
-                         const GroupProgram* before, double q);
+  /// The input of planned(). `before` and `q`: the present program, and the place of the group on it.
+  /// `fast`: the axes move from these positions, each in its shortest time.
+  struct Task {
+    PathCommands commands;
+    std::shared_ptr<const GroupProgram> before = {};
+    double q = 0;
+    std::optional<Point> fast = {};
+  };
+
+  static Planned planned(const Task& task, const ExecutorGroup& group,
+                         const std::atomic<bool>& canceled);
+  void drop_attempt();
   [[nodiscard]] std::optional<Step> begin(const Tick& group);
   [[nodiscard]] std::optional<Step> proceed();
   [[nodiscard]] std::optional<Step> joined(const Tick& group);
   [[nodiscard]] std::optional<Step> fresh();
-  void plan(Way way, PathCommands commands, const Tick* group);
+  [[nodiscard]] std::optional<Step> begin_following(const Tick& group);
+  [[nodiscard]] std::optional<Step> follow(const Tick& group);
+  [[nodiscard]] Point end_of(const Tick& group) const;
+  void plan(Way way, Task task);
+  [[nodiscard]] PathCommands commands_from_rest() const;
   void fail();
   Reply finish(Cause cause, const std::string& reason = {});
   [[nodiscard]] bool plays(const Tick& group) const;
@@ -143,6 +183,7 @@ class GroupQueue {
   Worker& worker_;
   std::size_t most_at_once_;
   std::function<Point()> places_;
+  ProgramOf program_of_;
   std::deque<Waiting> waiting_;  // the first one is being planned
   std::optional<Attempt> attempt_;
   Way next_way_ = Way::shorter;
@@ -152,7 +193,10 @@ class GroupQueue {
   bool halting_ = false;
   bool releasing_ = false;
   std::optional<Playing> playing_;
+  std::optional<Following> following_;
+  bool starts_following_ = false;         // the group has the step that begins following_
   std::vector<command::GroupWait> idle_;  // waits before the first motion
+  Frame frame_;                           // frame of the commands that follow
 };
 
 }  // namespace jounce

@@ -14,6 +14,7 @@ namespace jounce {
 
 /// Columns of a tick log in addition to those of every log.
 struct LogColumns {
+  bool path = false;                              ///< time of the path of a group
   bool probes = false;                            ///< captures of the touch probes
   std::optional<CorrectionOf> registration = {};  ///< state of the registration
   bool compensation = false;                      ///< state and correction of the compensation

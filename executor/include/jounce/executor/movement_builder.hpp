@@ -41,6 +41,9 @@ class MovementBuilder {
   /// outlive the builder. `group`: for a group, its axes.
   MovementBuilder(Worker& worker, std::size_t most_knots, std::optional<ExecutorGroup> group = {})
       : worker_(worker), most_knots_(most_knots), group_(std::move(group)) {}
+  ~MovementBuilder() { cancel(); }
+  MovementBuilder(const MovementBuilder&) = delete;
+  MovementBuilder& operator=(const MovementBuilder&) = delete;
 
   /// True if a build is in progress.
   [[nodiscard]] bool busy() const { return building_.has_value(); }

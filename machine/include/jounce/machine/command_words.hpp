@@ -59,8 +59,17 @@ void require_taken(const CommandWords& words);
 /// --hold-to-run`, which would ignore it.
 void require_held(const CommandWords& words, const std::string& seconds);
 
+/// Sets the value of the command from the arguments after it. Arguments such as "x=10mm", "y=5mm" are
+/// the coordinates of a command of a group, by the names of its axes. Throws InputError for several
+/// other values, and for coordinates of a command without coordinates.
+void set_values(CommandWords& words, const std::vector<std::string>& values);
+/// True if the words name axes of a group: "--to x=10mm".
+bool names_axes(const CommandWords& words);
+
 /// Returns the command, with its values converted to the units of the axis; `words` must satisfy
-/// require_taken(). Throws InputError for an invalid or missing value.
-ClientCommand command_of(const CommandWords& words, const Units& units);
+/// require_taken(). `axes`: for words that name axes, the axes of the group, in the order of
+/// coordinates. Throws InputError for an invalid or missing value, and for an unknown name.
+ClientCommand command_of(const CommandWords& words, const Units& units,
+                         const std::vector<std::string>& axes = {});
 
 }  // namespace jounce

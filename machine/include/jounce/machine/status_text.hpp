@@ -18,6 +18,17 @@ std::string status_text(const std::string& axis, const wire::MasterStatus& maste
 /// Returns the state of a master as JSON in one line.
 std::string status_json(const std::string& axis, const wire::MasterStatus& master);
 
+/// Returns the place of a group on its path, in one line of text.
+std::string status_text(const std::string& group, const wire::GroupStatus& status);
+/// Returns the place of a group on its path as JSON in one line.
+std::string status_json(const std::string& group, const wire::GroupStatus& status);
+/// Returns the place of a group in a few words: "x 10 y 2.5; path 12.5 mm of 400 mm, line 7", with
+/// "frame" before it if the coordinates are those of a frame. `unit`: unit of its axes.
+std::string place_text(const wire::GroupStatus& group, const std::string& unit);
+/// Returns what remains of the path of a group in a few words: "3.25 s (estimate), 4 commands,
+/// look-ahead 380 mm".
+std::string remaining_text(const wire::GroupStatus& group, const std::string& unit);
+
 /// Returns an event of an axis, in one line of text: "label  event 17  tick 1203 - 412 us  probe 1
 /// rising at 123.4567".
 std::string status_text(const std::string& axis, const wire::Event& event);

@@ -34,6 +34,7 @@ struct Watched {
   std::deque<double> trace = {};                 ///< positions every 100 ms, the newest last
   Nanos traced_at{};                             ///< time of the newest position in `trace`
   std::vector<wire::MasterStatus> masters = {};  ///< state of each master, sorted by name
+  std::optional<wire::GroupStatus> group = {};   ///< for a group: its place on its path
   /// Greatest number of events, that of a latch buffer of the PMC600 (manual 9.5).
   static constexpr std::size_t most_events = 256;
   std::deque<wire::Event> events = {};  ///< the last events, the newest last
@@ -47,6 +48,9 @@ void take(std::vector<Watched>& axes, const std::string& name, const wire::Statu
 /// Stores the state of a master in an axis. Has no effect before the first status of the axis. If
 /// the axis has too many masters, drops the one whose cycle is the earliest.
 void take(std::vector<Watched>& axes, const std::string& name, const wire::MasterStatus& master);
+
+/// Stores the place of a group on its path. Has no effect before the first status of the group.
+void take(std::vector<Watched>& axes, const std::string& name, const wire::GroupStatus& group);
 
 /// Stores an event in an axis, unless it is there. Returns true if the event is new. Has no effect
 /// before the first status of the axis. The first event of an executor that was started again
@@ -75,13 +79,14 @@ class Watch {
   Watch(Transport& link, WatchOptions options);
 
   /// Receives messages for the duration `time`. Calls `status` with each message about an axis,
-  /// `master` with each message about a master, and `event` with each new event, if these functions
-  /// are given.
+  /// `master` with each message about a master, `event` with each new event, and `group` with each
+  /// message about a group, if these functions are given.
   void run(
       Nanos time,
       const std::function<void(const std::string& axis, const wire::Status&)>& status = {},
       const std::function<void(const std::string& axis, const wire::MasterStatus&)>& master = {},
-      const std::function<void(const std::string& axis, const wire::Event&)>& event = {});
+      const std::function<void(const std::string& axis, const wire::Event&)>& event = {},
+      const std::function<void(const std::string& axis, const wire::GroupStatus&)>& group = {});
 
   /// Returns the name of an axis in the options that has sent no status for `patience`. Without
   /// names in the options, returns any_executor if no axis has sent a status for `patience`.

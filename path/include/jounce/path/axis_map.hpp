@@ -63,9 +63,18 @@ class AxisMap {
   /// long for a finite bound, the bound is infinite, and the plan divides the part.
   virtual bool bounds(std::span<const Segment> point, std::span<JointBounds> joints) const;
 
+  /// Computes the position of the tool from the positions of the joints: the forward kinematics.
+  /// Returns nullopt if jets() gives other joints for this position (another side of the elbow, two
+  /// motors of one axis at different positions), or if the class has no forward kinematics, like the
+  /// base class.
+  [[nodiscard]] virtual std::optional<Point> tool(std::span<const double> joints) const;
+
   /// Returns the matrix of a linear map; null for any other map. With a linear map, a plan is exact
   /// on every piece.
   [[nodiscard]] virtual const LinearMap* linear() const;
+
+  /// True if jets() gives these joints at this position of the tool, within rounding and whole turns.
+  [[nodiscard]] bool gives(const Point& tool, std::span<const double> joints) const;
 
  protected:
   AxisMap(const AxisMap&) = default;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,6 +29,14 @@ struct PlanOptions {
   /// Joints of the machine (axis_map.hpp). They become further axes of the plan, after the axes of
   /// the program.
   std::optional<JointSpace> joints = {};
+  /// If this becomes true during the call, for example in another thread, plan() throws PlanCanceled
+  /// within a few milliseconds; null: never.
+  const std::atomic<bool>* canceled = nullptr;
+};
+
+/// Thrown by plan() if it is canceled.
+struct PlanCanceled : std::exception {
+  [[nodiscard]] const char* what() const noexcept override { return "the plan was canceled"; }
 };
 
 /// Note on a *junction* of the path: a place where two pieces meet. (JointNote, JointMark and

@@ -14,7 +14,9 @@ namespace jounce {
 struct LimitedProgram {
   Program program{1};
   GroupLimits limits;  ///< velocity, acceleration and jerk of the axes; limits of the path
-  std::vector<std::string> names = {};  ///< names of the axes, printable characters; or empty texts
+  /// Names of the axes, printable characters; or empty texts. If the path is for a machine with joints,
+  /// the names of its joints follow.
+  std::vector<std::string> names = {};
 };
 
 /// Returns a program as a list of finite numbers, for a message or a file. program_of() returns the

@@ -47,6 +47,8 @@ struct MachineSpec {
     /// Spec of the path that `jounce order NAME start` plays; relative to the machine's file; "":
     /// none.
     std::string program = {};
+    /// Spec of kind "path" whose [kinematics] moves the axes as joints; "": none.
+    std::string kinematics = {};
     /// Greatest distance of an axis from its place at a start, in the unit of the axes.
     std::optional<std::string> tolerance = {};
     std::string key = {};  ///< full key for messages: "group[1]"

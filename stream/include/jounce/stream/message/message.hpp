@@ -353,6 +353,32 @@ struct MasterStatus {
   std::int64_t refused = 0;  ///< number of rejected samples: old, repeated, or in another unit
 };
 
+/// Place of a group on its path, sent with the Status of the group. u is the unit of its axes.
+struct GroupStatus {
+  /// Greatest number of axes of a group.
+  static constexpr std::size_t most_axes = 9;
+
+  std::int64_t boot = 0;  ///< see Ack
+  std::int64_t tick = 0;  ///< tick of these values
+  /// Names of the coordinates of commands: of the axes of the group, or of its tool.
+  std::vector<std::string> axes{};
+  /// Commanded coordinates, in the frame of the commands, one for each name; NaN: unknown.
+  std::vector<double> place{};
+  bool framed = false;              ///< true: the commands have a frame
+  std::int32_t line = 0;            ///< source line of the present command, or the number of a
+                                    ///< single command; 0: no path
+  std::uint32_t commands = 0;       ///< number of commands that have not ended
+  bool estimated = false;           ///< true: `remaining_s` is an estimate
+  double position = 0;              ///< length along the path from its start, u
+  double length = Status::unknown;  ///< length of the path as planned now, u; NaN: no path
+  double feed = 0;                  ///< velocity along the path, u/s
+  /// Time to the end of the path, s; NaN: no path, or unknown. Exact if the path is played at its
+  /// original speed.
+  double remaining_s = Status::unknown;
+  /// Distance to the place where the group brakes for the end of its path, u; NaN: no path.
+  double look_ahead = Status::unknown;
+};
+
 // ---- between executors --------------------------------------------------------------------------
 
 /// An executor claims, or already owns, the name in Message::executor.
@@ -365,14 +391,14 @@ struct Claim {
 
 /// Any content of a message.
 using Body = std::variant<Header, Chunk, Arm, Start, Stop, Heartbeat, Ack, Reply, Status, Command,
-                          Queue, Rows, QueueAck, Master, Event, MasterStatus, Claim>;
+                          Queue, Rows, QueueAck, Master, Event, MasterStatus, Claim, GroupStatus>;
 
 /// A message of the protocol.
 struct Message {
   std::string executor;  ///< Name of the axis of an executor: 1 to 23 of the characters A-Z a-z 0-9
                          ///< _ -. In a Master: name of the master.
   /// Session, > 0; 0: no session (a Status of a free axis, a message of an operator, Master, Event,
-  /// MasterStatus, Claim).
+  /// MasterStatus, GroupStatus, Claim).
   std::int64_t session = 0;
   Body body;  ///< the content
   /// From an executor: the challenge that commands must contain. To an executor: the challenge that

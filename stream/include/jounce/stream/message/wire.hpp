@@ -57,6 +57,7 @@ enum class Lane {
   event,    ///< Event: from the executor
   masters,  ///< MasterStatus: from the executor; only the newest one of each master is valid
   claim,    ///< Claim: between executors
+  group,    ///< GroupStatus: from the executor; only the newest one is valid
 };
 /// Returns the channel of a message.
 Lane lane(const Body& body);

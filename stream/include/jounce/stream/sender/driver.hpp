@@ -105,6 +105,8 @@ class ReceiverPump {
   void announce(wire::Event event, std::size_t axis = 0);
   /// Sends the state of a master that an axis follows.
   void publish_master(wire::MasterStatus status, std::size_t axis = 0);
+  /// Sends the place of a group on its path, with the boot number.
+  void publish_group(wire::GroupStatus status, std::size_t axis = 0);
 
   /// Subscribes to the samples of the master with this name, and passes each sample to `take`.
   void subscribe(const std::string& master, std::function<void(const wire::Master&)> take);

@@ -17,6 +17,13 @@ std::optional<wire::Status> present_status(Transport& link, const std::string& e
                                            Nanos timeout, const std::optional<wire::Key>& key = {},
                                            const Clock& clock = steady_now);
 
+/// Subscribes to the place of a group on its path and returns the next one; nullopt if none arrives
+/// within `timeout`, because the executor is a single axis.
+std::optional<wire::GroupStatus> present_group(Transport& link, const std::string& executor,
+                                               Nanos timeout,
+                                               const std::optional<wire::Key>& key = {},
+                                               const Clock& clock = steady_now);
+
 /// Returns the reply to operator_command() as an outcome.
 CallOutcome outcome_of(const wire::Reply& reply, const std::string& executor);
 

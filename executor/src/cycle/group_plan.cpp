@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/executor/group_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "jounce/base/listed.hpp"
+#include "jounce/path/direct.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
+
+namespace jounce {
+
+void require_coordinates(std::span<const std::string> names, const ExecutorGroup& group) {
+  const std::vector<std::string>& own = group.coordinates();
+  if (!group.kinematics && names.size() > own.size())
+    throw InputError("kinematics", listed(names),
+                     "is for a machine with joints, but the group has no kinematics");
+  if (!group.kinematics) return require_order(names, own);
+  std::vector<std::string> all = own;
+  all.insert(all.end(), group.names.begin(), group.names.end());
+  const bool with_joints = names.size() > own.size();
+  if (std::equal(names.begin(), names.end(), all.begin(),
+                 with_joints ? all.end() : all.begin() + static_cast<std::ptrdiff_t>(own.size())))
+    return;
+  throw InputError("axes", listed(names),
+                   "must be " + listed(own) +
+                       (with_joints ? " with the joints " + listed(group.names) : std::string()) +
+                       ", the coordinates of the group");
+}
+
+namespace {
+
+std::optional<double> lower(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::min(*a, *b) : a ? a : b;
+}
+
+std::optional<double> higher(const std::optional<double>& a, const std::optional<double>& b) {
+  return a && b ? std::max(*a, *b) : a ? a : b;
+}
+
+/// The lower limits of both, and the range that both permit.
+Limits common(const Limits& a, const Limits& b) {
+  return {.position_min = higher(a.position_min, b.position_min),
+          .position_max = lower(a.position_max, b.position_max),
+          .velocity = lower(a.velocity, b.velocity),
+          .acceleration = lower(a.acceleration, b.acceleration),
+          .jerk = lower(a.jerk, b.jerk)};
+}
+
+PathLimits common(const PathLimits& a, const PathLimits& b) {
+  return {.velocity = std::min(a.velocity, b.velocity),
+          .acceleration = std::min(a.acceleration, b.acceleration),
+          .deceleration = std::min(a.deceleration, b.deceleration),
+          .jerk = std::min(a.jerk, b.jerk),
+          .normal_acceleration = std::min(a.normal_acceleration, b.normal_acceleration),
+          .total_acceleration = std::min(a.total_acceleration, b.total_acceleration)};
+}
+
+/// The limits of the sender, lowered to those of the tool of the group.
+GroupLimits of_tool(const GroupLimits& sent, const GroupKinematics& kinematics) {
+  if (sent.axes.size() != kinematics.names.size())
+    throw InputError("axes", std::to_string(sent.axes.size()),
+                     "must be " + std::to_string(kinematics.names.size()) +
+                         ", the number of coordinates of the group");
+  GroupLimits all{.axes = sent.axes, .path = common(sent.path, kinematics.limits.path)};
+  for (std::size_t k = 0; k < all.axes.size(); ++k)
+    all.axes[k] = common(sent.axes[k], kinematics.limits.axes[k]);
+  return all;
+}
+
+/// The limits of the sender, lowered to those of the axes.
+GroupLimits of_axes(const GroupLimits& sent, const ExecutorGroup& group) {
+  GroupLimits all = within(sent, group.configs);
+  for (std::size_t k = 0; k < all.axes.size(); ++k) {
+    all.axes[k].position_min = sent.axes[k].position_min;
+    all.axes[k].position_max = sent.axes[k].position_max;
+  }
+  return all;
+}
+
+/// The positions of the axes of a group at these coordinates.
+Point axes_at(const Point& coordinates, const ExecutorGroup& group) {
+  if (!group.kinematics) return coordinates;
+  const AxisMap& map = *group.kinematics->joints.map;
+  std::array<Jet, max_axes> point{};
+  std::array<Jet, max_axes> joints{};
+  for (std::size_t i = 0; i < map.axes(); ++i) point[i] = {coordinates[i], 0, 0, 0};
+  const MapState state =
+      map.jets(std::span(point).first(map.axes()), std::span(joints).first(map.joints()));
+  if (state == MapState::out_of_reach)
+    throw InputError("to", "", "is out of reach of the joints: choose another point");
+  if (state == MapState::singular)
+    throw InputError("to", "", "is a singular position of the joints: choose another point");
+  Point axes{};
+  for (std::size_t k = 0; k < map.joints(); ++k) axes[k] = joints[k][0];
+  return axes;
+}
+
+}  // namespace
+
+std::shared_ptr<const GroupProgram> planned_program(const Program& program,
+                                                    const GroupLimits& limits,
+                                                    const ExecutorGroup& group,
+                                                    const std::atomic<bool>* canceled) {
+  PlanOptions options{.canceled = canceled};
+  if (group.kinematics) options.joints = group.kinematics->joints;
+  auto path = std::make_shared<const Plan>(
+      plan(program, group.kinematics ? of_tool(limits, *group.kinematics) : of_axes(limits, group),
+           options));
+  if (canceled != nullptr && *canceled) throw PlanCanceled();
+  return std::make_shared<const GroupProgram>(
+      group_program(std::move(path), group.configs, group.names, group.unit));
+}
+
+std::shared_ptr<const GroupProgram> fast_program(const Point& from, const Point& to,
+                                                 const ExecutorGroup& group) {
+  const std::vector<Limits> limits = [&] {
+    std::vector<Limits> all;
+    for (const AxisConfig& axis : group.configs) all.push_back(axis.limits);
+    return all;
+  }();
+  auto made = std::make_shared<const Plan>(direct_plan(from, axes_at(to, group), limits));
+  return std::make_shared<const GroupProgram>(
+      group_program(std::move(made), group.configs, group.names, group.unit));
+}
+
+std::vector<Limits> coordinate_limits(const ExecutorGroup& group) {
+  if (group.kinematics) return group.kinematics->limits.axes;
+  std::vector<Limits> all;
+  for (const AxisConfig& axis : group.configs) all.push_back(axis.limits);
+  return all;
+}
+
+std::optional<Point> tool_of(const Point& axes, const ExecutorGroup& group) {
+  if (!group.kinematics) return axes;
+  const AxisMap& map = *group.kinematics->joints.map;
+  return map.tool(std::span(axes).first(map.joints()));
+}
+
+Point coordinates_of(const Point& axes, const ExecutorGroup& group) {
+  if (const auto tool = tool_of(axes, group)) return *tool;
+  std::string places;
+  for (std::size_t k = 0; k < group.names.size(); ++k)
+    places += (k == 0 ? "" : ", ") + group.names[k] + " " + six_digits(axes[k]);
+  throw InputError("start", "(" + places + ")",
+                   "is not a position of the joints for which the kinematics has a position of the "
+                   "tool: move the joints to the side of the elbow that the kinematics uses, and "
+                   "two motors of one axis to the same position");
+}
+
+}  // namespace jounce
