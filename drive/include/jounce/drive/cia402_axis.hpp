@@ -24,7 +24,7 @@ struct Cia402Inputs {
   std::int16_t torque_actual = 0;    ///< 0x6077, 1/1000 of the rated torque
 };
 
-/// Scaling of a drive and its window for the transition to operation.
+/// Scaling of a drive and its window for the transition to operation. u is the unit of the axis.
 struct Cia402Config {
   double increments_per_rev = 0;  ///< increments in one turn of the motor, an integer > 0
   double position_per_rev = 0;    ///< travel of the axis in one turn of the motor, u, > 0

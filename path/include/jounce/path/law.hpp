@@ -12,10 +12,10 @@ namespace jounce {
 
 /// One stretch of a timing law; q is the path parameter. docs/path/README.md describes the two
 /// kinds of laws.
-/// - In a law of stations, a stretch is a ramp from v0 to a peak, a cruise at the peak, and a ramp
-///   to v1. The acceleration is zero at both ends of the stretch.
-/// - In a law of a window, it is one phase of constant jerk, which begins with v0 and
-///   `acceleration` (signed).
+/// - In a station law, a stretch is a ramp from v0 to a peak, a cruise at the peak, and a ramp to
+///   v1. The acceleration is zero at both ends of the stretch.
+/// - In a window law, it is one phase of constant jerk, which begins with v0 and `acceleration`
+///   (signed).
 /// - A rest (dwell) has length 0 and velocity 0.
 struct LawInterval {
   double time = 0;                  ///< s, at its start
@@ -27,7 +27,7 @@ struct LawInterval {
   double acceleration = 0, deceleration = 0;
   double jerk = 0;            ///< q/s^3, > 0; signed if single_phase
   double duration = 0;        ///< s
-  bool single_phase = false;  ///< true: a phase of constant jerk (law of a window)
+  bool single_phase = false;  ///< true: a phase of constant jerk (window law)
   std::uint32_t piece = 0;    ///< index of its first piece of the path
   std::uint32_t pieces = 0;   ///< number of pieces; 0: a rest
 };
