@@ -10,8 +10,9 @@
 
 namespace jounce {
 
-/// Homing of an axis, with the objects of CiA 402. A value of 0 stands for the default that its
-/// comment states; resolved() fills in the defaults. u is the unit of the axis.
+/// Homing of an axis, with the objects of CiA 402. If the comment of a member states a default for
+/// 0, the value 0 stands for this default; resolved() fills in the defaults. u is the unit of the
+/// axis.
 struct HomingSpec {
   /// Homing method, object 6098h: 1 to 14, 17 to 30, 33, 34, 35 or 37; 37: the present position
   /// becomes the home position.
@@ -24,7 +25,7 @@ struct HomingSpec {
   double index_velocity = 0;
   /// Acceleration, u/s^2 (609Ah), at most the limit; 0: the limit of the axis.
   double acceleration = 0;
-  double offset = 0;    ///< position value of the axis at the home position, u (607Ch)
+  double offset = 0;    ///< position value of the axis at the home position, u (minus 607Ch)
   double timeout = 60;  ///< time limit of the whole homing, s, > 0
   std::optional<double> distance = {};  ///< u, > 0: greatest length of each search; omitted: no
                                         ///< limit

@@ -40,7 +40,8 @@ class PathCommands {
   void append(const command::MoveCircular<relative>& arc);
   /// A jog ends where an axis reaches the end of its range. `axes`: configurations of the axes.
   void append(const command::GroupJog& jog, std::span<const AxisConfig> axes);
-  /// Appends a command of a client. Throws InputError also for a command that is none of a group.
+  /// Appends a command of a client. Throws InputError also for a command that is not a command of a
+  /// group.
   void append(const ClientCommand& command, std::span<const AxisConfig> axes);
 
   [[nodiscard]] std::size_t size() const { return all_.size(); }

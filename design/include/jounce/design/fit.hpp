@@ -9,7 +9,8 @@
 
 namespace jounce {
 
-/// Options for reading and fitting measured points. A text is a number with or without a unit; "": not given.
+/// Options for reading and fitting measured points. A text is a number with or without a unit; "":
+/// not given.
 struct FitOptions {
   std::string
       tolerance;  ///< greatest distance from a point; "": the column `tolerance` of the file
@@ -45,8 +46,8 @@ struct FittedCam {
 /// Fits a cam to the points of a file: CSV with the columns `master`, `slave` and perhaps
 /// `tolerance` (points.hpp), a drawing of the cam (drawn_cam.hpp), or a cam table of Jounce or of a
 /// controller. A table with velocities is fitted at its knots and at places between them. The spec
-/// of a plate contains [disc]. Throws InputError, with the place in the
-/// file, or with the name of a member of FitOptions.
+/// of a plate contains [disc]. Throws InputError, with the place in the file, or with the name of a
+/// member of FitOptions as its key.
 FittedCam fitted_cam(const std::string& path, const FitOptions& options);
 /// Like fitted_cam(), for the contents of a file with this name.
 FittedCam fitted_cam(const std::string& text, const std::string& name, const FitOptions& options);
