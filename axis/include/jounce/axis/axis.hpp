@@ -142,10 +142,10 @@ bool in_motion(const Tick& tick);
 /// **Touch probes** (touch_probe.hpp) capture positions at the edges of trigger inputs, in every
 /// state.
 ///
-/// **Registration** (AxisConfig::registration) corrects every motion that follows the live master by
-/// the marks that a trigger input reports. It begins without a correction when such a motion begins,
-/// and continues if another such motion replaces it. A correction of the master (a phase) is included
-/// in Tick::master.
+/// **Registration** (AxisConfig::registration) corrects every motion that follows the live master
+/// by the marks that a trigger input reports. It begins without a correction when such a motion
+/// begins, and continues if another such motion replaces it. A correction of the master (a phase)
+/// is included in Tick::master.
 ///
 /// **Groups.** Inputs::peers states whether a MotionAxis is a group of the machine, or an axis of a
 /// group (docs/executor/groups.md). The position of a group is the length along its path. The

@@ -79,11 +79,11 @@ struct AxisImage {
 /// fails, or cannot begin. Then waiting starts are dropped, later starts are rejected, and all
 /// motions stop. An axis that has output only its first point has not moved, and stays there.
 ///
-/// **Groups of the machine** (AxisGroup, docs/executor/groups.md). A group plays a GroupPath, and its
-/// axes follow it: they begin to move, and come to rest, in the same tick as the group. An axis of an
-/// enabled group rejects motions of its own. A stop of an axis in motion stops the group. If an axis
-/// of an enabled group can no longer follow (a fault, an abort, a disable), the group stops on its
-/// path, with the fault `axis_fault`.
+/// **Groups of the machine** (AxisGroup, docs/executor/groups.md). A group plays a GroupPath, and
+/// its axes follow it: they begin to move, and come to rest, in the same tick as the group. An axis
+/// of an enabled group rejects motions of its own. A stop of an axis in motion stops the group. If
+/// an axis of an enabled group can no longer follow (a fault, an abort, a disable), the group stops
+/// on its path, with the fault `axis_fault`.
 ///
 /// **Masters** are inputs: one Jet for each master and tick, in m (the unit of the master), m/s,
 /// m/s^2, m/s^3. NaN: lost. If an axis is a master, m is the unit of that axis. The jerk of an
@@ -97,8 +97,8 @@ class Machine {
   /// `masters` is the number of masters that step() receives. Throws InputError, with the name of
   /// the axis, for no axis or more than 64 axes, a missing or duplicate name, different periods, an
   /// invalid configuration, invalid switches, an invalid position compare, an index out of range,
-  /// an axis that follows itself, a ring of axes that follow the setpoints of each other, an axis in
-  /// two groups, and an axis of a group that has a live master.
+  /// an axis that follows itself, a ring of axes that follow the setpoints of each other, an axis
+  /// in two groups, and an axis of a group that has a live master.
   explicit Machine(std::vector<MachineAxis> axes, std::size_t masters = 0);
 
   [[nodiscard]] std::size_t size() const { return axes_.size(); }  ///< number of axes

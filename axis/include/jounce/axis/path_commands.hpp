@@ -16,8 +16,8 @@
 
 namespace jounce {
 
-/// Commands of a group in their order, as a program for the planner. Each command has a number, which
-/// is the source line of its pieces in the plan.
+/// Commands of a group in their order, as a program for the planner. Each command has a number,
+/// which is the source line of its pieces in the plan.
 ///
 ///     PathCommands commands(2, {0, 0});
 ///     commands.append(command::MoveLinearAbsolute{.to = {10, 5}});
@@ -30,7 +30,8 @@ class PathCommands {
   PathCommands(std::size_t axes, const Point& start, std::int32_t first = 1);
 
   /// Appends a command. Throws InputError with the name of the field for a command without a
-  /// coordinate or of no length, for a coordinate beyond the axes, and for an arc that does not fit.
+  /// coordinate or of no length, for a coordinate beyond the axes, and for an arc that does not
+  /// fit.
   void append(const command::GroupWait& wait);
   template <bool relative>
   void append(const command::MoveLinear<relative>& line);
@@ -60,8 +61,8 @@ class PathCommands {
   [[nodiscard]] Program program() const;
   /// The same commands, but the last one that moves begins at rest.
   [[nodiscard]] PathCommands stopping() const;
-  /// The same commands, each at most as fast as in their plan. With further commands, the group then
-  /// does not brake at the end, but keeps its velocity.
+  /// The same commands, each at most as fast as in their plan. With further commands, the group
+  /// then does not brake at the end, but keeps its velocity.
   [[nodiscard]] PathCommands slowed(const Plan& plan) const;
   /// The commands from this number on.
   [[nodiscard]] PathCommands from(std::int32_t number) const;

@@ -55,8 +55,8 @@ FittedCam fitted_cam(const std::string& text, const std::string& name, const Fit
 /// Returns the output of `jounce fit`: each segment with its distance from the points, and the
 /// greatest distances.
 std::string fit_text(const FittedCam& fitted);
-/// Returns the contents of fit_text() as a JSON object; numbers have all their digits. `file` is the
-/// name of the spec.
+/// Returns the contents of fit_text() as a JSON object; numbers have all their digits. `file` is
+/// the name of the spec.
 std::string fit_json(const FittedCam& fitted, const std::string& file);
 
 }  // namespace jounce

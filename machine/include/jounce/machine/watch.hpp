@@ -45,7 +45,7 @@ void take(std::vector<Watched>& axes, const std::string& name, const wire::Statu
           Nanos now);
 
 /// Stores the state of a master in an axis. Has no effect before the first status of the axis. If
-/// the axis has too many masters, drops the one whose cycle is the earliest.
+/// the axis has too many masters, drops the one whose newest state has the smallest tick.
 void take(std::vector<Watched>& axes, const std::string& name, const wire::MasterStatus& master);
 
 /// Stores an event in an axis, unless it is there. Returns true if the event is new. Has no effect

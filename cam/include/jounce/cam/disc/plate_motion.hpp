@@ -17,8 +17,8 @@ struct PlateMotion {
 };
 
 /// Returns the motion of the follower of `spec` on a plate with this profile: the inverse of
-/// contour(disc, -roller_radius, ...). The profile is in the frame of the cam at master 0 (DiscSpec),
-/// in u. If spec.base_radius is 0, the slave is 0 at its least position.
+/// contour(disc, -roller_radius, ...). The profile is in the frame of the cam at master 0
+/// (DiscSpec), in u. If spec.base_radius is 0, the slave is 0 at its least position.
 ///
 ///     PlateMotion motion = plate_motion(profile, {.roller_radius = 8, .offset = 3}, masters);
 ///
