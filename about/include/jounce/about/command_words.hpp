@@ -11,26 +11,30 @@ namespace jounce {
 /// True for "-x" and "--x"; false for "-" and for a negative number.
 bool looks_like_option(const std::string& word);
 
-/// Returns the words as the user means them: -.5 becomes -0.5, because a parser would take it for an option. The words
-/// after "--" stay. Throws InputError for an empty word, and for "--log=", which has no value.
+/// Returns the words as the user means them: -.5 becomes -0.5, because a parser would take it for
+/// an option. The words after "--" stay. Throws InputError for an empty word, and for "--log=",
+/// which has no value.
 std::vector<std::string> meant_words(std::span<const char* const> given);
 
-/// Returns an error sentence if the first word of `given` is missing, or is not the name of a verb (the sentence then
-/// names the nearest verb). Returns "" for a verb and for an option.
+/// Returns an error sentence if the first word of `given` is missing, or is not the name of a verb
+/// (the sentence then names the nearest verb). Returns "" for a verb and for an option.
 std::string wrong_verb(std::span<const char* const> given, const std::vector<std::string>& verbs);
 
-/// Returns an error sentence for the first word that looks like an option and is none of `options`; the sentence names
-/// the nearest option. Returns "" if there is no such word. `names_output`: the verb takes its output as its second
-/// argument, not as an option. `owner`: the owner of the options, as the sentence names it.
+/// Returns an error sentence for the first word that looks like an option and is none of `options`;
+/// the sentence names the nearest option. Returns "" if there is no such word. `names_output`: the
+/// verb takes its output as its second argument, not as an option. `owner`: the owner of the
+/// options, as the sentence names it.
 std::string wrong_option(std::span<const char* const> given,
                          const std::vector<std::string>& options, bool names_output = false,
                          const std::string& owner = "this verb");
 
-/// Rewrites an error sentence of the parser (CLI11) in the style of the other messages, for example for a missing
-/// argument or an option that is given twice. `extra`: the parser reports an argument that it does not expect.
+/// Rewrites an error sentence of the parser (CLI11) in the style of the other messages, for example
+/// for a missing argument or an option that is given twice. `extra`: the parser reports an argument
+/// that it does not expect.
 std::string parser_sentence(std::string text, bool extra);
 
-/// Breaks a text at its spaces into lines of at most `width` characters. A longer word gets a line of its own.
+/// Breaks a text at its spaces into lines of at most `width` characters. A longer word gets a line
+/// of its own.
 std::string wrapped(std::string text, std::size_t width);
 
 }  // namespace jounce

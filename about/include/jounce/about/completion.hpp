@@ -32,7 +32,8 @@ std::string completion_lines(const Completion& completion);
 /// The shells that have a script: bash, fish, zsh.
 std::vector<std::string> completion_shells();
 
-/// The script that connects a shell with complete(), by the command `jounce __complete WORD...`; "" for another shell.
+/// The script that connects a shell with complete(), by the command `jounce __complete WORD...`; ""
+/// for another shell.
 std::string completion_script(const std::string& shell);
 
 }  // namespace jounce

@@ -9,7 +9,8 @@
 
 namespace jounce {
 
-/// The manual page of the program in roff, with the macros of man(7): jounce(1). `build` gives its version and date.
+/// The manual page of the program in roff, with the macros of man(7): jounce(1). `build` gives its
+/// version and date.
 std::string man_page(const ProgramInfo& program, const BuildInfo& build);
 
 /// The manual page of one verb: jounce-check(1).

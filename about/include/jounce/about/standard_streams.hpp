@@ -10,8 +10,8 @@ namespace jounce {
 /// must not get its number.
 void open_standard_streams();
 
-/// Writes the rest of standard output. Returns the error of the system, such as that of a full disk, or
-/// "". A reader that has closed its pipe is no error.
+/// Writes the rest of standard output. Returns the error of the system, such as that of a full
+/// disk, or "". A reader that has closed its pipe is no error.
 std::string flush_standard_output();
 
 }  // namespace jounce

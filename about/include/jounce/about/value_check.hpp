@@ -14,8 +14,8 @@
 ///     if (const std::string rule = check("5"); !rule.empty()) ...   // "must be a whole number ..."
 namespace jounce {
 
-/// A rule for the value of an option: a function that returns the broken rule, such as "must be a whole number from 1
-/// to 4", or "".
+/// A rule for the value of an option: a function that returns the broken rule, such as "must be a
+/// whole number from 1 to 4", or "".
 struct ValueCheck {
   template <class Rule>
   ValueCheck(Rule rule) : broken_rule(std::move(rule)) {}  // NOLINT(google-explicit-constructor)

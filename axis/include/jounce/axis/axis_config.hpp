@@ -11,8 +11,9 @@
 
 namespace jounce {
 
-/// Homing of an axis, with the objects of CiA 402. A value of 0 stands for the default that its
-/// comment states; resolved() fills in the defaults. u is the unit of the axis.
+/// Homing of an axis, with the objects of CiA 402. If the comment of a member states a default for
+/// 0, the value 0 stands for this default; resolved() fills in the defaults. u is the unit of the
+/// axis.
 struct HomingSpec {
   /// Homing method, object 6098h: 1 to 14, 17 to 30, 33, 34, 35 or 37; 37: the present position
   /// becomes the home position.
@@ -25,7 +26,7 @@ struct HomingSpec {
   double index_velocity = 0;
   /// Acceleration, u/s^2 (609Ah), at most the limit; 0: the limit of the axis.
   double acceleration = 0;
-  double offset = 0;    ///< position value of the axis at the home position, u (607Ch)
+  double offset = 0;    ///< position value of the axis at the home position, u (minus 607Ch)
   double timeout = 60;  ///< time limit of the whole homing, s, > 0
   std::optional<double> distance = {};  ///< u, > 0: greatest length of each search; omitted: no
                                         ///< limit
@@ -74,9 +75,9 @@ inline double seconds(std::int64_t ns) noexcept {
   return static_cast<double>(ns) / 1e9;
 }
 
-/// Returns the rejection position_limit for a home position outside the position range: the axis would
-/// stand there after its homing. On a limit switch (methods 1, 2, 17 and 18), the home position may be
-/// beyond the range on the side of this switch.
+/// Returns the rejection position_limit for a home position outside the position range: the axis
+/// would stand there after its homing. On a limit switch (methods 1, 2, 17 and 18), the home
+/// position may be beyond the range on the side of this switch.
 std::optional<Refusal> misplaced_home(const HomingSpec& spec, const Limits& limits);
 
 /// Returns the configuration with the defaults filled in. Throws InputError for a value out of

@@ -57,15 +57,16 @@ struct Release {
   static constexpr auto kind = CommandKind::release;
 };
 
-/// Continues the path of a group with a path that equals it up to the path time `until`, and then
-/// goes on. The group takes the new path without a change of its motion. Rejected if the group has
-/// passed `until`.
+/// Replaces the path of a group by a path that equals the present one up to the path time `until`,
+/// and continues beyond it. The motion of the group does not change at the replacement. Rejected if
+/// the group has passed `until`.
 struct Extend {
   static constexpr auto kind = CommandKind::extend;
   Movement* movement = nullptr;  ///< must live until the axis returns it
-  double position = 0;           ///< length along the present path at which the new path begins, u
-  double shift = 0;              ///< time of the present path at which the new path begins, s
-  double until = 0;              ///< time of the present path up to which both are equal, s
+  /// Length along the present path at which the new path begins, in the unit of the path.
+  double position = 0;
+  double shift = 0;  ///< time of the present path at which the new path begins, s
+  double until = 0;  ///< time of the present path up to which both are equal, s
 };
 
 }  // namespace jounce::command

@@ -38,8 +38,8 @@ struct Sensors {
 struct TriggerChange {
   std::uint8_t input = 0;  ///< number of the input, from 1
   bool rising = true;      ///< true: the input went on
-  /// Time from the change to the instant of this cycle, s, >= 0. NaN: the drive gives no time stamp;
-  /// the change counts as at the instant of this cycle.
+  /// Time from the change to the instant of this cycle, s, >= 0. NaN: the drive gives no time
+  /// stamp; the change counts as at the instant of this cycle.
   double age = std::numeric_limits<double>::quiet_NaN();
   /// Actual position that the drive has latched, u, in the coordinate of the drive. NaN: the drive
   /// latches no position.
@@ -78,7 +78,8 @@ enum class Peers : std::uint8_t {
   /// Every axis can follow, but one stands elsewhere, or there is no path. Inputs::master: position
   /// of this axis, its place on the path, u, and its number in the group, from 1.
   away,
-  /// An axis cannot follow: it is disabled, has a fault, or moves alone. Inputs::master: as for away.
+  /// An axis cannot follow: it is disabled, has a fault, or moves alone. Inputs::master: as for
+  /// away.
   failed,
 };
 

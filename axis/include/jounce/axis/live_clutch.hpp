@@ -8,18 +8,19 @@
 namespace jounce {
 
 /// A gear on the live master of the axis whose ratio changes over a distance of the master (GearIn
-/// with a clutch; Googol GT_SetGearRatio with masterSlope, manual 7.5). With u the travel of the
-/// master since the start, d the length of the clutch, z = |u| / d, and r0 and r1 the ratios,
+/// with a clutch; Googol GT_SetGearRatio with masterSlope, manual 7.5). With x the travel of the
+/// master since the start, d the length of the clutch, z = |x| / d, and r0 and r1 the ratios,
 ///
 ///     (1)  ratio = r0 + (r1 - r0) f(z)                f = 10 z^3 - 15 z^4 + 6 z^5
-///     (2)  slave = sign(u) d (r0 z + (r1 - r0) F(z))  F = 5/2 z^4 - 3 z^5 + z^6
+///     (2)  slave = sign(x) d (r0 z + (r1 - r0) F(z))  F = 5/2 z^4 - 3 z^5 + z^6
 ///
 /// So velocity and acceleration of the slave do not step, and the slave moves by d (r0 + r1) / 2 in
 /// the clutch, as in Googol's example 7-5. If the master reverses in the clutch, the slave moves
 /// back along the same curve. When the master has passed the clutch, the ratio stays r1, in both
 /// directions.
 ///
-/// r0 is the ratio of the gear that this one replaces, or 0 for an axis at rest.
+/// r0 is the ratio of the gear that this one replaces, or 0 for an axis at rest. u is the unit of
+/// the axis, m the unit of its master.
 ///
 ///     LiveClutch gear(3, 0.5, 100000);
 ///     axis.step(t, {command::Couple{&gear}}, inputs);

@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// The ratios of an axis to its two masters, u/m each.
+/// The ratios of an axis to its two masters, each in the unit of the axis per unit of the master.
 struct CombinedRatios {
   double first = 1;
   double second = 1;  ///< negative: subtracts the motion of the second master

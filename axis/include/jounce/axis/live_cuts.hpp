@@ -13,22 +13,22 @@
 
 namespace jounce {
 
-/// A plan of cuts on the live master of the axis, the web (docs/gear/cuts.md). The axis must stand at
-/// the home position of its cutter.
+/// A plan of cuts on the live master of the axis, the web (docs/gear/cuts.md). The axis must stand
+/// at the home position of its cutter.
 ///
 ///     LiveCuts cuts(7, task, config);
 ///     axis.step(t, {command::Couple{&cuts}}, inputs);
 ///     axis.step(t + 1, {command::Cut{.length = 800}}, inputs);
 ///     axis.step(t + 2, {command::Park{}}, inputs);
 ///
-/// Progress is `waiting` while the cutter rests at home, and `running` otherwise. After park(), it is
-/// `done` when the cutter is at home. It is `broken` if the web is lost, or moves back beyond the cut
-/// before the last one.
+/// Progress is `waiting` while the cutter rests at home, and `running` otherwise. After park(), it
+/// is `done` when the cutter is at home. It is `broken` if the web is lost, or moves back beyond
+/// the cut before the last one.
 ///
-/// **Park.** While the cutter is in step with the web around a cut, it stays in step. Then it leaves
-/// the web and moves home in the shortest time within the limits of the axis. A knife that has left
-/// home for a cut, or recovers towards a cut, makes this cut first: on another way home, its blade
-/// would pass through the web.
+/// **Park.** While the cutter is in step with the web around a cut, it stays in step. Then it
+/// leaves the web and moves home in the shortest time within the limits of the axis. A knife that
+/// has left home for a cut, or recovers towards a cut, makes this cut first: on another way home,
+/// its blade would pass through the web.
 class LiveCuts final : public Movement {
  public:
   /// `id` is the id of the motion in Tick::job. `config`: the axis, with its limits.
@@ -43,8 +43,8 @@ class LiveCuts final : public Movement {
   [[nodiscard]] double place() const noexcept override { return place_; }
   [[nodiscard]] LiveCuts* cuts() noexcept override { return this; }
 
-  /// Changes the plan. `shift` is added to positions of the web in the answer. Returns nullopt, or the
-  /// reason to reject the command; the numbers of the refusal are in m (unit of the web).
+  /// Changes the plan. `shift` is added to positions of the web in the answer. Returns nullopt, or
+  /// the reason to reject the command; the numbers of the refusal are in m (unit of the web).
   std::optional<Refusal> cut(const command::Cut& what, double shift) noexcept;
   /// Makes no more cuts, and returns the cutter to its home position.
   void park() noexcept;

@@ -82,11 +82,11 @@ struct AxisImage {
 /// fails, or cannot begin. Then waiting starts are dropped, later starts are rejected, and all
 /// motions stop. An axis that has output only its first point has not moved, and stays there.
 ///
-/// **Groups of the machine** (AxisGroup, docs/executor/groups.md). A group plays a GroupPath, and its
-/// axes follow it: they begin to move, and come to rest, in the same tick as the group. An axis of an
-/// enabled group rejects motions of its own. A stop of an axis in motion stops the group. If an axis
-/// of an enabled group can no longer follow (a fault, an abort, a disable), the group stops on its
-/// path, with the fault `axis_fault`.
+/// **Groups of the machine** (AxisGroup, docs/executor/groups.md). A group plays a GroupPath, and
+/// its axes follow it: they begin to move, and come to rest, in the same tick as the group. An axis
+/// of an enabled group rejects motions of its own. A stop of an axis in motion stops the group. If
+/// an axis of an enabled group can no longer follow (a fault, an abort, a disable), the group stops
+/// on its path, with the fault `axis_fault`.
 ///
 /// **Compensation.** After all axes have been stepped, each correction is computed from the setpoints
 /// of its references in the same tick. So two axes may refer to each other.

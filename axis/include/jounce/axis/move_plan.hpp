@@ -13,7 +13,7 @@
 namespace jounce {
 
 /// Goal and dynamics of a move that the axis plans. The motion commands of PLCopen are converted to
-/// goals.
+/// goals. u is the unit of the axis.
 struct Goal {
   enum class Kind : std::uint8_t {
     rest,      ///< MC_Stop, MC_Halt

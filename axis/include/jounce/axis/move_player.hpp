@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// A setpoint, and the tick in which it was output.
+/// A setpoint, and the tick in which it was output. u is the unit of the axis.
 struct TimedState {
   MotionState state;      ///< u, u/s, u/s^2
   std::int64_t tick = 0;  ///< tick of the output

@@ -173,8 +173,8 @@ class Movement {
   [[nodiscard]] virtual std::span<const Jet> parts() const noexcept { return {}; }
   /// For the path of a group: the greatest rate, from 1 to 2, that its axes permit.
   [[nodiscard]] virtual double highest_rate() const noexcept { return 2; }
-  /// For the path of a group: the greatest slope of the rate, 1/s, that its axes permit for rates up
-  /// to `highest` (rate_slope() in path_clock.hpp).
+  /// For the path of a group: the greatest slope of the rate, 1/s, that its axes permit for rates
+  /// up to `highest` (rate_slope() in path_clock.hpp).
   [[nodiscard]] virtual double rate_slope(double /*highest*/) const noexcept {
     return std::numeric_limits<double>::infinity();
   }

@@ -17,8 +17,8 @@
 
 namespace jounce {
 
-/// Commands of a group in their order, as a program for the planner. Each command has a number, which
-/// is the source line of its pieces in the plan.
+/// Commands of a group in their order, as a program for the planner. Each command has a number,
+/// which is the source line of its pieces in the plan.
 ///
 ///     PathCommands commands(2, {0, 0});
 ///     commands.append(command::MoveLinearAbsolute{.to = {10, 5}});
@@ -36,7 +36,8 @@ class PathCommands {
   void set_frame(const Frame& frame) { frame_ = frame; }
 
   /// Appends a command. Throws InputError with the name of the field for a command without a
-  /// coordinate or of no length, for a coordinate beyond the axes, and for an arc that does not fit.
+  /// coordinate or of no length, for a coordinate beyond the axes, and for an arc that does not
+  /// fit.
   void append(const command::GroupWait& wait);
   template <bool relative>
   void append(const command::MoveLinear<relative>& line);
@@ -46,7 +47,8 @@ class PathCommands {
   void append(const command::MoveCircular<relative>& arc);
   /// A jog ends where an axis reaches the end of its range. `limits`: limits of the axes.
   void append(const command::GroupJog& jog, std::span<const Limits> limits);
-  /// Appends a command of a client. Throws InputError also for a command that is none of a group.
+  /// Appends a command of a client. Throws InputError also for a command that is not a command of a
+  /// group.
   void append(const ClientCommand& command, std::span<const Limits> limits);
 
   [[nodiscard]] std::size_t size() const { return all_.size(); }
@@ -65,8 +67,8 @@ class PathCommands {
   [[nodiscard]] Program program() const;
   /// The same commands, but the last one that moves begins at rest.
   [[nodiscard]] PathCommands stopping() const;
-  /// The same commands, each at most as fast as in their plan. With further commands, the group then
-  /// does not brake at the end, but keeps its velocity.
+  /// The same commands, each at most as fast as in their plan. With further commands, the group
+  /// then does not brake at the end, but keeps its velocity.
   [[nodiscard]] PathCommands slowed(const Plan& plan) const;
   /// The commands from this number on.
   [[nodiscard]] PathCommands from(std::int32_t number) const;

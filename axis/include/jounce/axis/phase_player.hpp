@@ -14,7 +14,8 @@
 
 namespace jounce {
 
-/// The motion that a phase shift is added to, at the beginning of the shift.
+/// The motion that a phase shift is added to, at the beginning of the shift. u is the unit of the
+/// slave, m the unit of its master.
 struct PhaseBase {
   /// Greatest magnitudes of the derivatives of the slave with respect to its master: u/m, u/m^2,
   /// u/m^3.

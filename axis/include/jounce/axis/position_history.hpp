@@ -7,8 +7,8 @@
 
 namespace jounce {
 
-/// The positions of an axis or of a master in the last cycles. It returns the position at an
-/// instant between two of them:
+/// A history of the positions of an axis or of a master in the last cycles. It returns the position
+/// at any instant between two of these cycles:
 ///
 ///     PositionHistory history;
 ///     history.add(dt, position, velocity);               // once a cycle
@@ -20,7 +20,7 @@ class PositionHistory {
  public:
   static constexpr std::size_t length = 16;  ///< number of positions
 
-  /// Adds the position (u) and velocity (u/s) of this cycle. `dt`: time since the previous cycle, s.
+  /// Adds the position (u) and velocity (u/s) of this cycle. `dt`: s since the previous cycle.
   void add(double dt, double position, double velocity) noexcept;
   /// Adds this distance, u, to all positions: the coordinate has changed.
   void shift(double by) noexcept;

@@ -12,8 +12,8 @@ namespace jounce {
 ///     while (strokes.goes_on()) next_target = strokes.turn();
 class Repetition {
  public:
-  /// The first stroke leads `from` one end `to` the other, u. `wait`: rest between two strokes, s.
-  /// `strokes`: number of strokes; 0: no limit.
+  /// The first stroke leads from the position `from` to the position `to`, u. `wait`: rest between
+  /// two strokes, s. `strokes`: number of strokes; 0: no limit.
   Repetition(double from, double to, double wait, std::int32_t strokes) noexcept
       : wait_(wait), left_(strokes), next_(from), present_(to) {}
 
@@ -30,7 +30,7 @@ class Repetition {
     present_ = there;
     if (left_ > 1) --left_;
   }
-  /// No other stroke follows the present one.
+  /// Makes the present stroke the last one.
   void finish() noexcept { left_ = 1; }
 
  private:

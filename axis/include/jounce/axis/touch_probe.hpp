@@ -16,7 +16,8 @@
 
 namespace jounce {
 
-/// The positions at one edge of a trigger input. u is the unit of the axis, m the unit of its master.
+/// The positions at one edge of a trigger input. u is the unit of the axis, m the unit of its
+/// master.
 struct Capture {
   std::uint8_t input = 0;  ///< number of the input, see command::TouchProbe
   bool rising = true;      ///< true: the input went on
@@ -28,7 +29,8 @@ struct Capture {
   /// Position of the live master at the edge, m; NaN: unknown.
   double master = std::numeric_limits<double>::quiet_NaN();
 
-  /// The recorded position of MC_TouchProbe: the actual position; without one, the commanded position.
+  /// The recorded position of MC_TouchProbe: the actual position; without one, the commanded
+  /// position.
   [[nodiscard]] double position() const noexcept { return actual == actual ? actual : commanded; }
 };
 
@@ -54,8 +56,8 @@ struct ProbeStep {
 /// **Instant.** A drive reports an edge in a later cycle, at most 8 cycles after it, with the time
 /// since the edge. A capture contains the positions at the instant of the edge, not those of the
 /// cycle: on the motion through both neighboring cycles, or as latched by the drive. Without a time
-/// stamp, the edge counts as at the instant of the cycle. Edges before the start of a touch probe do
-/// not count.
+/// stamp, the edge counts as at the instant of the cycle. Edges before the start of a touch probe
+/// do not count.
 ///
 /// The home switch (input 5) and the index (input 6) are latched by the drive without a time stamp.
 ///

@@ -60,9 +60,9 @@ Estimate corrected(const Estimate& before, const TrackerSpec& spec, double time,
 ///
 /// The master is lost until two measurements have arrived (order 3: three), after `longest_age`
 /// without a measurement, and for one cycle after a jump of the measured position. Followers stop
-/// in this cycle, so they do not follow the jump. A master that exceeds its limits leaves the output
-/// behind. Beyond the distance `jump` the master is lost, until its measured velocity is within the
-/// limit again. When the master is valid again, the output begins at its new position.
+/// in this cycle, so they do not follow the jump. A master that exceeds its limits leaves the
+/// output behind. Beyond the distance `jump` the master is lost, until its measured velocity is
+/// within the limit again. When the master is valid again, the output begins at its new position.
 class Tracked {
  public:
   /// Throws InputError like require_valid().
@@ -83,8 +83,8 @@ class Tracked {
   [[nodiscard]] const Estimate& estimate() const { return estimate_; }
   /// Time of the last measurement, s; it remains after a loss. NaN: no measurement yet.
   [[nodiscard]] double seen() const { return seen_; }
-  /// Distance by which the estimate is ahead of the output in the last at(), m; negative: behind. It
-  /// remains while the master is lost because of it; otherwise it is 0 for a lost master.
+  /// Distance by which the estimate is ahead of the output in the last at(), m; negative: behind.
+  /// It remains while the master is lost because of it; otherwise it is 0 for a lost master.
   [[nodiscard]] double lag() const { return lag_; }
 
  private:

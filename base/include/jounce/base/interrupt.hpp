@@ -5,8 +5,9 @@
 
 namespace jounce {
 
-/// While an object exists, the first Ctrl-C (SIGINT) or SIGTERM only sets asked(), so that the program can keep its
-/// best result. The second signal of the same kind ends the program as usual. At most one object exists at a time.
+/// While an object exists, the first Ctrl-C (SIGINT) or SIGTERM only sets asked(), so that the
+/// program can keep its best result. The second signal of the same kind ends the program as usual.
+/// At most one object exists at a time.
 ///
 ///     const Interrupt interrupt;
 ///     run_sweep(spec, {.keep_going = [&](std::size_t, std::size_t) { return !interrupt.asked(); }});

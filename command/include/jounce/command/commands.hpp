@@ -409,8 +409,8 @@ constexpr void each_field(C& c, F f) {
     c.clutch);
 }
 
-/// Couples the axis to its live master at a ratio, so that the axis is in step, at its own sync
-/// position, as soon as the master has reached its sync position.
+/// Couples the axis to its live master at a ratio. From the instant at which the master reaches
+/// `master_sync_position` and the axis `slave_sync_position`, the axis is in step with the master.
 struct GearInPos {
   static constexpr auto kind = CommandKind::gear_in_pos;
   std::int32_t numerator = 0;  ///< ratio = numerator / denominator; the denominator must not be 0
@@ -445,11 +445,11 @@ constexpr void each_field(C& c, F f) {
 /// as with GearIn.
 struct CombineAxes {
   static constexpr auto kind = CommandKind::combine_axes;
-  std::int32_t numerator = 0;  ///< the denominators must not be 0
-  std::int32_t denominator = 0;
-  std::int32_t second_numerator = 0;
-  std::int32_t second_denominator = 0;
-  MoveDynamics dynamics = {};  ///< the member `velocity` is not used
+  std::int32_t numerator = 0;           ///< ratio to the master = numerator / denominator
+  std::int32_t denominator = 0;         ///< must not be 0
+  std::int32_t second_numerator = 0;    ///< the same for the second master
+  std::int32_t second_denominator = 0;  ///< must not be 0
+  MoveDynamics dynamics = {};           ///< the member `velocity` is not used
 };
 template <Of<CombineAxes> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -530,8 +530,8 @@ struct Park {
   static constexpr auto kind = CommandKind::park;
 };
 
-/// Continues a static queue (tables in two banks) with the other bank, at the end of the present
-/// bank.
+/// Continues a static queue (rows in two banks, each played as a whole) with the other bank, at the
+/// end of the present bank.
 struct QueueSwitch {
   static constexpr auto kind = CommandKind::queue_switch;
   std::uint32_t queue = 0;  ///< number of the queue
@@ -557,7 +557,7 @@ constexpr void each_field(C& c, F f) {
   f(Field{"seq", Quantity::none, FieldRange::count}, c.seq);
 }
 
-/// Ends a rolling stream at its last row: the sender will send no more rows.
+/// Ends a dynamic queue (a rolling stream) at its last row: the sender will send no more rows.
 struct QueueEnd {
   static constexpr auto kind = CommandKind::queue_end;
   std::uint32_t queue = 0;  ///< number of the queue

@@ -20,7 +20,8 @@ std::vector<Input> axes_named(std::vector<Input> all, const std::string& axis,
 /// Returns the only input. Throws InputError (key "axis") if there are several.
 Input only_axis(std::vector<Input> all, const std::string& path);
 
-/// Returns the name of the file of one axis, if each axis of a spec has its own file: feeder-x.csv for feeder.csv.
+/// Returns the name of the file of one axis, if each axis of a spec has its own file: feeder-x.csv
+/// for feeder.csv.
 std::string file_of_axis(const std::string& path, const std::string& axis);
 
 /// The same for a spec with this number of axes: one axis has the path itself. Throws InputError,

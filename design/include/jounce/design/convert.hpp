@@ -99,8 +99,8 @@ void require_units(const TableFile& file);
 std::vector<std::string> all_losses(const Input& input, const TableForm& form, const Table& made,
                                     bool sampled = false);
 
-/// Returns the names of all forms: "csv", "json", "npy", "points", and the names of the controllers'
-/// formats.
+/// Returns the names of all forms: "csv", "json", "npy", "points", and the names of the
+/// controllers' formats.
 std::vector<std::string> form_names();
 /// Returns the endings by which table_form() recognizes a form: ".csv, .json, .st, ...". If `named`
 /// is true, the name of the form follows each ending, unless both are the same.
@@ -109,8 +109,8 @@ std::string known_endings(bool named = false);
 bool has_known_ending(const std::string& path);
 /// Throws InputError (key "path") unless has_known_ending().
 void require_known_ending(const std::string& path);
-/// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss. If
-/// the error exceeds the limit, the last line states the limit.
+/// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss.
+/// If the error exceeds the limit, the last line states the limit.
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses);
 

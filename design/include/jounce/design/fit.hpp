@@ -9,7 +9,8 @@
 
 namespace jounce {
 
-/// Options for reading and fitting measured points. A text is a number with or without a unit; "": not given.
+/// Options for reading and fitting measured points. A text is a number with or without a unit; "":
+/// not given.
 struct FitOptions {
   std::string
       tolerance;  ///< greatest distance from a point; "": the column `tolerance` of the file
@@ -45,8 +46,8 @@ struct FittedCam {
 /// Fits a cam to the points of a file: CSV with the columns `master`, `slave` and perhaps
 /// `tolerance` (points.hpp), a drawing of the cam (drawn_cam.hpp), or a cam table of Jounce or of a
 /// controller. A table with velocities is fitted at its knots and at places between them. The spec
-/// of a plate contains [disc]. Throws InputError, with the place in the
-/// file, or with the name of a member of FitOptions.
+/// of a plate contains [disc]. Throws InputError, with the place in the file, or with the name of a
+/// member of FitOptions as its key.
 FittedCam fitted_cam(const std::string& path, const FitOptions& options);
 /// Like fitted_cam(), for the contents of a file with this name.
 FittedCam fitted_cam(const std::string& text, const std::string& name, const FitOptions& options);
@@ -54,8 +55,8 @@ FittedCam fitted_cam(const std::string& text, const std::string& name, const Fit
 /// Returns the output of `jounce fit`: each segment with its distance from the points, and the
 /// greatest distances.
 std::string fit_text(const FittedCam& fitted);
-/// Returns the contents of fit_text() as a JSON object; numbers have all their digits. `file` is the
-/// name of the spec.
+/// Returns the contents of fit_text() as a JSON object; numbers have all their digits. `file` is
+/// the name of the spec.
 std::string fit_json(const FittedCam& fitted, const std::string& file);
 
 }  // namespace jounce

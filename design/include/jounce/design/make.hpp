@@ -36,7 +36,8 @@ struct Made {
   std::shared_ptr<const Plan> plan = {};  ///< for kind "path": the plan, shared by its axes
   /// For kind "path" with overlapping lines: their motion, instead of a plan.
   std::shared_ptr<const Overlapped> overlap = {};
-  /// Error of the curve, from operators of a cam with a tolerance; the error of the table includes it.
+  /// Error of the curve, from operators of a cam with a tolerance; the error of the table includes
+  /// it.
   double fit = 0;
 };
 
@@ -66,7 +67,8 @@ double seconds_per_unit(const Spec& spec);
 /// InputError (`limits.slave.velocity`, ...) if the spec has such a limit but no [master].
 Limits slave_limits_by_master(const Spec& spec);
 
-/// Returns the error of a spec in which nothing is free: what to add, or that this kind has no motion.
+/// Returns the error of a spec in which nothing is free: what to add, or that this kind has no
+/// motion.
 InputError nothing_free(const Spec& spec);
 
 /// Returns the optimization problem of a cam spec, with [limits], and with [limits.slave] at full

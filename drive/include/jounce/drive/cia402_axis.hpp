@@ -34,7 +34,7 @@ struct Cia402Inputs {
   std::array<std::uint16_t, cia402_captures> touch_probe_count{};
 };
 
-/// Scaling of a drive and its window for the transition to operation.
+/// Scaling of a drive and its window for the transition to operation. u is the unit of the axis.
 struct Cia402Config {
   double increments_per_rev = 0;  ///< increments in one turn of the motor, an integer > 0
   double position_per_rev = 0;    ///< travel of the axis in one turn of the motor, u, > 0

@@ -50,8 +50,8 @@ class AxisDrive {
   AxisDrive(const AxisDrive&) = delete;
   AxisDrive& operator=(const AxisDrive&) = delete;
 
-  /// Announces the tick of the next feedback. After a late cycle, it is more than one after the tick
-  /// of the last setpoint. Default: no effect.
+  /// Announces the tick of the next feedback. After a late cycle, it is more than one after the
+  /// tick of the last setpoint. Default: no effect.
   virtual void begin(std::int64_t /*tick*/) noexcept {}
   /// Receives the setpoint of this cycle.
   virtual void command(const DriveSetpoint& setpoint) noexcept = 0;

@@ -41,9 +41,9 @@ void require_valid(const CutList& list, const Cutter& cutter);
 ///
 ///     const SyncCam pass = cut_list({knife, {.lengths = {100, 250, 100}}});
 ///
-/// Without `first`, the cam repeats: it begins at a cut (knife) or at home (shear), like the cam of a
-/// single piece. With `first`, it runs once: from home, over the first cut and one pass of the list,
-/// back to home. Throws InputError like the constructor of Cutter and require_valid().
+/// Without `first`, the cam repeats: it begins at a cut (knife) or at home (shear), like the cam of
+/// a single piece. With `first`, it runs once: from home, over the first cut and one pass of the
+/// list, back to home. Throws InputError like the constructor of Cutter and require_valid().
 SyncCam cut_list(const CutListSpec& spec);
 
 }  // namespace jounce

@@ -81,7 +81,7 @@ class CutPlan {
     approach,  ///< from home to the next cut
     cut,       ///< in the fixed motion after a cut: the next cut may still change
     link,      ///< to the next cut
-    retreat,   ///< home
+    retreat,   ///< from a cut to home
   };
 
   /// Begins at the position `web`, m, with the cutter at home. The first cut is at web + first.
@@ -91,18 +91,18 @@ class CutPlan {
   /// the cuts up to this position. The slave is at 0 at the first cut of a knife.
   Jet at(double web) noexcept;
 
-  /// All pieces that begin at the next cut or later have this length.
+  /// Sets the length of all pieces that begin at the next cut or later, m.
   CutAnswer set_length(double length) noexcept;
-  /// A piece of waste of this length begins at the next cut.
+  /// Inserts a piece of waste of this length, m, which begins at the next cut.
   CutAnswer add_waste(double length) noexcept;
-  /// Adds a cut at this position of the web.
+  /// Adds a cut at this position of the web, m.
   CutAnswer cut_at(double web) noexcept;
   /// Adds a cut at the next possible position, unless a planned cut comes first.
   CutAnswer cut_now() noexcept;
-  /// No cut comes after the committed one.
+  /// Ends the plan: no cut comes after the committed one.
   void finish() noexcept;
 
-  /// The next possible position of a cut; see (1) to (3).
+  /// The next possible position of a cut, m; see (1) to (3).
   [[nodiscard]] double next_possible() const noexcept;
   [[nodiscard]] Phase phase() const noexcept { return now_.phase; }
   /// True if the cutter is in step with the web, around a cut.
@@ -147,7 +147,7 @@ class CutPlan {
   Place place_before_;  // before it was planned
   double planned_ = none;
   bool demanded_ = false;  // the planned cut is one on demand
-  double demand_ = none;  // a cut on demand after the planned cut
+  double demand_ = none;   // a cut on demand after the planned cut
   double web_ = 0;
   bool finished_ = false;
   bool lost_ = false;

@@ -113,8 +113,8 @@ struct CutRange {
 /// length, a knife has one bound: its speed and acceleration fall everywhere as the piece gets
 /// longer. Above this length, a grid of 64 lengths separates the bounds.
 ///
-/// Throws InputError for the key "line_speed" if the way from home to a cut and back exceeds a limit;
-/// the rule states the greatest line speed.
+/// Throws InputError for the key "line_speed" if the way from home to a cut and back exceeds a
+/// limit; the rule states the greatest line speed.
 std::vector<CutRange> possible_lengths(const Cutter& cutter, const CutLine& line);
 
 }  // namespace jounce

@@ -29,7 +29,8 @@ struct LiveRegistrationSpec {
   double period = 0;   ///< m, > 0: nominal distance of two marks, the length of a product
   /// m: position of the master at the edge of a mark that is in register, modulo `period`.
   double mark = 0;
-  /// m, > 0, at most period / 2: greatest distance of a mark from the place at which it is expected.
+  /// m, > 0, at most period / 2: greatest distance of a mark from the place at which it is
+  /// expected.
   double window = 0;
   /// m, at least `window`, at most period / 2: the same until the first mark, and after a loss.
   double search = 0;
@@ -61,7 +62,8 @@ struct RegistrationReading {
 ///     marks.step(master, reported, found);             // once a cycle
 ///     slave_follows(master + marks.correction());      // CorrectionOf::master
 ///
-/// Let M be the position of mark k, L the period, p its place in register, a the applied correction.
+/// Let M be the position of mark k, L the period, p its place in register, a the applied
+/// correction.
 ///
 ///     (1)  d = M - (k L + p)                    deviation
 ///     (2)  s = clamp(gain (-r d - a), -most, most),  r = 1 (master) or `ratio` (slave)
@@ -70,7 +72,8 @@ struct RegistrationReading {
 /// f is the law, x0 the start of the window of the correction, b its length (b - s for
 /// CorrectionOf::master, so the window ends at the same place of the phase). After the window, a
 /// grows by s. A mark is expected at k L + p + d, with the deviation d of the previous mark. A mark
-/// further away than `window` is a stray, and so is a second mark of a product: both have no effect.
+/// further away than `window` is a stray, and so is a second mark of a product: both have no
+/// effect.
 ///
 /// The master may stand or reverse: inside a window, c depends only on x. A correction whose window
 /// has ended is not taken back.

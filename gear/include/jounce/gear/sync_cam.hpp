@@ -8,7 +8,7 @@
 
 namespace jounce {
 
-/// An interval of the master in which slave and master are in step.
+/// An interval of the master in which slave and master are in step. m is the unit of the master.
 struct SyncZone {
   double from = 0;        ///< m
   double to = 0;          ///< m

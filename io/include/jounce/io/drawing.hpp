@@ -21,9 +21,9 @@ namespace jounce {
 /// `transform` and `viewBox`. A width in mm, cm, in, pt or pc gives the unit. The layer of an
 /// element is its id, its inkscape:label or its class, or the one of the group around it.
 ///
-/// Lines and circular arcs are exact. Other curves (splines, ellipses) become arcs. The greatest
-/// distance between a curve and its arcs, measured at three places of each arc, is 1e-7 of the size
-/// of the curve.
+/// Lines and circular arcs are exact. Other curves (splines, ellipses) become arcs. The distance
+/// between a curve and its arcs, measured at two places of each arc, is at most 1e-7 of the size of
+/// the curve.
 struct Outline {
   std::string document;  ///< name of the file
   std::string unit;      ///< unit of the coordinates, such as mm; "" if the file does not state it

@@ -25,8 +25,8 @@ struct PointColumn {
 ///     0;         0;             normal
 ///     16;        0,25;          even
 ///
-/// **Header**: a unit is in brackets or parentheses after the name, after " / ", after " in ", or in
-/// a line of units under the names. Signs such as `µm`, `°/s` and `mm/s²` are accepted. A first
+/// **Header**: a unit is in brackets or parentheses after the name, after " / ", after " in ", or
+/// in a line of units under the names. Signs such as `µm`, `°/s` and `mm/s²` are accepted. A first
 /// line with one text only is a title, and ignored.
 ///
 /// **Separator**: the character in a first line such as `sep=;`; otherwise a semicolon if the

@@ -28,8 +28,9 @@ using ExamineAxis = std::function<void(const Spec& axis)>;
 ///     });
 ///
 /// A file without a motion is checked as follows: an axis with its drive and by `examine_axis`, a
-/// machine with the specs of its axes, a drive with the stability of its loop, a sweep with its spec, a path without
-/// commands, a key file with its access rights. `machine` is the path spec for a G-code program.
+/// machine with the specs of its axes, a drive with the stability of its loop, a sweep with its
+/// spec, a path without commands, a key file with its access rights. `machine` is the path spec for
+/// a G-code program.
 FileResult lint_file(const std::string& path, const Examine& examine,
                      const std::string& machine = "", const ExamineAxis& examine_axis = {});
 

@@ -35,7 +35,7 @@ struct LineMasterResult {
   std::int64_t samples = 0;  ///< number of samples sent
   std::int64_t late = 0;     ///< number of samples that were not sent because they were late
   double seconds = 0;        ///< time of the last sample, s
-  double position = 0;       ///< position of the last sample, without the encoder errors
+  double position = 0;       ///< last position, in the unit of the motion, without encoder errors
 };
 
 /// Returns the motion of an input as a table over time, in s; nullopt for an input over a master.

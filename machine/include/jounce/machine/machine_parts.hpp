@@ -50,12 +50,12 @@ struct MachineParts {
 /// cannot be created.
 MachineParts machine_parts(const MachineOptions& options);
 
-/// Throws InputError, with file, line and key, for a spec of kind "axis" that machine_parts() rejects
-/// alone: its limits, homing, sensors and drive. Opens no drive.
+/// Throws InputError, with file, line and key, for a spec of kind "axis" that machine_parts()
+/// rejects alone: its limits, homing, sensors and drive. Opens no drive.
 void require_axis(const Spec& spec);
 
-/// Throws InputError (key "log", "record" or "black_box") if a file that the run would write is one of
-/// its specs.
+/// Throws InputError (key "log", "record" or "black_box") if a file that the run would write is one
+/// of its specs.
 void require_no_specs(const MachineOptions& options, const RecorderOptions& record);
 /// The same for all files that KeptInputs has recorded: the files that the specs name, too.
 void require_no_inputs(const MachineOptions& options, const RecorderOptions& record,

@@ -68,8 +68,8 @@ bool is_path(const std::vector<Input>& axes);
 /// that overlap in time.
 StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes);
 
-/// Returns the names of a list "x,y,z" of executors. Throws InputError (key "to") for a name that is
-/// missing, not possible, or there twice.
+/// Returns the names of a list "x,y,z" of executors. Throws InputError (key "to") for a name that
+/// is missing, not possible, or there twice.
 std::vector<std::string> executor_names(const std::string& list);
 /// Returns the input for each of these executors, from the axes of a file. If the file has one
 /// axis, every executor gets it. Otherwise each executor gets the axis of its name or, if the

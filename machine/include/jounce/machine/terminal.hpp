@@ -51,9 +51,9 @@ class Terminal {
   std::string shown_;
 };
 
-/// Shows the axes of `watch` on the terminal and executes the keys, until the key q is pressed or `goes_on` returns
-/// false. Returns false if no axis sends a message within view.silence from the start. Of `view`, only
-/// `ascii` and `silence` are read. Throws TransportError.
+/// Shows the axes of `watch` on the terminal and executes the keys, until the key q is pressed or
+/// `goes_on` returns false. Returns false if no axis sends a message within view.silence from the
+/// start. Of `view`, only `ascii` and `silence` are read. Throws TransportError.
 bool show_axes(Watch& watch, Transport& link, View view, const std::optional<wire::Key>& key,
                const std::function<bool()>& goes_on);
 

@@ -46,7 +46,7 @@ void take(std::vector<Watched>& axes, const std::string& name, const wire::Statu
           Nanos now);
 
 /// Stores the state of a master in an axis. Has no effect before the first status of the axis. If
-/// the axis has too many masters, drops the one whose cycle is the earliest.
+/// the axis has too many masters, drops the one whose newest state has the smallest tick.
 void take(std::vector<Watched>& axes, const std::string& name, const wire::MasterStatus& master);
 
 /// Stores the place of a group on its path. Has no effect before the first status of the group.

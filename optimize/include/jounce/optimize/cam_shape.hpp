@@ -26,11 +26,10 @@ struct FreeShape {
   /// Continuous derivatives between the polynomials, 2 to 6, the same in all free segments; their
   /// degree is one more.
   int continuity = 4;
-  /// true: the slave must not reverse within the segment, which must have a stroke, which must have
-  /// a stroke
+  /// True: the slave must not reverse within the segment, which must then have a stroke.
   bool monotone = false;
-  /// condition at an end of a run, if the run begins or ends with this segment; otherwise, it must
-  /// be as_given; otherwise, it must be as_given
+  /// Condition at an end of a run, if the run begins or ends with this segment; for any other
+  /// segment, it must be as_given.
   EndJerk end_jerk = EndJerk::as_given;
 };
 

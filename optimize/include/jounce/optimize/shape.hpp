@@ -167,7 +167,7 @@ struct WeightedFigure {
 ///     problem.from = {.value = 0, .velocity = 0, .acceleration = 0};
 ///     problem.to = {.value = 1, .velocity = 0, .acceleration = 0};
 ///     problem.minimize = {{PeakOf{derivative_of_shape(3)}}};
-///     ShapeOutcome best = optimize_shape(problem);                // peak jerk 32: the perfect spline
+///     ShapeOutcome best = optimize_shape(problem);                // peak jerk about 32 u/x^3
 ///
 /// The shape is a spline: `pieces` polynomials of `degree`, with degree - 1 continuous derivatives
 /// between them. Initially, their knots are equally spaced. u is the unit of the values of the

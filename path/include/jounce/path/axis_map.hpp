@@ -135,7 +135,7 @@ std::shared_ptr<const AxisMap> scara_map(const ScaraSpec& spec);
 /// So the position of a joint is the distance along its rail, upwards from the height `distance`.
 /// The carriages are above the tool. Arms of equal length connect them to a platform, whose
 /// orientation is constant. The arms end on the platform at the distance `inner_radius` from the
-/// tool. The axes are X, Y, Z; the joints have the same unit.
+/// tool. The axes are X, Y, Z; they and the joints have the same unit, u.
 struct LinearDeltaSpec {
   double outer_radius = 0;  ///< u, >= 0 (dOuterRadius)
   double inner_radius = 0;  ///< u, >= 0 (dInnerRadius)

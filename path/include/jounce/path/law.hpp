@@ -12,22 +12,24 @@ namespace jounce {
 
 /// One stretch of a timing law; q is the path parameter. docs/path/README.md describes the two
 /// kinds of laws.
-/// - In a law of stations, a stretch is a ramp from v0 to a peak, a cruise at the peak, and a ramp
-///   to v1. The acceleration is zero at both ends of the stretch.
-/// - In a law of a window, it is one phase of constant jerk, which begins with v0 and
-///   `acceleration` (signed).
+/// - In a station law, a stretch is a ramp from v0 to a peak, a cruise at the peak, and a ramp to
+///   v1. The acceleration is zero at both ends of the stretch.
+/// - In a window law, it is one phase of constant jerk, which begins with v0 and `acceleration`
+///   (signed).
 /// - A rest (dwell) has length 0 and velocity 0.
 struct LawInterval {
-  double time = 0;                            ///< s, at its start
-  double start = 0;                           ///< q at its start
-  double length = 0;                          ///< in q
-  double v0 = 0, peak = 0, v1 = 0;            ///< q/s: at the start, greatest, at the end
-  double acceleration = 0, deceleration = 0;  ///< q/s^2, > 0, of the first and of the last ramp
-  double jerk = 0;                            ///< q/s^3, > 0
-  double duration = 0;                        ///< s
-  bool single_phase = false;                  ///< true: a phase of constant jerk (law of a window)
-  std::uint32_t piece = 0;                    ///< index of its first piece of the path
-  std::uint32_t pieces = 0;                   ///< number of pieces; 0: a rest
+  double time = 0;                  ///< s, at its start
+  double start = 0;                 ///< q at its start
+  double length = 0;                ///< in q
+  double v0 = 0, peak = 0, v1 = 0;  ///< q/s: at the start, greatest, at the end
+  /// q/s^2, > 0, of the first and of the last ramp. If single_phase: the acceleration at the start,
+  /// signed, and 0.
+  double acceleration = 0, deceleration = 0;
+  double jerk = 0;            ///< q/s^3, > 0; signed if single_phase
+  double duration = 0;        ///< s
+  bool single_phase = false;  ///< true: a phase of constant jerk (window law)
+  std::uint32_t piece = 0;    ///< index of its first piece of the path
+  std::uint32_t pieces = 0;   ///< number of pieces; 0: a rest
 };
 
 /// A phase of constant jerk.

@@ -33,8 +33,7 @@ namespace jounce {
 /// motion follows the plan unchanged.
 ///
 /// Exception: if a request with a factor other than 1 falls within the duration of the plan, runs
-/// with the law of a window (docs/path/README.md) are planned again from their start, by the law of
-/// stations.
+/// with a window law (docs/path/README.md) are planned again from their start, with a station law.
 ///
 /// In corners() of the result, the velocity is the velocity under the override; all other values
 /// come from the plan. Throws InputError "override[k].time" if times are negative or do not ascend

@@ -16,8 +16,9 @@ namespace jounce {
 /// different units.
 PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane);
 
-/// Returns the path of an axis that follows one, in the plane of the first two axes with the same
-/// unit, drawn at 2000 equally spaced instants. Returns nullopt if there are no such axes.
+/// Returns the path to which an axis belongs, in the plane of the first two axes of the path, drawn
+/// at 2000 equally spaced instants. Returns nullopt for an axis without a path, and for a path of
+/// one axis.
 std::optional<PathFigure> path_figure(const Input& axis);
 
 }  // namespace jounce

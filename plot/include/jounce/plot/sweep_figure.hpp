@@ -18,7 +18,8 @@ namespace jounce {
 /// Figures that are the same in all cases are omitted. At most eight figures are drawn.
 Figure sweep_figure(const SweepSpec& spec, const SweepResult& result, const SweepSummary& summary);
 
-/// Returns the look of sweep_figure(): a Pareto front has high panels, because its points are read one by one.
+/// Returns the look of sweep_figure(): a Pareto front has high panels, because its points are read
+/// one by one.
 SvgOptions sweep_look(const SweepSpec& spec);
 
 }  // namespace jounce

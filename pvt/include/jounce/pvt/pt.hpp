@@ -28,7 +28,7 @@ namespace jounce {
 enum class PtType : std::uint8_t { normal = 0, even = 1, stop = 2, continued = 3 };
 
 /// The end of a segment. Both numbers count from the table's origin (0, 0), which is not a point of
-/// the table.
+/// the table. u is the unit of the position.
 struct PtPoint {
   double x = 0;         ///< s, or m of the master: ascending, the first above 0
   double position = 0;  ///< u

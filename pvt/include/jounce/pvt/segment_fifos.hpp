@@ -122,7 +122,7 @@ class SegmentFifos {
   /// pass.
   [[nodiscard]] std::optional<Reach> next_reach() const;
 
-  // ---- producer ----------------------------------------------------------------------------------
+  // ---- producer ---------------------------------------------------------------------------------
 
   /// Sets the number that the following actions have (see **Numbers**).
   void stamp(std::uint64_t number) { stamp_ = number; }
@@ -146,7 +146,7 @@ class SegmentFifos {
   /// `cut_off`, `left` or `lost`; the other FIFO has no rows.
   bool queue_switch();
 
-  // ---- player ------------------------------------------------------------------------------------
+  // ---- player -----------------------------------------------------------------------------------
 
   /// Makes the actions up to this number visible to the player; later actions stay invisible.
   void see(std::uint64_t number) { sight_ = number; }

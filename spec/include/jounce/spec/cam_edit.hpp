@@ -23,13 +23,13 @@ namespace jounce {
 std::string with_cam(const Spec& spec, const CamSpec& cam);
 
 /// Returns the text of a cam spec with other positions of the switch with the index `at`: the key
-/// `first_on_position` and, if the text has it, `last_on_position`, in the unit of the master. Throws
-/// InputError for a switch that the text does not have.
+/// `first_on_position` and, if the text has it, `last_on_position`, in the unit of the master.
+/// Throws InputError for a switch that the text does not have.
 std::string with_switch(const Spec& spec, std::size_t at, double first_on,
                         std::optional<double> last_on);
 
-/// Returns the text of a cam spec with one more segment. It has the index `at`, from 0 to the number
-/// of segments. Requires a text that parse_spec() accepts as a cam.
+/// Returns the text of a cam spec with one more segment. It has the index `at`, from 0 to the
+/// number of segments. Requires a text that parse_spec() accepts as a cam.
 std::string with_segment(const std::string& text, std::size_t at, const CamSegment& segment);
 
 /// Returns the text of a cam spec without the segment with the index `at`. Comments above the

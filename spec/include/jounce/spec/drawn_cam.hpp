@@ -15,8 +15,8 @@ struct DrawnCam {
   std::optional<DiscPart> disc;  ///< for a plate: its follower and its base radius
 };
 
-/// Reads a cam from a drawing (drawing.hpp). A closed curve is a plate: the points are the motion of
-/// its follower. An open curve is the graph of the slave (y) over the master (x).
+/// Reads a cam from a drawing (drawing.hpp). A closed curve is a plate: the points are the motion
+/// of its follower. An open curve is the graph of the slave (y) over the master (x).
 ///
 /// `keys`: the keys of the table `drawing` of a spec, such as "roller_radius = 8, offset = 3".
 /// `units`: units of the points; "": deg and mm for a plate, and the unit of the drawing for a

@@ -81,8 +81,8 @@ struct AgitoSpec {
 
 /// profile = "agito_quasi_sine": a repetitive move of Agito that resembles a sine.
 struct AgitoSineSpec {
-  double from = 0;  ///< position at the start
-  double amplitude = 0;
+  double from = 0;       ///< position at the start
+  double amplitude = 0;  ///< half of the stroke
   double frequency = 0;  ///< Hz
   int strokes = 2;       ///< number of strokes
   double rpt_wait = 0;   ///< ms, rest between two strokes (RptWait)

@@ -74,7 +74,8 @@ struct ShapeFigureSpec {
   bool times_length = false;  ///< true: the printed number is multiplied by the length of the run
 };
 
-/// Returns the printed number for the computed value of a figure. `length` is the length of the run.
+/// Returns the printed number for the computed value of a figure. `length` is the length of the
+/// run.
 double shown(const ShapeFigureSpec& figure, double value, double length);
 /// Returns the computed value for a printed number. Not for a figure with `times_length`, which
 /// needs the length of the run.

@@ -45,8 +45,8 @@ struct FollowPart {
 using SyncSpec = std::variant<GearSpec, GearCourse, GearInPosPart, FollowPart, RotaryKnifeSpec,
                               FlyingShear, Indexer, CutListSpec>;
 
-/// Returns the cutter of a spec of kind "knife" or "shear", with its list: without one, a list of one
-/// piece. nullopt for other kinds.
+/// Returns the cutter of a spec of kind "knife" or "shear", with its list: without one, a list of
+/// one piece. nullopt for other kinds.
 std::optional<CutListSpec> cut_list_of(const SyncSpec& spec);
 
 /// Makes the cam of a synchronous slave. Throws InputError with the keys of the document.

@@ -24,7 +24,8 @@ struct SweepFiles {
   std::string csv = {};  ///< path for to_csv(); "-": standard output, "": none
   std::string npy = {};  ///< the same for to_npy()
 
-  /// Returns the path of the journal: beside the first file that is written, "" if none is. See SweepOptions::journal.
+  /// Returns the path of the journal: beside the first file that is written, "" if none is. See
+  /// SweepOptions::journal.
   [[nodiscard]] std::string journal() const;
 };
 
@@ -32,7 +33,8 @@ struct SweepFiles {
 /// (jounce/base/file.hpp).
 void write_sweep(const SweepFiles& files, const SweepSpec& spec, const SweepResult& result);
 
-/// Returns a sentence on a sweep that was stopped: the number of finished cases, and how to continue.
+/// Returns a sentence on a sweep that was stopped: the number of finished cases, and how to
+/// continue.
 std::string stopped_text(const SweepFiles& files, const SweepSpec& spec, const SweepResult& result);
 
 }  // namespace jounce

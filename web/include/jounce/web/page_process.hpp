@@ -25,8 +25,8 @@ namespace jounce::web {
 /// for any reason, the child ends, too. No function waits for the child.
 class PageProcess {
  public:
-  /// `words` are the arguments of the child, beginning with the name of the program. `trace`: memory
-  /// with the ticks of its axes, which the child reads; null: none. `notify`
+  /// `words` are the arguments of the child, beginning with the name of the program. `trace`:
+  /// memory with the ticks of the parent's axes, which the child reads; null: none. `notify`
   /// receives a sentence when the child ends; it is called from another thread. Throws InputError
   /// for a port that is in use, and std::system_error if no process can be started.
   PageProcess(std::uint16_t port, std::vector<std::string> words, const Trace* trace,

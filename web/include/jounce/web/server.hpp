@@ -44,8 +44,9 @@ struct Site {
   std::vector<std::string> commands{};  ///< methods and paths: "POST /order"
   /// Paths that GET reads without the token: "/trace". They go to obey(), in threads of their own.
   std::vector<std::string> readings{};
-  /// Returns the next event of /events, as JSON; "": there is no event at this time. `seen` is 0 for
-  /// a new reader; the function sets it to the number of the event that this reader has received.
+  /// Returns the next event of /events, as JSON; "": there is no event at this time. `seen` is 0
+  /// for a new reader; the function sets it to the number of the event that this reader has
+  /// received.
   std::function<std::string(std::int64_t& seen)> event{};
   std::function<Answer(const Request& request)> obey{};  ///< processes a command
   /// True for a command that must not wait for other commands: a stop. Null: there is none.
@@ -84,16 +85,17 @@ class Listening {
 ///     const Server server(Listening(8080), token, site);    // 0: any free port
 ///     print("http://127.0.0.1:{}/#{}", server.port(), token);
 ///
-/// **Requests**: GET for the files and the readings of the site; GET /events (server-sent events, at
-/// most 20 a second); the commands of the site. A connection serves one request. A request with an
-/// objection() (gate.hpp) is rejected with status 403. A command without the header X-Jounce-Token
-/// is rejected in the same way, before its body is read. The page can load nothing from other
-/// servers and cannot be shown in a frame.
+/// **Requests**: GET for the files and the readings of the site; GET /events (server-sent events,
+/// at most 20 a second); the commands of the site. A connection serves one request. A request with
+/// an objection() (gate.hpp) is rejected with status 403. A command without the header
+/// X-Jounce-Token is rejected in the same way, before its body is read. The page can load nothing
+/// from other servers and cannot be shown in a frame.
 ///
-/// **Limits.** A request has at most 8 KB of head and Site::most_body of body, must state the length
-/// of its body, and must arrive within request_seconds. The number of connections without the token is
-/// limited: a new connection closes the oldest one. The number of readers of events is limited: a
-/// new reader with the token closes a reader without it. So a command always gets a connection.
+/// **Limits.** A request has at most 8 KB of head and Site::most_body of body, must state the
+/// length of its body, and must arrive within request_seconds. The number of connections without
+/// the token is limited: a new connection closes the oldest one. The number of readers of events is
+/// limited: a new reader with the token closes a reader without it. So a command always gets a
+/// connection.
 class Server {
  public:
   static constexpr int most_readers = 8;  ///< greatest number of readers of events

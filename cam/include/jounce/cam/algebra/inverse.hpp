@@ -114,8 +114,8 @@ Inversion inverted(const Cam& cam);
 /// Returns the inverse between two slave positions as a curve (a Cam over the slave's position), so
 /// that tables, checks and all functions of curves apply. The error is at most `tolerance` (unit of
 /// the master) and certified; see jounce/profiles/curve/fitted.hpp. Throws InputError "from" or
-/// "to" if from >= to or if [from, to] is not inside the branch, and "slave" if the slave is at rest
-/// anywhere in [from, to]. Throws "tolerance" like polynomial_within().
+/// "to" if from >= to or if [from, to] is not inside the branch, and "slave" if the slave is at
+/// rest anywhere in [from, to]. Throws "tolerance" like polynomial_within().
 Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, double tolerance);
 
 static_assert(Signal<Inverse>);

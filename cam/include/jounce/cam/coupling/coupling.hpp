@@ -45,7 +45,7 @@ struct CouplingSpec {
   StartMode start = StartMode::absolute;  ///< default: at once, with a jump
   /// u/s, > 0: limit of a correction's velocity; for ramp_in, ramp_in_pos and ramp_in_neg.
   std::optional<double> velocity_diff = {};
-  /// u/s^2, > 0: limit while the correction speeds up; for ramp_in...
+  /// u/s^2, > 0: limit while the correction speeds up; for the same modes.
   std::optional<double> acceleration = {};
   /// u/s^2, > 0: limit while the correction slows down; default: acceleration.
   std::optional<double> deceleration = {};
@@ -77,7 +77,7 @@ enum class CouplingStatus : std::uint8_t {
   /// ramp_in_distance: the slave moves, but the master is at rest, or so slow that no correction
   /// exists.
   master_stands,
-  no_ramp,        ///< the limits or the state contain numbers beyond 1e50, so no correction exists
+  no_ramp,  ///< the limits or the state contain numbers beyond 1e50, so no correction exists
   /// The master passed the position of a Trigger (coupling_cycle.hpp), but no cycle was in the
   /// window around this position.
   window_missed,

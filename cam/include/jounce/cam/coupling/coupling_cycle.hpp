@@ -35,8 +35,8 @@ struct Stepped {
   bool in_sync = false;  ///< true if the correction is complete
   bool jumped = false;   ///< true if the master has jumped by more than master_jump
   /// Number of period ends that the master has passed since the last cycle (EndOfProfile); negative
-  /// if it moves backwards. For a cam that runs once: 1 or -1 when the master leaves it at its end
-  /// or start.
+  /// if the master moves backwards. For a cam that runs once: 1 when the master leaves the cam at
+  /// its end, -1 at its start.
   int periods = 0;
   /// s, time of the last of these period ends: in (before, now], or in [before, now) if the master
   /// moves backwards.

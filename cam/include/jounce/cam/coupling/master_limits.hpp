@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// Greatest acceleration and jerk of the master at the speed in question: magnitudes, >= 0. u is
-/// the slave's unit, m the master's.
+/// Greatest acceleration and jerk that the master may have at the speed that a function computes or
+/// checks: magnitudes, >= 0. u is the slave's unit, m the master's.
 struct MasterRates {
   double acceleration = 0;  ///< m/s^2
   double jerk = 0;          ///< m/s^3

@@ -7,7 +7,8 @@ namespace jounce {
 
 /// Checks velocity, acceleration and jerk of a cam's slave against its limits over time. The master
 /// runs at `velocity` (m/s, > 0) and accelerates or brakes with at most `rates`, anywhere on the
-/// cam. Equation (1) in master_limits.hpp gives the checked values.
+/// cam. u is the slave's unit, m the master's. Equation (1) in master_limits.hpp gives the checked
+/// values.
 ///
 ///     Report report = check_slave(cam, {.acceleration = 15000}, 720);  // mm/s^2, deg/s
 ///

@@ -15,7 +15,7 @@ struct MeasuredCam {
   /// the cam from the point, and includes the error of the measurement.
   std::vector<SplinePoint> points;
   /// True: the cam repeats, and the last point is the first one a period later. If their slave
-  /// positions differ by more than their tolerances, the slave advances in each period.
+  /// positions differ by more than the sum of their tolerances, the slave advances in each period.
   bool periodic = false;
 };
 
@@ -44,11 +44,12 @@ struct CamFit {
 ///     const Cam cam = design(fit.spec).cam;
 ///
 /// A range in which the slave rests becomes a dwell. A motion between two rests gets the law with
-/// the least root mean square distance from the points. If no law stays within the tolerances, the
-/// longest straight line in the motion becomes a segment, and the parts before and after it are
-/// fitted separately. A part that no law fits becomes a quintic, or a quintic spline with few
-/// points. Then the values of the knots are rounded, as far as the points permit. Knots are at any
-/// master positions, not only at the positions of the points.
+/// the least root mean square distance from the points. If this law exceeds a tolerance, laws with
+/// an inflection are tried in the same way. If none of them fits, the longest straight line in the
+/// motion becomes a segment, and the parts before and after it are fitted separately. A part that
+/// no law fits becomes a quintic, or a quintic spline with few points. Then the values of the knots
+/// are rounded, as far as the points permit. Knots are at any master positions, not only at the
+/// positions of the points.
 ///
 /// Throws InputError for fewer than five points, for points that are not finite or do not ascend,
 /// and for a tolerance that is not greater than 0.

@@ -23,7 +23,7 @@ struct SmoothingSpline {
   /// from the master of the first point to the master of the last
   std::vector<Segment> segments;
   std::vector<std::size_t> touched;  ///< indices of the points that are breaks
-  double square_jerk = 0;            ///< integral of geo_jerk^2, u^2/m^5
+  double square_jerk = 0;            ///< integral of geo_jerk^2, u^2/m^5 (units: spline.hpp)
   double gap = 0;     ///< proven: no curve within the tolerances has less than square_jerk - gap
   int solutions = 0;  ///< number of linear systems that were solved
 };

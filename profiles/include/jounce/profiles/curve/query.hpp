@@ -19,8 +19,8 @@ namespace jounce {
 /// **Vocabulary.** A *ramp* is a change of velocity that begins and ends at zero acceleration. A
 /// *span* is a distance with given velocities at its two ends.
 ///
-/// **Units**: u, u/s, u/s^2, u/s^3 and s. Distances and velocities are positive in the direction of
-/// travel.
+/// **Units**: u, u/s, u/s^2, u/s^3 and s, where u is the axis' unit. Distances and velocities are
+/// positive in the direction of travel.
 ///
 /// **No answer.** A function returns std::nullopt in these cases: no such motion exists; a value is
 /// not finite; a limit is not positive; a limit or a nonzero distance is below 1e-30; or a finite

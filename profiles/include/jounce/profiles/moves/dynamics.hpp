@@ -47,11 +47,11 @@ Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& 
 /// If acceleration and deceleration differ, a motion that must reverse stops first, then moves
 /// back.
 ///
-/// If jerk and deceleration_jerk differ, each applies in its own phase, provided that the motion
-/// changes to one velocity and then to rest, or only stops. So repeating a command changes nothing.
-/// Otherwise, that is, if the axis must reverse or the target is too near, the larger jerk applies
-/// to the rest of the move: with the smaller one, an axis that is speeding up would exceed its
-/// velocity.
+/// If jerk and deceleration_jerk differ, each applies in its own phase in two cases: the axis only
+/// stops, or it first changes to one velocity and then stops. In these cases, a repeated command
+/// changes nothing. In all other cases (the axis must reverse, or the target is too near), the
+/// larger jerk applies to the rest of the move: with the smaller jerk, an axis that is speeding up
+/// would exceed its velocity.
 Trajectory with_target(const Trajectory& running, double t, double target,
                        const Dynamics& dynamics);
 

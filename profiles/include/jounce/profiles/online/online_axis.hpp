@@ -123,7 +123,8 @@ class OnlineAxis {
   MoveStatus status_ = MoveStatus::ok;
 };
 
-/// Strictness of detours(): `strictly` for a candidate, `mildly` for the last possibility.
+/// Strictness of detours(): `strictly` for a plan that another plan could replace, `mildly` for the
+/// last possible plan.
 enum class Judged : std::uint8_t { strictly, mildly };
 /// True if a motion towards a goal passes the goal or reverses by more than rounding. For a
 /// velocity goal this applies to the velocity.

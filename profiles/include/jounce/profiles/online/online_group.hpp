@@ -28,8 +28,9 @@ struct OnlineGroup {
   std::span<Profile> next, rests;
   Sync sync;
   double grid;
-  bool regroup;  ///< plan all axes, even those whose motion still fits
-  /// planned with Sync::time, because no motion on the line stays within the bounds
+  bool regroup;  ///< true: plan all axes, even those whose motion still fits
+  /// True: the motion is planned with Sync::time, because no motion on the line stays within the
+  /// bounds.
   bool bent = false;
 
   OnlineStep step(double dt) noexcept;

@@ -16,7 +16,7 @@ enum class MoveGoal : std::uint8_t {
   moving,
 };
 
-/// The part of one axis in a common motion. Units: u, u/s, u/s^2, u/s^3.
+/// The part of one axis in a common motion. Units: u, u/s, u/s^2, u/s^3, where u is the axis' unit.
 struct AxisMove {
   MotionState from, to;             ///< start state and goal
   Bounds bounds;                    ///< limits of this axis

@@ -26,8 +26,8 @@ namespace jounce::wire {
 inline constexpr std::int32_t protocol_version = 2;
 /// Greatest number of doubles in a chunk, which is sent as one datagram.
 inline constexpr std::size_t chunk_values = 7680;
-/// Doubles in a message of 12.8 KB, the unit in which credit is counted. Credit is the number of
-/// messages that may be in transit.
+/// Doubles in a message of 12.8 KB. A receiver is configured with a credit: the number of messages
+/// of this size that may be in transit. Ack::credit is the same limit as a number of chunks.
 inline constexpr std::size_t message_values = 1600;
 /// Doubles of buffer space for each message of credit.
 inline constexpr std::size_t credit_values = 2048;
@@ -309,7 +309,8 @@ enum class MarkEvent : std::uint32_t {
   lost = 4,      ///< too many missing marks in succession
 };
 
-/// An event at an instant between two ticks. The message may be sent several times, with the same count.
+/// An event at an instant between two ticks. The message may be sent several times, with the same
+/// count.
 struct Event {
   std::int64_t boot = 0;  ///< see Ack
   /// Number of the event for this axis, from 1, since the executor started.
@@ -319,7 +320,8 @@ struct Event {
   bool on = false;                      ///< true: the output was switched on; see EventKind
   std::int64_t tick = 0;                ///< tick in which it was detected
   double offset_s = 0;                  ///< time from the edge to the instant of this tick, s, >= 0
-  double position = 0;  ///< position at the edge, of the axis or master on which the output depends
+  /// Position at the edge, of the axis or master on which the output depends, in its unit.
+  double position = 0;
 };
 
 // ---- from a master -----------------------------------------------------------------------------
@@ -422,9 +424,9 @@ struct Cut {
 
   /// Returns the number of knots in chunk `seq` of a table with this number of knots.
   [[nodiscard]] std::uint32_t knots_of(std::uint32_t seq, std::uint32_t knots) const;
-  /// Returns the number of chunks that fit into the buffer space for this number of messages of
-  /// message_values doubles; at least 1. (Longer chunks use up to credit_values doubles for each
-  /// message.)
+  /// Returns the number of chunks that a credit of this number of messages permits in transit, at
+  /// least 1. A chunk of more than credit_values doubles uses the buffer space of more than one
+  /// message.
   [[nodiscard]] std::uint32_t chunks_for(std::uint32_t messages) const;
 };
 /// Divides a table into chunks. `values`: doubles in a full chunk, 4 to chunk_values.

@@ -34,8 +34,8 @@ inline constexpr const char* unprotected_warning =
 ///     stop_axis(link.transport(), "feeder", wire::StopMode::stop, nanos(10), link.key());
 class KeyedLink {
  public:
-  /// Throws InputError (key "url" or "key") like open_transport() and read_key(), and TransportError if
-  /// the network is missing.
+  /// Throws InputError (key "url" or "key") like open_transport() and read_key(), and
+  /// TransportError if the network is missing.
   explicit KeyedLink(const LinkOptions& options);
   [[nodiscard]] Transport& transport() { return lossy_ ? *lossy_ : *link_; }
   [[nodiscard]] const std::optional<wire::Key>& key() const { return key_; }
