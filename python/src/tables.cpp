@@ -226,8 +226,8 @@ respect to x.
             write_table(path.string(), t.file);
           },
           "path"_a,
-          R"(Writes a table file: JSON, LCM log or MCAP if the path ends in ".json", ".lcmlog" or ".mcap", otherwise CSV. The
-whole file or nothing.
+          R"(Writes a table file: JSON, LCM log or MCAP if the path ends in ".json", ".lcmlog" or ".mcap", otherwise
+CSV. The whole file or nothing.
 
 Raises InputError if a unit is missing, and OSError.)")
       .def("__repr__", table_repr);
