@@ -53,7 +53,7 @@ class GroupQueue {
   /// The group must continue its present path with this program. The queue waits for answered().
   struct Extend {
     std::shared_ptr<const GroupProgram> program;
-    double position = 0;  ///< length along the path at which the program begins
+    double position = 0;  ///< length along the path at which the program begins, u
     double shift = 0;     ///< time of the present program at which this one begins, s
     double until = 0;     ///< time of the present program up to which both are equal, s
     Request request;

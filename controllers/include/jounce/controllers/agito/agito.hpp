@@ -75,7 +75,7 @@ Settings quasi_sine(double amplitude, double frequency);
 /// A change of speed at a position.
 struct SpeedChange {
   double position = 0;   ///< SpeedChgPos: position of the change, user units
-  double new_speed = 0;  ///< SpeedChgNew: new speed, user units/s, -6e7 to 6e7, not 0, not 0
+  double new_speed = 0;  ///< SpeedChgNew: new speed, user units/s, -6e7 to 6e7, not 0
   /// SpeedChgDir: direction of the crossing: upwards (1), downwards (-1), or either (0).
   int direction = 0;
 };

@@ -6,7 +6,8 @@
 #include <optional>
 
 /// Gear pairs of a HIWIN HIMC controller, with the functions of HMPL, the controller's language:
-/// EnableGear, GearIn, GearOut, DisableGear (HMPL manual, chapter 6 and 18.1.2).
+/// EnableGear, GearIn, GearOut, DisableGear (HMPL manual, chapter 6 and 18.1.2). Positions are in
+/// the unit of their axis.
 ///
 ///     himc::Gears gears;
 ///     gears.axis[0].enabled = gears.axis[1].enabled = true;
