@@ -82,7 +82,7 @@ TEST(Notices, ARejectionFitsIntoItsField) {
   ExecutorOptions millimeters;
   millimeters.units.position = "mm";
   const Refusal elsewhere{Cause::start_position, -1234.5678, -8765.4321};
-  const Tick moving{.state = State::discrete_motion};
+  const Tick moving{.state = State::discrete_motion, .job = 1};
   const std::string text = refusal_text(elsewhere, moving, millimeters);
   EXPECT_LT(text.size(), wire::reason_bytes);
   EXPECT_THAT(text, HasSubstr("begins at -1234.57 mm, but the present motion ends at -8765.43 mm"));
