@@ -18,7 +18,7 @@ from path_programs import benchmark_programs
 from path_runs import machine_of
 from paths.gcode import arc, gcode, job
 
-AVERAGED = {"chord_circle", "butterfly", "random_walk"}  # dense lines: one smooth curve instead of corners
+AVERAGED = {"chord_circle", "butterfly"}  # dense lines: one smooth curve instead of corners
 HILBERT_LEGS = 64
 
 
