@@ -336,7 +336,8 @@ TEST(GroupCommands, AFrameMovesTheFollowingCommands) {
               HasSubstr("has no length"))
       << "the group is there";
   // An arc about (30, -50) of the part, (150, 50) of the machine, and a jog along x of the part.
-  site.requested = {.lines = {{150, 40, 150, 60}}, .circles = {{150, 50, 10}}};
+  site.requested.lines = {{150, 40, 150, 60}};
+  site.requested.circles = {{150, 50, 10}};
   command::MoveCircularAbsolute quarter{.to = at(20, -50)};
   quarter.center = {30, -50};
   const CallOutcome outcome = site.order("plotter", quarter);
@@ -353,7 +354,8 @@ TEST(GroupCommands, AFrameMovesTheFollowingCommands) {
   EXPECT_NEAR(site.last(x).position, 150, 1e-9);
   EXPECT_GT(site.last(y).position, 45);
   // Without values, the coordinates are those of the machine again; and after a disable.
-  site.requested = {.lines = {{150, 40, 150, 60}, {150, site.last(y).position, 120, 30}}};
+  site.requested.circles.clear();
+  site.requested.lines = {{150, 40, 150, 60}, {150, site.last(y).position, 120, 30}};
   ASSERT_TRUE(site.order("plotter", command::SetCoordinateTransform{}).ok());
   ASSERT_TRUE(site.order("plotter", command::MoveLinearAbsolute{.to = at(120, 30)}).ok());
   site.advance(3s);
@@ -363,7 +365,7 @@ TEST(GroupCommands, AFrameMovesTheFollowingCommands) {
   site.advance(10ms);
   EXPECT_THAT(site.order("plotter", frame).reason, HasSubstr("not_enabled"));
   ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
-  site.requested = {.lines = {{120, 30, 100, 0}}};
+  site.requested.lines = {{120, 30, 100, 0}};
   ASSERT_TRUE(site.order("plotter", command::MoveLinearAbsolute{.to = at(100, 0)}).ok());
   site.advance(3s);
   EXPECT_NEAR(site.last(y).position, 0, 1e-9);

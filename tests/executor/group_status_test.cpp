@@ -51,7 +51,7 @@ TEST_F(Shown, TheRemainingTimeIsExactAtTheOriginalSpeed) {
   for (const wire::GroupStatus& one : seen) {
     if (std::isnan(one.length)) continue;
     EXPECT_FALSE(one.estimated);
-    if (length != 0) EXPECT_NEAR(one.length, length, 1e-9);
+    EXPECT_NEAR(one.length, length == 0 ? one.length : length, 1e-9);
     length = one.length;
     EXPECT_LE(one.position, one.length + 1e-9);
     ++exact;

@@ -77,12 +77,28 @@ TEST(ProgramNumbers, ListsThatAreNoProgramAreRejected) {
     return error_of([&] { static_cast<void>(program_of(list)); });
   };
   EXPECT_THAT(error([](auto& list) { list.clear(); }), HasSubstr("numbers[0]"));
-  EXPECT_THAT(error([](auto& list) { list[0] = 2; }), HasSubstr("must be 1, the version"));
+  EXPECT_THAT(error([](auto& list) { list[0] = 3; }), HasSubstr("must be 1 or 2, the version"));
   EXPECT_THAT(error([](auto& list) { list[1] = 10; }), HasSubstr("from 1 to 9"));
   EXPECT_THAT(error([](auto& list) { list[2] = 4; }), HasSubstr("from 1 to 3"));
   EXPECT_THAT(error([](auto& list) { list.pop_back(); }), HasSubstr("ends within a command"));
   EXPECT_THAT(error([](auto& list) { list.push_back(7); }), HasSubstr("from 0 to 4"));
   EXPECT_THAT(error([](auto& list) { list[3] = std::nan(""); }), HasSubstr("must be finite"));
+}
+
+TEST(ProgramNumbers, AMachineWithJointsHasTheirNames) {
+  LimitedProgram joints = everything();
+  const std::size_t plain = numbers_of(joints).size();
+  joints.names.resize(joints.program.axes(), "x");
+  const std::size_t named = numbers_of(joints).size();
+  joints.names.emplace_back("a0");
+  joints.names.emplace_back("a1");
+  const std::vector<double> list = numbers_of(joints);
+  EXPECT_EQ(list[0], 2);
+  EXPECT_EQ(list.size(), named + 1 + 2 * 3);
+  EXPECT_GE(named, plain);
+  const LimitedProgram same = program_of(list);
+  EXPECT_EQ(same.names, joints.names);
+  EXPECT_EQ(numbers_of(same), list);
 }
 
 TEST(ProgramNumbers, LimitsTooSmallForAPlanAreRejected) {
