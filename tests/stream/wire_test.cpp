@@ -99,7 +99,7 @@ TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::reply_t>(0xc3e4efeb673330c4, 254);
   expect_type<jounce_lcm::rows_t>(0xede242062e4e07bc, 12897);
   expect_type<jounce_lcm::start_t>(0x18a119ebc70b2884, 97);
-  expect_type<jounce_lcm::status_t>(0x650f49bf7a028700, 559);
+  expect_type<jounce_lcm::status_t>(0x86320302676e16f5, 577);
   expect_type<jounce_lcm::stop_t>(0xb6b153946f26a3c8, 81);
 }
 

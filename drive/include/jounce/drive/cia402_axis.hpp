@@ -90,7 +90,7 @@ class Cia402Axis {
   Increments increments_;
   double window_;
   int probes_;
-  std::uint16_t probe_status_ = 0;  // in the previous cycle
+  std::uint16_t probe_status_ = 0;  // 0x60B9 in the previous cycle
   std::array<std::uint16_t, cia402_captures> probe_count_{};
   std::uint8_t probe_on_ = 0;  // states of the inputs, after their last edges
   bool seen_ = false;
