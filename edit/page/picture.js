@@ -250,6 +250,8 @@ class EditPicture extends Report {
   }
 
   render() {
+    this.frame = null;
+    if (this.drag && !this.drag.moved) return;  // a click needs its circle
     super.render();
     this.actions?.moved(this.x);
   }

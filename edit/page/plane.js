@@ -37,7 +37,7 @@ class Plane {
     this.change();
   }
 
-  /// Draws in the next frame: a click needs the element under it.
+  /// Draws in the next frame.
   change() {
     this.frame ??= requestAnimationFrame(() => { this.frame = null; this.draw(); });
   }
@@ -58,7 +58,7 @@ class Plane {
   }
 
   draw() {
-    if (this.section.hidden || !this.curves) return;
+    if (this.section.hidden || !this.curves || (this.drag && !this.drag.change)) return;  // a click needs its circle
     const {left, right, top, bottom, most_height} = plane_look, width = Math.max(300, this.section.clientWidth);
     const units = this.shown.map((axis) => this.curves[axis]);
     this.path = this.points();

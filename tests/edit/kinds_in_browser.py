@@ -171,6 +171,9 @@ point = [
   { time = 200, position = 150 },   # the middle
   { time = 300, position = 200 },
 ]
+
+[pt]
+increments = false
 """
 
 
@@ -371,7 +374,7 @@ class Executor:
         """The commanded position in the last status of half a second; None: there is no status."""
         out = subprocess.run([jounce, "monitor", "pick", "--url", self.url, "--seconds", "0.5", "--json"], capture_output=True, text=True)
         lines = out.stdout.strip().split("\n")
-        return json.loads(lines[-1])["slave_position"] if lines[-1] else None
+        return json.loads(lines[-1])["position"] if lines[-1] else None
 
     def end(self):
         self.process.send_signal(signal.SIGTERM)
