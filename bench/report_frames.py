@@ -64,9 +64,11 @@ def main():
                 subprocess.run([jounce, "report", str(spec), "-o", str(page)], check=False)
                 browser.open(page.as_uri())
                 browser.wait_for("document.querySelector('figure.live') !== null")
-                browser.run("document.querySelectorAll('figure.live .live').forEach((e) => e.remove()); window.measured = start()[0]; 1")
+                browser.run("document.querySelectorAll('figure.live .live').forEach((e) => e.remove());"
+                            "window.measured = start()[0]; 1")
                 before = main_thread(browser)
-                interval = browser.call("Runtime.evaluate", expression=ZOOM, awaitPromise=True, returnByValue=True)["result"]["value"]
+                answer = browser.call("Runtime.evaluate", expression=ZOOM, awaitPromise=True, returnByValue=True)
+                interval = answer["result"]["value"]
                 cpu = (main_thread(browser) - before) / FRAMES * 1000
                 print(f"{spec.stem}: {page.stat().st_size / 1000:.0f} kB; {interval:.1f} ms from frame to frame ({1000 / interval:.0f} frames/s); "
                       f"main thread {cpu:.1f} ms CPU for each frame")

@@ -21,7 +21,7 @@
 namespace jounce::edit_detail {
 namespace {
 
-/// What can be changed in a spec that describes no curve: an axis, or a cam whose knots contradict
+/// The tables of a spec that describes no curve: an axis, or a cam whose knots contradict
 /// each other.
 void take_numbers(Analysis& analysis, const std::string& path, const std::string& text) {
   try {

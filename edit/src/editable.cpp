@@ -11,7 +11,7 @@
 namespace jounce::edit_detail {
 namespace {
 
-constexpr std::size_t most_rows = 500;  ///< of a table; a longer list is edited as text
+constexpr std::size_t most_rows = 500;  ///< a list with more rows is edited as text
 
 std::string element(const std::string& list, std::size_t i) {
   return fmt::format("{}[{}]", list, i + 1);

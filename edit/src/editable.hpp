@@ -13,9 +13,9 @@
 #include "jounce/design/input.hpp"
 #include "jounce/spec/text_numbers.hpp"
 
-/// What a reader can change in a text without typing it. All kinds of specs have the same two forms:
-/// *handles*, places in a picture that the mouse moves, and *tables* of numbers for the keyboard. Each
-/// of them contains the change that it makes. docs/reference/http.md describes their JSON.
+/// The changes of a text that a reader can make without typing it. All kinds of specs have the same two
+/// forms: *handles*, places in a picture that the mouse moves, and *tables* of numbers for the keyboard.
+/// Each of them contains the change that it makes. docs/reference/http.md describes their JSON.
 namespace jounce::edit_detail {
 
 using Json = nlohmann::ordered_json;

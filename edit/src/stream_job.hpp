@@ -19,7 +19,7 @@ struct StreamOffer {
   LinkOptions link;                ///< address of the executor
   StreamPlan plan;                 ///< the table, its axis and its goal: the start of the motion
   std::string hash;                ///< SHA-256 of the table
-  double duration = 0;             ///< of the motion, in `time_unit`
+  double duration = 0;             ///< duration of the motion, in `time_unit`
   std::string time_unit = {};      ///< unit of `duration`
   double start = 0;                ///< first position of the table, in `position_unit`
   std::string position_unit = {};  ///< unit of `start`

@@ -107,7 +107,8 @@ def only_line_differs(before, now, begin):
 def place(query):
     """The middle of the element that a query finds, px; the page scrolls there."""
     return json.loads(browser.run(f"(() => {{ const e = document.querySelector('{query}'); e.scrollIntoView({{block: 'nearest'}});"
-                                  " const box = e.getBoundingClientRect(); return JSON.stringify([box.x + box.width / 2, box.y + box.height / 2]); })()"))
+                                  " const box = e.getBoundingClientRect();"
+                                  " return JSON.stringify([box.x + box.width / 2, box.y + box.height / 2]); })()"))
 
 
 def drag_grip(query, dx, dy):

@@ -11,7 +11,7 @@
 namespace jounce::edit_detail {
 namespace {
 
-constexpr std::size_t most_points = 500;  ///< of a segment; more are edited as text
+constexpr std::size_t most_points = 500;  ///< a segment with more points is edited as text
 
 /// A coordinate that fills in the member `key` of the change of its handle.
 Json moving(std::optional<double> place, const char* key) {

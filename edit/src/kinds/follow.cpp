@@ -39,7 +39,7 @@ void add_tables(Editable& editable, const FollowSpec& spec) {
     const std::string list = one ? "segment" : fmt::format("follow.table[{}].segment", k + 1);
     const std::string title = one ? "Segments" : fmt::format("Segments of table {}", k + 1);
     editable.add_points({list, title, "segment", {"master", "slave"}});
-    // With `repeat`, or in another file, the rows are not the segments.
+    // The rows are not the segments if a row has `repeat`, or if they are in another file.
     if (editable.count(list) == table.segments.size())
       add_table_handles(editable, table, list, origin);
     const auto loops = static_cast<double>(std::max<std::int64_t>(table.loops, 1));

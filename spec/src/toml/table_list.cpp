@@ -118,7 +118,7 @@ std::string with_inline_table(const std::string& text, const TableList& list, st
 }
 
 /// The header of a list of tables: "follow.table" for follow.table[2].
-std::string header_of(std::string key) {
+std::string list_header(std::string key) {
   for (std::size_t at = 0; (at = key.find('[')) != std::string::npos;)
     key.erase(at, key.find(']', at) - at + 1);
   return key;
@@ -132,7 +132,7 @@ std::string with_table(const std::string& text, const std::string& key, std::siz
   assert(at <= list.size());
   if (list.is_inline())
     return with_inline_table(text, list, at, fmt::format("{{ {} }}", fmt::join(entries, ", ")));
-  std::string block = fmt::format("[[{}]]\n", header_of(key));
+  std::string block = fmt::format("[[{}]]\n", list_header(key));
   for (const std::string& entry : entries) block += entry + "\n";
   std::string out = text;
   if (at < list.size()) return out.insert(list.comment(at), with_line_ends_of(text, block + "\n"));
@@ -154,7 +154,7 @@ std::string without_table(const std::string& text, const std::string& key, std::
       begin = list.line_of(begin);
       end = std::min(text.find('\n', behind), text.size() - 1) + 1;
     } else if (at + 1 == list.size() && list.behind_comma(end) == end) {
-      begin = list.end(at - 1);  // with the comma before it
+      begin = list.end(at - 1);  // the comma before it, too
     } else {
       end = behind;
     }

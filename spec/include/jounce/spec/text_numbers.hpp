@@ -31,8 +31,8 @@ struct NumberChange {
 
 /// Returns the text with other values of these numbers. A number keeps the unit that the text gives
 /// to it ("12.5 cm"). A number that the spec can have but the text does not have is added to its
-/// table. Computed numbers have at most 12 significant digits. Throws InputError for a key that the
-/// spec does not know, and for one in another file.
+/// table. Computed numbers have at most 12 significant digits. Throws InputError for a key that is
+/// not the key of a number of the spec, and for a number in another file.
 std::string with_numbers(const Document& document, const std::vector<NumberChange>& changes);
 
 /// Returns the text with one more table in the list `list` ("knot", "segment[2].points"), at the
