@@ -123,15 +123,17 @@ function showAnalysis(answer) {
     shownCam = answer.cam;
     const data = answer.charts[axis];
     if (!picture) {
-      picture = new CamPicture($('figure'), data, {preview, drop, cancel: cancelDrag, split});
+      picture = new EditPicture($('figure'), data, {preview, drop, cancel: cancelDrag, insert, moved: (x) => plane.mark(x)});
     }
-    picture.take(data, answer.cam);
+    picture.take(data, axis, answer.edit, answer.cam);
   }
   $('segments').hidden = answer.cam === null;
   if (answer.cam) table.take(answer.cam, laws, stale ? null : picture?.views[0]);
-  const {units} = answer.cam ?? {};
-  points.take(['point', `master [${units?.master}]`, `slave [${units?.slave}]`], answer.cam ? pointRows(answer.cam) : []);
-  switches.take(['switch', `on from [${units?.master}]`, `to [${units?.master}]`], answer.cam ? switchRowsOf(answer.cam) : []);
+  plane.take(answer.charts, answer.edit);
+  tables.take(answer.edit?.tables ?? []);
+  $('insert').hidden = !answer.edit?.insert || answer.cam !== null || stale;
+  $('help').hidden = !(answer.edit?.handles.length > 0 || answer.edit?.plane.length > 0);
+  $('measured').hidden = answer.cam === null && answer.result.kind !== '' && answer.edit !== null;
   showMeasured();
   showGallery();
   $('optimize').hidden = !answer.can_optimize;
@@ -191,7 +193,7 @@ async function preview(what) {
     wanted = null;
     try {
       const answer = await request('POST', '/preview', {change: now});
-      if (picture.drag) showAnalysis(answer);
+      if (picture?.drag || plane.drag) showAnalysis(answer);
     } catch (error) {
       if (error instanceof Rejected) say(error.message, true);
     }
@@ -209,7 +211,8 @@ function cancelDrag() {
   showAnalysis(state);
 }
 
-const split = (master) => change({do: 'split', master: tidy(master)}) && true;
+/// Inserts a point, or a knot of a cam, on the curve at x.
+const insert = (x) => change({do: 'insert', at: tidy(x)}) && true;
 
 // ---- the text ------------------------------------------------------------------------------------
 
@@ -370,6 +373,20 @@ async function showLaws(k) {
   }
 }
 
+const stream = new StreamDialog({
+  request, window: openWindow,
+  broken: () => state.result.findings.filter((finding) => ['broken', 'error'].includes(levelOf(finding))).length,
+  limits: () => state.charts[axis].views[0].panels.filter(({upper, lower}) => upper !== null || lower !== null).map(({name, unit, upper, lower, marks}) => [
+    name, `${number(Math.max(0, ...marks.map(([, y]) => Math.abs(y))))} ${unit}`,
+    `${[lower, upper].filter((limit) => limit !== null).map((limit) => number(limit)).join(' to ')} ${unit}`]),
+});
+
+async function openStream() {
+  await inTurn(sendTyped);
+  if (state.charts.length === 0) return say('The text describes no motion that can be sent.', true);
+  return stream.open(axis, state.charts[axis].name.split(' ').at(-1));
+}
+
 const table = new SegmentTable($('knots'), {
   change, laws: showLaws, refuse: (words) => say(words, true),
   show: (k) => {
@@ -380,8 +397,8 @@ const table = new SegmentTable($('knots'), {
   hover: (k) => picture?.highlight(k === null || !shownCam?.knots[k] ? null : [shownCam.knots[k - 1].master, shownCam.knots[k].master]),
 });
 
-const points = new NumberTable($('points'), {change, refuse: (words) => say(words, true)});
-const switches = new NumberTable($('switches'), {change, refuse: (words) => say(words, true)});
+const tables = new NumberTables($('tables'), {change, refuse: (words) => say(words, true), goTo: (line) => line && pane.goTo(line, false)});
+const plane = new Plane($('plane'), {preview, drop, cancel: cancelDrag});
 
 // ---- the optimizer -------------------------------------------------------------------------------
 
@@ -436,6 +453,7 @@ function listen() {
   $('redo').onclick = () => act('/redo');
   $('save').onclick = save;
   $('difference').onclick = compare;
+  $('stream').onclick = openStream;
   $('measured').onclick = () => $('measured-file').click();
   $('measured-file').onchange = () => { if ($('measured-file').files.length > 0) takePoints($('measured-file').files[0]); $('measured-file').value = ''; };
   $('fit-form').onsubmit = (event) => { event.preventDefault(); fitPoints(); };
@@ -448,7 +466,7 @@ function listen() {
   });
   $('report').onclick = () => exported(`/report?axis=${axis}`, `${stem()}.html`, 'text/html');
   $('table').onclick = () => exported(`/table?form=${$('form').value}&axis=${axis}`, `${stem()}${endings[$('form').value] ?? '.txt'}`, 'text/plain');
-  $('split').onclick = () => split(picture.x);
+  $('split').onclick = $('insert').onclick = () => insert(picture.x);
   $('append').onclick = () => change({do: 'append'});
   $('whole-what').onchange = () => { $('whole-by').hidden = $('whole-what').value.startsWith('mirror'); };
   $('whole').onsubmit = (event) => {
@@ -496,6 +514,7 @@ async function follow() {
     for (const part of parts) {
       const event = JSON.parse(part.replace(/^data: /, ''));
       if (event.revision !== state.revision && busy === 0) await load();
+      stream.show(event.stream);
       await showJob(event.optimum);
     }
   }

@@ -15,18 +15,20 @@
 #include "jounce/spec/spec.hpp"
 
 #include "edit/src/cam_json.hpp"
+#include "edit/src/editable.hpp"
 #include "edit/src/json_reader.hpp"
 
 namespace jounce::edit_detail {
 namespace {
 
-/// The numbers of a cam, also if its knots describe no curve. "null" for any other text.
-std::string numbers_of(const std::string& path, const std::string& text) {
-  if (spec_kind(text) != "cam") return "null";
+/// The tables of a spec that describes no curve: an axis, or a cam whose knots contradict
+/// each other.
+void take_numbers(Analysis& analysis, const std::string& path, const std::string& text) {
   try {
-    return cam_json(parse_spec(text, path));
-  } catch (const InputError&) {
-    return "null";  // the findings have the error
+    const Spec spec = parse_spec(text, path);
+    analysis.cam = cam_json(spec);
+    analysis.edit = editable_json(spec, {});
+  } catch (const InputError&) {  // the findings have the error
   }
 }
 
@@ -54,20 +56,21 @@ Analysis analysis_of(const std::string& path, const std::string& text) {
     analysis.check = file_check_text(file_check(axes, reports), axes);
     if (const auto& spec = axes.front().spec) {
       analysis.cam = cam_json(*spec);
+      analysis.edit = editable_json(*spec, axes);
       analysis.can_optimize = can_optimize(*spec);
     }
     return reports;
   };
   analysis.result = lint_text(path, text, examine);
   keep_what_needs_attention(analysis.result);
-  if (analysis.charts.empty()) analysis.cam = numbers_of(path, text);
+  if (analysis.charts.empty()) take_numbers(analysis, path, text);
   return analysis;
 }
 
 std::string members_of(const Analysis& analysis) {
-  return fmt::format(R"("result":{},"charts":[{}],"check":{},"cam":{},"can_optimize":{})",
+  return fmt::format(R"("result":{},"charts":[{}],"check":{},"cam":{},"edit":{},"can_optimize":{})",
                      to_json(analysis.result), fmt::join(analysis.charts, ","),
-                     json_text(analysis.check), analysis.cam, analysis.can_optimize);
+                     json_text(analysis.check), analysis.cam, analysis.edit, analysis.can_optimize);
 }
 
 }  // namespace jounce::edit_detail

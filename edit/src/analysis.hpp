@@ -14,6 +14,7 @@ struct Analysis {
   std::vector<std::string> charts = {};  ///< chart_data() of each axis; empty: no motion
   std::string check = {};                ///< the output of `jounce check`
   std::string cam = "null";              ///< cam_json()
+  std::string edit = "null";             ///< editable_json()
   bool can_optimize = false;             ///< true: the spec leaves something free
 };
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "jounce/design/law_guide.hpp"
 #include "jounce/design/make.hpp"
@@ -36,7 +35,7 @@ struct CamSource {
 
   static const CamSpec& cam_of(const Spec& spec) {
     if (const auto* cam = std::get_if<CamSpec>(&spec.subject)) return *cam;
-    throw InputError("kind", "", "must be \"cam\": specs of other kinds are edited as text");
+    throw InputError("kind", "", "must be \"cam\" for this change");
   }
 
   [[nodiscard]] std::size_t knot(const JsonReader& change) const {
@@ -270,20 +269,23 @@ const std::vector<Action>& actions() {
 
 }  // namespace
 
-ChangedText changed_cam(const std::string& path, const std::string& text,
-                        const std::string& change) {
-  const JsonReader reader("change", change);
-  const std::string name = reader.word("do");
+std::optional<ChangedText> changed_cam(const std::string& path, const std::string& text,
+                                       const JsonReader& change) {
+  const std::string name = change.word("do");
   for (const Action& action : actions()) {
     if (name != action.name) continue;
     std::vector<std::string> keys = action.keys;
     keys.emplace_back("do");
-    reader.require_only(keys);
-    return action.act(CamSource(path, text), reader);
+    change.require_only(keys);
+    return action.act(CamSource(path, text), change);
   }
+  return std::nullopt;
+}
+
+std::vector<std::string> cam_changes() {
   std::vector<std::string> names;
   for (const Action& action : actions()) names.emplace_back(action.name);
-  throw InputError("do", name, fmt::format("must be one of {}", fmt::join(names, ", ")));
+  return names;
 }
 
 }  // namespace jounce::edit_detail

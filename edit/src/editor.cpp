@@ -20,7 +20,7 @@
 #include "jounce/web/gate.hpp"
 
 #include "edit/src/analysis.hpp"
-#include "edit/src/cam_change.hpp"
+#include "edit/src/change.hpp"
 #include "edit/src/exports.hpp"
 #include "edit/src/gallery.hpp"
 #include "edit/src/json_reader.hpp"
@@ -28,6 +28,7 @@
 #include "edit/src/optimum_job.hpp"
 #include "edit/src/page.hpp"
 #include "edit/src/session.hpp"
+#include "edit/src/stream_job.hpp"
 
 namespace jounce {
 namespace {
@@ -36,6 +37,8 @@ using edit_detail::Analysis;
 using edit_detail::json_text;
 using edit_detail::JsonReader;
 using edit_detail::OptimumJob;
+using edit_detail::StreamJob;
+using edit_detail::StreamOffer;
 using web::Answer;
 using web::Request;
 
@@ -67,6 +70,11 @@ std::string job_members(const OptimumJob::State& job) {
                      json_text(job.step), json_text(job.error));
 }
 
+std::string stream_members(const StreamJob::State& stream) {
+  return fmt::format(R"("running":{},"done":{},"step":{},"started":{},"text":{})", stream.running,
+                     stream.done, json_text(stream.step), stream.ok, json_text(stream.text));
+}
+
 std::size_t axis_of(const Request& request) {
   const std::string text = request.value("axis");
   std::size_t axis = 0;
@@ -89,11 +97,11 @@ struct Editor::Impl {
                {.files = {{"/", "text/html; charset=utf-8", edit_detail::page()},
                           {"/edit.js", "text/javascript; charset=utf-8", edit_detail::script()},
                           {"/edit.css", "text/css; charset=utf-8", edit_detail::style()}},
-                .commands = {"GET /document", "POST /document", "POST /change", "POST /preview",
-                             "POST /undo", "POST /redo", "POST /save", "POST /conflict",
-                             "GET /laws", "GET /forms", "GET /difference", "GET /table",
-                             "GET /report", "GET /templates", "POST /fit", "POST /optimize",
-                             "GET /optimum", "POST /optimum"},
+                .commands = {"GET /document", "POST /document", "POST /change",    "POST /preview",
+                             "POST /undo",    "POST /redo",     "POST /save",      "POST /conflict",
+                             "GET /laws",     "GET /forms",     "GET /difference", "GET /table",
+                             "GET /report",   "GET /templates", "POST /fit",       "POST /optimize",
+                             "GET /optimum",  "POST /optimum",  "GET /stream",     "POST /stream"},
                 .event = [this](std::int64_t& seen) { return event(seen); },
                 .obey = [this](const Request& request) { return answer(request); },
                 .urgent = [](const Request& /*request*/) { return false; },
@@ -116,12 +124,14 @@ struct Editor::Impl {
     while (!ended.wait_for(lock, poll_interval, [this] { return ending; })) session.poll();
   }
 
-  // ---- events: the number of the state, and the progress of the optimizer -----------------------
+  // ---- events: the number of the state, and the progress of the optimizer and of a stream ------
 
   std::string event(std::int64_t& seen) {
     const std::scoped_lock lock(mutex);
-    std::string text = fmt::format(R"({{"revision":{},"optimum":{}}})", session.revision(),
-                                   job ? "{" + job_members(job->state()) + "}" : "null");
+    std::string text =
+        fmt::format(R"({{"revision":{},"optimum":{},"stream":{}}})", session.revision(),
+                    job ? "{" + job_members(job->state()) + "}" : "null",
+                    stream ? "{" + stream_members(stream->state()) + "}" : "null");
     const auto hash = static_cast<std::int64_t>(std::hash<std::string>{}(text) | 1U);  // never 0
     return std::exchange(seen, hash) == hash ? "" : text;
   }
@@ -149,6 +159,7 @@ struct Editor::Impl {
       if (path == "/report")
         return {200, edit_detail::exported_report(path_of(), text(), axis_of(request)),
                 "text/html; charset=utf-8"};
+      if (path == "/stream") return stream_state();
       return path == "/optimum" ? optimum() : document();
     }
     const JsonReader body("request", request.body);
@@ -162,6 +173,7 @@ struct Editor::Impl {
                   "the file has changed on the disk: resolve the conflict");
     if (path == "/conflict") return resolve(body);
     if (path == "/fit") return fit(body);
+    if (path == "/stream") return send(body);
     return path == "/optimize" ? optimize(body) : end_optimum(body);
   }
 
@@ -223,7 +235,7 @@ struct Editor::Impl {
 
   Answer change(const JsonReader& body) {
     body.require_only({"revision", "change"});
-    auto [next, label] = edit_detail::changed_cam(path_of(), text(), body.object("change"));
+    auto [next, label] = edit_detail::changed(path_of(), text(), body.object("change"));
     if (!store(body.whole("revision"), std::move(next), std::move(label)))
       return conflict_of_revisions();
     return document();
@@ -232,8 +244,7 @@ struct Editor::Impl {
   /// The analysis of a change that is not made.
   Answer preview(const JsonReader& body) {
     body.require_only({"change"});
-    const std::string next =
-        edit_detail::changed_cam(path_of(), text(), body.object("change")).text;
+    const std::string next = edit_detail::changed(path_of(), text(), body.object("change")).text;
     return {200, fmt::format(R"({{"ok":true,"text":{},{}}})", json_text(next),
                              members_of(edit_detail::analysis_of(path_of(), next)))};
   }
@@ -361,11 +372,63 @@ struct Editor::Impl {
     return std::nullopt;
   }
 
+  // ---- a stream to an executor: never without the confirmation of an offer ----------------------
+
+  Answer send(const JsonReader& body) {
+    const std::string what = body.word("do");
+    if (what == "offer") return offer_stream(body);
+    if (what == "confirm") return confirm_stream(body);
+    if (what != "cancel") throw InputError("do", what, "must be offer, confirm or cancel");
+    body.require_only({"do"});
+    const std::scoped_lock lock(mutex);
+    offer.reset();
+    if (stream) stream->cancel();
+    return {200, R"({"ok":true})"};
+  }
+
+  /// Makes the table and asks the axis for its state. A new offer replaces the one before.
+  Answer offer_stream(const JsonReader& body) {
+    body.require_only({"do", "axis", "to", "url", "key"});
+    LinkOptions link;
+    if (body.has("url")) link.url = body.word("url");
+    if (body.has("key")) link.key = body.word("key");
+    StreamOffer made = edit_detail::stream_offer(
+        path_of(), text(), body.index("axis", 0, most_text), body.word("to"), std::move(link));
+    std::string members = members_of(made);
+    const std::scoped_lock lock(mutex);
+    offer = std::move(made);
+    return {200, fmt::format(R"({{"ok":true,{}}})", members)};
+  }
+
+  Answer confirm_stream(const JsonReader& body) {
+    body.require_only({"do", "confirmation"});
+    const std::scoped_lock lock(mutex);
+    if (!offer || !web::same(offer->confirmation, body.word("confirmation")))
+      return rejected(409, "this is not the confirmation of the newest offer: make an offer first");
+    if (offer->text != session.text()) {
+      offer.reset();
+      return rejected(409, "the text has changed since the offer: make a new offer");
+    }
+    if (stream && stream->state().running)
+      return rejected(409, "a stream is running: cancel it, or wait for its end");
+    stream.reset();
+    stream = std::make_unique<StreamJob>(*std::exchange(offer, std::nullopt));
+    return {200, R"({"ok":true})"};
+  }
+
+  Answer stream_state() {
+    const std::scoped_lock lock(mutex);
+    if (!stream) return rejected(404, "no stream was started");
+    return {200, fmt::format(R"({{"ok":true,{}}})", stream_members(stream->state()))};
+  }
+
   edit_detail::OnlyOne only_one;
-  std::mutex mutex;  // guards the session and the job
+  std::mutex mutex;  // guards the session, the job, the offer and the stream
   EditSession session;
   const std::map<std::string, std::string> templates;
   std::unique_ptr<OptimumJob> job;
+  std::optional<StreamOffer> offer;
+  std::unique_ptr<StreamJob> stream;
   std::mutex kept_mutex;  // guards the next one
   std::optional<std::pair<std::string, std::shared_ptr<const Analysis>>> kept;
   std::condition_variable ended;

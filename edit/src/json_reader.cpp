@@ -50,6 +50,20 @@ std::optional<std::array<double, 3>> JsonReader::three_numbers(const char* key) 
   return value.get<std::array<double, 3>>();
 }
 
+std::vector<double> JsonReader::numbers(const char* key) const {
+  const json& value = at(key);
+  const auto is_number = [](const json& each) { return each.is_number(); };
+  if (!value.is_array() || !std::all_of(value.begin(), value.end(), is_number))
+    throw InputError(key, value.dump(), "must be a list of numbers");
+  return value.get<std::vector<double>>();
+}
+
+std::vector<std::string> JsonReader::keys() const {
+  std::vector<std::string> all;
+  for (const auto& [key, value] : object_.items()) all.push_back(key);
+  return all;
+}
+
 std::int64_t JsonReader::whole(const char* key) const {
   const json& value = at(key);
   if (!value.is_number_integer()) throw InputError(key, value.dump(), "must be a whole number");

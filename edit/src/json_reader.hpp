@@ -27,6 +27,10 @@ class JsonReader {
   /// nullopt for null and for a missing key.
   [[nodiscard]] std::optional<double> optional_number(const char* key) const;
   [[nodiscard]] std::optional<std::array<double, 3>> three_numbers(const char* key) const;
+  /// A list of numbers of any length.
+  [[nodiscard]] std::vector<double> numbers(const char* key) const;
+  /// The keys of all members.
+  [[nodiscard]] std::vector<std::string> keys() const;
   /// A whole number from `least` to `most`.
   [[nodiscard]] std::size_t index(const char* key, std::size_t least, std::size_t most) const;
   [[nodiscard]] std::int64_t whole(const char* key) const;

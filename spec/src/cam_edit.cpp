@@ -19,30 +19,15 @@
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "spec/src/toml/table_list.hpp"
 #include "spec/src/toml/toml_editor.hpp"
 
 namespace jounce {
 namespace {
 
+using spec_detail::quoted;
+using spec_detail::tidy;
 using spec_detail::TomlEditor;
-
-/// A number without the rounding of its last digits: 0.3, not 0.30000000000000004.
-std::string tidy(double value) {
-  return number(std::strtod(fmt::format("{:.12g}", value).c_str(), nullptr));
-}
-
-/// A text in the quotes of TOML.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20U)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
-    else
-      out += c;
-  }
-  return out + '"';
-}
 
 /// A table of the text: the start, a segment, its end, one of its points, or a switch, whose index is
 /// `segment`.
@@ -256,99 +241,6 @@ std::vector<std::string> entries_of(const CamSegment& segment) {
   return entries;
 }
 
-/// The end of the last value in a node.
-toml::source_position last_of(const toml::node& node) {
-  toml::source_position last = node.source().end;
-  const auto take = [&](const toml::node& part) { last = std::max(last, last_of(part)); };
-  if (const toml::table* table = node.as_table())
-    for (const auto& [key, value] : *table) take(value);
-  else if (const toml::array* array = node.as_array())
-    for (const toml::node& each : *array) take(each);
-  return last;
-}
-
-/// The text of a cam with its segments.
-class SegmentList {
- public:
-  explicit SegmentList(const std::string& text)
-      : text_(text),
-        root_(toml::parse(std::string_view(text))),
-        segments_(*root_["segment"].as_array()) {}
-
-  [[nodiscard]] std::size_t size() const { return segments_.size(); }
-  /// True for segment = [{...}, ...], false for [[segment]].
-  [[nodiscard]] bool is_inline() const { return segments_[0].as_table()->is_inline(); }
-
-  /// The beginning of a segment: its {, or the line of its [[segment]].
-  [[nodiscard]] std::size_t begin(std::size_t i) const {
-    const std::size_t at = offset(segments_[i].source().begin);
-    return is_inline() ? at : line_of(text_.rfind("[[", at + 1));
-  }
-  /// The end of a segment: behind its }, or behind the line of its last value.
-  [[nodiscard]] std::size_t end(std::size_t i) const {
-    if (is_inline()) return offset(segments_[i].source().end);
-    const std::size_t line = text_.find('\n', offset(last_of(segments_[i])));
-    return line == std::string::npos ? text_.size() : line + 1;
-  }
-  /// The beginning of the comment above a segment, if there is one without an empty line between.
-  [[nodiscard]] std::size_t comment(std::size_t i) const {
-    std::size_t at = begin(i);
-    while (at > 0) {
-      const std::size_t above = line_of(at - 1);
-      const std::size_t word = text_.find_first_not_of(" \t", above);
-      if (text_[word] != '#') break;
-      at = above;
-    }
-    return at;
-  }
-  /// The indent of a segment that begins its line; "" otherwise.
-  [[nodiscard]] std::optional<std::string> indent(std::size_t i) const {
-    const std::size_t at = begin(i);
-    const std::string_view before = std::string_view(text_).substr(line_of(at), at - line_of(at));
-    if (before.find_first_not_of(" \t") != std::string_view::npos) return std::nullopt;
-    return std::string(before);
-  }
-  /// The place behind the comma that follows, or `at` without a comma.
-  [[nodiscard]] std::size_t behind_comma(std::size_t at) const {
-    const std::size_t next = text_.find_first_not_of(" \t\r\n", at);
-    return next < text_.size() && text_[next] == ',' ? next + 1 : at;
-  }
-  [[nodiscard]] std::size_t line_of(std::size_t at) const {
-    return at == 0 ? 0 : text_.rfind('\n', at - 1) + 1;
-  }
-  [[nodiscard]] bool is_blank_line(std::size_t at) const {
-    const std::size_t word = text_.find_first_not_of(" \t\r", at);
-    return word == std::string::npos || text_[word] == '\n';
-  }
-
- private:
-  [[nodiscard]] std::size_t offset(const toml::source_position& place) const {
-    return spec_detail::offset(text_, place);
-  }
-
-  const std::string& text_;
-  toml::table root_;
-  const toml::array& segments_;
-};
-
-std::string with_line_ends_of(const std::string& text, std::string block) {
-  if (text.find("\r\n") == std::string::npos) return block;
-  for (std::size_t at = 0; (at = block.find('\n', at)) != std::string::npos; at += 2)
-    block.insert(at, 1, '\r');
-  return block;
-}
-
-/// segment = [{...}, ...]
-std::string with_inline_segment(const std::string& text, const SegmentList& list, std::size_t at,
-                                const std::string& entry) {
-  std::string out = text;
-  const bool last = at == list.size();
-  const auto indent = list.indent(last ? at - 1 : at);
-  const std::string gap = indent ? with_line_ends_of(text, "\n") + *indent : " ";
-  if (last) return out.insert(list.end(at - 1), "," + gap + entry);
-  return out.insert(list.begin(at), entry + "," + gap);
-}
-
 }  // namespace
 
 std::string with_cam(const Spec& spec, const CamSpec& cam) {
@@ -386,40 +278,11 @@ std::string with_switch(const Spec& spec, std::size_t at, double first_on,
 }
 
 std::string with_segment(const std::string& text, std::size_t at, const CamSegment& segment) {
-  const SegmentList list(text);
-  assert(at <= list.size());
-  const std::vector<std::string> entries = entries_of(segment);
-  if (list.is_inline())
-    return with_inline_segment(text, list, at, fmt::format("{{ {} }}", fmt::join(entries, ", ")));
-  std::string block = "[[segment]]\n";
-  for (const std::string& entry : entries) block += entry + "\n";
-  std::string out = text;
-  if (at < list.size()) return out.insert(list.comment(at), with_line_ends_of(text, block + "\n"));
-  const std::size_t end = list.end(at - 1);
-  const bool open = end > 0 && text[end - 1] != '\n';
-  return out.insert(end, with_line_ends_of(text, (open ? "\n\n" : "\n") + block));
+  return spec_detail::with_table(text, "segment", at, entries_of(segment));
 }
 
 std::string without_segment(const std::string& text, std::size_t at) {
-  const SegmentList list(text);
-  assert(at < list.size() && list.size() > 1);
-  std::size_t begin = list.begin(at);
-  std::size_t end = list.end(at);
-  std::string out = text;
-  if (list.is_inline()) {
-    end = list.behind_comma(end);
-    end = std::min(text.find_first_not_of(" \t", end), text.size());
-    if (list.indent(at) && list.is_blank_line(end)) {  // the whole line
-      begin = list.line_of(begin);
-      end = std::min(text.find('\n', end), text.size() - 1) + 1;
-    }
-    return out.erase(begin, end - begin);
-  }
-  const bool blank_above = begin == 0 || list.is_blank_line(list.line_of(begin - 1));
-  if (blank_above)
-    while (end < text.size() && list.is_blank_line(end))
-      end = std::min(text.find('\n', end), text.size() - 1) + 1;
-  return out.erase(begin, end - begin);
+  return spec_detail::without_table(text, "segment", at);
 }
 
 }  // namespace jounce

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "edit/src/cam_change.hpp"
-
 #include <string>
 #include <variant>
 
@@ -11,12 +9,12 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/spec/spec.hpp"
 
+#include "edit/src/change.hpp"
 #include "support/errors.hpp"
 
 namespace jounce::cam_change_test {
 namespace {
 
-using edit_detail::changed_cam;
 using ::testing::HasSubstr;
 
 const std::string feeder = R"(jounce = 1
@@ -41,7 +39,7 @@ CamSpec cam_of(const std::string& text) {
 }
 
 std::string changed(const std::string& text, const std::string& change) {
-  return changed_cam("a.toml", text, change).text;
+  return edit_detail::changed("a.toml", text, change).text;
 }
 
 std::string refused(const std::string& change, const std::string& text = feeder) {
@@ -244,8 +242,8 @@ TEST(CamChange, EachChangeKeepsTheComments) {
 TEST(CamChange, NamesWhatIsWrong) {
   EXPECT_EQ(refused("[]"), "change: must be a JSON object");
   EXPECT_EQ(refused(R"({"do":"jump"})"),
-            "do = jump: must be one of move, set, law, form, name, split, append, merge, delete, "
-            "mirror, shift, scale, point, switch");
+            "do = jump: must be one of numbers, insert, insert_in_plane, remove, move, set, law, "
+            "form, name, split, append, merge, delete, mirror, shift, scale, point, switch");
   EXPECT_EQ(refused(R"({"do":"append","x":1})"), "x = 1: is not a key here: the keys are do");
   EXPECT_EQ(refused(R"({"do":"move","knot":4,"master":1,"slave":1})"), "knot = 4: must be 0 to 3");
   EXPECT_EQ(refused(R"({"do":"move","knot":1,"master":"1","slave":1})"),
@@ -260,7 +258,7 @@ TEST(CamChange, NamesWhatIsWrong) {
       refused(R"({"do":"append"})",
               "jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n"
               "[move]\nprofile = \"s_curve\"\nto = 1\nvelocity = 1\nacceleration = 1\njerk = 1\n"),
-      HasSubstr("specs of other kinds are edited as text"));
+      HasSubstr("must be \"cam\" for this change"));
 }
 
 }  // namespace

@@ -283,12 +283,12 @@ TEST_F(Editors, ComparesATextWithAnError) {
 
 TEST_F(Editors, NothingIsReadOrChangedWithoutTheToken) {
   for (const char* target : {"/document", "/difference", "/table", "/report", "/laws", "/forms",
-                             "/optimum", "/events"}) {
+                             "/optimum", "/stream", "/events"}) {
     EXPECT_EQ(client->Get(target)->status, 403) << target;
     EXPECT_EQ(client->Get(target, {{"X-Jounce-Token", "0123"}})->status, 403) << target;
   }
   for (const char* target : {"/document", "/change", "/preview", "/undo", "/redo", "/save",
-                             "/conflict", "/optimize", "/optimum"})
+                             "/conflict", "/optimize", "/optimum", "/stream"})
     EXPECT_EQ(client->Post(target, "{}", "application/json")->status, 403) << target;
   const std::string page =
       client->Get("/")->body + client->Get("/edit.js")->body + client->Get("/edit.css")->body;
@@ -421,6 +421,58 @@ TEST_F(Editors, OtherKindsHaveTheirCurves) {
   EXPECT_EQ(document["result"]["kind"], "move");
   EXPECT_EQ(document["charts"].size(), 1U);
   EXPECT_EQ(document["cam"], nullptr);
+}
+
+/// A stream of the feeder with a virtual master, to a bus of Unix sockets on which nothing answers.
+TEST_F(Editors, NothingIsSentWithoutTheConfirmationOfAnOffer) {
+  std::filesystem::create_directory(in("bus"));
+  const std::string with_master = feeder + "[master]\nvelocity = 50\n";
+  (void)post("/document", {{"revision", 1}, {"text", with_master}});
+  const json wanted{{"do", "offer"}, {"axis", 0}, {"to", "feeder"}, {"url", "unix://" + in("bus")}};
+  const json confirm_nothing{{"do", "confirm"}, {"confirmation", ""}};
+  EXPECT_THAT(post("/stream", confirm_nothing, 409)["reason"], HasSubstr("make an offer first"));
+  const json offer = post("/stream", wanted);
+  EXPECT_EQ(offer["table"].get<std::string>().size(), 64U);
+  EXPECT_EQ(offer["duration"], 2);  // 100 deg at 50 deg/s
+  EXPECT_EQ(offer["axis"], nullptr) << "no executor answers";
+  (void)get("/stream", 404);
+  EXPECT_THAT(post("/stream", confirm_nothing, 409)["reason"], HasSubstr("make an offer first"));
+
+  const auto confirm = [](const json& given) {
+    return json{{"do", "confirm"}, {"confirmation", given["confirmation"]}};
+  };
+  (void)post("/document", {{"revision", 2}, {"text", with_master + "# later\n"}});
+  EXPECT_THAT(post("/stream", confirm(offer), 409)["reason"],
+              HasSubstr("the text has changed since the offer"));
+  const json first = post("/stream", wanted);
+  const json second = post("/stream", wanted);
+  (void)post("/stream", confirm(first), 409);  // replaced by the second one
+  (void)post("/stream", confirm(second));
+  (void)post("/stream", confirm(second), 409);  // once only
+  (void)post("/stream", {{"do", "cancel"}});
+  json state = get("/stream");
+  for (int turn = 0; turn < 400 && state["running"]; ++turn) {
+    std::this_thread::sleep_for(50ms);
+    state = get("/stream");
+  }
+  EXPECT_EQ(state["running"], false);
+  EXPECT_EQ(state["started"], false);
+}
+
+TEST_F(Editors, AnOfferNamesWhatIsWrong) {
+  const auto refused = [&](json wanted) {
+    wanted["do"] = "offer";
+    return post("/stream", wanted, 400)["reason"].get<std::string>();
+  };
+  EXPECT_THAT(refused({{"axis", 0}, {"to", "a b"}}), HasSubstr("to = a b"));
+  EXPECT_THAT(refused({{"axis", 0}, {"to", "feeder"}}), HasSubstr("master"));
+  (void)post("/document", {{"revision", 1}, {"text", feeder + "[master]\nvelocity = 50\n"}});
+  EXPECT_THAT(refused({{"axis", 1}, {"to", "feeder"}}), HasSubstr("axis = 1: must be 0 to 0"));
+  EXPECT_THAT(refused({{"axis", 0}, {"to", "feeder"}, {"url", "unix://" + in("none")}}),
+              HasSubstr("names a folder that does not exist"));
+  EXPECT_FALSE(std::filesystem::exists(in("none")));
+  EXPECT_THAT(post("/stream", {{"do", "send"}}, 400)["reason"],
+              HasSubstr("must be offer, confirm or cancel"));
 }
 
 }  // namespace

@@ -2,16 +2,63 @@
 #include "spec/src/toml/toml_editor.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdlib>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "jounce/profiles/error.hpp"
+
 namespace jounce::spec_detail {
+
+std::string tidy(double value) {
+  return number(std::strtod(fmt::format("{:.12g}", value).c_str(), nullptr));
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20U)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
+const toml::node* node_at(const toml::table& root, std::string_view key) {
+  const toml::node* node = &root;
+  while (node != nullptr && !key.empty()) {
+    if (key.front() == '[') {
+      std::size_t index = 0;
+      const std::size_t close = std::min(key.find(']'), key.size());
+      std::from_chars(key.data() + 1, key.data() + close, index);
+      const toml::array* array = node->as_array();
+      node = array == nullptr || index == 0 ? nullptr : array->get(index - 1);
+      key.remove_prefix(std::min(close + 1, key.size()));
+      if (key.starts_with('.')) key.remove_prefix(1);
+      continue;
+    }
+    const std::size_t end = std::min(key.find_first_of(".["), key.size());
+    const toml::table* table = node->as_table();
+    node = table == nullptr ? nullptr : table->get(key.substr(0, end));
+    key.remove_prefix(end < key.size() && key[end] == '.' ? end + 1 : end);
+  }
+  return node;
+}
 
 std::size_t TomlEditor::offset(const toml::source_position& place) const {
   return spec_detail::offset(text_, place);
 }
 
 void TomlEditor::replace(const toml::table& table, const char* key, std::string value) {
-  const toml::source_region& at = table.get(key)->source();
+  replace(*table.get(key), std::move(value));
+}
+
+void TomlEditor::replace(const toml::node& node, std::string value) {
+  const toml::source_region& at = node.source();
   edits_.push_back({offset(at.begin), offset(at.end), std::move(value)});
 }
 

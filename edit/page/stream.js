@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sending the table to a running executor: an offer of the server with its facts, and the confirmation of a person.
+
+class StreamDialog {
+  /// `actions`: request(method, path, body), limits() as rows [quantity, peak, limit], broken() findings, window(title, ...content).
+  constructor(actions) {
+    this.actions = actions;
+    this.given = {to: '', url: '', key: ''};
+    this.now = null;  // the stream of the last event
+  }
+
+  /// Asks for the axis. `axis`: the number of the axis of the spec; `name`: its name.
+  open(axis, name) {
+    const field = (key, text, placeholder) => {
+      const input = html('input', {value: this.given[key], placeholder, size: 34, autocomplete: 'off', spellcheck: false, id: `stream-${key}`});
+      return html('label', {}, `${text} `, input);
+    };
+    this.given.to ||= name;
+    const fields = [field('to', 'Axis or group', 'name in its spec'), field('url', 'Address of the bus', 'default of jounce run, or unix://FOLDER'), field('key', 'Key file', 'none')];
+    this.facts = html('div', {id: 'stream-facts'});
+    const form = html('form', {className: 'stream'}, ...fields, html('button', {id: 'stream-offer', textContent: 'Prepare'}));
+    form.onsubmit = (event) => {
+      event.preventDefault();
+      ['to', 'url', 'key'].forEach((key, i) => { this.given[key] = fields[i].querySelector('input').value.trim(); });
+      this.offer(axis);
+    };
+    this.actions.window('Send to an axis', html('p', {textContent: 'Nothing is sent before you confirm. The executor checks the table against the limits of its axis.'}), form, this.facts);
+    if (this.now) this.show(this.now);
+    fields[0].querySelector('input').focus();
+  }
+
+  async offer(axis) {
+    const {to, url, key} = this.given;
+    this.facts.replaceChildren();
+    try {
+      this.confirm(await this.actions.request('POST', '/stream', {do: 'offer', axis, to, ...(url && {url}), ...(key && {key})}));
+    } catch (error) {
+      this.facts.replaceChildren(html('p', {className: 'bad', role: 'alert', textContent: error.message}));
+    }
+  }
+
+  /// Shows what would be sent, and waits for the confirmation.
+  confirm(offer) {
+    const row = (name, value) => html('tr', {}, html('th', {scope: 'row', textContent: name}), html('td', {textContent: value}));
+    const broken = this.actions.broken();
+    const send = html('button', {type: 'button', id: 'stream-confirm', textContent: `Send, and start the motion of ${offer.to}`});
+    send.onclick = async () => {
+      send.disabled = true;
+      try {
+        await this.actions.request('POST', '/stream', {do: 'confirm', confirmation: offer.confirmation});
+      } catch (error) {
+        this.facts.append(html('p', {className: 'bad', role: 'alert', textContent: error.message}));
+      }
+    };
+    this.facts.replaceChildren(
+      html('table', {}, html('tbody', {}, row('axis', offer.to), row('bus', offer.url), row('state of the axis', offer.axis ?? 'no answer: check that the executor runs with this address and key'),
+        row('table (SHA-256)', offer.table), row('knots', offer.knots), row('duration', `${number(offer.duration)} ${offer.time_unit}`), row('first position', `${number(offer.start)} ${offer.position_unit}`),
+        ...this.actions.limits().map(([name, peak, limit]) => row(name, `peak ${peak}; limit ${limit}`)))),
+      ...(broken ? [html('p', {className: 'bad', textContent: `${broken} ${broken === 1 ? 'check of the spec is' : 'checks of the spec are'} broken.`})] : []),
+      send, html('div', {id: 'stream-outcome', role: 'status'}));
+    send.focus();
+  }
+
+  /// Shows the stream of an event; null: none.
+  show(now) {
+    this.now = now;
+    const place = document.getElementById('stream-outcome') ?? this.facts;
+    if (!now || !place?.isConnected) return;
+    const cancel = html('button', {type: 'button', textContent: 'Cancel', onclick: () => this.actions.request('POST', '/stream', {do: 'cancel'})});
+    place.replaceChildren(now.running ? html('p', {}, html('progress', {max: 1, value: now.done, 'aria-label': 'Progress of the stream'}), ` ${now.step} `, cancel)
+      : html('p', {className: now.started ? 'good' : 'bad', textContent: now.text}));
+  }
+}
