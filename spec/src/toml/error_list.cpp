@@ -69,7 +69,7 @@ bool ErrorList::add(const InputError& error) {
 void ErrorList::end_part(const InputError& error) {
   bool known = is_faulty(error.key());
   for (const std::string& table : ignored_) known = known || error.key().starts_with(table);
-  guessed_ = true;
+  uncertain_ = uncertain_ || placeholders_ > 0;
   if (known || !add(error)) {
     ++found_.unread;
     return;
@@ -85,11 +85,12 @@ bool ErrorList::again() {
     return true;
   }
   const auto rank = [](const Result& r) { return std::pair(r.unread, r.errors.size()); };
+  const bool certain = !std::exchange(uncertain_, false) && found_.unread == 0;
   if (!best_ || rank(found_) < rank(*best_)) best_ = std::move(found_);
   found_ = {};
   faulty_.clear();
   ignored_.clear();
-  return guessed_ && ++guess_ < guesses_ && ++passes_ < most_passes;
+  return !certain && ++guess_ < guesses_ && ++passes_ < most_passes;
 }
 
 void ErrorList::throw_any() const {
@@ -106,15 +107,17 @@ double ErrorList::number(const std::string& key, const std::string& unit) {
     if (after) return *after - std::max(1.0, std::abs(*after));
     return 1;
   }
-  constexpr std::array values{1e3, 1e6, 1e-3, 0.0, -1.0, 10.0};
-  const std::size_t other = guess_ > values.size() ? key.size() : 0;  // another one for each key
-  return values[(guess_ - 1 + other) % values.size()];
+  constexpr std::array values{1e3, 1e6, 1e-3, 10.0, 0.0, -1.0};
+  // The same value for all keys, then another one for each key. The sets for more words have positive values only.
+  const std::size_t other = guess_ > values.size() ? key.size() : 0;
+  const std::size_t count = guess_ < least_guesses ? values.size() : values.size() - 2;
+  return values[(guess_ - 1 + other) % count];
 }
 
 std::size_t ErrorList::choice(std::size_t count) {
   constexpr std::size_t most_words = 40;
-  guessed_ = true;
-  guesses_ = std::max(guesses_, std::min(count, most_words));
+  uncertain_ = true;
+  guesses_ = std::max(guesses_, 2 * std::min(count, most_words));  // each word with two numbers
   return guess_ % count;
 }
 

@@ -25,7 +25,7 @@ struct PartEnded {};
 /// the next pass, its key has a placeholder too, so that the pass reaches the next error. The passes end when they find
 /// no new error.
 ///
-/// An error may follow from a placeholder. The passes are therefore repeated with other placeholders: between the
+/// An error after a placeholder may follow from it. The passes are then repeated with other placeholders: between the
 /// values of the neighbors in a list, without the key, great, small, negative. The smallest result is reported, because
 /// a placeholder that fits causes no other error.
 class ErrorList {
@@ -58,6 +58,7 @@ class ErrorList {
 
  private:
   static constexpr std::size_t most = 1000;  ///< greatest number of errors; later ones are dropped
+  static constexpr std::size_t least_guesses = 13;  ///< number of sets of placeholders
   static constexpr std::size_t most_passes = 1000;  ///< limit for all placeholders together
 
   /// The result of the passes with one set of placeholders. A part that could not be read may hide errors.
@@ -67,12 +68,12 @@ class ErrorList {
   };
 
   const toml::table* root_;
-  std::size_t guess_ = 0;    ///< number of the set of placeholders
-  std::size_t guesses_ = 8;  ///< number of sets; more if a word has an error
+  std::size_t guess_ = 0;                ///< number of the set of placeholders
+  std::size_t guesses_ = least_guesses;  ///< number of sets; more if a word has an error
   std::size_t passes_ = 0;
   std::size_t placeholders_ = 0;
-  bool ended_ = false;    ///< an error that was not known ended a part of this pass
-  bool guessed_ = false;  ///< errors may depend on the placeholders
+  bool ended_ = false;      ///< an error that was not known ended a part of this pass
+  bool uncertain_ = false;  ///< an error may follow from a placeholder
   std::set<std::string> faulty_;
   std::set<std::string> ignored_;
   Result found_;  ///< result of the present placeholders
