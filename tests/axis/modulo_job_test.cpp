@@ -22,7 +22,7 @@ AxisConfig config_at(double position) {
 std::shared_ptr<const Table> from_350_to_400() {
   return std::make_shared<const Table>(Domain::time, Interpolation::cubic_hermite,
                                        Extrapolation::hold,
-                                       Columns{.x = {0, 2}, .p = {350, 400}, .v = {0, 0}});
+                                       Columns{.x = {0, 2}, .p = {350, 400}, .v = {0, 0}, .a = {}});
 }
 
 TEST(ModuloJob, BeginsInTheTurnOfTheAxis) {
