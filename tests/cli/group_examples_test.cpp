@@ -183,7 +183,7 @@ TEST(GroupExamples, TheSpeedRatioIsLive) {
     return false;
   };
   EXPECT_TRUE(reaches(1500));
-  for (const auto [ratio, speed] : {std::pair{1.5, 4500.0}, {1.0, 3000.0}}) {
+  for (const auto& [ratio, speed] : {std::pair{1.5, 4500.0}, {1.0, 3000.0}}) {
     ASSERT_TRUE(client.command(command::Override{ratio}).ok());
     ASSERT_TRUE(client.release().ok());
     EXPECT_TRUE(reaches(speed)) << ratio;

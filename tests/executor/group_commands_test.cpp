@@ -391,6 +391,7 @@ TEST(GroupCommands, AFrameIsChecked) {
 /// The axis x needs 100 / 200 s at its velocity, and y is there long before.
 TEST(GroupCommands, AFastMoveTakesTheShortestTimeOfEachAxis) {
   Judged site;
+  site.requested.lines = {{0, 0, 100, 10}};
   site.requested.tolerance = 1e9;  // its path is not a line
   ASSERT_TRUE(
       site.order("plotter", command::MoveDirectAbsolute{.to = at(100, 10), .fast = true}).ok());
@@ -398,7 +399,8 @@ TEST(GroupCommands, AFastMoveTakesTheShortestTimeOfEachAxis) {
   for (int k = 0; k < 3000 && x_there < 0; ++k) {
     site.advance(1ms);
     const std::int64_t tick = site.last(group).tick;
-    if (begun < 0 && site.last(group).state == State::discrete_motion) begun = tick;
+    if (begun < 0 && site.last(group).state == State::discrete_motion)
+      begun = tick - std::lround(site.last(group).path_time * 1000);
     if (y_there < 0 && std::abs(site.last(y).position - 10) < 1e-9) y_there = tick;
     if (std::abs(site.last(x).position - 100) < 1e-9) x_there = tick;
   }

@@ -16,7 +16,7 @@ namespace {
 using namespace test;
 using namespace std::chrono_literals;
 
-struct Shown : ::testing::Test {
+struct GroupShown : ::testing::Test {
   void SetUp() override {
     site.advance(10ms);
     ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
@@ -29,7 +29,7 @@ struct Shown : ::testing::Test {
   PlotterSite site;
 };
 
-TEST_F(Shown, AGroupAtRestHasNoPath) {
+TEST_F(GroupShown, AGroupAtRestHasNoPath) {
   const wire::GroupStatus rests = status();
   EXPECT_EQ(rests.axes, (std::vector<std::string>{"x", "y"}));
   EXPECT_EQ(rests.place, (std::vector<double>{0, 0}));
@@ -41,7 +41,7 @@ TEST_F(Shown, AGroupAtRestHasNoPath) {
 }
 
 /// Each status names the tick in which the motion ends.
-TEST_F(Shown, TheRemainingTimeIsExactAtTheOriginalSpeed) {
+TEST_F(GroupShown, TheRemainingTimeIsExactAtTheOriginalSpeed) {
   ASSERT_TRUE(site.order("plotter", command::StartTable{}).ok());
   std::vector<wire::GroupStatus> seen;
   while (site.last(Plotter::group).finished == 0 && seen.size() < 1000) seen.push_back(status());
@@ -66,7 +66,7 @@ TEST_F(Shown, TheRemainingTimeIsExactAtTheOriginalSpeed) {
   EXPECT_NEAR(length, site.last(Plotter::group).position, 1e-9);
 }
 
-TEST_F(Shown, WithAnOverrideItIsAnEstimateAndInAHoldUnknown) {
+TEST_F(GroupShown, WithAnOverrideItIsAnEstimateAndInAHoldUnknown) {
   ASSERT_TRUE(site.order("plotter", command::StartTable{}).ok());
   site.advance(500ms);
   const wire::GroupStatus full = status();
@@ -85,7 +85,7 @@ TEST_F(Shown, WithAnOverrideItIsAnEstimateAndInAHoldUnknown) {
   EXPECT_LT(held.position, held.length);
 }
 
-TEST_F(Shown, SingleCommandsAreCountedAndExtendThePath) {
+TEST_F(GroupShown, SingleCommandsAreCountedAndExtendThePath) {
   const auto line = [&](double px, double py) {
     command::MoveLinearAbsolute to{
         .path = {.along = {.velocity = 50}, .buffer = PathBuffer::look_ahead}};

@@ -28,7 +28,8 @@ const wordsOf = (master) => master.lost ? `${master.name} is lost`
     + (master.age_ms ? `, ${number(master.age_ms, 'ms')} old` : '');
 
 /// The place of a group on its path, with the line of the source.
-const coordinatesOf = (group) => `${group.framed ? 'frame ' : ''}${group.axes.map((axis, k) => `${axis} ${number(group.place[k])}`).join(' ')}`;
+const coordinatesOf = (group) => (group.framed ? 'frame ' : '')
+  + group.axes.map((axis, k) => `${axis} ${number(group.place[k])}`).join(' ');
 const placeOf = (group, unit) => group.length === null ? number(group.position, unit)
   : `${number(group.position, unit)} of ${number(group.length, unit)}, line ${group.line}`;
 /// What remains of the path of a group, and how much of it is planned without braking.
@@ -162,7 +163,8 @@ function show(axis) {
     parts.path.textContent = `${coordinatesOf(axis.group)}; ${placeOf(axis.group, unit)}`;
     parts.remaining.textContent = remainingOf(axis.group, unit);
   }
-  for (const [part, known] of [['path', axis.group], ['remaining', axis.group], ['error', axis.error !== null], ['master', axis.master !== null || axis.masters.length > 0], ['queue', axis.capacity > 0]])
+  for (const [part, known] of [['path', axis.group], ['remaining', axis.group], ['error', axis.error !== null],
+    ['master', axis.master !== null || axis.masters.length > 0], ['queue', axis.capacity > 0]])
     parts[part].closest('dl > div').hidden = !known;
   parts.homed.textContent = axis.homed ? 'yes' : 'no';
   parts.late.textContent = axis.late;
