@@ -199,12 +199,12 @@ void keep_worst(Report& report, const Labels& labels) {
 /// controller stops the axis (Googol manual, example 9-1).
 void name_first_passages(const Input& input, Report& report) {
   if (input.labels.over_master) return;
-  const auto& motion = std::get<Trajectory>(*input.curve);
   for (const char* const limit : {"limit/position_max", "limit/position_min"}) {
     const auto worst = std::find_if(report.findings.begin(), report.findings.end(),
                                     [&](const Finding& f) { return f.broken && f.rule == limit; });
     if (worst == report.findings.end()) continue;
-    const std::vector<double> passages = crossings(motion, 0, worst->limit);
+    const std::vector<double> passages =
+        crossings(std::get<Trajectory>(*input.curve), 0, worst->limit);
     if (passages.empty()) continue;
     worst->advice = fmt::format("the motion first passes this limit at {:.6g} {}; {}",
                                 passages.front(), input.labels.units.x, worst->advice);

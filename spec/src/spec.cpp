@@ -39,7 +39,11 @@ struct Kind {
 /// Reads the cam of `from`, which gives the default of [units].
 std::optional<spec_detail::CamSource> read_source(TomlReader& top, const Kind& kind) {
   if (kind.name != std::string_view("cam") || !top.has("from")) return std::nullopt;
-  return spec_detail::read_cam_source(top, "from");
+  try {
+    return spec_detail::read_cam_source(top, "from");
+  } catch (const InputError& error) {
+    top.end_all(error);  // the units and the motion are those of the other file
+  }
 }
 
 void read_own_units(TomlReader& top, Spec& spec, const Kind& kind) {
@@ -413,6 +417,20 @@ std::string spec_kind(const std::string& text) {
   } catch (const InputError&) {
     return "";  // the reader reports the error
   }
+}
+
+Spec spec_detail::parse_source(std::string text, std::string name) {
+  Spec spec;
+  spec.document = {std::move(name), std::move(text), {}, {}};
+  spec.document.hash = sha256(spec.document.text);
+  const toml::table root = parse_toml(spec.document);
+  TomlReader top(root, "", spec.document);
+  try {
+    read_body(top, spec);
+  } catch (const InputError& error) {
+    throw spec.document.located(error);
+  }
+  return spec;
 }
 
 Spec parse_spec(std::string text, std::string name, const std::function<void(const Spec&)>& use) {

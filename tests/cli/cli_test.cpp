@@ -207,8 +207,8 @@ TEST_F(Cli, AnOrderNamesTheSwappedWords) {
 
 TEST_F(Cli, HelpTellsWhatTakesAValueAndWhatMustBeGiven) {
   const std::string help = run("stream --help").out;
-  EXPECT_THAT(help,
-              HasSubstr("  --to ...                        Required. Name of the executor\n"));
+  EXPECT_THAT(help, HasSubstr("  --to ...                        Required. Name of the axis or "
+                              "group, or of several axes (x,y,z): each\n"));
   EXPECT_THAT(help, HasSubstr("  --loops [1]  "));
   EXPECT_THAT(help, HasSubstr("  --json                          Outcome"));
   EXPECT_THAT(help, Not(HasSubstr("\n\n\n")));
@@ -832,7 +832,8 @@ TEST_F(Cli, BadInputLeavesNothingBehind) {
 }
 
 TEST_F(Cli, AMachineThatCannotIsThree) {
-  const Result result = run("design " + cam + " -o /proc/t.csv");  // no program can make files there
+  const Result result =
+      run("design " + cam + " -o /proc/t.csv");  // no program can make files there
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(result.err, HasSubstr("cannot write /proc/t.csv"));
 }

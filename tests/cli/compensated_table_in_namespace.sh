@@ -55,7 +55,7 @@ until_seen y '"position":-130.0,'
 order x move --to 450mm
 until_seen x '"position":450.0,'
 "$jounce" monitor x --seconds 0.3 > shown 2> /dev/null || true
-grep -q "compensated +0.254883" shown || { cat shown; fail "the monitor shows no correction"; }
+grep -q "compensated 0.254883 mm" shown || { cat shown; fail "the monitor shows no correction"; }
 order y disable
 order y disable-compensation
 rejected compensation_inactive y disable-compensation

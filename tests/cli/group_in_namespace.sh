@@ -78,9 +78,12 @@ wait_for plotter '"state":"standstill"'
 sed '/^\[\[command/,$d' square.toml > bed.toml
 printf 'G21 G90 G64 P0.1\nG1 X20 Y0 F900\nG1 X20 Y10\nG1 X0 Y0\nM30\n' > part.ngc
 "$jounce" stream part.ngc --machine bed.toml --to plotter > out 2>&1 || fail "stream G-code: $(cat out)"
-order plotter move-linear x=5 y=5 --velocity 50 --buffered || fail "after a path: $(cat out)"
-order plotter move-linear x=0 y=0 --velocity 50 --blend look-ahead || fail "after a path: $(cat out)"
-wait_for plotter '"path_length":[0-9].*"remaining":[0-9].*"commands":[1-9]'
+order plotter move-linear x=5 y=5 --velocity 5 --buffered || fail "after a path: $(cat out)"
+order plotter move-linear x=0 y=0 --velocity 5 --blend look-ahead || fail "after a path: $(cat out)"
+on_path() {
+  "$jounce" monitor plotter --json --seconds 0.3 | grep -q '"path_length":[0-9].*"remaining":[0-9].*"commands":[1-9]'
+}
+soon on_path || fail "no place on the path"
 wait_for plotter '"state":"standstill"'
 
 order plotter override 40% || fail "override: $(cat out)"

@@ -409,6 +409,9 @@ const std::map<std::string, std::string> refused{
     {"googol-pt/as-printed.toml", "must be a whole number of ms"},
     // `check` finds a step of its velocity, which no axis can make.
     {"googol-pt/sine.toml", "start_velocity"},
+    // The kinematics of a group: it has no commands of its own.
+    {"delta/kinematics.toml", "command: is missing"},
+    {"scara/kinematics.toml", "command: is missing"},
     // It begins in the origin of its frame, and the axes of this test stand at 0.
     {"himc-path/frame.toml", "start_position"}};
 

@@ -149,9 +149,11 @@ class Repository(unittest.TestCase):
         self.broken()
         text = self.jounce("check", ".", "--format", "github", folder=self.folder / "cams", status=2).stdout
         commands = [line for line in text.splitlines() if line.startswith("::")]
-        self.assertRegex(commands[0], r"^::error file=cams/bad%2C or not\.toml,line=3,")
-        self.assertRegex(commands[1], r"^::error file=cams/feeder\.toml,line=7,col=1,title=limit/geo_velocity::")
-        self.assertIn("17.2 %25", commands[1])
+        self.assertRegex(commands[0], r"^::error file=cams/bad%2C or not\.toml,title=input/key::start: is missing")
+        self.assertRegex(commands[1], r"^::error file=cams/bad%2C or not\.toml,line=3,col=9,title=input/key::units.position: is missing")
+        self.assertRegex(commands[2], r"^::error file=cams/bad%2C or not\.toml,line=3,")
+        self.assertRegex(commands[3], r"^::error file=cams/feeder\.toml,line=7,col=1,title=limit/geo_velocity::")
+        self.assertIn("17.2 %25", commands[3])
 
     def test_gitlab(self):
         self.broken()
@@ -173,7 +175,7 @@ class Repository(unittest.TestCase):
                       lambda r: r["locations"][0]["physicalLocation"]["region"].update(startLine=0),
                       lambda r: r.pop("message")):
             wrong = copy.deepcopy(sarif)
-            fault(wrong["runs"][0]["results"][0])
+            fault(next(r for r in wrong["runs"][0]["results"] if "region" in r["locations"][0]["physicalLocation"]))
             self.assertFalse(validator.is_valid(wrong), "the schema finds a fault")
         self.write("cams/feeder.toml", "# a comment\n" + CAM.format(name="feeder", master=BROKEN + 1))
         again = json.loads(self.jounce("check", ".", "--format", "sarif", status=2).stdout)
@@ -190,7 +192,7 @@ class Repository(unittest.TestCase):
             suites = junitparser.JUnitXml.fromfile(str(path))
             cases = [case for suite in suites for case in suite]
             self.assertEqual(suites.tests, len(cases))
-            self.assertEqual(suites.errors, 1)
+            self.assertEqual(suites.errors, 3)
             for suite in suites:
                 names = [case.name for case in suite]
                 self.assertEqual(len(names), len(set(names)), "a name is a case")

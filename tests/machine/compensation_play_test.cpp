@@ -83,7 +83,7 @@ TEST(CompensationPlay, IsInTheLogTheStatusAndTheReplay) {
   const auto status = plate.status("x");
   ASSERT_TRUE(status);
   EXPECT_NEAR(status->correction, 0.2548828125, 1e-12) << "the natural spline at s = 2.75";
-  EXPECT_THAT(status_text("x", *status), HasSubstr("compensated +0.254883"));
+  EXPECT_THAT(status_text("x", *status), HasSubstr("compensated 0.254883 mm"));
   // (1 - w) row 1 + w row 2 at the last point of x, half way between 0 and 100.
   EXPECT_NEAR(plate.site.last(1).correction[0], (0.2 + 0.5) / 2, 1e-12);
   EXPECT_FALSE(plate.site.replayed().difference);

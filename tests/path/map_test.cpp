@@ -362,10 +362,10 @@ TEST(Map, OutOfReachIsAnErrorWithItsLineAndItsPlace) {
   p.line({700, 100}, 4);
   const InputError error = error_of(p, scara_map({.arms = {300, 300}}));
   EXPECT_EQ(error.line(), 4);
-  EXPECT_EQ(error.key(), "to");
+  EXPECT_EQ(error.key(), "point");
   EXPECT_THAT(error.rule(), HasSubstr("is out of reach of the joints, at "));
   // The border: x^2 + 100^2 = 600^2; the singular rim of the reach is 1e-12 of it wide.
-  EXPECT_THAT(error.value(), HasSubstr("(591.60797"));
+  EXPECT_THAT(error.value(), HasSubstr("(591.608, 100"));
 }
 
 TEST(Map, AWayAcrossTheBaseAndAFoldedArmAreSingular) {

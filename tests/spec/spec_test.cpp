@@ -198,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{move, "\"s_curve\"", "\"trapezoid\"",
             "a.toml:9:1: move.jerk = 500: is not a key of profile = \"trapezoid\"; possible keys: "
             "acceleration, "
-            "deceleration, from, profile, to, velocity"},
+            "deceleration, from, period, profile, to, velocity"},
         Bad{pvt, "time = 1\n", "time = 0\n",
             "a.toml:11:8: knot[2].time = 0 s: must be greater than 0, the previous knot"},
         Bad{pvt, "velocity = 0\n[[knot]]\ntime = 1\nposition = 5\nvelocity = 0\n", "velocity = 0\n",

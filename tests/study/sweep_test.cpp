@@ -413,7 +413,7 @@ TEST_F(Sweeps, RefuseWhatMakesNoSense) {
   EXPECT_THAT(refused(one + "values = [\"1 deg\"]\n"),
               HasSubstr("deg is not a unit of this quantity"));
   EXPECT_THAT(refused("[[parameter]]\nkey = \"move.to\"\nvalues = [\"1 mm\"]\n"),
-              HasSubstr("must be a number without a unit, as in the spec"));
+              HasSubstr("mm is not a unit of this quantity: give the value without a unit"));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\n"), HasSubstr("count: is missing"));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\ncount = 1\n"), HasSubstr("must be at least 2"));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\ncount = 99999999\n"),

@@ -98,7 +98,7 @@ CamSource read_cam_source(TomlReader& owner, const char* key) {
   if (is_table(text)) return of_table(parse_table(text, path), given, owner, key);
   if (exchange_format_of_text(text) != nullptr)
     return of_table(parse_exchange(text, path), given, owner, key);
-  return of_spec(parse_spec(std::move(text), path), given, owner, key);
+  return of_spec(parse_source(std::move(text), path), given, owner, key);
 }
 
 NamedCam in_units(const CamSource& source, const Units& units, TomlReader& owner, const char* key) {

@@ -102,8 +102,12 @@ void TomlReader::fail_all(const char* key, const std::string& value, const std::
   try {
     fail(key, value, rule);
   } catch (const InputError& error) {
-    report(error);
+    end_all(error);
   }
+}
+
+void TomlReader::end_all(const InputError& error) const {
+  report(error);
   throw PartEnded{};
 }
 

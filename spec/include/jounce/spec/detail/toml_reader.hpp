@@ -13,7 +13,11 @@
 
 #include "jounce/base/document.hpp"
 
-namespace jounce::spec_detail {
+namespace jounce {
+
+struct Spec;
+
+namespace spec_detail {
 
 /// Ends the reading of a part whose error is already in the ErrorList.
 struct PartEnded {};
@@ -211,6 +215,8 @@ class TomlReader {
   [[noreturn]] void fail(const char* key, const std::string& value, const std::string& rule);
   /// Like fail(), for a key that determines the meaning of all others: they are not read.
   [[noreturn]] void fail_all(const char* key, const std::string& value, const std::string& rule);
+  /// Ends the reading of the document with this error, without a search for further ones.
+  [[noreturn]] void end_all(const InputError& error) const;
   void finish();  ///< rejects all keys that were not read
   /// Rejects a key that belongs in another table; `where`: "belongs in the segment, beside end".
   void refuse_here(const char* key, const std::string& where);
@@ -266,10 +272,15 @@ auto read_document(const toml::table& root, const Read& read) {
 /// of syntax.
 toml::table parse_toml(const Document& document);
 
+/// Reads a spec to which another spec refers. Throws its first error: further ones would multiply the
+/// passes of both files.
+Spec parse_source(std::string text, std::string name);
+
 /// Requires the key `jounce = 1`, which every file contains.
 void require_version(TomlReader& top);
 
 /// Returns a value as it is written in the document, for messages.
 std::string shown(const toml::node& node);
 
-}  // namespace jounce::spec_detail
+}  // namespace spec_detail
+}  // namespace jounce
