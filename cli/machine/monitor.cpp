@@ -31,14 +31,15 @@ struct MonitorArguments {
 using dashboard::Watch;
 
 /// `who`: see Watch::silent().
-int give_up(const std::string& who, double seconds, const std::string& url) {
+int give_up(const std::string& who, double seconds, const std::string& url, KeyedLink& link) {
   const std::string what = who == dashboard::any_executor ? "no executor has sent a message"
                                                           : who + " has sent no message";
-  fmt::print(stderr, "jounce: {} for {} s on {}: {}\n", what, seconds, url, unheard_hint);
+  fmt::print(stderr, "jounce: {} for {} s on {}: {}\n", what, seconds, url,
+             who == dashboard::any_executor ? unheard_hint : dashboard::senders_hint(link));
   return fault;
 }
 
-int print_all(Watch& watch, const MonitorArguments& options) {
+int print_all(Watch& watch, const MonitorArguments& options, KeyedLink& link) {
   const auto print = [&](const std::string& axis, const auto& status) {
     fmt::print("{}\n", options.json ? status_json(axis, status) : status_text(axis, status));
     std::fflush(stdout);
@@ -46,23 +47,25 @@ int print_all(Watch& watch, const MonitorArguments& options) {
   for (const Duration duration(options.seconds); duration.goes_on();) {
     options.events ? watch.run(turn, {}, {}, print) : watch.run(turn, print, print, {}, print);
     if (const std::string who = watch.silent(nanos(options.silence)); !who.empty())
-      return give_up(who, options.silence, options.link.url);
+      return give_up(who, options.silence, options.link.url, link);
   }
   const std::string who = watch.missing();
-  return who.empty() ? fine : give_up(who, options.seconds, options.link.url);
+  return who.empty() ? fine : give_up(who, options.seconds, options.link.url, link);
 }
 
 int run_monitor(const MonitorArguments& options) {
   for (const std::string& name : options.executors) require_name_on_bus("NAME", name);
   KeyedLink link = open_link(options.link);
   Watch watch(link.transport(), {.names = options.executors, .key = link.key()});
-  if (options.json || options.events || !dashboard::is_screen()) return print_all(watch, options);
+  if (options.json || options.events || !dashboard::is_screen())
+    return print_all(watch, options, link);
   const dashboard::View view{.ascii = options.ascii || !dashboard::is_utf8(),
                              .silence = nanos(options.silence)};
   const Duration duration(options.seconds);
   const bool received =
       show_axes(watch, link.transport(), view, link.key(), [&] { return duration.goes_on(); });
-  return received ? fine : give_up(watch.silent(view.silence), options.silence, options.link.url);
+  return received ? fine
+                  : give_up(watch.silent(view.silence), options.silence, options.link.url, link);
 }
 
 }  // namespace

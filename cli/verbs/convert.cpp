@@ -71,7 +71,10 @@ int run_convert(const ConvertArguments& options) {
     fmt::print(
         out, "{}{}", conversion_text(input, made, form, lost),
         writes ? ""
-               : "nothing was written: give --tolerance, or accept the error with --allow-loss\n");
+        : options.intervals > 0
+            ? "nothing was written: give more --intervals, or accept the error with "
+              "--allow-loss\n"
+            : "nothing was written: give --tolerance, or accept the error with --allow-loss\n");
   return writes ? fine : finding;
 }
 

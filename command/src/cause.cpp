@@ -145,9 +145,11 @@ constexpr std::array entries{
           "time."},
     Entry{Cause::start_position, "start_position",
           "The table does not begin at the position of the axis.",
-          "Move the axis to the start of the table (`jounce order NAME move --to POSITION`), start "
-          "the executor with --adopt-start, or send the table with --rolling --relative. If a live "
-          "master moves, use --start-at, or start = \"ramp_in\" in [coupling]."},
+          "Move the axis to the start of the table (`jounce order NAME move --to POSITION`), or "
+          "start "
+          "the executor with --adopt-start. A table over time also begins at the position of the "
+          "axis with --rolling --relative. With a live master, use --start-at, or start = "
+          "\"ramp_in\" in [coupling]."},
     Entry{Cause::start_velocity, "start_velocity", "The table does not begin at rest.",
           "Add a ramp at the start. The permitted step of the velocity is the acceleration limit "
           "times one cycle."},

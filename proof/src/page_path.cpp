@@ -62,9 +62,9 @@ Section path_section(const Input& input) {
   if (const auto figure = path_figure(input))
     section.blocks.emplace_back(
         Image{svg(*figure), "The path, colored by its speed",
-                "The path in the plane of " + input.spec->axes[0].name + " and " +
-                    input.spec->axes[1].name +
-                    ". Its color shows the speed. Marked are the places that cost most time."});
+              "The path in the plane of " + input.spec->axes[0].name + " and " +
+                  input.spec->axes[1].name +
+                  ". Its color shows the speed. Marked are the places that cost most time."});
   section.blocks.emplace_back(facts_of(summary, units));
   section.blocks.emplace_back(places_of(summary, units));
   return section;

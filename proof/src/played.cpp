@@ -152,7 +152,10 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
     const bool shows_end = has_ended && !ticks.empty() && tick > ticks.back().tick + 1;
     if (current != "0" || shows_end) ticks.push_back({tick, now - start, at, now});
   }
-  if (ticks.empty()) throw InputError("job", "", "the log contains no motion").at(name);
+  if (ticks.empty())
+    throw InputError(
+        "", "", "contains no motion of a table: give the log of the axis that played the table")
+        .at(name);
   return ticks;
 }
 
@@ -165,7 +168,8 @@ Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& desi
       farthest(ticks, [&](const PlayedTick& t) { return designed.table(at(t)).position; });
   played.table.limit = rounding(ticks, designed);
   add(played.report, "played/table", played.table,
-      "the executor played another table than the one designed");
+      "the executor played another table than the one designed, or a fault ended the motion: see "
+      "the column fault of the log");
   if (designed.curve) {
     Deviation curve = farthest(ticks, [&](const PlayedTick& t) { return designed.curve(at(t)); });
     curve.limit = designed.tolerance + played.table.limit;

@@ -154,6 +154,7 @@ ReportPage report_page(const Input& input, const std::optional<Input>& before,
   Report all = report;
   all.findings.insert(all.findings.end(), proof.report.findings.begin(),
                       proof.report.findings.end());
+  sort(all);
 
   Page page{.title = input.name,
             .subtitle = "Motion table report",

@@ -286,6 +286,7 @@ void read_body(TomlReader& top, Spec& spec) {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (const Kind& kind : kinds) all.emplace_back(kind.name);
+    all.emplace_back("machine");  // never returned: refuse_other_kinds() rejects it
     return all;
   }();
   refuse_other_kinds(top);

@@ -136,7 +136,9 @@ TEST(Played, RefusesWhatIsNoLog) {
             "run.csv:1: tick: is missing: the file is not a tick log of `jounce run --log`");
   EXPECT_EQ(complaint("a,b\n1,2\n"),
             "run.csv:1: tick: is missing: the file is not a tick log of `jounce run --log`");
-  EXPECT_EQ(complaint(header), "run.csv: job: the log contains no motion");
+  EXPECT_EQ(complaint(header),
+            "run.csv: contains no motion of a table: give the log of the axis that played the "
+            "table");
   EXPECT_EQ(complaint(header + "0,0,standstill,0,0,0,none\n1,0.1,discr"),
             "run.csv:3: row = 1,0.1,discr: must have as many values as the header");
   EXPECT_EQ(complaint(header + "0,0,discrete_motion,0,nan,1,none\n"),

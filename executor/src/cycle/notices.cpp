@@ -73,15 +73,16 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
              (options.units.position.empty() ? "" : " " + options.units.position);
     };
     return "the motion begins at " + at(refusal.value) + ", but the present motion ends at " +
-           at(refusal.limit) +
-           " (start_position): begin it there, or wait for the end of the present motion.";
+           at(refusal.limit) + " (start_position): first move there (`move --to " +
+           at(refusal.value) + " --buffered`), or send a motion that begins at " +
+           at(refusal.limit) + ".";
   }
   const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;
   if (!fault || now.fault == Cause::none) return words;
-  const std::string why =
-      std::string(name(refusal.cause)) +
-      (refusal.cause == Cause::in_error ? ": the fault is " : ": disabled since the fault ") +
-      name(now.fault);
+  const std::string why = std::string(name(refusal.cause)) +
+                          (refusal.cause == Cause::in_error ? ": the axis has the fault "
+                                                            : ": disabled since the fault ") +
+                          name(now.fault);
   const std::string whole = why + ": " + meaning(now.fault);
   return whole.size() < wire::reason_bytes
              ? whole

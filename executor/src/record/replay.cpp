@@ -373,7 +373,8 @@ Replay replay(std::istream& in, const std::string& name,
   }
   if (reader.cut())
     replayer.end("the file is cut off at byte " + std::to_string(reader.offset()) +
-                 replayer.after());
+                 replayer.after() +
+                 ": copy the record again from the machine, or end its run first");
   Replay result = replayer.finish(reader.cut());
   if (result.axes.empty())
     throw InputError("", "", "is not a record of `jounce run --record`: it has no axis").at(name);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/printable.hpp"
+#include "jounce/command/state.hpp"
 #include "jounce/executor/log.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
@@ -41,17 +42,21 @@ std::string replay_text(const Replay& r, const std::string& file) {
   for (const Replay::Master& master : r.masters)
     text += fmt::format("master {}: {}, lost in {}\n", master.name, counted(master.cycles, "cycle"),
                         master.lost);
+  if (!r.damage.empty())
+    text += fmt::format("damaged: {}: copy the record again from the machine\n", r.damage);
   if (r.difference) {
     const Replay::Difference& d = *r.difference;
+    const auto value = [&](double x) {
+      return std::string_view(d.what.field) == "state" ? std::string(name(static_cast<State>(x)))
+                                                       : number(x);
+    };
     text += fmt::format("differs: {} {}, tick {}: {} is {} in the record, {} replayed\n",
                         d.of_master ? "master" : "axis", whose(r), d.tick, d.what.field,
-                        number(d.what.recorded), number(d.what.replayed));
+                        value(d.what.recorded), value(d.what.replayed));
   } else if (r.compared > 0) {
     text += fmt::format("replayed: {}, identical to the last bit\n", counted(r.compared, "cycle"));
   }
-  if (!r.damage.empty())
-    text += fmt::format("damaged: {}: copy the record again from the machine\n", r.damage);
-  else if (!r.has_checksums)
+  if (r.damage.empty() && !r.has_checksums)
     text +=
         "no checksums: an older jounce wrote this record, so damage to its inputs may be missed\n";
   if (!r.shorter.empty()) text += fmt::format("not replayed to its end: {}\n", r.shorter);

@@ -80,8 +80,9 @@ bool is_broken(const Bound& bound, double value) {
 const char* advice_at(const profiles_detail::Ends& extent, double where, std::size_t k) {
   if (where == extent.end && extent.repeats)
     return k == 0
-               ? "the motion repeats: let it end at its first position, or, if it gains a distance "
-                 "in each period, set slave_period in a cam, or outside = \"advance\" otherwise"
+               ? "the motion repeats: let it end at its first position. If it gains a distance in "
+                 "each period, set slave_period (a cam) or outside = \"advance\" (a motion over "
+                 "time)"
                : "the motion repeats: let it end as it begins";
   constexpr std::array ends{"", "the motion stops here: let it end at velocity 0",
                             "the motion stops here: let it end at acceleration 0",
