@@ -1421,7 +1421,7 @@ TEST_F(Cli, ConvertStatesItsLoss) {
   EXPECT_NEAR(summary["error"].get<double>(), 0.0024, 1e-4);  // h^2 max|f''| / 8 = 0.0191943 / 8
   const Result coarse = run("convert a.toml c.txt --intervals 6");
   EXPECT_EQ(coarse.status, 1);
-  EXPECT_THAT(coarse.out, HasSubstr("nothing was written: give --tolerance"));
+  EXPECT_THAT(coarse.out, HasSubstr("nothing was written: give more --intervals"));
   EXPECT_FALSE(std::filesystem::exists(folder / "c.txt"));
   EXPECT_EQ(run("convert a.toml c.txt --intervals 6 --allow-loss").status, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "c.txt"));

@@ -73,9 +73,8 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
              (options.units.position.empty() ? "" : " " + options.units.position);
     };
     return "the motion begins at " + at(refusal.value) + ", but the present motion ends at " +
-           at(refusal.limit) + " (start_position): first move there (`move --to " +
-           at(refusal.value) + " --buffered`), or send a motion that begins at " +
-           at(refusal.limit) + ".";
+           at(refusal.limit) + " (start_position): first send `move --to " +
+           six_digits(refusal.value) + options.units.position + " --buffered`.";
   }
   const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;
   if (!fault || now.fault == Cause::none) return words;
