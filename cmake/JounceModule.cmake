@@ -16,7 +16,8 @@
 # The sources are compiled in batches, but those in APART (see jounce_unity).
 #
 # The release build compiles a module at -O3. A PLANNING module computes motions before they begin, and evaluates none in a
-# cycle: it is compiled at -O2, in six sevenths of the time. A LIGHT module reads, writes and prints: -O1, in two thirds.
+# cycle: it is compiled at -O2, in six sevenths of the time. A LIGHT module reads, writes and prints, or spends its time in the
+# modules and libraries that it calls: -O1, in two thirds.
 set(JOUNCE_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   list(APPEND JOUNCE_WARNINGS -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
