@@ -140,6 +140,17 @@ std::string table_advice(const Finding& f, std::size_t order, double length, con
                      words.x(length), words.at_least(length * slower));
 }
 
+/// The advice for a limit of the position over time.
+std::string position_advice(const Input& input, const Finding& f) {
+  if (!input.spec) return "shift or shorten the motion, or raise the limit";
+  if (!std::holds_alternative<Table>(input.spec->subject) || !input.spec->then.empty())
+    return "move the target into the position range, or widen the range";
+  const Trajectory& curve = std::get<Trajectory>(*input.curve);
+  if (stretch_of(curve, input.labels, f, 0).at_end)
+    return "move this point into the position range, or widen the range";
+  return "the curve leaves the range between two points: lower the velocities of these points";
+}
+
 std::string over_time(const Input& input, const Finding& f, std::size_t order) {
   const Trajectory& curve = std::get<Trajectory>(*input.curve);
   const Words words{input.labels};
@@ -164,9 +175,12 @@ void advise_on_limits(const Input& input, Report& report) {
         f.advice = "change the spec from which the table was made, or raise the limit";
     return;
   }
-  for (Finding& f : report.findings)
+  for (Finding& f : report.findings) {
     if (const std::size_t order = order_of(f, OverTime::names); order > 0)
       f.advice = over_time(input, f, order);
+    else if (f.broken && f.segment && f.rule.name().starts_with("position"))
+      f.advice = position_advice(input, f);
+  }
 }
 
 void advise_on_limits(const Cam& cam, const Labels& labels, Report& report) {

@@ -90,7 +90,8 @@ void AxisServer::close() {
 // ---- requests ----------------------------------------------------------------------------------
 
 void AxisServer::handle(const TableReady& ready) {
-  notify("table " + hex(ready.table.hash).substr(0, 16) + ", " +
+  const bool over_time = ready.table.table->axis() == Domain::time;
+  notify((over_time ? "table over time " : "cam ") + hex(ready.table.hash).substr(0, 16) + ", " +
          std::to_string(ready.table.table->size()) + " knots");
   if (options_.trace != nullptr) options_.trace->add(axis_, ready.table);
 }
