@@ -63,10 +63,7 @@ std::optional<LcmEvent> LcmLogReader::next() {
     throw InputError(where + key, value, rule).at(name_);
   };
   if (get(bytes, 0, 4) != sync_word && events_ == 0)
-    throw InputError("", "",
-                     "is not a record of `jounce run --record`: an LCM log begins with "
-                     "another word")
-        .at(name_);
+    throw InputError("", "", "is not a record of `jounce run --record`").at(name_);
   if (get(bytes, 0, 4) != sync_word)
     fail("sync word", "", "is missing: the record is damaged here");
   const std::int64_t channel = length(bytes, 20);

@@ -168,7 +168,8 @@ double quantity(std::string_view text, std::string_view unit) {
     throw InputError(
         "", shown,
         "must be a finite number, with or without a unit" +
-            (unit.empty() ? std::string() : ", such as \"12.5 " + std::string(unit) + '"'));
+            (unit.empty() || unit == "1" ? std::string()
+                                         : ", such as \"12.5 " + std::string(unit) + '"'));
   if (given.empty()) return *value;
   if (!is_unit(given) || has_second_number(given))
     throw InputError(

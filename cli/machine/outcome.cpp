@@ -18,13 +18,14 @@ int status_of(const CallOutcome& outcome, std::initializer_list<StreamError> fin
 }
 
 int report_outcome(const CallOutcome& outcome, const std::string& executor, const std::string& json,
-                   const std::string& done, std::initializer_list<StreamError> findings) {
+                   const std::string& done, std::initializer_list<StreamError> findings,
+                   KeyedLink& link) {
   if (!json.empty())
     print_json(json);
   else if (outcome.ok())
     fmt::print("{}\n", done);
   else
-    fmt::print(stderr, "jounce: {}\n", error_text(outcome, executor));
+    fmt::print(stderr, "jounce: {}\n", dashboard::error_text(outcome, executor, link));
   return status_of(outcome, findings);
 }
 

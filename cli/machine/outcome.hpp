@@ -5,6 +5,7 @@
 #include <string>
 
 #include "jounce/machine/outcome_text.hpp"
+#include "jounce/machine/watch.hpp"
 
 namespace jounce::cli {
 
@@ -12,8 +13,9 @@ namespace jounce::cli {
 int status_of(const CallOutcome& outcome, std::initializer_list<StreamError> findings);
 
 /// Prints an outcome and returns its exit status: the JSON document, if it is not empty; otherwise
-/// `done`, or the error on standard error.
+/// `done`, or the error on standard error. Without an answer, it lists the executors on the link.
 int report_outcome(const CallOutcome& outcome, const std::string& executor, const std::string& json,
-                   const std::string& done, std::initializer_list<StreamError> findings);
+                   const std::string& done, std::initializer_list<StreamError> findings,
+                   KeyedLink& link);
 
 }  // namespace jounce::cli

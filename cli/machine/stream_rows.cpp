@@ -47,8 +47,7 @@ BankPlan bank_plan_of(const StreamArguments& options) {
 int stream_rolling(const StreamArguments& options) {
   if (is_of_tables(options)) {
     throw InputError("--rolling", "",
-                     "cannot be combined with --swap, --master, --live and --until: it sends one "
-                     "table over time");
+                     "sends one table over time: omit --swap, --master, --live and --until");
   }
   RowPlan plan = row_plan_of(options);
   KeyedLink link = open_link(options.link);
@@ -63,7 +62,7 @@ int stream_rolling(const StreamArguments& options) {
   const RowOutcome outcome = stream_rows(link.transport(), std::move(plan), rolling);
   return report_outcome(outcome, options.to, options.json ? rows_json(outcome) : "",
                         rows_text(outcome, options.to),
-                        {StreamError::refused, StreamError::underrun});
+                        {StreamError::refused, StreamError::underrun}, link);
 }
 
 int play(const BankPlan& plan, const StreamArguments& options, BankOptions::Until until,
@@ -80,14 +79,14 @@ int play(const BankPlan& plan, const StreamArguments& options, BankOptions::Unti
   return report_outcome(
       outcome, options.to, options.json ? outcome_json(outcome) : "",
       fmt::format("{} at {}: {}", what, options.to, work.interrupted() ? "stopped" : end),
-      {StreamError::refused});
+      {StreamError::refused}, link);
 }
 
 int stream_banks(const StreamArguments& options) {
   if (options.rolling || is_of_tables(options)) {
-    throw InputError("--bank", options.bank,
-                     "cannot be combined with --rolling, --swap, --master, --live and --until: it "
-                     "fills two banks of rows");
+    throw InputError(
+        "--bank", options.bank,
+        "fills two banks of rows: omit --rolling, --swap, --master, --live and --until");
   }
   return play(bank_plan_of(options), options, BankOptions::Until::finished,
               options.file + " and " + options.bank, "finished");

@@ -109,7 +109,7 @@ int stream_follow(const Input& input, const StreamArguments& options) {
 }
 
 int report(const std::vector<std::string>& names, const std::vector<StreamOutcome>& outcomes,
-           const StreamArguments& options) {
+           const StreamArguments& options, KeyedLink& link) {
   int status = fine;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const StreamOutcome& outcome = outcomes[i];
@@ -119,7 +119,8 @@ int report(const std::vector<std::string>& names, const std::vector<StreamOutcom
     if (outcome.ok())
       fmt::print("{}: {}\n", names[i], group_text(outcome, !options.no_wait));
     else
-      fmt::print(stderr, "jounce: {}: {}\n", names[i], error_text(outcome, names[i]));
+      fmt::print(stderr, "jounce: {}: {}\n", names[i],
+                 dashboard::error_text(outcome, names[i], link));
   }
   if (options.json) print_json(group_json(names, outcomes));
   return status;
@@ -168,7 +169,7 @@ int stream_table(const StreamArguments& options) {
                      (!options.start_at.empty() || options.at_next_cut || !options.swaps.empty());
   return report_outcome(outcome, options.to, options.json ? stream_json(outcome) : "",
                         stream_text(outcome, options.to, waits),
-                        {StreamError::refused, StreamError::dropped});
+                        {StreamError::refused, StreamError::dropped}, link);
 }
 
 int stream_group(const StreamArguments& options) {
@@ -200,7 +201,7 @@ int stream_group(const StreamArguments& options) {
                            .tick = tick_of(options, link, names.front()),
                            .watch = !options.no_wait};
   return report(names, jounce::stream_group(link.transport(), std::move(plans), group, stream),
-                options);
+                options, link);
 }
 
 }  // namespace jounce::cli

@@ -17,6 +17,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/controllers/time_table_limits.hpp"
 #include "jounce/design/disc.hpp"
+#include "jounce/design/limit_advice.hpp"
 #include "jounce/design/sync_check.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
@@ -215,6 +216,7 @@ Report check_curve(const Input& input, int continuity) {
   const Table& table = input.table.table;
   Report report = of_motion(input, [&](const auto& motion) { return check(motion, input.limits); });
   keep_worst(report, input.labels);
+  advise_on_limits(input, report);
   if (input.plan)
     for (Finding& f : report.findings)
       if (f.broken && f.rule.name().starts_with("position"))

@@ -281,10 +281,12 @@ Trajectory master_of(const Spec& spec) {
 Report table_warnings(const Spec& spec) {
   if (!spec.then.empty()) return {};
   if (spec.polydyne) return driven(spec, output_of(spec).cam).warnings;
-  if (const auto* table = std::get_if<TimeTableSpec>(&spec.subject)) return warnings_of(*table);
+  const std::string unit = rate_unit(spec.units.position, spec.units.x, 1);
+  if (const auto* table = std::get_if<TimeTableSpec>(&spec.subject))
+    return warnings_of(*table, unit);
   const auto* knots = std::get_if<Table>(&spec.subject);
   if (knots == nullptr) return {};
-  Report report = overshoot(*knots);
+  Report report = overshoot(*knots, unit);
   Report steps = velocity_steps(*knots);
   std::move(steps.findings.begin(), steps.findings.end(), std::back_inserter(report.findings));
   return report;

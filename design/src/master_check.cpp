@@ -111,14 +111,15 @@ Finding acceleration_finding(const Cam& cam, const Spec& spec) {
   f.unit = master_rate_unit(spec, 2);
   f.advice = fmt::format(
       "the slave reaches limits.slave.{0} at any speed of the master: lower acceleration in "
-      "[master] to at most {1}",
-      limit.quantity, rounded(limit.value));
+      "[master] to at most {1} {2}",
+      limit.quantity, rounded(limit.value), f.unit);
   const SpeedUnit speed_unit = master_speed_unit(spec);
   const double steady = greatest_master_velocity(cam, spec.slave).value;
   if (spec.master->velocity > steady)
-    f.advice += fmt::format(
-        ", and velocity to at most {}",
-        speed_unit.name == master_rate_unit(spec, 1) ? rounded(steady) : speed_text(steady, spec));
+    f.advice +=
+        fmt::format(", and velocity to at most {}", speed_unit.name == master_rate_unit(spec, 1)
+                                                        ? rounded(steady) + " " + speed_unit.name
+                                                        : speed_text(steady, spec));
   return f;
 }
 

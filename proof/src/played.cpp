@@ -21,7 +21,8 @@ struct LogPlace {
   const std::string& name;
   int line;
 
-  [[noreturn]] void fail(const std::string& key, std::string_view value, const char* rule) const {
+  [[noreturn]] void fail(const std::string& key, std::string_view value,
+                         const std::string& rule) const {
     throw InputError(key, std::string(value), rule).at(name, line);
   }
 };
@@ -39,8 +40,9 @@ std::size_t column(const std::vector<std::string_view>& header, std::string_view
     return cell.substr(0, cell.find(' ')) == wanted;
   });
   if (it == header.end())
-    place.fail(std::string(wanted), "",
-               "is missing: the file is not a tick log of `jounce run --log`");
+    place.fail("", "",
+               "has no column " + std::string(wanted) +
+                   ": the file is not a tick log of `jounce run --log`");
   return static_cast<std::size_t>(it - header.begin());
 }
 

@@ -114,6 +114,7 @@ std::string with_unit(double value, const std::string& unit) {
 
 std::string Labels::unit_of(const std::string& quantity) const {
   if (quantity == "time") return units.x;
+  if (quantity == "slave") return units.position;
   const auto& names = over_master ? OverMaster::names : OverTime::names;
   for (std::size_t k = 0; k < names.size(); ++k)
     if (quantity == names[k] || quantity == std::string("step of ") + names[k] ||

@@ -52,17 +52,18 @@ Finding tidy(Finding f) {
 }
 
 /// Verdict of a curve against a limit, with its margin.
-std::string verdict(const Finding& finding) {
+std::string verdict(const Finding& finding, const std::string& unit) {
   // The limit of a master is not in the spec: it follows from those of the slave.
   const bool derived = finding.rule.text().starts_with("limit/master_");
-  const std::string limit = rounded(finding.limit) + (derived ? " (from limits.slave)" : "");
+  const std::string limit =
+      with_unit(finding.limit, unit) + (derived ? " (from limits.slave)" : "");
   if (std::isinf(finding.limit) && !finding.broken) return "has no limit";
   if (derived && finding.broken && finding.limit == 0)
     return "is not possible: the slave exceeds a limit here at any speed of the master";
   if (finding.broken && is_position_limit(finding))
     return fmt::format("{} the limit {} by {}",
                        finding.value > finding.limit ? "exceeds" : "is below", limit,
-                       rounded(std::abs(finding.value - finding.limit)));
+                       with_unit(std::abs(finding.value - finding.limit), unit));
   if (finding.rule == "follower/contact")  // its margin is no share of the limit
     return finding.broken && finding.limit == 0
                ? "shows that the follower lifts off"
@@ -70,6 +71,7 @@ std::string verdict(const Finding& finding) {
   if (is_least(finding))
     return fmt::format("is {} {} the minimum {}", percent(finding.margin),
                        finding.broken ? "below" : "above", limit);
+  if (finding.margin < -1000) return "is more than 1000 times the limit " + limit;
   if (finding.margin < -10)
     return fmt::format("is {:.3g} times the limit {}", 1 - finding.margin, limit);
   if (finding.broken && finding.value < finding.limit &&
@@ -99,17 +101,18 @@ std::string of_bound(const Finding& f, const std::string& where) {
 }
 
 /// Findings that are allowed but perhaps not intended.
-std::string of_warning(const Finding& f, const std::string& value, const std::string& where) {
+std::string of_warning(const Finding& f, const std::string& value, const std::string& where,
+                       const std::string& unit) {
   if (f.rule == "warning/no_limits" && f.quantity != "limits")
     return f.quantity + " is not checked: the check compares the motion with nothing";
   if (f.rule == "warning/no_limits")
     return "no limit is given: the check compares the motion with nothing";
   if (f.rule == "warning/overshoot")
     return fmt::format("position {} at {} is beyond the segment's end {} by {} of the travel",
-                       value, where, rounded(f.limit), percent(f.margin));
+                       value, where, with_unit(f.limit, unit), percent(f.margin));
   if (f.rule == "warning/velocity_overshoot")
     return fmt::format("{} {} at {} exceeds {}, the {} at the end of the segment", f.quantity,
-                       value, where, rounded(f.limit), f.quantity);
+                       value, where, with_unit(f.limit, unit), f.quantity);
   if (f.rule == "warning/reversal")
     return fmt::format("the segment reverses: {} is {} at {}", f.quantity, value, where);
   return fmt::format("{} {} at {} has the opposite sign of the {} at both ends of the segment",
@@ -139,7 +142,7 @@ std::string of_compare(const Finding& f, const std::string& value, const std::st
 
 /// Findings of a coupling without a limit: a step, a figure, or a start that it refuses.
 std::string of_coupling(const Finding& f, const std::string& value, const std::string& where) {
-  const bool steps = f.value != 0;
+  const bool steps = f.broken;
   if (f.rule == "coupling/start")
     return steps ? fmt::format("{} steps by {} where the slave engages, at {}", f.quantity, value,
                                where)
@@ -216,8 +219,10 @@ std::string of_unstable_loop(const Finding& f, const std::string& where) {
 /// A quantity against its limit.
 std::string of_limit(const Finding& f, const Labels& labels, const std::string& where) {
   const bool met = !f.broken && std::abs(f.margin) < just_met;
-  return fmt::format("{} {} at {} {}", f.quantity,
-                     with_unit(met ? f.limit : f.value, labels.unit_of(f)), where, verdict(f));
+  const bool of_whole = f.quantity.starts_with("rms ");  // an rms has no place
+  return fmt::format(
+      "{} {} {} {}", f.quantity, with_unit(met ? f.limit : f.value, labels.unit_of(f)),
+      of_whole ? "over the whole motion" : "at " + where, verdict(f, labels.unit_of(f)));
 }
 
 }  // namespace
@@ -231,7 +236,7 @@ std::string sentence(const Finding& exact, const Labels& labels) {
   switch (f.rule.family()) {
     case RuleFamily::table:
       return fmt::format("the table differs from the exact curve by {} at {}; {} is permitted",
-                         value, where, rounded(f.limit));
+                         value, where, with_unit(f.limit, labels.unit_of(f)));
     case RuleFamily::continuity:
       return of_step(f, value, where);
     case RuleFamily::joint:
@@ -241,7 +246,7 @@ std::string sentence(const Finding& exact, const Labels& labels) {
     case RuleFamily::identity:
       return of_bound(f, where);
     case RuleFamily::warning:
-      return of_warning(f, value, where);
+      return of_warning(f, value, where, labels.unit_of(f));
     case RuleFamily::fill:
       return of_fill(f, value, where, labels);
     case RuleFamily::pt:

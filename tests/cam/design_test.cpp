@@ -285,7 +285,8 @@ TEST(Design, NamesWhatContradictsItself) {
   spec.segments = {{Law::modified_sine, {100, 50}}};
   spec.segments[0].points = {{.master = 50, .slave = 3}};
   EXPECT_EQ(complaint(spec),
-            "segment[1].points = 1: the law `modified_sine` takes no points: use polynomial, "
+            "segment[1].points: the law modified_sine takes no points: leave them out, or use "
+            "polynomial, "
             "cubic_spline, quintic_spline or hermite");
 
   spec.segments = {{Law::quintic, {100, std::nan(""), {}, {}}, ""}};

@@ -29,7 +29,7 @@ refused() {  # refused STATUS WORDS ARGUMENTS...
 "$jounce" new move -o move.toml
 order bare disable || fail "disable: $(cat out)"
 "$jounce" stream move.toml --to bare > out 2>&1 && fail "a table for a disabled axis"
-grep -q 'refused: not_enabled: The axis or group is disabled. Enable it: `jounce order bare enable`.' out ||
+grep -q 'rejected: not_enabled: The axis is disabled. Enable it: `jounce order bare enable`.' out ||
   fail "no remedy: $(cat out)"
 order bare enable || fail "enable: $(cat out)"
 

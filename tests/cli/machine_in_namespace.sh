@@ -52,7 +52,7 @@ done
 tail -1 run.virtual.csv | cut -d, -f6 | grep -qx 50 || fail "the log of the virtual axis does not end at 50 mm"
 
 "$1" stream line.toml --to nobody --patience 1 2> said && fail "somebody answered"
-grep -q 'no_answer.*check that it is running, with the same --url and the same --key' said || fail "no hint: $(cat said)"
+grep -q 'no answer from.*check that it is running, with the same --url and the same --key' said || fail "no hint: $(cat said)"
 "$1" master line.toml --as line --noise 5deg 2> said && fail "degrees of a line in mm"
 grep -q -- '--noise = 5deg' said || fail "--noise is not named: $(cat said)"
 "$1" master line.toml --as line --noise 20um --resolution 0.05 --epoch 3 --seconds 0.2 --before 0 --json > said ||

@@ -186,7 +186,7 @@ TEST(Exchange, NamesFileLineKeyValueAndRule) {
   EXPECT_EQ(complaint(replaced(good, "1\t2", "0\t2")),
             "t:3: knot[2].master = 0: must be greater than 0, the previous knot");
   EXPECT_EQ(complaint(replaced(good, "2\t3\t0\t0", "2\t3\t0")),
-            "t:4: row = 3 values: must have 4, one for each column of the header");
+            "t:4: has 3 values, but the header has 4 columns");
   EXPECT_EQ(complaint(replaced(good, "X\tY\tV\tA", "X\tY\tA\tV")).substr(0, 13), "t:1: columns ");
   EXPECT_EQ(
       complaint("5\n0;0\n1;1\n"),

@@ -58,11 +58,11 @@ TEST(Points, NameWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint("time [furlong]\n0\n"), "p.csv:1: time = furlong: is not a unit");
   EXPECT_EQ(complaint("time,time\n0,1\n"), "p.csv:1: time: is the name of two columns: remove one");
   EXPECT_EQ(complaint("time,position\n0,1\n1\n"),
-            "p.csv:3: row = 1 value: must have 2, one for each column of the header");
+            "p.csv:3: has 1 value, but the header has 2 columns");
   EXPECT_EQ(complaint("time,position\n0,1\n1,2,3\n"),
-            "p.csv:3: row = 3 values: must have 2, one for each column of the header");
+            "p.csv:3: has 3 values, but the header has 2 columns");
   EXPECT_EQ(complaint("time,position\n0,0\n0,5,1,25\n"),
-            "p.csv:3: row = 4 values: must have 2, one for each column of the header: decimal "
+            "p.csv:3: has 4 values, but the header has 2 columns: decimal "
             "commas need "
             "semicolons between columns");
   EXPECT_EQ(complaint("time,position\n0,1\n1,\n"),
@@ -147,7 +147,7 @@ TEST(Points, MayEndEachLineWithASeparator) {
   const Points p = parse_points("time;position;\n0;1;\n1;2;;\n2;3\n", "p.csv");
   EXPECT_THAT(p.find("position")->values, ElementsAre(1, 2, 3));
   EXPECT_EQ(complaint("time;position;\n0;1;x\n"),
-            "p.csv:2: row = 3 values: must have 2, one for each column of the header");
+            "p.csv:2: has 3 values, but the header has 2 columns");
 }
 
 TEST(Points, ConvertOnlyWhatMeasuresTheSame) {

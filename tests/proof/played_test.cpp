@@ -133,9 +133,9 @@ std::string complaint(const std::string& csv) {
 
 TEST(Played, RefusesWhatIsNoLog) {
   EXPECT_EQ(complaint(""),
-            "run.csv:1: tick: is missing: the file is not a tick log of `jounce run --log`");
+            "run.csv:1: has no column tick: the file is not a tick log of `jounce run --log`");
   EXPECT_EQ(complaint("a,b\n1,2\n"),
-            "run.csv:1: tick: is missing: the file is not a tick log of `jounce run --log`");
+            "run.csv:1: has no column tick: the file is not a tick log of `jounce run --log`");
   EXPECT_EQ(complaint(header),
             "run.csv: contains no motion of a table: give the log of the axis that played the "
             "table");

@@ -48,8 +48,7 @@ TEST(Overshoot, OfHmplsExampleIsNamedSegmentBySegment) {
     EXPECT_EQ(f.limit, 0);
     EXPECT_THAT(f.advice,
                 HasSubstr("the end velocities are 0 and 1000, the mean velocity is 76.6665"));
-    EXPECT_THAT(f.advice,
-                HasSubstr("does not overshoot if both end velocities are between 0 and 230"));
+    EXPECT_THAT(f.advice, HasSubstr("does not overshoot if both velocities are between 0 and 230"));
     EXPECT_THAT(f.advice, HasSubstr("if the segment takes at most 0.459999 instead of 2"));
   }
 }

@@ -25,7 +25,7 @@ TEST(ReportText, SaysWhereByHowMuchAndInWhichUnit) {
   const auto [report, labels] = fig_6_14();
   EXPECT_EQ(sentence(report.findings[0], labels),
             "geo_velocity -3.39227 pulse/pulse at 241.898 pulse (segment 3 return) exceeds the "
-            "limit -3 by 13.1 %");
+            "limit -3 pulse/pulse by 13.1 %");
   EXPECT_EQ(one_line(report, labels),
             "2 findings; the worst: " + sentence(report.findings[0], labels));
 }
@@ -40,11 +40,11 @@ TEST(ReportText, AValueUnderALowerLimitIsBelowIt) {
   f.margin = -0.0929;
   f.broken = true;
   const Labels labels{{"deg", "mm"}, true, {}};
-  EXPECT_TRUE(sentence(f, labels).ends_with("is 9.29 % below the lower limit 70"))
+  EXPECT_TRUE(sentence(f, labels).ends_with("is 9.29 % below the lower limit 70 mm"))
       << sentence(f, labels);
   f.value = -80;
   f.limit = -70;
-  EXPECT_TRUE(sentence(f, labels).ends_with("exceeds the limit -70 by 9.29 %"))
+  EXPECT_TRUE(sentence(f, labels).ends_with("exceeds the limit -70 mm by 9.29 %"))
       << sentence(f, labels);
 }
 
@@ -86,7 +86,7 @@ TEST(ReportText, WarnsWithoutBreakingAndKeepsNotesForMachines) {
             "Ca 5.7735 at 25 deg is 21.5 % above 4.753, the minimum for its jerk");
   const std::string text = full_text(report, labels);
   EXPECT_NE(text.find("  warn   warning/velocity_overshoot geo_velocity 1.512 mm/deg at 72 deg "
-                      "exceeds 1, the geo_velocity at the end of the segment"),
+                      "exceeds 1 mm/deg, the geo_velocity at the end of the segment"),
             std::string::npos)
       << text;
   EXPECT_EQ(text.find("bound/"), std::string::npos) << "a note is no line";
@@ -108,9 +108,9 @@ TEST(ReportText, ARoundingErrorBesideTheTravelIsZero) {
   f.severity = Severity::warning;
   const Labels labels{{"deg", "mm"}, true, {}};
   EXPECT_EQ(sentence(f, labels),
-            "position -0.02 mm at 72 deg is beyond the segment's end 0 by 0.1 % of the travel");
+            "position -0.02 mm at 72 deg is beyond the segment's end 0 mm by 0.1 % of the travel");
   f.limit = 1e-4;
-  EXPECT_NE(sentence(f, labels).find("end 0.0001 by"), std::string::npos) << "not rounding";
+  EXPECT_NE(sentence(f, labels).find("end 0.0001 mm by"), std::string::npos) << "not rounding";
   EXPECT_EQ(rounded(2e-9, 1), "2e-09");
   EXPECT_EQ(rounded(2e-9, 10), "0");
 }

@@ -76,7 +76,7 @@ TEST_F(PointFile, IsNamedWithTheLineOfAMistake) {
   EXPECT_THAT(complaint(pvt + "knot = []\n", "time,position,velocity\n0,0,0\n"),
               "spec.toml:4:10: points = \"points.csv\": cannot be combined with [[knot]]");
   EXPECT_EQ(complaint(pvt, "time [s],position,velocity\n\n0,0,0\n"),
-            "points.csv:3: row = 1: is the only point: a table needs at least two");
+            "points.csv:3: is the only point of the file: a table needs at least two");
   EXPECT_THAT(complaint(pvt, "time [mm],position,velocity\n0,0,0\n1,1,0\n"),
               ::testing::StartsWith("points.csv:1: time = mm:"));
 }

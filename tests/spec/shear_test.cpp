@@ -96,8 +96,9 @@ TEST(ShearSpec, ErrorsStandWhereTheUserWroteThem) {
   EXPECT_THAT(
       refusal(spec("cut_length = 1000\nline_speed = 3000\nsync_time = 0.15")),
       StartsWith(
-          "s.toml:6:14: shear.line_speed = 3000 mm/s: must be at most 2000 mm/s: in the sync zone "
-          "the carriage would move at 3000, above limits.slave.velocity = 2000 mm/s"));
+          "s.toml:6:14: shear.line_speed = 3000 mm/s: must be at most 2000 mm/s: otherwise "
+          "the carriage in the sync zone is faster than limits.slave.velocity = 2000 "
+          "mm/s"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1", "deg")),
               HasSubstr("shear.ratio: is missing: the line counts in deg, the carriage in mm"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1\nangle = 90")),

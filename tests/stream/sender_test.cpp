@@ -118,7 +118,7 @@ TEST_F(SenderTest, SaysThatNobodyAnswers) {
   now += 1ns;
   EXPECT_THAT(sender.poll(now), IsEmpty()) << "no farewell without a receiver";
   EXPECT_EQ(sender.outcome().error, StreamError::no_answer);
-  EXPECT_EQ(sender.outcome().reason, "no answer from executor feeder for 5000 ms");
+  EXPECT_EQ(sender.outcome().reason, "no answer from feeder for 5000 ms");
 }
 
 TEST_F(SenderTest, SaysThatContactIsLost) {

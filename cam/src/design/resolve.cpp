@@ -167,10 +167,10 @@ void Resolver::require_form_and_points(std::size_t i) const {
   }
   const std::string key = "segment[" + std::to_string(i + 1) + "].points";
   if (!takes_points(segment.law) && !segment.points.empty())
-    throw InputError(
-        key, static_cast<double>(segment.points.size()),
-        std::string("the law `") + name(segment.law) +
-            "` takes no points: use polynomial, cubic_spline, quintic_spline or hermite");
+    throw InputError(key, "",
+                     std::string("the law ") + name(segment.law) +
+                         " takes no points: leave them out, or use polynomial, cubic_spline, "
+                         "quintic_spline or hermite");
   for (std::size_t p = 0; p < segment.points.size(); ++p) {
     const double master = segment.points[p].master;
     const std::string point = key + "[" + std::to_string(p + 1) + "].master";

@@ -67,8 +67,7 @@ class Rows {
     // A row's Type is that of the segment that ends there: the first may have none.
     if (has_type() && read_.lines.empty() && cells.size() == columns_ - 1) cells.emplace_back("-");
     if (cells.size() != columns_)
-      place_.fail(line.number, "row", std::to_string(cells.size()) + " values",
-                  wanted_length(line, cells.size()));
+      place_.fail(line.number, "", "", wrong_length(line, cells.size()));
     const std::array<std::vector<double>*, 4> all{&read_.columns.x, &read_.columns.p,
                                                   &read_.columns.v, &read_.columns.a};
     for (std::size_t i = 0;
@@ -81,16 +80,19 @@ class Rows {
   Exchanged finish() { return std::move(read_); }
 
  private:
-  /// The rule of a row with a wrong number of values.
-  [[nodiscard]] std::string wanted_length(const Line& line, std::size_t given) const {
+  /// The error of a row with a wrong number of values.
+  [[nodiscard]] std::string wrong_length(const Line& line, std::size_t given) const {
+    const std::string has =
+        "has " + std::to_string(given) + (given == 1 ? " value" : " values") + ", but ";
+    if (!headed_ && read_.lines.empty()) return has + "a row has 4 (X Y V A) or 2 (X Y)";
+    const std::string text = has + (headed_ ? "the header has " : "the rows before it have ") +
+                             std::to_string(columns_) + (headed_ ? " columns" : "");
     const bool commas = line.text.find(',') != std::string_view::npos;
-    if (given == 2 * columns_ && commas)
-      return "must have " + std::to_string(columns_) +
-             ": if these are decimal commas, convert the file with `jounce convert "
-             "--decimal-comma`";
-    if (!headed_ && read_.lines.empty()) return "must have 4 (X Y V A) or 2 (X Y)";
-    return "must have " + std::to_string(columns_) +
-           (headed_ ? ", one for each column of the header" : ", as the rows before it");
+    return given == 2 * columns_ && commas
+               ? text +
+                     ": if these are decimal commas, convert the file with `jounce convert "
+                     "--decimal-comma`"
+               : text;
   }
 
   [[nodiscard]] bool has_type() const { return columns_ == editor_columns.size(); }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/base/document.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
@@ -46,7 +47,21 @@ TableFile in_units(TableFile file, const Conversion& wanted) {
   return file;
 }
 
-Sampled with_knots(const Input& input, const Conversion& wanted) {
+namespace {
+
+/// The error of new knots, with the units of its numbers.
+InputError with_units(const InputError& error, const Units& units) {
+  Document document;
+  for (const char* key : {"tolerance", "p_step"}) document.units[key] = units.position;
+  for (const char* key : {"velocity_tolerance", "v_step"})
+    document.units[key] = rate_unit(units.position, units.x, 1);
+  for (const char* key : {"spacing", "x_step"}) document.units[key] = units.x;
+  return document.located(error);
+}
+
+}  // namespace
+
+Sampled with_knots(const Input& input, const Conversion& wanted) try {
   return std::visit(
       [&](const auto& curve) {
         if (const auto& target = wanted.target) {
@@ -60,6 +75,8 @@ Sampled with_knots(const Input& input, const Conversion& wanted) {
                                     : sample(curve, wanted.rule, input.table.table.columns().x);
       },
       *input.curve);
+} catch (const InputError& error) {
+  throw with_units(error, input.labels.units);
 }
 
 }  // namespace design_detail
@@ -74,8 +91,7 @@ Converted converted(const Input& input, const Conversion& wanted) {
   if (wanted.rule != input.table.table.rule() || wanted.target || wanted.intervals > 0) {
     Sampled made = design_detail::with_knots(input, wanted);
     result = {{std::move(made.table), input.table.units, input.table.provenance}, made.error};
-    if (!wanted.target && wanted.intervals == 0)
-      result.limit = design_detail::default_tolerance(input);
+    if (!wanted.target) result.limit = design_detail::default_tolerance(input);
   }
   result.file = design_detail::in_units(std::move(result.file), wanted);
   return result;

@@ -11,6 +11,8 @@
 #include "jounce/io/samples_csv.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
+#include "design/src/convert/for_controller.hpp"
+
 namespace jounce {
 namespace {
 
@@ -134,8 +136,11 @@ std::string conversion_text(const Input& input, const Converted& made, const Tab
   for (const std::string& loss : losses) text += loss + "\n";
   if (!made.within_limit())
     text += fmt::format(
-        "the error exceeds the tolerance, {} {}{}\n", rounded(*made.limit),
+        "the error exceeds the tolerance, {} {}{}{}\n", rounded(*made.limit),
         input.labels.units.position,
+        *made.limit == design_detail::default_tolerance(input)
+            ? " (by default, a ten-thousandth of the travel)"
+            : "",
         form.format != nullptr && form.format->most < std::numeric_limits<std::size_t>::max()
             ? fmt::format("; the format holds at most {} knots", form.format->most)
             : "");

@@ -90,7 +90,8 @@ void AxisServer::close() {
 // ---- requests ----------------------------------------------------------------------------------
 
 void AxisServer::handle(const TableReady& ready) {
-  notify("table " + hex(ready.table.hash).substr(0, 16) + ", " +
+  const bool over_time = ready.table.table->axis() == Domain::time;
+  notify((over_time ? "table over time " : "cam ") + hex(ready.table.hash).substr(0, 16) + ", " +
          std::to_string(ready.table.table->size()) + " knots");
   if (options_.trace != nullptr) options_.trace->add(axis_, ready.table);
 }
@@ -120,7 +121,7 @@ void AxisServer::refuse_units(const ArmRequested& arm) {
                      options_.units.x;
   words += '.';
   receiver_.refuse(arm.session, arm.command, words, static_cast<std::int32_t>(Cause::wrong_unit));
-  notify("refused: " + words);
+  notify("rejected: " + words);
 }
 
 /// The position of the axis at the end of its present motion.
@@ -528,7 +529,7 @@ void AxisServer::answer(const Request& request, const std::optional<Refusal>& re
   const std::string reason = refusal_text(*refused, last_, options_);
   receiver_.refuse(request.session, request.command, reason,
                    static_cast<std::int32_t>(refused->cause));
-  notify("refused: " + reason);
+  notify("rejected: " + reason);
 }
 
 void AxisServer::take_ticks() {

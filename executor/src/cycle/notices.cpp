@@ -60,8 +60,11 @@ std::string fault_text(const Tick& now, const std::string& unit, const AxisConfi
 
 std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options) {
   const bool of_joints = options.group && options.group->kinematics;
-  const std::string words = text(refusal, of_joints ? options.group->unit : options.units.position,
-                                 options.units.x, group_names(options));
+  std::string words = text(refusal, of_joints ? options.group->unit : options.units.position,
+                           options.units.x, group_names(options));
+  constexpr std::string_view either = "The axis or group ";
+  if (const std::size_t at = words.find(either); at != std::string::npos)
+    words.replace(at, either.size(), options.group ? "The group " : "The axis ");
   if (refusal.cause == Cause::no_master_input)
     return std::string(name(refusal.cause)) + ": The axis has no live master: " +
            (options.follow.what == Follow::What::nothing
@@ -72,9 +75,8 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
       return six_digits(number) +
              (options.units.position.empty() ? "" : " " + options.units.position);
     };
-    return "the motion begins at " + at(refusal.value) + ", but the present motion ends at " +
-           at(refusal.limit) + " (start_position): first send `move --to " +
-           six_digits(refusal.value) + options.units.position + " --buffered`.";
+    return std::string(name(refusal.cause)) + ": The table begins at " + at(refusal.value) +
+           ", but the present motion ends at " + at(refusal.limit) + ".";
   }
   const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;
   if (!fault || now.fault == Cause::none) return words;

@@ -132,6 +132,10 @@ KnifeSync sync_of(const RotaryKnifeSpec& spec, double angle) {
 void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double unit) {
   const char* key = spec.sync_length ? "sync_length" : spec.sync_angle ? "sync_angle" : "thickness";
   const double given = spec.sync_length.value_or(spec.sync_angle.value_or(spec.thickness));
+  if (spec.sync_angle && !(2 * half < pitch))
+    throw InputError(key, given,
+                     "must be less than " + six_digits_down(pitch * unit) +
+                         ", the angle between two blades: give a smaller angle or fewer blades");
   if (!(2 * half < pitch))
     throw InputError(key, given,
                      "makes a sync zone of " + six_digits(2 * half * unit) +

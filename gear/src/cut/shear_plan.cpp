@@ -235,9 +235,9 @@ std::string or_shorter(const Worked& shear, const Cycle& cycle) {
   if (quantity == "sync velocity")
     throw InputError("line_speed", spec.line_speed,
                      "must be at most " + six_digits_down(*spec.limits.velocity / shear.ratio) +
-                         ": in the sync zone the carriage would move at " +
-                         six_digits(shear.ratio * spec.line_speed) +
-                         ", above limits.velocity = " + number(*spec.limits.velocity));
+                         ": otherwise the carriage in the sync zone is faster than "
+                         "limits.velocity = " +
+                         number(*spec.limits.velocity));
   if (quantity.starts_with("ramp") && !std::isfinite(cycle.ramp.value))
     throw InputError("ramp", name(spec.ramp),
                      "breaks " + limit_of(quantity) + " at any speed: the limited quantity steps");

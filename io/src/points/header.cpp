@@ -142,8 +142,10 @@ bool has_words(const PointColumn& column) {
 
 PointColumn column_of(std::string_view cell) {
   if (cell.find('=') != cell.npos)
-    throw InputError("header", std::string(trimmed(cell.substr(0, cell.find('#')))),
-                     "must name the columns, such as time, position [mm]: is this a spec?");
+    throw InputError(
+        "", "",
+        "is not a header: it must name the columns, such as time [s],position [mm]. Is "
+        "the file a spec?");
   PointColumn column = split(cell);
   if (column.name.empty() || begins_with_number(column.name))
     throw InputError("header", std::string(cell),

@@ -67,7 +67,8 @@ class Reader {
 
   void read() {
     read_names();
-    if (!header_) fail("", "", "is empty: the first line must name the columns");
+    if (!header_)
+      fail("", "", "is empty: a header must name the columns, such as time [s],position [mm]");
     require_distinct_names();
     first_row_ = at_;
     reserve();
@@ -266,8 +267,10 @@ class Reader {
     const std::size_t cells = all.size();
     if (cells == wanted) return;
     const bool commas = separator_ == ',' && cells == 2 * wanted;
-    fail("row", std::to_string(cells) + (cells == 1 ? " value" : " values"),
-         "must have " + std::to_string(wanted) + ", one for each column of the header" +
+    fail("", "",
+         "has " + std::to_string(cells) + (cells == 1 ? " value" : " values") +
+             ", but the header has " + std::to_string(wanted) +
+             (wanted == 1 ? " column" : " columns") +
              (commas ? ": decimal commas need semicolons between columns"
               : separator_ == ',' && std::find(begin_, line_end_, '"') != line_end_
                   ? ": a comma separates columns, also between quotes"

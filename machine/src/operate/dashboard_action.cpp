@@ -22,7 +22,7 @@ std::string send(Transport& link, const std::string& axis, Action action,
   if (reply.outcome == wire::Outcome::accepted) return fmt::format("{}: {} accepted", axis, word);
   if (reply.outcome == wire::Outcome::pending) return fmt::format("{}: {}: no answer", axis, word);
   return fmt::format(
-      "{}: {} refused: {}", axis, word,
+      "{}: {} rejected: {}", axis, word,
       reply.cause != 0 ? name(static_cast<Cause>(reply.cause)) : name(reply.refusal));
 }
 

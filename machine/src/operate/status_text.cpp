@@ -184,10 +184,11 @@ std::string unwritten_files(std::uint8_t files) {
 
 std::string master_text(const wire::MasterStatus& master, bool ascii) {
   const std::string unit = machine_detail::harmless(master.unit, ascii);
-  const std::string age = std::isnan(master.age_s) ? std::string("no valid sample yet")
-                          : master.age_s == 0
-                              ? std::string("computed")
-                              : fmt::format("measured {:.3g} ms ago", 1e3 * master.age_s);
+  const std::string age =
+      std::isnan(master.age_s) ? std::string("no valid sample yet")
+      : master.age_s == 0
+          ? std::string("computed")
+          : fmt::format("measured {} ms ago", six_digits(std::round(1e5 * master.age_s) / 100));
   // Samples of a sender that the executor rejects; its terminal prints the reason.
   const std::string rejected =
       master.refused > 0 ? fmt::format(", {} rejected (unit, epoch, order)", master.refused) : "";

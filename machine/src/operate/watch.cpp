@@ -144,6 +144,11 @@ std::string senders_hint(KeyedLink& link) {
                        : "messages arrive from " + listed(names) + ": check the name";
 }
 
+std::string error_text(const CallOutcome& outcome, const std::string& executor, KeyedLink& link) {
+  return jounce::error_text(outcome, executor,
+                            outcome.error == StreamError::no_answer ? senders_hint(link) : "");
+}
+
 void throw_missing(KeyedLink& link, const std::string& executor) {
   throw TransportError("no message from " + executor + ": " + senders_hint(link));
 }

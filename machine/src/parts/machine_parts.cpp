@@ -48,8 +48,9 @@ AxisConfig config_of(const Spec& spec) {
   const auto* axis = std::get_if<AxisSpec>(&spec.subject);
   if (axis == nullptr)
     throw spec.document.located(InputError(
-        "kind", "",
-        "must be \"axis\" or \"machine\" for `jounce run`: `jounce new axis` writes an example"));
+        "kind", '"' + spec_kind(spec.document.text) + '"',
+        "is not run by an executor: give a spec of kind \"axis\" or \"machine\" (`jounce new axis` "
+        "writes an example), and send a motion to the axis with `jounce stream`"));
   const double unit = seconds_per_unit(spec);
   AxisConfig config;
   config.period = static_cast<std::int64_t>(std::llround(axis->cycle * 1e9));

@@ -2,6 +2,7 @@
 #include "jounce/machine/outcome_text.hpp"
 
 #include <cctype>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -19,6 +20,22 @@ OutcomeJson common_members(const CallOutcome& outcome) {
   return {{"ok", outcome.ok()}, {"error", name(outcome.error)}, {"reason", outcome.reason}};
 }
 
+/// The remedy for a table that begins elsewhere, with its position; nullopt if the reason has none.
+std::optional<std::string> start_remedy(const std::string& reason) {
+  constexpr std::string_view mark = "begins at ";
+  const std::size_t from = reason.find(mark);
+  if (from == std::string::npos) return std::nullopt;
+  const std::size_t begin = from + mark.size();
+  std::string start = reason.substr(begin, reason.find_first_of(",;", begin) - begin);
+  std::erase(start, ' ');
+  const std::string move = "`jounce order NAME move --to " + start;
+  if (reason.find("present motion ends at") != std::string::npos)
+    return "Send " + move + " --buffered` first, or a table that begins there.";
+  return "Move the axis to the start of the table (" + move +
+         "`), or start the executor with --adopt-start. With --live, use --start-at instead, or "
+         "start = \"ramp_in\" in [coupling].";
+}
+
 /// The remedy of a cause for this axis. "" if the cause has none, or if the executor wrote the
 /// reason itself, with a remedy.
 std::string remedy_of(std::int32_t cause, const std::string& reason, const std::string& executor) {
@@ -29,6 +46,7 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
     if (one.cause == Cause::not_enabled && reason.find("the fault") != std::string::npos)
       remedy =
           "Remove its cause, then send `jounce order NAME reset` and `jounce order NAME enable`.";
+    if (one.cause == Cause::start_position) remedy = start_remedy(reason).value_or(remedy);
     if (one.cause == Cause::no_master_input && reason.find("has no [follow]") != std::string::npos)
       remedy =
           "Add [follow] to the spec of the axis, or send the motion of the master as a table over "
@@ -88,14 +106,16 @@ std::string accepted_text(const std::string& word, const wire::Status& before,
                           const std::string& executor) {
   if (word == "home") return "homed";
   if (word != "enable" || before.last_error == 0) return word + " accepted";
-  return fmt::format("enable accepted, but the fault {} remains: send jounce order {} reset",
+  return fmt::format("enable accepted, but the fault {} remains: send `jounce order {} reset`",
                      name(static_cast<Cause>(before.last_error)), executor);
 }
 
-std::string error_text(const CallOutcome& outcome, const std::string& executor) {
-  const std::string text =
-      fmt::format("{}: {}", name(outcome.error), reason_and_remedy(outcome, executor, true));
-  return outcome.error == StreamError::no_answer ? text + "; " + unheard_hint : text;
+std::string error_text(const CallOutcome& outcome, const std::string& executor,
+                       const std::string& hint) {
+  const std::string reason = reason_and_remedy(outcome, executor, true);
+  if (outcome.error == StreamError::no_answer) return reason + ": " + hint;
+  const bool rejected = outcome.error == StreamError::refused;
+  return fmt::format("{}: {}", rejected ? "rejected" : name(outcome.error), reason);
 }
 
 std::string outcome_json(const CallOutcome& outcome) {

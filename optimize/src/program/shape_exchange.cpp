@@ -190,8 +190,9 @@ class ShapeExchange {
     if (!settled || alone_bound_ <= 2 * margin) return false;
     infeasible("no spline over these knots keeps " +
                worst_constraints(model_, found_.z, violation_) +
-               ": at best, one of these limits is exceeded by " + brief(100 * alone_bound_) +
-               " %: free the shape further (shape = N with a greater N), or permit more");
+               ": one of them is exceeded by at least " + brief(100 * alone_bound_, 3) +
+               " %: raise the limits, free more (shape = N with a greater N, or the values of the "
+               "knots), or lengthen the segments");
     return true;
   }
 

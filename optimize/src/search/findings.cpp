@@ -65,10 +65,10 @@ void add_peaks(const Shape& shape, const Space& space, Objective objective,
 
 }  // namespace
 
-std::string brief(double value) {
+std::string brief(double value, int digits) {
   std::array<char, 32> text{};
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::general, digits);
   return {text.data(), end.ptr};
 }
 

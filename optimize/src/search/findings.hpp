@@ -13,7 +13,7 @@
 namespace jounce::optimizer {
 
 /// Returns a number with six digits, for sentences.
-std::string brief(double value);
+std::string brief(double value, int digits = 6);
 
 /// Returns "geo_velocity is -2.55 at master 273.6, the limit -2.5".
 std::string sentence(const Finding& finding);

@@ -43,16 +43,17 @@ std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*,
 /// The advice for a limit that a segment breaks. `at_end`: at one of its ends, which are knots.
 const char* advice(const char* quantity, std::size_t order, bool at_end) {
   constexpr std::array of_cams{
-      "the curve overshoots between its knots: move them, or lower the velocities there",
+      "the curve overshoots between its knots: move the knots, or lower their velocities",
       "lengthen the segment, or use a law with a lower velocity coefficient",
       "lengthen the segment, or use a law with a lower acceleration coefficient",
       "lengthen the segment, or use a law with a lower jerk coefficient"};
   constexpr std::array of_motions{
-      "move the target or the points into the position range, or lower the velocities at the "
+      "move the target or the points into the position range, or lower the velocities of the "
       "points "
       "next to this place",
-      "give it more time, or a lower velocity", "give it more time, or a lower acceleration",
-      "give it more time, or a lower jerk"};
+      "lower the velocity of the motion, or give the motion more time",
+      "lower the acceleration of the motion, or give the motion more time",
+      "lower the jerk of the motion, or give the motion more time"};
   const bool over_time = std::find(OverTime::names.begin() + 1, OverTime::names.end(),
                                    std::string_view(quantity)) != OverTime::names.end();
   if (order == 0 && at_end && !over_time)
@@ -76,14 +77,23 @@ bool is_broken(const Bound& bound, double value) {
                     std::max({std::abs(bound.limit), std::abs(value), bound.scale});
 }
 
+/// The advice for a step of the position from the end of a period to the start of the next.
+std::string advice_for_gain(double gain, bool over_time) {
+  const std::string closed = "the motion repeats: let it end at its first position";
+  if (over_time)
+    return closed + ", or, if it continues from its last position, set outside = \"advance\"";
+  if (gain <= 0) return closed;
+  return closed +
+         ", or, if it advances by this distance in each period, set slave_period = " + number(gain);
+}
+
 /// The advice for a step of the derivative of order k at a place.
-const char* advice_at(const profiles_detail::Ends& extent, double where, std::size_t k) {
+std::string advice_at(const profiles_detail::Ends& extent, double where, double step,
+                      const std::array<const char*, 4>& names, std::size_t k) {
   if (where == extent.end && extent.repeats)
-    return k == 0
-               ? "the motion repeats: let it end at its first position. If it gains a distance in "
-                 "each period, set slave_period (a cam) or outside = \"advance\" (a motion over "
-                 "time)"
-               : "the motion repeats: let it end as it begins";
+    return k == 0 ? advice_for_gain(-step, std::string_view(names[1]) == OverTime::names[1])
+                  : std::string("the motion repeats: let it end with the ") + names[k] +
+                        " with which it begins";
   constexpr std::array ends{"", "the motion stops here: let it end at velocity 0",
                             "the motion stops here: let it end at acceleration 0",
                             "the motion stops here: let it end at jerk 0"};
@@ -93,7 +103,7 @@ const char* advice_at(const profiles_detail::Ends& extent, double where, std::si
   if (where == extent.end) return ends[k];
   if (where == extent.start) return starts[k];
   return k == 3 ? "use a law or a table rule whose jerk is continuous"
-                : "make both sides of the joint agree";
+                : std::string("let both segments have the same ") + names[k] + " here";
 }
 
 /// A peak at a break belongs to both adjacent segments; the finding names the first.
@@ -216,10 +226,11 @@ Report continuity_report(const Ranges& ranges, const std::array<Jump, 4>& jumps,
     const double limit = std::max(tolerance * scale, rounded_value * std::abs(range.peak().value));
     const double step = std::abs(jumps[k].step);
     const double margin = limit > 0 ? (limit - step) / limit : -step;
-    report.findings.push_back({Rule(RuleFamily::continuity, names[k]), "",
-                               std::string("step of ") + names[k], jumps[k].where, step, limit,
-                               margin, step > limit, std::nullopt,
-                               step > limit ? advice_at(extent, jumps[k].where, k) : ""});
+    report.findings.push_back(
+        {Rule(RuleFamily::continuity, names[k]), "", std::string("step of ") + names[k],
+         jumps[k].where, step, limit, margin, step > limit, std::nullopt,
+         step > limit ? advice_at(extent, jumps[k].where, jumps[k].step, names, k)
+                      : std::string()});
   }
   sort(report);
   return report;

@@ -165,10 +165,8 @@ const char* explain(MoveStatus status) noexcept {
     case MoveStatus::not_finite:
       return "a state or the duration is not finite, or greater than 1e50";
     case MoveStatus::invalid_bounds:
-      return "every max must be between 1e-50 and 1e50 (or infinite), every min between -1e50 and "
-             "-1e-50, and the highest limited derivative must have a min and a max: give at least "
-             "one of velocity, "
-             "acceleration and jerk";
+      return "give at least one of velocity, acceleration and jerk; the highest limited derivative "
+             "needs a min from -1e50 to -1e-50 and a max from 1e-50 to 1e50";
     case MoveStatus::target_outside:
       return "the target's velocity or acceleration lies outside the bounds";
     case MoveStatus::target_unreachable:

@@ -337,12 +337,13 @@ class Reduction {
       const double scale = any ? scale_for(most_ends()) : 0;
       const std::string count =
           "must be at least " + std::to_string(all_of(enough.knots).size()) + " for " + table;
-      throw InputError(
-          "most", std::to_string(*target_.most),
-          (enough.reaches
-               ? count + (any ? " within the tolerance" : "") + (scale > 0 ? "" : lines())
-               : "are too few knots") +
-              (scale > 0 ? "; the given number suffices with " + tolerances_times(scale) : ""));
+      throw InputError("most", std::to_string(*target_.most),
+                       (enough.reaches ? count + (any ? " within the tolerance" : "") +
+                                             (scale > 0 ? "" : lines())
+                                       : "are too few knots") +
+                           (scale > 0 ? "; " + std::to_string(*target_.most) +
+                                            " knots are sufficient for " + tolerances_times(scale)
+                                      : ""));
     }
     if (!target_.tolerance && !target_.velocity_tolerance)
       throw InputError("most", std::to_string(target_.most.value_or(many)),

@@ -35,27 +35,23 @@ std::array<double, 2> end_slopes(const Segment& f) {
 }
 
 /// A cubic from slope a to slope b over a chord of slope m stays between its ends if
-/// 0 <= a/m, b/m <= 3.
-std::string advice_against_overshoot(const Segment& f) {
-  if (f.sines > 0 || f.degree > 3) return "move the knots, or lower the velocities at them";
+/// 0 <= a/m, b/m <= 3. `unit`: unit of the velocity.
+std::string advice_against_overshoot(const Segment& f, const std::string& unit) {
+  if (f.sines > 0 || f.degree > 3) return "move the knots, or lower their velocities";
   const auto [a, b] = end_slopes(f);
-  const double stroke = value(f, 1) - value(f, 0);
-  const double mean = stroke / f.length;
-  const std::string ends = "the end velocities are " + rounded(a) + " and " + rounded(b) +
-                           ", the mean velocity is " + rounded(mean) + ": ";
-  if (mean == 0) return ends + "let both end velocities be 0";
-  std::string advice = ends +
-                       "the segment does not overshoot if both end velocities are between 0 and " +
-                       rounded(3 * mean);
-  const double fastest = std::max(std::abs(a), std::abs(b));
-  if (a * mean >= 0 && b * mean >= 0)
-    advice += ", or if the segment takes at most " + rounded(3 * std::abs(stroke) / fastest) +
-              " instead of " + rounded(f.length);
-  return advice;
+  const double mean = (value(f, 1) - value(f, 0)) / f.length;
+  const std::string of_unit = unit.empty() ? "" : " " + unit;
+  const std::string ends = "the velocity is " + rounded(a) + " at the start of the segment and " +
+                           rounded(b) + of_unit + " at its end, on average " + rounded(mean) +
+                           of_unit + ": ";
+  if (mean == 0) return ends + "let both velocities be 0";
+  return ends + "the segment does not overshoot if both velocities are between 0 and " +
+         rounded(3 * mean) + of_unit;
 }
 
 /// The end of the segment's range that lies further beyond its knots.
-std::optional<Finding> overshoot_of(const Segment& f, const Range& range, double least) {
+std::optional<Finding> overshoot_of(const Segment& f, const Range& range, double least,
+                                    const std::string& unit) {
   const double first = value(f, 0);
   const double last = value(f, 1);
   const double above = range.max.value - std::max(first, last);
@@ -72,7 +68,7 @@ std::optional<Finding> overshoot_of(const Segment& f, const Range& range, double
   const auto [a, b] = end_slopes(f);
   const bool turns = a * b < 0;
   found.severity = turns ? Severity::note : Severity::warning;
-  if (!turns) found.advice = advice_against_overshoot(f);
+  if (!turns) found.advice = advice_against_overshoot(f, unit);
   return found;
 }
 
@@ -148,14 +144,15 @@ struct TableSegments {
   [[nodiscard]] bool velocity_is_continuous() const { return f.rule() != Interpolation::linear; }
 };
 
-Report overshoots_in(const auto& segments, const Range& travel, double tolerance) {
+Report overshoots_in(const auto& segments, const Range& travel, const std::string& unit,
+                     double tolerance) {
   const double stroke = travel.max.value - travel.min.value;
   // An excess below the rounding of the positions cannot be detected.
   const double least = std::max(tolerance * stroke, rounded_value * std::abs(travel.peak().value));
   Report report;
   for (std::size_t i = 0; i + 1 < segments.f.breaks().size(); ++i) {
     if (segments.surely_between_ends(i, least)) continue;
-    auto found = overshoot_of(segments.segment(i), segments.range(i), least);
+    auto found = overshoot_of(segments.segment(i), segments.range(i), least, unit);
     if (!found) continue;
     found->segment = i;
     found->margin /= stroke;
@@ -199,12 +196,12 @@ Report steps_of(const auto& segments, double scale, double tolerance) {
 }  // namespace
 
 template <class Over>
-Report overshoot(const Curve<Over>& f, double tolerance) {
-  return overshoots_in(CurveSegments<Over>{f}, extrema(f, 0), tolerance);
+Report overshoot(const Curve<Over>& f, const std::string& unit, double tolerance) {
+  return overshoots_in(CurveSegments<Over>{f}, extrema(f, 0), unit, tolerance);
 }
 
-Report overshoot(const Table& table, double tolerance) {
-  return overshoots_in(TableSegments{table}, extrema(table)[0], tolerance);
+Report overshoot(const Table& table, const std::string& unit, double tolerance) {
+  return overshoots_in(TableSegments{table}, extrema(table)[0], unit, tolerance);
 }
 
 template <class Over>
@@ -219,8 +216,8 @@ Report velocity_steps(const Table& table, double tolerance) {
              : steps_of<OverMaster>(TableSegments{table}, scale, tolerance);
 }
 
-#define JOUNCE_INSTANTIATE(Over)                         \
-  template Report overshoot(const Curve<Over>&, double); \
+#define JOUNCE_INSTANTIATE(Over)                                             \
+  template Report overshoot(const Curve<Over>&, const std::string&, double); \
   template Report velocity_steps(const Curve<Over>&, double);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)

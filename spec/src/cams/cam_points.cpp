@@ -111,8 +111,9 @@ std::optional<CamPointFile> read_cam_points(TomlReader& segment, Law law, const 
   }
   if (!takes_points(law))
     segment.fail("points", *segment.optional_text("points"),
-                 std::string("the law `") + name(law) +
-                     "` takes no points: use polynomial, cubic_spline, quintic_spline or hermite");
+                 std::string("the law ") + name(law) +
+                     " takes no points: leave them out, or use polynomial, cubic_spline, "
+                     "quintic_spline or hermite");
   Points file = points_of_file(segment, units, columns_for(law));
   std::vector<CamPoint> points(file.size());
   read_masters(file, units.x, points);

@@ -72,7 +72,7 @@ void take_columns(const Points& points, const Units& units, FillSpec& fill, bool
   fill.x = points.in_unit("time", units.x);
   fill.p = points.in_unit("position", units.position);
   if (points.size() < 2)
-    throw InputError("row", "1", "is the only point: a table needs at least two")
+    throw InputError("", "", "is the only point of the file: a table needs at least two")
         .at(points.document, static_cast<int>(points.lines.front()));
   if (fill.rule != Interpolation::linear) derivative("velocity", 1, fill.v);
   if (fill.rule == Interpolation::quintic_hermite) derivative("acceleration", 2, fill.a);

@@ -65,13 +65,13 @@ void append(Report& all, Report part, const char* rule) {
   append(all, std::move(part));
 }
 
-Report warnings(const PtSpec& spec) {
+Report warnings(const PtSpec& spec, const std::string& unit) {
   const auto pass = [&](Extrapolation outside) {
     return pt<OverTime>(spec.points, spec.start_velocity, outside);
   };
   const Extrapolation outside = spec.loops == 0 ? Extrapolation::advance : spec.outside;
   Report report = check_pt<OverTime>(spec.points, spec.start_velocity, outside);
-  append(report, overshoot(pass(outside)));
+  append(report, overshoot(pass(outside), unit));
   if (spec.loops > 1) {
     std::erase_if(report.findings, [](const Finding& f) { return f.rule == "pt/end_velocity"; });
     append(report, velocity_steps(made(spec)), "pt/end_velocity");
@@ -81,10 +81,10 @@ Report warnings(const PtSpec& spec) {
   return report;
 }
 
-Report warnings(const ProfileTableSpec& spec) {
+Report warnings(const ProfileTableSpec& spec, const std::string& unit) {
   const Trajectory curve = made(spec);
   Report report = velocity_steps(curve);
-  append(report, overshoot(curve));
+  append(report, overshoot(curve, unit));
   return report;
 }
 
@@ -103,8 +103,8 @@ std::vector<std::string> labels_of(const TimeTableSpec& spec) {
   return std::visit([](const auto& each) { return labels(each); }, spec);
 }
 
-Report warnings_of(const TimeTableSpec& spec) {
-  return std::visit([](const auto& each) { return warnings(each); }, spec);
+Report warnings_of(const TimeTableSpec& spec, const std::string& unit) {
+  return std::visit([&](const auto& each) { return warnings(each, unit); }, spec);
 }
 
 }  // namespace jounce

@@ -36,7 +36,9 @@ SpecParameter read_parameter(TomlReader& table) {
   if (!range) table.fail("range", "", "is missing: add range = [least, greatest]");
   std::tie(parameter.lower, parameter.upper) = *range;
   if (parameter.lower >= parameter.upper)
-    table.fail("range", number(parameter.lower) + " to " + number(parameter.upper),
+    table.fail("range",
+               number(parameter.lower) + " to " + number(parameter.upper) +
+                   (parameter.unit.empty() || parameter.unit == "1" ? "" : " " + parameter.unit),
                "must be [least, greatest], in this order and not equal");
   table.finish();
   return parameter;

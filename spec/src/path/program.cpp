@@ -56,7 +56,7 @@ Program program_of(const Points& points, const PathAxes& axes, PathSettings sett
   std::vector<double> feeds;
   if (points.find("velocity") != nullptr) feeds = points.in_unit("velocity", axes.unit(1));
   if (points.size() < 2)
-    throw InputError("row", "1", "is the only point: a path needs at least 2")
+    throw InputError("", "", "is the only point of the file: a path needs at least two")
         .at(points.document, static_cast<int>(points.lines.front()));
   Program program(axes.size(), positions.front(), axes.path_axes);
   for (std::size_t k = 1; k < positions.size(); ++k) {

@@ -48,8 +48,7 @@ std::optional<wire::QueueAck> StaticQueue::receive(Nanos until) {
 }
 
 CallOutcome StaticQueue::unanswered() const {
-  return {StreamError::no_answer, wire::Refusal::none, 0,
-          "no answer from executor " + client_.executor_};
+  return {StreamError::no_answer, wire::Refusal::none, 0, "no answer from " + client_.executor_};
 }
 
 std::optional<wire::QueueAck> StaticQueue::level() {

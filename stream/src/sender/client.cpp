@@ -47,7 +47,7 @@ CallOutcome Client::ask(const wire::Body& body, Nanos patience) {
   if (!reply) {
     const bool foreign = rejects_[wire::Reject::not_authentic] > 0;
     return {StreamError::no_answer, wire::Refusal::none, 0,
-            "no answer from executor " + executor_ +
+            "no answer from " + executor_ +
                 (foreign ? "; its messages are unsigned, or signed with another key" : "")};
   }
   if (slot_.number() > 1 && reply->boot != boot_)

@@ -121,7 +121,7 @@ void RowSender::check_patience(Nanos now) {
     stage_ = Stage::ended;
   } else if (silent) {
     fail(boot_ == 0 ? StreamError::no_answer : StreamError::contact_lost,
-         "no answer from executor " + plan_.executor);
+         "no answer from " + plan_.executor);
   } else if (late) {
     fail(StreamError::command_timeout,
          "the executor received the command, but the axis did not accept or reject it in time");

@@ -127,7 +127,7 @@ void Sender::check_patience(Nanos now) {
   }
   if (silent) {
     fail(boots_.empty() ? StreamError::no_answer : StreamError::contact_lost,
-         "no answer from executor " + plan_.executor + " for " +
+         "no answer from " + plan_.executor + " for " +
              stream_detail::milliseconds(options_.patience));
   } else if (late) {
     fail(StreamError::command_timeout, "the executor did not accept or reject the command within " +

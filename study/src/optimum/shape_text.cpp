@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/design/limit_advice.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce::study_detail {
@@ -105,19 +106,28 @@ Json json_of(const CamRunOutcome& run, const ShapeWords& words) {
   return object;
 }
 
+/// The reason of the outcome: the limit that no shape can keep, if there is one.
+std::string reason_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
+  if (outcome.status != OptimizeStatus::infeasible) return outcome.reason;
+  const std::string why =
+      impossible_limit(design(outcome.best).cam, words.labels(), outcome.limits);
+  return why.empty() ? outcome.reason : why;
+}
+
 }  // namespace
 
 std::string text_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
-  std::string text = fmt::format("{}: {}\n", name(outcome.status), outcome.reason);
+  std::string text = fmt::format("{}: {}\n", name(outcome.status), reason_of(outcome, words));
   for (const CamRunOutcome& run : outcome.runs) {
     text += run_text(run, words);
     if (!run.shape.usable())
       text += fmt::format("least violated:\n{}",
                           full_text(words.in_cam(run.shape.limits, run), words.labels()));
   }
-  if (!outcome.limits.ok())
-    text += fmt::format("limits of the whole cam:\n{}", full_text(outcome.limits, words.labels()));
-  return text;
+  if (outcome.limits.ok()) return text;
+  Report limits = outcome.limits;
+  advise_on_limits(design(outcome.best).cam, words.labels(), limits);
+  return text + "limits of the whole cam:\n" + full_text(limits, words.labels());
 }
 
 nlohmann::ordered_json json_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
@@ -125,7 +135,7 @@ nlohmann::ordered_json json_of(const CamShapeOutcome& outcome, const ShapeWords&
   for (const CamRunOutcome& run : outcome.runs) runs.push_back(json_of(run, words));
   return {{"status", name(outcome.status)},
           {"usable", outcome.usable()},
-          {"reason", outcome.reason},
+          {"reason", reason_of(outcome, words)},
           {"runs", runs},
           {"limits", Json::parse(to_json(outcome.limits, words.labels()))}};
 }

@@ -90,10 +90,11 @@ class Tuned {
     const std::string written = numbers_.unit(p.key);
     const double own = written.empty() ? 1 : conversion(written, p.unit);
     const double start = numbers_.value(p.key);
+    const std::string unit = p.unit.empty() || p.unit == "1" ? "" : " " + p.unit;
     if (start * own < p.lower || start * own > p.upper)
       throw spec_.document.located(
-          InputError(parameter_key(i, "range"), number(p.lower) + " to " + number(p.upper),
-                     "must contain " + number(start * own) +
+          InputError(parameter_key(i, "range"), number(p.lower) + " to " + number(p.upper) + unit,
+                     "must contain " + number(start * own) + unit +
                          ", the present value in the spec, because the search starts there"));
     units_.push_back(written.empty() ? p.unit : written);
     variables_.push_back(

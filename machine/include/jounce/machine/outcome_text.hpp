@@ -24,8 +24,9 @@ std::string accepted_text(const std::string& word, const wire::Status& before,
 inline constexpr const char* unheard_hint =
     "check that it is running, with the same --url and the same --key";
 
-/// Returns the name of the error and reason_text(), with unheard_hint if there was no answer.
-std::string error_text(const CallOutcome& outcome, const std::string& executor);
+/// Returns the name of the error and reason_text(); if there was no answer, reason_text() and `hint`.
+std::string error_text(const CallOutcome& outcome, const std::string& executor,
+                       const std::string& hint = unheard_hint);
 
 /// Returns {"ok": ..., "error": ..., "reason": ...}.
 std::string outcome_json(const CallOutcome& outcome);

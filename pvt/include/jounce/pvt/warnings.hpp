@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "jounce/profiles/curve/curve.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 #include "jounce/pvt/table.hpp"
@@ -24,10 +26,10 @@ namespace jounce {
 /// velocities and a sufficient condition against overshoot: both velocities have the direction of
 /// the chord, and at most 3 times its slope (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980).
 /// If the end velocities have opposite directions, so that the segment must reverse, the finding is
-/// a note.
+/// a note. `unit`: unit of the velocity, for the advice.
 template <class Over>
-Report overshoot(const Curve<Over>& f, double tolerance = 1e-9);
-Report overshoot(const Table& table, double tolerance = 1e-9);
+Report overshoot(const Curve<Over>& f, const std::string& unit = "", double tolerance = 1e-9);
+Report overshoot(const Table& table, const std::string& unit = "", double tolerance = 1e-9);
 
 /// Reports steps of the velocity; value: right limit minus left limit.
 ///

@@ -44,7 +44,7 @@ std::vector<std::string> labels_of(const TimeTableSpec& spec);
 
 /// Returns the findings of check_pt() or velocity_steps(), and of overshoot(), for the table
 /// (jounce/pvt/pt.hpp, warnings.hpp). For a table with several passes, they cover all passes
-/// together.
-Report warnings_of(const TimeTableSpec& spec);
+/// together. `unit`: unit of the velocity, for the advice.
+Report warnings_of(const TimeTableSpec& spec, const std::string& unit = "");
 
 }  // namespace jounce

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "jounce/design/input.hpp"
+
+namespace jounce {
+
+/// Replaces the advice of each broken limit of a derivative by an advice for its segment, with
+/// numbers and units. Findings without a segment keep their advice.
+void advise_on_limits(const Input& input, Report& report);
+/// The same for the limits of a cam.
+void advise_on_limits(const Cam& cam, const Labels& labels, Report& report);
+
+/// Returns the sentence for the first broken limit that no law of its segment can keep, because of
+/// the stroke and the length of the segment; "" if there is none.
+std::string impossible_limit(const Cam& cam, const Labels& labels, const Report& report);
+
+}  // namespace jounce

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jounce/design/limit_advice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "jounce/base/units.hpp"
+#include "jounce/profiles/six_digits.hpp"
+
+namespace jounce {
+namespace {
+
+/// The least peak of the derivative of order k of any motion from rest to rest, for a stroke and a
+/// length of 1. The least peak velocity is the mean velocity, so it holds for all motions.
+constexpr std::array least_peaks{0.0, 1.0, 4.0, 32.0};
+
+constexpr double rest = 1e-9;    ///< share of the peak: a smaller value at an end is 0
+constexpr double beside = 1e-6;  ///< share of a piece: a peak that is so close to its end is there
+
+/// The segment of the spec to which a piece belongs.
+struct Stretch {
+  double length = 0;
+  double stroke = 0;    ///< signed
+  bool rests = false;   ///< the derivatives below that of the limit are 0 at both ends
+  bool at_end = false;  ///< the finding is at an end of its piece
+};
+
+template <class Over>
+Stretch stretch_of(const Curve<Over>& f, const Labels& labels, const Finding& finding,
+                   std::size_t order) {
+  const std::size_t count = f.segments().size();
+  const auto label = [&](std::size_t i) {
+    return i < labels.segments.size() ? labels.segments[i] : std::to_string(i + 1);
+  };
+  const std::size_t piece = *finding.segment;
+  std::size_t first = piece;
+  std::size_t last = piece;
+  while (first > 0 && label(first - 1) == label(piece)) --first;
+  while (last + 1 < count && label(last + 1) == label(piece)) ++last;
+  Stretch s;
+  s.length = f.breaks()[last + 1] - f.breaks()[first];
+  const Jet begin = evaluate(f.segments()[first], 0);
+  const Jet end = evaluate(f.segments()[last], 1);
+  s.stroke = end[0] - begin[0];
+  s.rests = true;
+  for (std::size_t k = 1; k < order; ++k) {
+    const double scale =
+        rest * least_peaks[k] * std::abs(s.stroke) / std::pow(s.length, static_cast<double>(k));
+    s.rests = s.rests && std::abs(begin[k]) <= scale && std::abs(end[k]) <= scale;
+  }
+  const double near = beside * (f.breaks()[piece + 1] - f.breaks()[piece]);
+  s.at_end =
+      finding.where <= f.breaks()[piece] + near || finding.where >= f.breaks()[piece + 1] - near;
+  return s;
+}
+
+/// The order of the derivative of a broken limit with a segment; 0 for any other finding.
+std::size_t order_of(const Finding& f, const std::array<const char*, 4>& names) {
+  if (!f.broken || !f.segment || f.rule.family() != RuleFamily::limit || f.limit == 0) return 0;
+  const auto name = std::find(names.begin() + 1, names.end(), std::string_view(f.quantity));
+  return name == names.end() ? 0 : static_cast<std::size_t>(name - names.begin());
+}
+
+/// Numbers with the units of a motion.
+struct Words {
+  const Labels& labels;
+
+  [[nodiscard]] std::string x(double value) const {
+    return fmt::format("{:.4g} {}", value, labels.units.x);
+  }
+  /// A length, rounded up, so that the limit holds with it.
+  [[nodiscard]] std::string at_least(double length) const {
+    const double unit = std::pow(10, std::floor(std::log10(length)) - 3);
+    return x(std::ceil(length / unit) * unit);
+  }
+  [[nodiscard]] std::string of(double value, std::size_t order) const {
+    const std::string unit =
+        rate_unit(labels.units.position, labels.units.x, static_cast<int>(order));
+    return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
+  }
+};
+
+/// "segment 1 rise moves 50 mm in 120 deg, so its geo_velocity ...": "" if a law may keep the limit.
+std::string impossible(const Finding& f, std::size_t order, const Stretch& s, const Words& words,
+                       const std::string& who) {
+  const double k = static_cast<double>(order);
+  const double needed = least_peaks[order] * std::abs(s.stroke) / std::pow(s.length, k);
+  const double limit = std::abs(f.limit);
+  if (!s.rests || needed <= limit) return "";
+  const std::string why =
+      order == 1 ? fmt::format("its mean {} is {}", f.quantity, words.of(needed, 1))
+                 : fmt::format("any law reaches a {} of {}", f.quantity, words.of(needed, order));
+  return fmt::format(
+      "{} moves {} in {}: {}, above the limit {}. Lengthen the segment to more than {}, or raise "
+      "the limit",
+      who, words.of(std::abs(s.stroke), 0), words.x(s.length), why, words.of(limit, order),
+      words.at_least(s.length * std::pow(needed / limit, 1 / k)));
+}
+
+constexpr std::array coefficients{"", "velocity", "acceleration", "jerk"};
+
+std::string cam_advice(const Finding& f, std::size_t order, const Stretch& s, const Words& words) {
+  if (std::string text = impossible(f, order, s, words, "the segment"); !text.empty()) return text;
+  const double longer = std::pow(std::abs(f.value / f.limit), 1.0 / static_cast<double>(order));
+  return fmt::format(
+      "lengthen the segment{}, or use a law with a lower {} coefficient",
+      s.rests && s.stroke != 0 ? " to at least " + words.at_least(s.length * longer) : "",
+      coefficients[order]);
+}
+
+/// The advice for a table of points with velocities (kind "pvt").
+std::string points_advice(const Finding& f, std::size_t order, const Stretch& s,
+                          const Words& words) {
+  const double mean = s.stroke / s.length;
+  if (order == 1 && std::abs(mean) > std::abs(f.limit))
+    return impossible(f, 1, s, words, "the segment");
+  if (order == 1 && s.at_end)
+    return fmt::format("the point at {} has the velocity {}: change it to at most {} in magnitude",
+                       words.x(f.where), words.of(f.value, 1), words.of(std::abs(f.limit), 1));
+  const std::string closer = fmt::format(
+      "choose velocities of its two points that are closer to the mean velocity of the segment, {}",
+      words.of(mean, 1));
+  return order == 1 ? closer : closer + ", or give the segment more time and lower velocities";
+}
+
+/// The advice for a motion that a generator makes from its velocity, acceleration and jerk.
+std::string motion_advice(const Finding& f, std::size_t order, const Words& words) {
+  return fmt::format("lower the {} of the motion to at most {}, or raise the limit",
+                     coefficients[order], words.of(std::abs(f.limit), order));
+}
+
+/// The advice for a table from a file.
+std::string table_advice(const Finding& f, std::size_t order, double length, const Words& words) {
+  const double slower = std::pow(std::abs(f.value / f.limit), 1.0 / static_cast<double>(order));
+  return fmt::format("slow the whole motion down, from {} to at least {}, or raise the limit",
+                     words.x(length), words.at_least(length * slower));
+}
+
+/// The advice for a limit of the position over time.
+std::string position_advice(const Input& input, const Finding& f) {
+  if (!input.spec) return "shift or shorten the motion, or raise the limit";
+  if (!std::holds_alternative<Table>(input.spec->subject) || !input.spec->then.empty())
+    return "move the target into the position range, or widen the range";
+  const Trajectory& curve = std::get<Trajectory>(*input.curve);
+  if (stretch_of(curve, input.labels, f, 0).at_end)
+    return "move this point into the position range, or widen the range";
+  return "the curve leaves the range between two points: lower the velocities of these points";
+}
+
+std::string over_time(const Input& input, const Finding& f, std::size_t order) {
+  const Trajectory& curve = std::get<Trajectory>(*input.curve);
+  const Words words{input.labels};
+  if (!input.spec) return table_advice(f, order, curve.end() - curve.start(), words);
+  if (input.plan || input.overlap) return f.advice;
+  const bool filled = input.spec->document.places.contains("velocities");
+  if (std::holds_alternative<TimeTableSpec>(input.spec->subject) || filled)
+    return "give the segment more time, or raise the limit";
+  if (!std::holds_alternative<Table>(input.spec->subject) || !input.spec->then.empty())
+    return motion_advice(f, order, words);
+  return points_advice(f, order, stretch_of(curve, input.labels, f, order), words);
+}
+
+}  // namespace
+
+void advise_on_limits(const Input& input, Report& report) {
+  if (input.labels.over_master && input.spec)
+    return advise_on_limits(std::get<Cam>(*input.curve), input.labels, report);
+  if (input.labels.over_master) {
+    for (Finding& f : report.findings)
+      if (order_of(f, OverMaster::names) > 0)
+        f.advice = "change the spec from which the table was made, or raise the limit";
+    return;
+  }
+  for (Finding& f : report.findings) {
+    if (const std::size_t order = order_of(f, OverTime::names); order > 0)
+      f.advice = over_time(input, f, order);
+    else if (f.broken && f.segment && f.rule.name().starts_with("position"))
+      f.advice = position_advice(input, f);
+  }
+}
+
+void advise_on_limits(const Cam& cam, const Labels& labels, Report& report) {
+  for (Finding& f : report.findings)
+    if (const std::size_t order = order_of(f, OverMaster::names); order > 0)
+      f.advice = cam_advice(f, order, stretch_of(cam, labels, f, order), {labels});
+}
+
+std::string impossible_limit(const Cam& cam, const Labels& labels, const Report& report) {
+  for (const Finding& f : report.findings) {
+    const std::size_t order = order_of(f, OverMaster::names);
+    if (order == 0) continue;
+    std::string text = impossible(f, order, stretch_of(cam, labels, f, order), {labels},
+                                  "segment " + labels.segment_of(f));
+    if (!text.empty()) return text;
+  }
+  return "";
+}
+
+}  // namespace jounce
