@@ -276,6 +276,18 @@ constexpr std::array entries{
     Entry{Cause::group_stopped, "group_stopped",
           "Another axis of the same start did not start, was stopped, or had a fault.",
           "Look at the other axes of this start: one of them reports the reason."},
+    Entry{Cause::range_end, "range_end",
+          "The jog of the group ended where an axis reaches the end of its position range.",
+          "Nothing. The notices of the executor name the axis and the place."},
+    Entry{Cause::reach_end, "reach_end",
+          "The jog of the group ended at the last place that its joints can reach.",
+          "Nothing. Jog in another direction."},
+    Entry{
+        Cause::singular_end, "singular_end",
+        "The jog of the group ended before a singular position, where a joint limits its velocity "
+        "to 1 %.",
+        "Jog back, or move the joints past the position with `jounce order GROUP move-direct "
+        "--fast`."},
     Entry{Cause::no_cut_plan, "no_cut_plan", "The axis does not cut: no plan of cuts is running.",
           "Start the plan of its cutter: `jounce order NAME start`. The spec of the axis names the "
           "cutter (`cutter` in [axis])."},

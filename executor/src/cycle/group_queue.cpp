@@ -7,23 +7,37 @@
 #include <utility>
 
 #include "jounce/axis/group_program.hpp"
+#include "jounce/axis/path_clock.hpp"
 #include "jounce/command/command_table.hpp"
 #include "jounce/executor/group_plan.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
 
 /// The slope of the rate must hold also for the programs that continue this one: the axes may use
-/// their limits there.
+/// their limits there. If this program has a reserve, it can be played at a higher rate h. The peaks
+/// then are those of a program that uses the limits at this rate.
 GroupProgram with_peaks_of_limits(GroupProgram program) {
+  double h = 2;
+  for (const GroupAxis& axis : program.axes) h = std::min(h, highest_rate(axis.peaks, axis.config));
   for (GroupAxis& axis : program.axes) {
     const Limits& limits = axis.config.limits;
-    axis.peaks = {.velocity = *limits.velocity,
-                  .acceleration = *limits.acceleration,
-                  .jerk = limits.jerk.value_or(axis.peaks.jerk)};
+    axis.peaks = {.velocity = *limits.velocity / h,
+                  .acceleration = *limits.acceleration / (h * h),
+                  .jerk = limits.jerk ? *limits.jerk / (h * h * h) : axis.peaks.jerk};
   }
   return program;
+}
+
+/// The highest rate of such a program.
+double highest_rate_of(const GroupProgram& program) {
+  double rate = 2;
+  for (const GroupAxis& axis : program.axes)
+    rate = std::min(rate, highest_rate(axis.peaks, axis.config));
+  return rate;
 }
 
 /// The sentence of an error. A coordinate, such as "to[1]", has the name of its axis.
@@ -111,11 +125,14 @@ void GroupQueue::cancel() {
 
 std::optional<GroupQueue::Step> GroupQueue::next(const Tick& group) {
   if (group.state == State::disabled) frame_ = {};
+  if (group.tick != seen_) rate_ = std::exchange(rate_seen_, group.rate);
+  seen_ = group.tick;
+  finished_ = group.finished;
   if (starts_following_) return std::nullopt;
   if (auto step = begin_following(group)) return step;
   if (waiting_.empty()) return std::nullopt;
   if (attempt_ && attempt_->program) return std::nullopt;
-  return attempt_ ? proceed() : begin(group);
+  return attempt_ ? proceed(group) : begin(group);
 }
 
 /// At the end of the present motion. If the motion was ended before, its followers are dropped.
@@ -132,15 +149,26 @@ std::optional<GroupQueue::Step> GroupQueue::begin_following(const Tick& group) {
 void GroupQueue::answered(bool accepted, std::uint64_t movement) {
   if (std::exchange(starts_following_, false)) {
     if (accepted)
-      playing_ = Playing{movement, std::move(following_->commands), following_->program};
+      playing_ = Playing{.movement = movement,
+                         .commands = std::move(following_->commands),
+                         .program = following_->program,
+                         .group = following_->group,
+                         .finished = finished_};
+    if (accepted) from_rest_ = false;
     following_.reset();
     return;
   }
   if (!attempt_ || !attempt_->program) return;
   if (accepted) {
-    playing_ = Playing{movement, std::move(attempt_->commands), std::move(attempt_->program),
-                       attempt_->origin, attempt_->fast};
+    playing_ = Playing{movement,
+                       std::move(attempt_->commands),
+                       std::move(attempt_->program),
+                       std::move(attempt_->group),
+                       attempt_->origin,
+                       attempt_->fast,
+                       finished_};
     idle_.clear();
+    if (attempt_->way == Way::rest) from_rest_ = false;
   }
   if (accepted || attempt_->way == Way::rest) {
     finish(Cause::none);
@@ -186,16 +214,17 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
   if (const Cause no = permitted(group.state, kind_of(command)); no != Cause::none)
     return finish(no);
   try {
-    if (const auto* const what = std::get_if<command::SetCoordinateTransform>(&command)) {
-      const std::size_t axes = group_->coordinates().size();
-      frame_ = frame_of(*what, axes, group_->kinematics ? group_->kinematics->path_axes : axes);
-      return finish(Cause::none);
+    if (const auto* const what = std::get_if<command::GroupSetLimits>(&command)) {
+      const SetLimits step{*what, request};
+      finish(Cause::none);
+      return step;
     }
+    if (auto step = set_frame(command, group)) return step;
     if (is_fast(command) && blends(command))
       throw InputError("fast", "", "begins and ends at rest: leave out --blend");
     if (rests(group)) {
       halting_ = releasing_ = false;
-      return fresh();
+      return fresh(group);
     }
     if (is_fast(command) && !aborts(command))
       return finish(Cause::in_motion,
@@ -206,10 +235,63 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
       return std::exchange(halting_, true) ? std::nullopt : std::optional(Step(Halt{}));
     if (next_way_ == Way::rest) return std::nullopt;  // the present motion ends first
     if (auto step = joined(group)) return step;
-    return proceed();
+    return proceed(group);
   } catch (const InputError& error) {
     return finish(Cause::no_value, reason_of(error, group_->coordinates()));
   }
+}
+
+/// A command that changes the frame of the commands after it; nullopt: it is another command.
+std::optional<GroupQueue::Step> GroupQueue::set_frame(const ClientCommand& command,
+                                                      const Tick& group) {
+  const std::size_t axes = group_->coordinates().size();
+  if (const auto* const what = std::get_if<command::SetCoordinateTransform>(&command)) {
+    frame_ = frame_of(*what, axes, group_->kinematics ? group_->kinematics->path_axes : axes);
+    return finish(Cause::none);
+  }
+  const auto* const what = std::get_if<command::GroupSetPosition>(&command);
+  if (what == nullptr) return std::nullopt;
+  const Point place = rests(group) ? coordinates_of(places_(), *group_)
+                      : following_ ? following_->commands.position()
+                                   : end_of(group);
+  frame_ = shifted(frame_, *what, place, axes);
+  return finish(Cause::none);
+}
+
+void GroupQueue::limit(ExecutorGroup group, const PathLimits& path, bool from_rest) {
+  group_ = std::make_shared<const ExecutorGroup>(std::move(group));
+  limits_ = path;
+  from_rest_ = from_rest_ || from_rest;
+}
+
+double GroupQueue::highest_rate() const {
+  return attempt_ && attempt_->made && attempt_->made->program
+             ? highest_rate_of(*attempt_->made->program)
+             : 2;
+}
+
+/// The notice of a jog: where it ends, and why.
+std::string GroupQueue::text_of(const JogEnd& end) const {
+  std::string text = "the jog ends at";
+  const std::vector<std::string>& names = group_->coordinates();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? " " : ", ") + names[i] + " = " + six_digits(end.place[i]);
+  const std::string& axis = end.of_joint ? group_->names[end.index] : names[end.index];
+  if (end.cause == Cause::range_end)
+    return text + ": there, " + axis + " reaches the end of its position range, " +
+           six_digits(end.limit);
+  if (end.cause == Cause::reach_end) return text + ": there, the reach of the joints ends";
+  if (end.cause == Cause::singular_end)
+    return text + ", before a singular position: there, " + axis +
+           " limits the jog to 1 % of its velocity";
+  return "";
+}
+
+Cause GroupQueue::jog_ended(const Tick& group) const {
+  const bool ended = playing_ && !in_motion(group) && group.reason == Cause::none &&
+                     group.finished == playing_->finished + 1;
+  const auto end = ended ? playing_->commands.jog_end() : std::nullopt;
+  return end ? end->cause : Cause::none;
 }
 
 /// No commands yet, from the present place of the group.
@@ -220,20 +302,22 @@ PathCommands GroupQueue::commands_from_rest() const {
 }
 
 /// A motion from rest. A wait alone moves nothing: it waits for the next command.
-std::optional<GroupQueue::Step> GroupQueue::fresh() {
+std::optional<GroupQueue::Step> GroupQueue::fresh(const Tick& group) {
   PathCommands commands = commands_from_rest();
   commands.set_frame(frame_);
+  commands.set_limits(limits_);
   passed_ = first_passed;
   if (aborts(waiting_.front().command)) idle_.clear();
   const ClientCommand& command = waiting_.front().command;
   const bool fast = is_fast(command);
   if (!fast)
     for (const command::GroupWait& wait : idle_) commands.append(wait);
-  commands.append(command, coordinate_limits(*group_));
+  commands.append(command, space_of(*group_));
   if (commands.moves()) {
     plan(Way::rest,
-         {.commands = std::move(commands), .fast = fast ? std::optional(places_()) : std::nullopt});
-    return proceed();
+         {.commands = std::move(commands), .fast = fast ? std::optional(places_()) : std::nullopt},
+         group_);
+    return proceed(group);
   }
   if (idle_.size() >= most_commands)
     return finish(Cause::buffer_full, std::to_string(most_commands) + " waits are queued");
@@ -262,17 +346,18 @@ std::optional<GroupQueue::Step> GroupQueue::follow(const Tick& group) {
                                           std::to_string(most_commands) +
                                           "): send this one again later");
   commands.set_frame(frame_);
-  commands.append(waiting_.front().command, coordinate_limits(*group_));
+  commands.set_limits(limits_);
+  commands.append(waiting_.front().command, space_of(*group_));
   if (!commands.moves())
     return finish(Cause::in_motion, "a wait needs a motion before it: send it after the next line");
-  plan(Way::after, {.commands = std::move(commands)});
+  plan(Way::after, {.commands = std::move(commands)}, group_);
   attempt_->finished = following_ ? following_->finished : group.finished;
-  return proceed();
+  return proceed(group);
 }
 
 /// The command continues the present motion.
 std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
-  if (!plays(group) || playing_->fast) return follow(group);
+  if (!plays(group) || playing_->fast || following_ || from_rest_) return follow(group);
   const std::int32_t now = current(group);
   const PathCommands& all = playing_->commands;
   if (all.size() >= 2 * most_commands)
@@ -289,22 +374,24 @@ std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
                           : next_way_ == Way::slower ? all.slowed(*playing_->program->plan)
                                                      : all;
   commands.set_frame(frame_);
-  commands.append(waiting_.front().command, coordinate_limits(*group_));
+  commands.set_limits(limits_);
+  commands.append(waiting_.front().command, space_of(*playing_->group));
   if (next_way_ == Way::stopping) commands = commands.stopping();
-  plan(next_way_, {.commands = std::move(commands),
-                   .before = playing_->program,
-                   .q = group.position - playing_->origin});
+  plan(next_way_,
+       {.commands = std::move(commands),
+        .before = playing_->program,
+        .q = group.position - playing_->origin},
+       playing_->group);
   return std::nullopt;
 }
 
 /// Plans at once, or starts the planning in the thread of the worker.
-void GroupQueue::plan(Way way, Task task) {
-  Attempt attempt{way, task.commands, {}, std::make_shared<std::atomic<bool>>(false)};
+void GroupQueue::plan(Way way, Task task, std::shared_ptr<const ExecutorGroup> group) {
+  Attempt attempt{way, task.commands, {}, std::make_shared<std::atomic<bool>>(false), group};
   attempt.fast = task.fast.has_value();
   const std::size_t size = task.commands.size();
-  const auto work = [task = std::move(task), group = group_, canceled = attempt.canceled] {
-    return planned(task, *group, *canceled);
-  };
+  const auto work = [task = std::move(task), group = std::move(group),
+                     canceled = attempt.canceled] { return planned(task, *group, *canceled); };
   if (size > most_at_once_) {
     attempt.planned = worker_.ask(work);
   } else {
@@ -318,7 +405,7 @@ void GroupQueue::plan(Way way, Task task) {
 GroupQueue::Planned GroupQueue::planned(const Task& task, const ExecutorGroup& group,
                                         const std::atomic<bool>& canceled) {
   try {
-    const std::vector<Limits> limits = coordinate_limits(group);
+    const std::vector<Limits> limits = space_of(group).limits;
     const auto program =
         task.fast ? fast_program(*task.fast, task.commands.position(), group)
                   : planned_program(task.commands.program(), {.axes = limits}, group, &canceled);
@@ -338,30 +425,43 @@ GroupQueue::Planned GroupQueue::planned(const Task& task, const ExecutorGroup& g
   }
 }
 
-/// The planning has ended.
-std::optional<GroupQueue::Step> GroupQueue::proceed() {
-  if (attempt_->planned.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-    return std::nullopt;
-  Planned made = attempt_->planned.get();
+/// The planning has ended, or goes on.
+std::optional<GroupQueue::Step> GroupQueue::proceed(const Tick& group) {
+  if (!attempt_->made) {
+    if (attempt_->planned.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+      return std::nullopt;
+    attempt_->made = attempt_->planned.get();
+  }
+  Planned& made = *attempt_->made;
   if (!made.reason.empty()) return finish(Cause::bad_table, made.reason);
   const Request& request = waiting_.front().request;
   if (attempt_->way == Way::after) {
-    following_ =
-        Following{std::move(attempt_->commands), std::move(made.program), attempt_->finished};
+    following_ = Following{std::move(attempt_->commands), std::move(made.program),
+                           std::move(attempt_->group), attempt_->finished};
     return finish(Cause::none);
   }
   if (attempt_->way == Way::rest) {
     attempt_->program = made.program;
-    return Play{std::move(made.program), request};
+    const auto& jog = attempt_->commands.jog_end();
+    return Play{std::move(made.program), request, jog ? text_of(*jog) : ""};
   }
   if (!made.agreement) {
     fail();
     return std::nullopt;
   }
+  if (!takes_over(group)) return std::nullopt;
   attempt_->program = made.program;
   attempt_->origin = playing_->origin + made.agreement->position;
-  return Extend{std::move(made.program), attempt_->origin, made.agreement->shift,
-                made.agreement->until, request};
+  return Extend{made.program, attempt_->origin, made.agreement->shift, made.agreement->until,
+                request};
+}
+
+/// True if the rate of the group suits the longer plan, or if the group rests.
+bool GroupQueue::takes_over(const Tick& group) const {
+  const double most = highest_rate();
+  const bool slower =
+      most < highest_rate_of(*playing_->program) * (1 - profiles_detail::rounded_sum);
+  return !slower || !plays(group) || (group.rate == rate_ && group.rate <= most);
 }
 
 // ---- the present motion ------------------------------------------------------------------------

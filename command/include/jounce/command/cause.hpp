@@ -122,6 +122,9 @@ enum class Cause : std::uint8_t {
   replaced = 83,
   released = 84,
   group_stopped = 85,
+  range_end = 106,
+  reach_end = 107,
+  singular_end = 108,
 };
 
 /// Returns the word for logs, messages and docs/reference/messages.md: "aborted", "not_armed", ...

@@ -49,6 +49,7 @@ class GroupQueue {
   struct Play {
     std::shared_ptr<const GroupProgram> program;
     Request request;
+    std::string notice = {};  ///< text for the operator; empty: none
   };
   /// The group must continue its present path with this program. The queue waits for answered().
   struct Extend {
@@ -58,13 +59,18 @@ class GroupQueue {
     double until = 0;     ///< time of the present program up to which both are equal, s
     Request request;
   };
+  /// The server must set these limits, call limit(), and answer the sender.
+  struct SetLimits {
+    command::GroupSetLimits limits;
+    Request request;
+  };
   /// The server must answer the sender: the command is accepted (Cause::none) or rejected.
   struct Reply {
     Request request;
     Cause cause = Cause::none;
     std::string reason = {};  ///< empty: the cause suffices
   };
-  using Step = std::variant<Halt, Play, Extend, Reply>;
+  using Step = std::variant<Halt, Play, Extend, SetLimits, Reply>;
 
   /// `worker` must outlive the queue. `most_at_once`: the greatest number of commands that the
   /// calling thread plans itself; the worker plans longer programs. `places`: returns the present
@@ -93,6 +99,16 @@ class GroupQueue {
   /// rests.
   void release() { releasing_ = true; }
 
+  /// Sets the limits of the commands that follow. `group`: the group with the limits for its next
+  /// motion from rest. `path`: further limits along the path. If `from_rest` is true, the commands that
+  /// follow begin at rest, so that the present motion keeps its limits.
+  void limit(ExecutorGroup group, const PathLimits& path, bool from_rest);
+  /// The highest rate at which the group may play until the next step: a longer plan that is faster
+  /// must take over at a lower rate.
+  [[nodiscard]] double highest_rate() const;
+  /// The reason why the group rests, if a jog ended at the last place that it can reach; or none.
+  [[nodiscard]] Cause jog_ended(const Tick& group) const;
+
   /// Present positions of the axes of the group.
   [[nodiscard]] Point places() const { return places_(); }
   /// Frame of the commands (command::SetCoordinateTransform).
@@ -114,13 +130,16 @@ class GroupQueue {
     std::uint64_t movement = 0;
     PathCommands commands;
     std::shared_ptr<const GroupProgram> program;
+    std::shared_ptr<const ExecutorGroup> group;  // with the limits of the motion
     double origin = 0;  // position of the group at the start of the program
     bool fast = false;
+    std::uint64_t finished = 0;  // motions of the group before this one ends
   };
   /// The commands that begin at rest when the present motion has ended.
   struct Following {
     PathCommands commands;
     std::shared_ptr<const GroupProgram> program;
+    std::shared_ptr<const ExecutorGroup> group;
     std::uint64_t finished = 0;  // motions of the group before the present motion ends
   };
   struct Planned {
@@ -143,6 +162,8 @@ class GroupQueue {
     PathCommands commands;
     std::future<Planned> planned;
     std::shared_ptr<std::atomic<bool>> canceled;
+    std::shared_ptr<const ExecutorGroup> group = {};
+    std::optional<Planned> made = {};                  // set: the planning has ended
     std::shared_ptr<const GroupProgram> program = {};  // set: the group has the step
     double origin = 0;
     bool fast = false;
@@ -166,20 +187,23 @@ class GroupQueue {
                          const std::atomic<bool>& canceled);
   void drop_attempt();
   [[nodiscard]] std::optional<Step> begin(const Tick& group);
-  [[nodiscard]] std::optional<Step> proceed();
+  [[nodiscard]] std::optional<Step> proceed(const Tick& group);
+  [[nodiscard]] std::optional<Step> set_frame(const ClientCommand& command, const Tick& group);
+  [[nodiscard]] bool takes_over(const Tick& group) const;
   [[nodiscard]] std::optional<Step> joined(const Tick& group);
-  [[nodiscard]] std::optional<Step> fresh();
+  [[nodiscard]] std::optional<Step> fresh(const Tick& group);
   [[nodiscard]] std::optional<Step> begin_following(const Tick& group);
   [[nodiscard]] std::optional<Step> follow(const Tick& group);
   [[nodiscard]] Point end_of(const Tick& group) const;
-  void plan(Way way, Task task);
+  [[nodiscard]] std::string text_of(const JogEnd& end) const;
+  void plan(Way way, Task task, std::shared_ptr<const ExecutorGroup> group);
   [[nodiscard]] PathCommands commands_from_rest() const;
   void fail();
   Reply finish(Cause cause, const std::string& reason = {});
   [[nodiscard]] bool plays(const Tick& group) const;
   [[nodiscard]] std::int32_t current(const Tick& group) const;
 
-  std::shared_ptr<const ExecutorGroup> group_;
+  std::shared_ptr<const ExecutorGroup> group_;  // with the limits of the next motion from rest
   Worker& worker_;
   std::size_t most_at_once_;
   std::function<Point()> places_;
@@ -197,6 +221,12 @@ class GroupQueue {
   bool starts_following_ = false;         // the group has the step that begins following_
   std::vector<command::GroupWait> idle_;  // waits before the first motion
   Frame frame_;                           // frame of the commands that follow
+  PathLimits limits_;                     // further limits of the commands that follow
+  bool from_rest_ = false;                // the next command begins at rest
+  double rate_ = 0;                       // of the tick before the newest one
+  double rate_seen_ = 0;                  // of the newest tick
+  std::int64_t seen_ = -1;                // the newest tick
+  std::uint64_t finished_ = 0;            // of the newest tick
 };
 
 }  // namespace jounce
