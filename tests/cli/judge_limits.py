@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """judge_limits.py GROUP.csv X.csv Y.csv TICK...: checks every tick of the plotter between the given ticks.
 
-Each part between two ticks has its own limits of the axis x, and its own line. Knows only these
+Each part between two ticks has its own limits of the axis x, and its own line. It has only these
 limits and lines. Shares no code with Jounce.
 """
 import csv

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# limits_in_namespace.sh JOUNCE EXAMPLES: the limits, the override and the coordinates of a group as an operator sets
-# them, rightly and wrongly; jogs of a SCARA to the ends of its reach; converted positions. The logs are judged.
+# limits_in_namespace.sh JOUNCE EXAMPLES: the limits, the override, the coordinates and the M words of a group as an
+# operator sets them, rightly and wrongly; jogs of a SCARA to the ends of its reach; converted positions. The logs are judged.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/namespace.sh"
@@ -35,10 +35,11 @@ tick() {
   wait_for "$1" '"tick":'
   sed 's/.*"tick":\([0-9]*\).*/\1/' "$scratch/status"
 }
-# rests GROUP FINISHED: it has ended this number of motions, and no command waits.
+# there GROUP AXIS POSITION: the axis is at the position, and the group rests.
 there() {
   position "$2" > now
-  awk -v at="$(cat now)" -v to="$3" 'BEGIN { exit !(at - to < 1e-6 && to - at < 1e-6) }' && shows "$1" '"state":"standstill".*"queue_rows":0'
+  awk -v at="$(cat now)" -v to="$3" 'BEGIN { exit !(at - to < 1e-6 && to - at < 1e-6) }' &&
+    shows "$1" '"state":"standstill".*"queue_rows":0'
 }
 reaches() { soon there "$@" || fail "$1: $2 is at $(cat now), not at $3"; }
 
@@ -109,6 +110,17 @@ order plotter set-position x=0 y=0 || fail "set-position: $(cat out)"
 order plotter move-linear x=-200 y=-40 --velocity 150 || fail "move-linear: $(cat out)"
 reaches plotter x 0
 marks="$marks $(tick plotter)"
+
+refused 1 no_handshake plotter acknowledge
+refused 2 'must be a whole number' plotter m-word six
+refused 1 'must be at least 1' plotter m-word 0
+order plotter m-word 6 --timeout 90 || fail "m-word: $(cat out)"
+order plotter move-linear --by 5,0 --velocity 50 --buffered || fail "move-linear: $(cat out)"
+wait_for plotter '"state":"standstill".*"reason":"awaits_acknowledge"'
+grep -q 'M6 waits for' said || fail "no notice of M6: $(cat said)"
+refused 1 no_handshake plotter acknowledge --m-word 5
+order plotter acknowledge --m-word 6 || fail "acknowledge: $(cat out)"
+reaches plotter x 5
 end plotter
 python3 "$here/judge_limits.py" plotter.plotter.csv plotter.x.csv plotter.y.csv $marks || fail "the judge of the plotter"
 

@@ -296,11 +296,11 @@ TEST(GroupSetPosition, InMotionCountsFromTheEndOfTheLastCommand) {
 
 TEST(GroupJogEnd, TheStatusNamesTheReason) {
   Limits axis = limits(200, 2000, 1e5);
-  axis.position_min = -50;
-  axis.position_max = 50;
+  axis.position_min = -150;
+  axis.position_max = 150;
   Measured site(false, axis);
-  site.requested.lines.push_back({-50, 0, 50, 0});
-  command::GroupJog jog{.dynamics = {.velocity = 100}};
+  site.requested.lines.push_back({-150, 0, 150, 0});
+  command::GroupJog jog{.dynamics = {.velocity = 150}};
   jog.along[0] = 1;
   const auto reason = [&] {
     return static_cast<Cause>(site.dispatcher.server(group).status().reason);
@@ -308,7 +308,7 @@ TEST(GroupJogEnd, TheStatusNamesTheReason) {
   site.accepts(jog);
   EXPECT_EQ(reason(), Cause::none);
   site.finish();
-  EXPECT_EQ(site.last(x).position, 50);
+  EXPECT_EQ(site.last(x).position, 150);
   EXPECT_EQ(reason(), Cause::range_end);
   jog.along[0] = -1;
   site.accepts(jog);

@@ -67,7 +67,7 @@ struct Judged : PlotterSite {
   void judge() {
     const Tick& all = last(Plotter::group);
     moving += all.job != 0 && all.rate > 0;
-    if (all.job == 0) {
+    if (all.job == 0 && dispatcher.server(Plotter::group).status().queue_rows == 0) {
       rested = true;
       rest = {last(Plotter::x).position, last(Plotter::y).position};
     }

@@ -422,6 +422,36 @@ void AxisServer::take_step(const GroupQueue::SetLimits& step) {
   set_limits(step.limits, step.request);
 }
 
+void AxisServer::take_step(const GroupQueue::Announce& step) {
+  if (step.waits)
+    notify("M" + std::to_string(step.m_word) + " waits for `jounce order " +
+           options_.receiver.executor + " acknowledge`");
+  events_.push_back({.count = ++event_count_,
+                     .kind = wire::EventKind::m_word,
+                     .number = static_cast<std::uint32_t>(step.m_word),
+                     .on = step.waits,
+                     .tick = last_.tick,
+                     .position = last_.position});
+}
+
+void AxisServer::obey(const command::GroupAcknowledge& what, const CommandRequested& requested,
+                      const Request& request) {
+  if (!group_queue_) return answer(request, Refusal{.cause = Cause::not_a_group});
+  if (!untimed(requested)) return;
+  const GroupQueue::Announce passes{group_queue_->m_word(), false};
+  const Cause no = group_queue_->acknowledge(what.m_word);
+  if (no == Cause::none && passes.m_word > 0) take_step(passes);
+  answer(request, no == Cause::none ? std::nullopt : std::optional(Refusal{.cause = no}));
+}
+
+void AxisServer::obey(const command::GroupSingleStep& what, const CommandRequested& requested,
+                      const Request& request) {
+  if (!group_queue_) return answer(request, Refusal{.cause = Cause::not_a_group});
+  if (!untimed(requested)) return;
+  group_queue_->single_step(what.on);
+  answer(request, std::nullopt);
+}
+
 void AxisServer::set_limits(const command::GroupSetLimits& what, const Request& request) {
   try {
     dynamics_->set(what);
@@ -529,7 +559,7 @@ void AxisServer::obey(const command::QueueEnd& what, const CommandRequested& req
   answer_queue(request, true);
 }
 
-/// Declines a command about a queue for a later tick.
+/// Declines a command about a queue, or about the commands of a group, for a later tick.
 bool AxisServer::untimed(const CommandRequested& requested) {
   if (requested.at >= 0)
     decline(requested, "a command for a queue takes effect at once: leave out --at");
@@ -584,7 +614,9 @@ void AxisServer::clear_commands() {
   builder_.cancel();
   if (group_queue_) group_queue_->clear();
   if (commands_.waits(Kind::override_)) rate_ = NAN;  // it is sent again
+  const bool dropped = commands_.waits(Kind::start) || commands_.waits(Kind::extend);
   for (const std::uint64_t movement : commands_.clear()) movements_.erase(movement);
+  if (group_queue_ && dropped) group_queue_->answered(false, group_movement_);
 }
 
 // ---- the axis ----------------------------------------------------------------------------------
@@ -700,8 +732,8 @@ wire::Status AxisServer::status() const {
 
 /// The reason why the last motion ended.
 Cause AxisServer::reason() const {
-  const Cause jog = group_queue_ ? group_queue_->jog_ended(last_) : Cause::none;
-  return last_.reason == Cause::none ? jog : last_.reason;
+  const Cause rests = group_queue_ ? group_queue_->rests_because(last_) : Cause::none;
+  return last_.reason == Cause::none ? rests : last_.reason;
 }
 
 /// State of the pair of the axis and its live master.

@@ -102,7 +102,7 @@ GroupQueue::~GroupQueue() {
 }
 
 void GroupQueue::clear() {
-  if (!starts_following_) following_.reset();
+  drop_stages();
   drop_attempt();
   idle_.clear();
   cancel();
@@ -128,34 +128,86 @@ std::optional<GroupQueue::Step> GroupQueue::next(const Tick& group) {
   if (group.tick != seen_) rate_ = std::exchange(rate_seen_, group.rate);
   seen_ = group.tick;
   finished_ = group.finished;
-  if (starts_following_) return std::nullopt;
-  if (auto step = begin_following(group)) return step;
+  if (starts_stage_) return std::nullopt;
+  if (auto step = begin_stage(group)) return step;
   if (waiting_.empty()) return std::nullopt;
   if (attempt_ && attempt_->program) return std::nullopt;
   return attempt_ ? proceed(group) : begin(group);
 }
 
-/// At the end of the present motion. If the motion was ended before, its followers are dropped.
-std::optional<GroupQueue::Step> GroupQueue::begin_following(const Tick& group) {
-  if (!following_ || in_motion(group)) return std::nullopt;
-  starts_following_ = rests(group) && group.finished > following_->finished;
-  if (!starts_following_) {
-    following_.reset();
+/// At the end of the present motion. If the motion was ended before, the stages are dropped.
+std::optional<GroupQueue::Step> GroupQueue::begin_stage(const Tick& group) {
+  if (stages_.empty() || in_motion(group)) return std::nullopt;
+  const Stage& stage = stages_.front();
+  if (!rests(group) || (stage.finished && group.finished <= *stage.finished)) {
+    drop_stages();
     return std::nullopt;
   }
-  return Play{following_->program, {.kind = CommandKind::move_linear_absolute}};
+  if (stage.gate && !acknowledged_) return pass_gate(group);
+  // A command that is being planned belongs to the last stage.
+  const bool grows = attempt_ && attempt_->way == Way::after && !attempt_->adds_stage;
+  if (grows && stages_.size() == 1) return std::nullopt;
+  if (stage.program) {
+    starts_stage_ = true;
+    return Play{stage.program, {.kind = CommandKind::move_linear_absolute}};
+  }
+  end_stage({});
+  return begin_stage(group);
+}
+
+/// The group rests at a gate that is not open.
+std::optional<GroupQueue::Step> GroupQueue::pass_gate(const Tick& group) {
+  const Gate gate = *stages_.front().gate;
+  const bool arrives = gate_since_ < 0;
+  if (arrives) gate_since_ = group.tick;
+  if (arrives && !gate.is_step) return Announce{gate.m_word, true};
+  const double waited =
+      static_cast<double>(group.tick - gate_since_) * seconds(group_->configs.front().period);
+  if (!(gate.timeout > 0 && waited >= gate.timeout)) return std::nullopt;
+  unacknowledged_ = true;
+  drop_stages();
+  return Announce{gate.m_word, false};
+}
+
+/// Drops all stages but the one whose beginning the group has already.
+void GroupQueue::drop_stages() {
+  stages_.erase(stages_.begin() + (starts_stage_ ? 1 : 0), stages_.end());
+  gate_since_ = -1;
+  acknowledged_ = false;
+}
+
+/// The first stage has begun, or has no motion.
+void GroupQueue::end_stage(std::optional<std::uint64_t> finished) {
+  stages_.pop_front();
+  gate_since_ = -1;
+  acknowledged_ = false;
+  if (!stages_.empty()) stages_.front().finished = finished;
+}
+
+std::int32_t GroupQueue::m_word() const {
+  return gate_since_ >= 0 && !acknowledged_ && !stages_.empty() ? stages_.front().gate->m_word : 0;
+}
+
+Cause GroupQueue::acknowledge(std::int32_t number) {
+  const bool waits = gate_since_ >= 0 && !acknowledged_ && !stages_.empty();
+  if (!waits || (number != 0 && number != m_word())) return Cause::no_handshake;
+  acknowledged_ = true;
+  return Cause::none;
 }
 
 void GroupQueue::answered(bool accepted, std::uint64_t movement) {
-  if (std::exchange(starts_following_, false)) {
+  unacknowledged_ = false;
+  if (std::exchange(starts_stage_, false)) {
+    Stage& stage = stages_.front();
     if (accepted)
       playing_ = Playing{.movement = movement,
-                         .commands = std::move(following_->commands),
-                         .program = following_->program,
-                         .group = following_->group,
+                         .commands = std::move(stage.commands),
+                         .program = stage.program,
+                         .group = stage.group,
                          .finished = finished_};
-    if (accepted) from_rest_ = false;
-    following_.reset();
+    if (!accepted) return drop_stages();
+    from_rest_ = false;
+    end_stage(finished_);
     return;
   }
   if (!attempt_ || !attempt_->program) return;
@@ -188,7 +240,8 @@ void GroupQueue::fail() {
 std::size_t GroupQueue::size(const Tick& group) const {
   const auto played =
       plays(group) ? static_cast<std::size_t>(playing_->commands.last() - current(group) + 1) : 0;
-  const std::size_t after = following_ && !starts_following_ ? following_->commands.size() : 0;
+  std::size_t after = 0;
+  for (const Stage& stage : stages_) after += stage.commands.size() + (stage.gate ? 1 : 0);
   return played + after + waiting_.size() + idle_.size();
 }
 
@@ -220,18 +273,21 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
       return step;
     }
     if (auto step = set_frame(command, group)) return step;
+    if (const auto* const what = std::get_if<command::GroupMWord>(&command)) {
+      if (what->number < 1) throw InputError("M word", "0", "must be at least 1");
+      add_stage(group, Gate{.m_word = what->number, .timeout = what->timeout});
+      return finish(Cause::none);
+    }
     if (is_fast(command) && blends(command))
       throw InputError("fast", "", "begins and ends at rest: leave out --blend");
-    if (rests(group)) {
-      halting_ = releasing_ = false;
-      return fresh(group);
-    }
-    if (is_fast(command) && !aborts(command))
+    if (aborts(command)) drop_stages();
+    if (rests(group)) halting_ = releasing_ = false;
+    if (rests(group) && stages_.empty() && !single_step_) return fresh(group);
+    if (is_fast(command) && (!aborts(command) || rests(group)))
       return finish(Cause::in_motion,
                     "a fast move begins at rest: send it when the group rests, or with the buffer "
                     "mode aborting");
-    if (aborts(command)) following_.reset();
-    if (aborts(command))
+    if (aborts(command) && !rests(group))
       return std::exchange(halting_, true) ? std::nullopt : std::optional(Step(Halt{}));
     if (next_way_ == Way::rest) return std::nullopt;  // the present motion ends first
     if (auto step = joined(group)) return step;
@@ -251,10 +307,7 @@ std::optional<GroupQueue::Step> GroupQueue::set_frame(const ClientCommand& comma
   }
   const auto* const what = std::get_if<command::GroupSetPosition>(&command);
   if (what == nullptr) return std::nullopt;
-  const Point place = rests(group) ? coordinates_of(places_(), *group_)
-                      : following_ ? following_->commands.position()
-                                   : end_of(group);
-  frame_ = shifted(frame_, *what, place, axes);
+  frame_ = shifted(frame_, *what, end_of(group), axes);
   return finish(Cause::none);
 }
 
@@ -287,23 +340,34 @@ std::string GroupQueue::text_of(const JogEnd& end) const {
   return "";
 }
 
-Cause GroupQueue::jog_ended(const Tick& group) const {
+Cause GroupQueue::rests_because(const Tick& group) const {
+  if (gate_since_ >= 0 && !acknowledged_) return Cause::awaits_acknowledge;
+  if (unacknowledged_ && !in_motion(group)) return Cause::no_acknowledge;
   const bool ended = playing_ && !in_motion(group) && group.reason == Cause::none &&
                      group.finished == playing_->finished + 1;
   const auto end = ended ? playing_->commands.jog_end() : std::nullopt;
   return end ? end->cause : Cause::none;
 }
 
-/// No commands yet, from the present place of the group.
-PathCommands GroupQueue::commands_from_rest() const {
+/// No commands yet, from this place.
+PathCommands GroupQueue::commands_from(const Point& place) const {
   const std::size_t axes = group_->coordinates().size();
-  return {axes, coordinates_of(places_(), *group_), 1,
-          group_->kinematics ? group_->kinematics->path_axes : axes};
+  return {axes, place, 1, group_->kinematics ? group_->kinematics->path_axes : axes};
+}
+
+/// A stage without commands, after all others.
+void GroupQueue::add_stage(const Tick& group, std::optional<Gate> gate) {
+  const bool rests_before = stages_.empty() && rests(group);
+  stages_.push_back({.commands = commands_from(end_of(group)),
+                     .program = nullptr,
+                     .group = group_,
+                     .finished = rests_before ? std::nullopt : std::optional(group.finished),
+                     .gate = gate});
 }
 
 /// A motion from rest. A wait alone moves nothing: it waits for the next command.
 std::optional<GroupQueue::Step> GroupQueue::fresh(const Tick& group) {
-  PathCommands commands = commands_from_rest();
+  PathCommands commands = commands_from(end_of(group));
   commands.set_frame(frame_);
   commands.set_limits(limits_);
   passed_ = first_passed;
@@ -325,8 +389,10 @@ std::optional<GroupQueue::Step> GroupQueue::fresh(const Tick& group) {
   return finish(Cause::none);
 }
 
-/// The coordinates at the end of the present motion.
+/// The coordinates at the end of the last command.
 Point GroupQueue::end_of(const Tick& group) const {
+  if (!stages_.empty()) return stages_.back().commands.position();
+  if (rests(group)) return coordinates_of(places_(), *group_);
   if (plays(group)) return playing_->commands.position();
   const auto program = program_of_ ? program_of_(group.job) : nullptr;
   if (!program) throw InputError("command", "", "cannot follow the present motion: send it again");
@@ -334,30 +400,28 @@ Point GroupQueue::end_of(const Tick& group) const {
   return path.point(path.pieces().size() - 1, path.pieces().back().length);
 }
 
-/// The command follows the end of the present motion, at rest.
+/// The command follows the end of the last command, at rest.
 std::optional<GroupQueue::Step> GroupQueue::follow(const Tick& group) {
-  const std::size_t axes = group_->coordinates().size();
-  PathCommands commands =
-      following_ ? following_->commands
-                 : PathCommands(axes, end_of(group), 1,
-                                group_->kinematics ? group_->kinematics->path_axes : axes);
-  if (commands.size() >= most_commands)
-    return finish(Cause::buffer_full, std::to_string(commands.size()) + " commands wait (limit " +
+  if (size(group) >= most_commands)
+    return finish(Cause::buffer_full, std::to_string(size(group)) + " commands wait (limit " +
                                           std::to_string(most_commands) +
                                           "): send this one again later");
+  const bool adds = stages_.empty() || single_step_;
+  PathCommands commands = adds ? commands_from(end_of(group)) : stages_.back().commands;
   commands.set_frame(frame_);
   commands.set_limits(limits_);
   commands.append(waiting_.front().command, space_of(*group_));
   if (!commands.moves())
     return finish(Cause::in_motion, "a wait needs a motion before it: send it after the next line");
   plan(Way::after, {.commands = std::move(commands)}, group_);
-  attempt_->finished = following_ ? following_->finished : group.finished;
+  attempt_->adds_stage = adds;
   return proceed(group);
 }
 
 /// The command continues the present motion.
 std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
-  if (!plays(group) || playing_->fast || following_ || from_rest_) return follow(group);
+  if (!plays(group) || playing_->fast || !stages_.empty() || from_rest_ || single_step_)
+    return follow(group);
   const std::int32_t now = current(group);
   const PathCommands& all = playing_->commands;
   if (all.size() >= 2 * most_commands)
@@ -433,11 +497,16 @@ std::optional<GroupQueue::Step> GroupQueue::proceed(const Tick& group) {
     attempt_->made = attempt_->planned.get();
   }
   Planned& made = *attempt_->made;
-  if (!made.reason.empty()) return finish(Cause::bad_table, made.reason);
+  if (const std::string reason = made.reason; !reason.empty())
+    return finish(Cause::bad_table, reason);
   const Request& request = waiting_.front().request;
   if (attempt_->way == Way::after) {
-    following_ = Following{std::move(attempt_->commands), std::move(made.program),
-                           std::move(attempt_->group), attempt_->finished};
+    if (attempt_->adds_stage || stages_.empty())
+      add_stage(group, single_step_ ? std::optional(Gate{.is_step = true}) : std::nullopt);
+    Stage& stage = stages_.back();
+    stage.commands = std::move(attempt_->commands);
+    stage.program = std::move(made.program);
+    stage.group = std::move(attempt_->group);
     return finish(Cause::none);
   }
   if (attempt_->way == Way::rest) {

@@ -360,11 +360,13 @@ InputError value_missing(const std::string& word, const Field& field, const std:
   const bool is_ratio =
       field.range == FieldRange::whole || field.range == FieldRange::whole_nonzero;
   const bool is_factor = field.range == FieldRange::factor;
+  const bool is_count = field.range == FieldRange::count;
   return {word, "",
           "VALUE is missing: give a " + (is_ratio ? "ratio" : std::string(field.name)) +
               ", such as " +
               (is_ratio    ? "3:2"
                : is_factor ? "50%"
+               : is_count  ? "6"
                            : "12.5" + unit)};
 }
 

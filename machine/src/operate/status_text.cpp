@@ -28,7 +28,7 @@ std::string number_text(double value, const std::string& unit) {
 /// "  range_end" after a jog that a group could not continue; "" otherwise.
 std::string end_of_jog(std::int32_t reason) {
   const auto cause = static_cast<Cause>(reason);
-  const bool shown = cause >= Cause::range_end && cause <= Cause::singular_end;
+  const bool shown = cause >= Cause::range_end && cause <= Cause::no_acknowledge;
   return shown ? std::string("  ") + name(cause) : "";
 }
 
@@ -152,6 +152,8 @@ std::string event_text(const wire::Event& event) {
       return fmt::format("mark, deviation {:.6g}", event.position);
     case wire::EventKind::end_of_profile:
       return "end of profile, master" + at;
+    case wire::EventKind::m_word:
+      return fmt::format("M{} {}", event.number, event.on ? "waits" : "ends");
     case wire::EventKind::compare:
     case wire::EventKind::track:
     case wire::EventKind::tappet:

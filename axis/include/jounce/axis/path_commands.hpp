@@ -24,11 +24,11 @@ namespace jounce {
 
 /// The coordinates that the commands of a group can reach.
 struct GroupSpace {
-  std::vector<Limits> limits;  ///< of the coordinates, with their position ranges
+  std::vector<Limits> limits;  ///< limits and ranges of the coordinates
   PathLimits path = {};        ///< along the path
   /// From the coordinates to the joints; null: the coordinates are the axes.
   std::shared_ptr<const AxisMap> map = {};
-  std::vector<Limits> joints = {};  ///< of the joints, with their position ranges
+  std::vector<Limits> joints = {};  ///< limits and ranges of the joints
 };
 
 /// The place where a jog ends if no command ends it.

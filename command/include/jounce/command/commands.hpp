@@ -127,9 +127,12 @@ enum class CommandKind : std::uint8_t {
   set_coordinate_transform,
   group_set_position,
   group_set_limits,
+  group_m_word,
   group_set_override,
+  group_acknowledge,
+  group_single_step,
 };
-inline constexpr std::size_t command_kinds = 54;  ///< number of kinds
+inline constexpr std::size_t command_kinds = 57;  ///< number of kinds
 
 }  // namespace jounce
 
@@ -218,7 +221,9 @@ constexpr void each_field(C& c, F f) {
     c.index_velocity);
   f(acceleration, c.acceleration);
   f(Field{"timeout", Quantity::time, FieldRange::positive, "timeout",
-          "home: end with a fault after this time"},
+          "home: end with a fault after this time; m-word: drop the commands that follow after "
+          "this "
+          "time; default: no limit"},
     c.timeout);
   f(Field{"distance", Quantity::position, FieldRange::positive, "distance",
           "home: end with a fault if one search goes further than this"},
@@ -813,6 +818,44 @@ constexpr void each_field(C& c, F f) {
     c.queued);
 }
 
+/// An M word with a handshake: the group comes to rest at the end of its last command, sends an event
+/// with the number, and continues after a GroupAcknowledge.
+struct GroupMWord {
+  static constexpr auto kind = CommandKind::group_m_word;
+  std::int32_t number = 0;  ///< number of the M word
+  double timeout = 0;       ///< s; the group then drops the commands that follow; 0: no limit
+};
+template <Of<GroupMWord> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"M word", Quantity::none, FieldRange::count, "VALUE"}, c.number);
+  f(Field{"timeout", Quantity::time, FieldRange::not_negative, "timeout",
+          "home: end with a fault after this time"},
+    c.timeout);
+}
+/// Acknowledges the M word at which a group waits, or begins the next command in single step.
+struct GroupAcknowledge {
+  static constexpr auto kind = CommandKind::group_acknowledge;
+  std::int32_t m_word = 0;  ///< number of the M word; 0: any, or a single step
+};
+template <Of<GroupAcknowledge> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"M word", Quantity::none, FieldRange::count, "m-word",
+          "acknowledge: number of the M word; default: the one that waits"},
+    c.m_word);
+}
+/// Lets each of the commands that follow begin at rest, after a GroupAcknowledge (SingleStep of the
+/// PMC600).
+struct GroupSingleStep {
+  static constexpr auto kind = CommandKind::group_single_step;
+  bool on = false;  ///< false: the commands that follow need no acknowledgment
+};
+template <Of<GroupSingleStep> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"on", Quantity::none, FieldRange::flag, "on",
+          "single-step: each command begins after an acknowledge; without it: no longer"},
+    c.on);
+}
+
 /// Multiplies the velocity, and reduces the acceleration and the jerk of the axes of a group
 /// (MC_GroupSetOverride).
 struct GroupSetOverride {
@@ -910,7 +953,8 @@ using ClientCommand =
              command::MoveCircularAbsolute, command::MoveCircularRelative,
              command::MoveDirectAbsolute, command::MoveDirectRelative, command::GroupWait,
              command::GroupJog, command::CombineAxes, command::SetCoordinateTransform,
-             command::GroupSetPosition, command::GroupSetLimits, command::GroupSetOverride>::type;
+             command::GroupSetPosition, command::GroupSetLimits, command::GroupMWord,
+             command::GroupSetOverride, command::GroupAcknowledge, command::GroupSingleStep>::type;
 static_assert(std::is_trivially_copyable_v<ClientCommand>);
 
 /// Returns the kind of a command in any variant of commands.
@@ -948,7 +992,7 @@ inline bool holds_to_run(const ClientCommand& command) {
 /// (group_queue.hpp).
 constexpr bool is_path_kind(CommandKind kind) {
   return (kind >= CommandKind::move_linear_absolute && kind <= CommandKind::group_jog) ||
-         (kind >= CommandKind::set_coordinate_transform && kind <= CommandKind::group_set_limits);
+         (kind >= CommandKind::set_coordinate_transform && kind <= CommandKind::group_m_word);
 }
 
 /// True for these commands.

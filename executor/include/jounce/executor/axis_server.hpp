@@ -111,7 +111,12 @@ class AxisServer {
   void take_step(const GroupQueue::Play& step);
   void take_step(const GroupQueue::Extend& step);
   void take_step(const GroupQueue::SetLimits& step);
+  void take_step(const GroupQueue::Announce& step);
   void take_step(const GroupQueue::Reply& reply);
+  void obey(const command::GroupAcknowledge& what, const CommandRequested& requested,
+            const Request& request);
+  void obey(const command::GroupSingleStep& what, const CommandRequested& requested,
+            const Request& request);
   void obey(const command::Override& what, const CommandRequested& requested,
             const Request& request);
   void obey(const command::GroupSetOverride& what, const CommandRequested& requested,
