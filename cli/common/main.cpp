@@ -20,11 +20,11 @@ namespace {
 int run(int argc, char** argv) {
   CommandLine line;
   for (const auto add :
-       {add_new,      add_laws,     add_design,  add_check,      add_optimize, add_sweep,
-        add_validate, add_identify, add_diff,    add_convert,    add_fit,      add_plot,
-        add_inverse,  add_map,      add_events,  add_contour,    add_report,   add_edit,
-        add_stream,   add_master,   add_run,     add_replay,     add_monitor,  add_page,
-        add_stop,     add_order,    add_explain, add_completion, add_man})
+       {add_new,      add_laws,     add_design,  add_check,    add_optimize,   add_sweep,
+        add_validate, add_identify, add_diff,    add_convert,  add_fit,        add_plot,
+        add_inverse,  add_map,      add_events,  add_contour,  add_report,     add_edit,
+        add_stream,   add_master,   add_run,     add_replay,   add_monitor,    add_page,
+        add_stop,     add_order,    add_explain, add_position, add_completion, add_man})
     add(line);
   return line.run(argc, argv);
 }

@@ -132,6 +132,7 @@ void add_inverse(CommandLine& line);
 void add_contour(CommandLine& line);
 void add_plot(CommandLine& line);
 void add_map(CommandLine& line);
+void add_position(CommandLine& line);
 void add_events(CommandLine& line);
 void add_report(CommandLine& line);
 void add_edit(CommandLine& line);

@@ -276,6 +276,27 @@ constexpr std::array entries{
     Entry{Cause::group_stopped, "group_stopped",
           "Another axis of the same start did not start, was stopped, or had a fault.",
           "Look at the other axes of this start: one of them reports the reason."},
+    Entry{Cause::range_end, "range_end",
+          "The jog of the group ended where an axis reaches the end of its position range.",
+          "Nothing. The notices of the executor name the axis and the place."},
+    Entry{Cause::reach_end, "reach_end",
+          "The jog of the group ended at the last place that its joints can reach.",
+          "Nothing. Jog in another direction."},
+    Entry{
+        Cause::singular_end, "singular_end",
+        "The jog of the group ended before a singular position, where a joint limits its velocity "
+        "to 1 %.",
+        "Jog back, or move the joints past the position with `jounce order GROUP move-direct "
+        "--fast`."},
+    Entry{Cause::awaits_acknowledge, "awaits_acknowledge",
+          "The group rests at an M word, or in single step, and waits for an acknowledgment.",
+          "Do what the M word requires, then send `jounce order GROUP acknowledge`."},
+    Entry{Cause::no_acknowledge, "no_acknowledge",
+          "An M word was not acknowledged in time: the group dropped the commands after it.",
+          "Check the program that acknowledges the M word, or raise its timeout. Then send the "
+          "commands again."},
+    Entry{Cause::no_handshake, "no_handshake", "The group does not wait for this acknowledgment.",
+          "Wait for the event of the M word, and give its number, or no number."},
     Entry{Cause::no_cut_plan, "no_cut_plan", "The axis does not cut: no plan of cuts is running.",
           "Start the plan of its cutter: `jounce order NAME start`. The spec of the axis names the "
           "cutter (`cutter` in [axis])."},

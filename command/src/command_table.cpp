@@ -123,6 +123,12 @@ constexpr std::array rows{
     sent<command::DisableCompensation>("disable_compensation", 47, "disable-compensation", "", own, while_off),
     sent<command::SetCoordinateTransform>("set_coordinate_transform", 60, "set-coordinate-transform",
         "MC_SetCoordinateTransform", own, begins),
+    sent<command::GroupSetPosition>("group_set_position", 61, "set-position", "MC_GroupSetPosition", own, begins),
+    sent<command::GroupSetLimits>("group_set_limits", 62, "set-limits", "", own, begins),
+    sent<command::GroupMWord>("group_m_word", 64, "m-word", "", own, begins),
+    sent<command::GroupSetOverride>("group_set_override", 63, "set-override", "MC_GroupSetOverride", any, always),
+    sent<command::GroupAcknowledge>("group_acknowledge", 65, "acknowledge", "", any, always),
+    sent<command::GroupSingleStep>("group_single_step", 66, "single-step", "", own, always),
 };
 // clang-format on
 

@@ -59,6 +59,8 @@ const char* broken(FieldRange range, double value) {
       return rule(is_whole(value) && value >= 0 && value <= 2, "must be 0 to 2");
     case FieldRange::not_negative:
       return rule(value >= 0, "must be 0 or more");
+    case FieldRange::share:
+      return rule(value > 0 && value <= 1, "must be greater than 0 and at most 1");
     case FieldRange::count:
       break;
   }
@@ -140,6 +142,8 @@ const char* words(FieldRange range) {
       return "0, 1 or 2";
     case FieldRange::not_negative:
       return "0 or more";
+    case FieldRange::share:
+      return "> 0, at most 1";
   }
   return "";
 }

@@ -53,8 +53,15 @@ def gantry_tool(x, y1, y2, z):
     return (x, y1, z)
 
 
+# The jogs of limits_in_namespace.sh: along x until the joint a1 is at 5 deg, along -y as far as that, and
+# along -x.
+FARTHEST = math.sqrt(300**2 + 250**2 + 2 * 300 * 250 * math.cos(math.radians(5)))
+X = math.sqrt(FARTHEST**2 - 250**2)
+JOGS = [(300, 250, 0), (X, 250, 0), (X, -250, 0), (-X, -250, 0)]
+
 # tool, limits of the joints, the requested corners, the deviation at a corner
 ROBOTS = {
+    "jogs": (scara_tool, SCARA, JOGS, 1e-6),
     "scara": (scara_tool, SCARA,
               [(300, 250, 0), (300, 250, 60), (420, -100, 60), (420, -100, 0)], 5),
     "delta": (delta_tool, DELTA, None, 3),

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Single commands of a group: lines, arcs and waits that arrive one after another while it moves. The
-// judge has the limits of the axes and the requested lines and arcs, and nothing of the planner.
+// judge (judged_plotter.hpp) has the limits of the axes and the requested lines and arcs.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -13,7 +14,7 @@
 #include "jounce/executor/group_queue.hpp"
 #include "jounce/path/direct.hpp"
 
-#include "executor/plotter_site.hpp"
+#include "executor/judged_plotter.hpp"
 #include "support/random.hpp"
 
 namespace jounce::group_commands_test {
@@ -21,112 +22,11 @@ namespace {
 
 using namespace test;
 using namespace std::chrono_literals;
-using command::no_coordinates;
 using ::testing::HasSubstr;
 
 constexpr std::size_t x = Plotter::x;
 constexpr std::size_t y = Plotter::y;
 constexpr std::size_t group = Plotter::group;
-
-command::Coordinates at(double px, double py) {
-  command::Coordinates to = no_coordinates<command::most_coordinates>();
-  to[0] = px;
-  to[1] = py;
-  return to;
-}
-
-command::PathDynamics blending(double velocity, double deviation = as_configured) {
-  return {
-      .along = {.velocity = velocity}, .buffer = PathBuffer::look_ahead, .deviation = deviation};
-}
-
-/// The requested path: lines and circles, and the greatest distance that a corner may have from them.
-struct Requested {
-  struct Line {
-    double x0, y0, x1, y1;
-  };
-  struct Circle {
-    double x, y, r;
-  };
-  std::vector<Line> lines;
-  std::vector<Circle> circles;
-  double tolerance = 1e-9;
-
-  [[nodiscard]] double distance(double px, double py) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Line& l : lines) {
-      const double dx = l.x1 - l.x0;
-      const double dy = l.y1 - l.y0;
-      const double square = dx * dx + dy * dy;
-      const double along = square > 0 ? ((px - l.x0) * dx + (py - l.y0) * dy) / square : 0;
-      const double t = std::clamp(along, 0.0, 1.0);
-      least = std::min(least, std::hypot(px - l.x0 - t * dx, py - l.y0 - t * dy));
-    }
-    for (const Circle& c : circles)
-      least = std::min(least, std::abs(std::hypot(px - c.x, py - c.y) - c.r));
-    return least;
-  }
-};
-
-/// A plotter whose axes are judged in every tick.
-struct Judged : PlotterSite {
-  explicit Judged(bool recorded = false, const Limits& axis = limits(200, 2000, 1e5))
-      : PlotterSite(recorded, axis), config(resolved(Plotter::config(axis))) {
-    each_tick = [this] { judge(); };
-    advance(10ms);
-    EXPECT_TRUE(order("plotter", command::Enable{}).ok());
-  }
-
-  void judge() {
-    const Tick& all = last(group);
-    moving += all.job != 0 && all.rate > 0;
-    if (all.job == 0) {
-      rested = true;
-      rest = {last(x).position, last(y).position};
-    }
-    const bool full = all.rate == 1 && before[group].rate == 1;
-    for (const std::size_t i : {x, y}) {
-      const Tick& axis = last(i);
-      if (axis.tick == before[i].tick) continue;
-      ASSERT_EQ(axis.fault, Cause::none) << axis.tick;
-      if (axis.state == State::synchronized_motion && before[i].state == axis.state) {
-        ASSERT_TRUE(keeps_limits(config, before[i], axis, full))
-            << "axis " << i << " is beyond a limit in tick " << axis.tick << ": "
-            << before[i].position << ' ' << before[i].velocity << ' ' << before[i].acceleration
-            << " -> " << axis.position << ' ' << axis.velocity << ' ' << axis.acceleration;
-      }
-      before[i] = axis;
-    }
-    before[group] = all;
-    if (all.job != 0) {
-      const double away = requested.distance(last(x).position, last(y).position);
-      ASSERT_LE(away, requested.tolerance) << "off the path in tick " << all.tick;
-    }
-  }
-
-  /// The start of the next command.
-  [[nodiscard]] std::array<double, 2> from() const { return rested ? rest : end; }
-  void accept(const std::array<double, 2>& to) {
-    end = to;
-    rested = false;
-  }
-  /// Sends a line; the request counts for the judge even before the answer.
-  CallOutcome line(double px, double py, const command::PathDynamics& path) {
-    const auto [x0, y0] = from();
-    requested.lines.push_back({x0, y0, px, py});
-    if (path.deviation > 0) requested.tolerance = std::max(requested.tolerance, path.deviation);
-    const CallOutcome outcome = order("plotter", command::MoveLinearAbsolute{at(px, py), path});
-    if (outcome.ok()) accept({px, py});
-    return outcome;
-  }
-
-  AxisConfig config;
-  Requested requested;
-  std::array<Tick, 3> before{};
-  std::array<double, 2> rest{}, end{};
-  bool rested = true;
-  int moving = 0;
-};
 
 TEST(GroupCommands, ALineMovesBothAxesAndRestsAtItsEnd) {
   Judged site;
@@ -607,6 +507,18 @@ TEST(GroupCommands, AJogRestsAtTheEndOfTheRangeAndReverses) {
   EXPECT_THAT(site.order("plotter", jog).reason, HasSubstr("leads outward"));
 }
 
+/// Limits of the path or of an axis; each of them may be omitted.
+command::GroupSetLimits random_limits(Random& random) {
+  const auto some = [&](double low, double high) {
+    return random.below(3) == 0 ? as_configured : random.log_uniform(low, high);
+  };
+  return {.dynamics = {.velocity = some(5, 200),
+                       .acceleration = some(100, 4000),
+                       .jerk = some(2000, 2e5)},
+          .axis = random.below(3),
+          .queued = random.below(2) == 0};
+}
+
 /// One random command; the judge learns the path if it is accepted.
 void stir(Judged& site, Random& random, int& accepted) {
   const auto random_buffer = [&] {
@@ -617,7 +529,20 @@ void stir(Judged& site, Random& random, int& accepted) {
                              .buffer = random_buffer()};
   if (path.buffer >= PathBuffer::blending_low && random.below(2) == 0)
     (random.below(2) == 0 ? path.deviation : path.corner_distance) = random.uniform(0.01, 1);
-  switch (random.below(14)) {
+  switch (random.below(17)) {
+    case 14:
+      static_cast<void>(
+          site.order("plotter", command::GroupSetOverride{.velocity = random.uniform(0.2, 2),
+                                                          .acceleration = random.uniform(0.05, 1),
+                                                          .jerk = random.uniform(0.02, 1)}));
+      return;
+    case 15:
+      static_cast<void>(site.order("plotter", random_limits(random)));
+      return;
+    case 16:
+      static_cast<void>(site.order("plotter", command::GroupSetOverride{}));
+      static_cast<void>(site.order("plotter", command::GroupSetLimits{.axis = random.below(3)}));
+      return;
     case 0:
       static_cast<void>(site.order("plotter", command::Hold{}));
       site.advance(100ms);
@@ -668,7 +593,10 @@ void stir(Judged& site, Random& random, int& accepted) {
 }
 
 TEST(GroupCommands, RandomCommandsAtRandomTicksKeepThePathAndTheLimits) {
-  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+  const char* const seeds = std::getenv("JOUNCE_GROUP_SEEDS");
+  const auto last_seed = seeds != nullptr ? std::strtoull(seeds, nullptr, 10) : 4;
+  for (std::uint64_t seed = 1; seed <= last_seed; ++seed) {
+    SCOPED_TRACE(seed);
     Judged site;
     Random random(seed);
     int accepted = 0;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "jounce/axis/axis.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 // A group of the machine (AxisGroup in machine.hpp), and an axis of a group. The machine connects
 // them by Inputs::peers: a group reads whether its axes can follow it, an axis whether its group is
@@ -77,6 +78,10 @@ MotionAxis::Rejection MotionAxis::against_extension(const command::Extend& what)
   if (ending_ != Ending::none) return Refusal{Cause::halting};
   const double s = path_.time(now_.tick).s;
   if (!(s <= what.until)) return Refusal{Cause::too_late, s, what.until};
+  const double most = what.movement->highest_rate();
+  const bool slower = most < path_->highest_rate() * (1 - profiles_detail::rounded_sum);
+  const bool keeps = path_.steady(now_.tick) && path_.time(now_.tick).rate <= most;
+  if (slower && !keeps) return Refusal{Cause::rate_changing};
   return std::nullopt;
 }
 

@@ -9,24 +9,6 @@
 #include "jounce/axis/path_clock.hpp"
 
 namespace jounce {
-namespace {
-
-/// The greatest magnitudes of a law: u/s, u/s^2, u/s^3 along the path.
-Peaks peaks_of(const TimingLaw& law) {
-  Peaks peaks;
-  const auto raise = [](double& peak, double value) {
-    if (std::isfinite(value)) peak = std::max(peak, value);
-  };
-  for (const LawInterval& s : law.stretches()) {
-    for (const double v : {s.v0, s.peak, s.v1}) raise(peaks.velocity, v);
-    for (const double a : {s.acceleration, s.deceleration}) raise(peaks.acceleration, std::abs(a));
-    raise(peaks.jerk, std::abs(s.jerk));
-  }
-  return peaks;
-}
-
-}  // namespace
-
 GroupPath::GroupPath(std::uint64_t id, GroupProgram program)
     : Movement(id, Course::path),
       program_(std::move(program)),

@@ -135,6 +135,19 @@ double norm(std::span<const AxisConfig> axes, double (*of)(const AxisConfig&)) {
 
 }  // namespace
 
+Peaks peaks_of(const TimingLaw& law) {
+  Peaks peaks;
+  const auto raise = [](double& peak, double value) {
+    if (std::isfinite(value)) peak = std::max(peak, value);
+  };
+  for (const LawInterval& s : law.stretches()) {
+    for (const double v : {s.v0, s.peak, s.v1}) raise(peaks.velocity, v);
+    for (const double a : {s.acceleration, s.deceleration}) raise(peaks.acceleration, std::abs(a));
+    raise(peaks.jerk, std::abs(s.jerk));
+  }
+  return peaks;
+}
+
 GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const AxisConfig> axes,
                            std::span<const std::string> names, const std::string& unit) {
   const bool joints = plan->given().fit.has_value();
@@ -144,6 +157,7 @@ GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const Axi
         "must be " + std::to_string(plan->path().axes()) + ", the number of axes of the path");
   GroupProgram program{.plan = std::move(plan), .axes = {}};
   program.first = program.plan->path().axes() - axes.size();
+  program.along = peaks_of(program.plan->law());
   const PlanAxes motions = to_axes(*program.plan);
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const AxisConfig config = resolved(axes[k]);

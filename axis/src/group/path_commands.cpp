@@ -5,10 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "jounce/path/reach.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -117,6 +119,14 @@ bool PathCommands::is_at(const Point& part) const {
   return far <= profiles_detail::rounded_sum * scale;
 }
 
+PathSettings PathCommands::within_limits(PathSettings settings) const {
+  settings.velocity = std::min(settings.velocity, limits_.velocity);
+  settings.acceleration = std::min(settings.acceleration, limits_.acceleration);
+  settings.deceleration = std::min(settings.deceleration, limits_.deceleration);
+  settings.jerk = std::min(settings.jerk, limits_.jerk);
+  return settings;
+}
+
 Point PathCommands::target(const command::Coordinates& to, bool relative) const {
   const char* const key = relative ? "by" : "to";
   require_axes(key, to, axes_);
@@ -130,7 +140,7 @@ void PathCommands::add_line(const command::Coordinates& to, bool relative,
   if (is_at(end))
     throw InputError(relative ? "by" : "to", "",
                      "has no length: the path already ends at these coordinates");
-  all_.push_back({settings, Line{}, machine(end)});
+  all_.push_back({within_limits(settings), Line{}, machine(end)});
 }
 
 template <bool relative>
@@ -168,7 +178,7 @@ void PathCommands::append(const command::MoveCircular<relative>& arc) {
       : around ? arc_about(from, moved(from, arc.center, relative), to, plane, rotation, arc.turns)
                : arc_of_radius(from, arc.radius, to, plane, rotation, arc.turns);
   const Arc made = framed() ? placed(frame_, arc_of_part) : arc_of_part;
-  all_.push_back({settings, made, made.to});
+  all_.push_back({within_limits(settings), made, made.to});
 }
 
 void PathCommands::append(const command::GroupWait& wait) {
@@ -185,9 +195,11 @@ template void PathCommands::append(const command::MoveDirectRelative& line);
 template void PathCommands::append(const command::MoveCircularAbsolute& arc);
 template void PathCommands::append(const command::MoveCircularRelative& arc);
 
-/// To the end of the position range, or as far as an axis moves in an hour.
-void PathCommands::append(const command::GroupJog& jog, std::span<const Limits> limits) {
-  require_axes("along", jog.along, axes_);
+namespace {
+
+/// The direction of a jog, a vector of length 1.
+Point direction_of(const command::GroupJog& jog, std::size_t axes) {
+  require_axes("along", jog.along, axes);
   double square = 0;
   for (const double component : jog.along)
     if (!std::isnan(component)) square += component * component;
@@ -198,39 +210,92 @@ void PathCommands::append(const command::GroupJog& jog, std::span<const Limits> 
         "must be a direction: give components whose squares have a sum that is greater "
         "than 0 and finite, such as 1,0");
   Point direction{};
-  for (std::size_t i = 0; i < axes_; ++i)
+  for (std::size_t i = 0; i < axes; ++i)
     direction[i] = std::isnan(jog.along[i]) ? 0 : jog.along[i] / norm;
-  if (framed()) direction = placed({{}, frame_.rotation}, direction);
-  constexpr double longest = 3600;  // s
+  return direction;
+}
+
+constexpr double longest_jog = 3600;  // s
+
+/// A straight line of a jog.
+struct JogLine {
   double length = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < axes_; ++i) {
+  JogEnd end = {};
+};
+
+/// To the end of the position range, or as far as an axis moves in an hour.
+JogLine line_in_range(const Point& from, const Point& direction, std::span<const Limits> limits) {
+  JogLine line;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
     const double u = direction[i];
     if (u == 0) continue;
     const auto& end = u > 0 ? limits[i].position_max : limits[i].position_min;
-    if (limits[i].velocity) length = std::min(length, *limits[i].velocity * longest / std::abs(u));
-    if (end) length = std::min(length, (*end - position()[i]) / u);
+    if (limits[i].velocity)
+      line.length = std::min(line.length, *limits[i].velocity * longest_jog / std::abs(u));
+    if (!end || (*end - from[i]) / u >= line.length) continue;
+    line = {(*end - from[i]) / u, {.cause = Cause::range_end, .index = i, .limit = *end}};
   }
-  if (!(length > 0))
-    throw InputError("along", length, "leads outward: an axis stands at the end of its range");
-  if (!std::isfinite(length))
+  return line;
+}
+
+/// The velocity along a line that the limits of the coordinates and of the path permit.
+double velocity_along(const Point& direction, double velocity, const GroupSpace& space) {
+  for (std::size_t i = 0; i < space.limits.size(); ++i)
+    if (space.limits[i].velocity && direction[i] != 0)
+      velocity = std::min(velocity, *space.limits[i].velocity / std::abs(direction[i]));
+  return std::min(velocity, space.path.velocity);
+}
+
+/// The line of a jog, as far as the joints reach.
+JogLine line_in_reach(const JogLine& line, const Point& from, const Point& direction,
+                      double velocity, const GroupSpace& space) {
+  const Reach reached = reach(*space.map, space.joints, from, direction, line.length, velocity);
+  if (reached.end == LineEnd::length) return line;
+  const Cause cause = reached.end == LineEnd::joint_limit ? Cause::range_end
+                      : reached.end == LineEnd::singular  ? Cause::singular_end
+                                                          : Cause::reach_end;
+  return {reached.length,
+          {.cause = cause, .of_joint = true, .index = reached.joint, .limit = reached.limit}};
+}
+
+}  // namespace
+
+void PathCommands::append(const command::GroupJog& jog, const GroupSpace& space) {
+  Point direction = direction_of(jog, axes_);
+  if (framed()) direction = placed({{}, frame_.rotation}, direction);
+  const PathSettings settings = within_limits(settings_of({.along = jog.dynamics}));
+  JogLine line = line_in_range(position(), direction, std::span(space.limits).first(axes_));
+  const double velocity = velocity_along(direction, settings.velocity, space);
+  if (space.map) line.length = std::min(line.length, velocity * longest_jog);
+  if (!std::isfinite(line.length))
     throw InputError("along", "",
                      "has no end: add position_min and position_max to the limits of the [[axis]] "
-                     "in the kinematics of the group");
+                     "in the kinematics of the group, or give the jog a velocity");
+  if (space.map && line.length > 0)
+    line = line_in_reach(line, position(), direction, velocity, space);
+  constexpr double shortest_jog = 1e-8;  // u: the margin of a joint at the end of its range
+  if (!(line.length > (space.map ? shortest_jog : 0)))
+    throw InputError("along", std::max(line.length, 0.0),
+                     line.end.cause == Cause::range_end
+                         ? "leads outward: an axis stands at the end of its range"
+                         : "leads outward: the group stands at the end of its reach");
   Point to = position();
   for (std::size_t i = 0; i < axes_; ++i)
     if (direction[i] != 0)
-      to[i] = std::clamp(to[i] + length * direction[i],
-                         limits[i].position_min.value_or(-PathSettings::none),
-                         limits[i].position_max.value_or(PathSettings::none));
-  all_.push_back({settings_of({.along = jog.dynamics}), Line{}, to});
+      to[i] = std::clamp(to[i] + line.length * direction[i],
+                         space.limits[i].position_min.value_or(-PathSettings::none),
+                         space.limits[i].position_max.value_or(PathSettings::none));
+  line.end.place = to;
+  jog_end_ = line.end;
+  all_.push_back({settings, Line{}, to});
 }
 
-void PathCommands::append(const ClientCommand& command, std::span<const Limits> limits) {
+void PathCommands::append(const ClientCommand& command, const GroupSpace& space) {
   std::visit(
       [&](const auto& what) {
         using What = std::remove_cvref_t<decltype(what)>;
         if constexpr (std::is_same_v<What, command::GroupJog>)
-          append(what, limits);
+          append(what, space);
         else if constexpr (requires { append(what); })
           append(what);
         else
@@ -294,6 +359,7 @@ PathCommands PathCommands::from(std::int32_t number) const {
   PathCommands rest(axes_, skipped == 0 ? start_ : all_[static_cast<std::size_t>(skipped) - 1].to,
                     first_ + skipped, path_axes_);
   rest.frame_ = frame_;
+  rest.limits_ = limits_;
   rest.all_.assign(all_.begin() + skipped, all_.end());
   return rest;
 }
@@ -333,6 +399,15 @@ Frame frame_of(const command::SetCoordinateTransform& what, std::size_t axes,
   if (turns && path_axes < 2)
     throw InputError("rotation", what.rotation, "needs two axes that are no followers");
   return turned_frame(offset, turns ? what.rotation : 0);
+}
+
+Frame shifted(Frame frame, const command::GroupSetPosition& what, const Point& machine,
+              std::size_t axes) {
+  require_axes("to", what.to, axes);
+  if (!is_given(what.to)) throw InputError("to", "", "is missing: give at least one coordinate");
+  const Point wanted = placed(frame, moved(within(frame, machine), what.to, what.relative));
+  for (std::size_t i = 0; i < axes; ++i) frame.offset[i] += machine[i] - wanted[i];
+  return frame;
 }
 
 }  // namespace jounce

@@ -40,6 +40,7 @@ AxisServer::AxisServer(ExecutorOptions options, Receiver& receiver, MachineExcha
       commands_(exchange_),
       queues_(exchange_.rows, recorded_rows()),
       builder_(worker, options_.build_apart, options_.group) {
+  if (options_.group) dynamics_.emplace(*options_.group);
   if (options_.group)
     group_queue_.emplace(
         *options_.group, worker, options_.build_apart,
@@ -213,6 +214,10 @@ void AxisServer::record(const MadeMovement& made) {
 
 void AxisServer::handle(const StartRequested& start) {
   if (crowded(start.session, start.command)) return;
+  if (const auto armed = movements_.find(armed_); dynamics_ && armed != movements_.end()) {
+    dynamics_->begin();
+    set_rate(group_rate(armed->second.made.program.get()));
+  }
   motion_session_ = start.session;
   start_.request(start.session, start.command, armed_);
   commands_.send({command::Start{start.when, start.tick, start.position, start.session}},
@@ -373,6 +378,8 @@ void AxisServer::play(std::shared_ptr<const GroupProgram> program, const Request
                       std::int64_t at) {
   MadeMovement path = movement_of(std::move(program), ++numbers_);
   record(path);
+  dynamics_->begin();
+  set_rate(group_rate(path.program.get()));
   commands_.send({command::Disarm{}});
   commands_.send({command::Arm{path.movement.get()}});
   commands_.send({command::Start{.tick = at}}, request);
@@ -383,6 +390,12 @@ void AxisServer::play(std::shared_ptr<const GroupProgram> program, const Request
 
 void AxisServer::turn_group() {
   if (!group_queue_) return;
+  if (last_.state == State::disabled && dynamics_->limits()) {
+    dynamics_->clear();
+    limit_group(true);
+  }
+  const GroupProgram* const program = playing();
+  if (program != nullptr && commands_.idle()) set_rate(group_rate(program));
   while (const auto step = group_queue_->next(last_))
     std::visit([&](const auto& one) { take_step(one); }, *step);
 }
@@ -394,6 +407,7 @@ void AxisServer::take_step(const GroupQueue::Halt& /*halt*/) {
 void AxisServer::take_step(const GroupQueue::Play& step) {
   play(step.program, step.request, -1);
   group_movement_ = numbers_;
+  if (!step.notice.empty()) notify(step.notice);
 }
 
 void AxisServer::take_step(const GroupQueue::Extend& step) {
@@ -403,6 +417,110 @@ void AxisServer::take_step(const GroupQueue::Extend& step) {
                  {step.request.session, step.request.command, Kind::extend});
   group_movement_ = path.movement->id();
   movements_[group_movement_] = {std::move(path), {}};
+}
+
+void AxisServer::take_step(const GroupQueue::SetLimits& step) {
+  set_limits(step.limits, step.request);
+}
+
+void AxisServer::take_step(const GroupQueue::Announce& step) {
+  if (step.waits)
+    notify("M" + std::to_string(step.m_word) + " waits for `jounce order " +
+           options_.receiver.executor + " acknowledge`");
+  events_.push_back({.count = ++event_count_,
+                     .kind = wire::EventKind::m_word,
+                     .number = static_cast<std::uint32_t>(step.m_word),
+                     .on = step.waits,
+                     .tick = last_.tick,
+                     .position = last_.position});
+}
+
+void AxisServer::obey(const command::GroupAcknowledge& what, const CommandRequested& requested,
+                      const Request& request) {
+  if (!group_queue_) return answer(request, Refusal{.cause = Cause::not_a_group});
+  if (!untimed(requested)) return;
+  const GroupQueue::Announce passes{group_queue_->m_word(), false};
+  const Cause no = group_queue_->acknowledge(what.m_word);
+  if (no == Cause::none && passes.m_word > 0) take_step(passes);
+  answer(request, no == Cause::none ? std::nullopt : std::optional(Refusal{.cause = no}));
+}
+
+void AxisServer::obey(const command::GroupSingleStep& what, const CommandRequested& requested,
+                      const Request& request) {
+  if (!group_queue_) return answer(request, Refusal{.cause = Cause::not_a_group});
+  if (!untimed(requested)) return;
+  group_queue_->single_step(what.on);
+  answer(request, std::nullopt);
+}
+
+void AxisServer::set_limits(const command::GroupSetLimits& what, const Request& request) {
+  try {
+    dynamics_->set(what);
+    limit_group(what.axis != 0);
+    if (moving()) set_rate(group_rate(playing()));
+    answer(request, std::nullopt);
+  } catch (const InputError& error) {
+    receiver_.refuse(request.session, request.command,
+                     error.key() + " " + error.value() + " " + error.rule(),
+                     static_cast<std::int32_t>(Cause::no_value));
+  }
+}
+
+/// Passes the limits to the commands of the group that follow.
+void AxisServer::limit_group(bool from_rest) {
+  group_queue_->limit(dynamics_->limited(), dynamics_->path(), from_rest);
+}
+
+/// The program that the group plays; null: none.
+const GroupProgram* AxisServer::playing() const {
+  const auto kept = movements_.find(last_.job);
+  return kept == movements_.end() ? nullptr : kept->second.made.program.get();
+}
+
+/// The override factor of a program: below the commanded one if the limits require it.
+double AxisServer::group_rate(const GroupProgram* program) const {
+  if (program == nullptr) return dynamics_->rate();
+  return std::min(dynamics_->rate(*program), group_queue_->highest_rate());
+}
+
+/// Sends an override factor to the group if it differs from the present one, or if a request waits.
+void AxisServer::set_rate(double rate, const std::optional<Request>& request, std::int64_t at) {
+  const Command command{.what = command::Override{rate}, .at = at};
+  if (request)
+    commands_.send(command, *request);
+  else if (rate != rate_)
+    commands_.send(command);
+  rate_ = rate;
+}
+
+void AxisServer::obey(const command::Override& what, const CommandRequested& requested,
+                      const Request& request) {
+  if (!dynamics_) return commands_.send({.what = what, .at = requested.at}, request);
+  dynamics_->set(what);
+  set_rate(group_rate(playing()), request, requested.at);
+}
+
+void AxisServer::obey(const command::GroupSetOverride& what, const CommandRequested& requested,
+                      const Request& request) {
+  if (!dynamics_) return answer(request, Refusal{.cause = Cause::not_a_group});
+  dynamics_->set(what);
+  limit_group(false);
+  set_rate(group_rate(playing()), request, requested.at);
+}
+
+/// Queued limits take their place in the order of the commands.
+void AxisServer::obey(const command::GroupSetLimits& what, const CommandRequested& requested,
+                      const Request& request) {
+  if (!dynamics_) return answer(request, Refusal{.cause = Cause::not_a_group});
+  if (requested.at >= 0)
+    return decline(requested, "further limits of a group apply at once: leave out --at");
+  if (!what.queued) {
+    if (const Cause no = permitted(last_.state, request.kind); no != Cause::none)
+      return answer(request, Refusal{.cause = no});
+    return set_limits(what, request);
+  }
+  if (group_queue_->full()) return refuse_crowd(requested.session, requested.command);
+  group_queue_->take(what, request);
 }
 
 void AxisServer::take_step(const GroupQueue::Reply& reply) {
@@ -442,7 +560,7 @@ void AxisServer::obey(const command::QueueEnd& what, const CommandRequested& req
   answer_queue(request, true);
 }
 
-/// Declines a command about a queue for a later tick.
+/// Declines a command about a queue, or about the commands of a group, for a later tick.
 bool AxisServer::untimed(const CommandRequested& requested) {
   if (requested.at >= 0)
     decline(requested, "a command for a queue takes effect at once: leave out --at");
@@ -496,7 +614,10 @@ void AxisServer::handle(const RowsArrived& arrived) {
 void AxisServer::clear_commands() {
   builder_.cancel();
   if (group_queue_) group_queue_->clear();
+  if (commands_.waits(Kind::override_)) rate_ = NAN;  // it is sent again
+  const bool dropped = commands_.waits(Kind::start) || commands_.waits(Kind::extend);
   for (const std::uint64_t movement : commands_.clear()) movements_.erase(movement);
+  if (group_queue_ && dropped) group_queue_->answered(false, group_movement_);
 }
 
 // ---- the axis ----------------------------------------------------------------------------------
@@ -584,7 +705,7 @@ wire::Status AxisServer::status() const {
                       .following_error = last_.following_error,
                       .torque = last_.torque,
                       .override_ = last_.override_,
-                      .reason = static_cast<std::int32_t>(last_.reason),
+                      .reason = static_cast<std::int32_t>(reason()),
                       .queue_rows = waiting,
                       .queue_capacity = capacity,
                       .outputs = last_.switches.outputs,
@@ -608,6 +729,12 @@ wire::Status AxisServer::status() const {
     if (kept->second.made.movement->synchronized()) status.master_position = last_.master;
   }
   return status;
+}
+
+/// The reason why the last motion ended.
+Cause AxisServer::reason() const {
+  const Cause rests = group_queue_ ? group_queue_->rests_because(last_) : Cause::none;
+  return last_.reason == Cause::none ? rests : last_.reason;
 }
 
 /// State of the pair of the axis and its live master.

@@ -117,21 +117,24 @@ std::shared_ptr<const GroupProgram> planned_program(const Program& program,
 
 std::shared_ptr<const GroupProgram> fast_program(const Point& from, const Point& to,
                                                  const ExecutorGroup& group) {
-  const std::vector<Limits> limits = [&] {
-    std::vector<Limits> all;
-    for (const AxisConfig& axis : group.configs) all.push_back(axis.limits);
-    return all;
-  }();
+  std::vector<Limits> limits;
+  for (const AxisConfig& axis : group.configs) limits.push_back(axis.limits);
   auto made = std::make_shared<const Plan>(direct_plan(from, axes_at(to, group), limits));
   return std::make_shared<const GroupProgram>(
       group_program(std::move(made), group.configs, group.names, group.unit));
 }
 
-std::vector<Limits> coordinate_limits(const ExecutorGroup& group) {
-  if (group.kinematics) return group.kinematics->limits.axes;
-  std::vector<Limits> all;
-  for (const AxisConfig& axis : group.configs) all.push_back(axis.limits);
-  return all;
+GroupSpace space_of(const ExecutorGroup& group) {
+  std::vector<Limits> axes;
+  for (const AxisConfig& axis : group.configs) axes.push_back(axis.limits);
+  if (!group.kinematics) return {.limits = std::move(axes)};
+  const GroupKinematics& kinematics = *group.kinematics;
+  for (std::size_t k = 0; k < axes.size(); ++k)
+    axes[k] = common(axes[k], kinematics.joints.limits[k]);
+  return {.limits = kinematics.limits.axes,
+          .path = kinematics.limits.path,
+          .map = kinematics.joints.map,
+          .joints = std::move(axes)};
 }
 
 std::optional<Point> tool_of(const Point& axes, const ExecutorGroup& group) {

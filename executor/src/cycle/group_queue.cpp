@@ -7,23 +7,37 @@
 #include <utility>
 
 #include "jounce/axis/group_program.hpp"
+#include "jounce/axis/path_clock.hpp"
 #include "jounce/command/command_table.hpp"
 #include "jounce/executor/group_plan.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
 
 /// The slope of the rate must hold also for the programs that continue this one: the axes may use
-/// their limits there.
+/// their limits there. If this program has a reserve, it can be played at a higher rate h. The peaks
+/// then are those of a program that uses the limits at this rate.
 GroupProgram with_peaks_of_limits(GroupProgram program) {
+  double h = 2;
+  for (const GroupAxis& axis : program.axes) h = std::min(h, highest_rate(axis.peaks, axis.config));
   for (GroupAxis& axis : program.axes) {
     const Limits& limits = axis.config.limits;
-    axis.peaks = {.velocity = *limits.velocity,
-                  .acceleration = *limits.acceleration,
-                  .jerk = limits.jerk.value_or(axis.peaks.jerk)};
+    axis.peaks = {.velocity = *limits.velocity / h,
+                  .acceleration = *limits.acceleration / (h * h),
+                  .jerk = limits.jerk ? *limits.jerk / (h * h * h) : axis.peaks.jerk};
   }
   return program;
+}
+
+/// The highest rate of such a program.
+double highest_rate_of(const GroupProgram& program) {
+  double rate = 2;
+  for (const GroupAxis& axis : program.axes)
+    rate = std::min(rate, highest_rate(axis.peaks, axis.config));
+  return rate;
 }
 
 /// The sentence of an error. A coordinate, such as "to[1]", has the name of its axis.
@@ -88,7 +102,7 @@ GroupQueue::~GroupQueue() {
 }
 
 void GroupQueue::clear() {
-  if (!starts_following_) following_.reset();
+  drop_stages();
   drop_attempt();
   idle_.clear();
   cancel();
@@ -111,36 +125,102 @@ void GroupQueue::cancel() {
 
 std::optional<GroupQueue::Step> GroupQueue::next(const Tick& group) {
   if (group.state == State::disabled) frame_ = {};
-  if (starts_following_) return std::nullopt;
-  if (auto step = begin_following(group)) return step;
+  if (group.tick != seen_) rate_ = std::exchange(rate_seen_, group.rate);
+  seen_ = group.tick;
+  finished_ = group.finished;
+  if (starts_stage_) return std::nullopt;
+  if (auto step = begin_stage(group)) return step;
   if (waiting_.empty()) return std::nullopt;
   if (attempt_ && attempt_->program) return std::nullopt;
-  return attempt_ ? proceed() : begin(group);
+  return attempt_ ? proceed(group) : begin(group);
 }
 
-/// At the end of the present motion. If the motion was ended before, its followers are dropped.
-std::optional<GroupQueue::Step> GroupQueue::begin_following(const Tick& group) {
-  if (!following_ || in_motion(group)) return std::nullopt;
-  starts_following_ = rests(group) && group.finished > following_->finished;
-  if (!starts_following_) {
-    following_.reset();
+/// At the end of the present motion. If the motion was ended before, the stages are dropped.
+std::optional<GroupQueue::Step> GroupQueue::begin_stage(const Tick& group) {
+  if (stages_.empty() || in_motion(group)) return std::nullopt;
+  const Stage& stage = stages_.front();
+  if (!rests(group) || (stage.finished && group.finished <= *stage.finished)) {
+    drop_stages();
     return std::nullopt;
   }
-  return Play{following_->program, {.kind = CommandKind::move_linear_absolute}};
+  if (stage.gate && !acknowledged_) return pass_gate(group);
+  // A command that is being planned belongs to the last stage.
+  const bool grows = attempt_ && attempt_->way == Way::after && !attempt_->adds_stage;
+  if (grows && stages_.size() == 1) return std::nullopt;
+  if (stage.program) {
+    starts_stage_ = true;
+    return Play{stage.program, {.kind = CommandKind::move_linear_absolute}};
+  }
+  end_stage({});
+  return begin_stage(group);
+}
+
+/// The group rests at a gate that is not open.
+std::optional<GroupQueue::Step> GroupQueue::pass_gate(const Tick& group) {
+  const Gate gate = *stages_.front().gate;
+  const bool arrives = gate_since_ < 0;
+  if (arrives) gate_since_ = group.tick;
+  if (arrives && !gate.is_step) return Announce{gate.m_word, true};
+  const double waited =
+      static_cast<double>(group.tick - gate_since_) * seconds(group_->configs.front().period);
+  if (!(gate.timeout > 0 && waited >= gate.timeout)) return std::nullopt;
+  unacknowledged_ = true;
+  drop_stages();
+  return Announce{gate.m_word, false};
+}
+
+/// Drops all stages but the one whose beginning the group has already.
+void GroupQueue::drop_stages() {
+  stages_.erase(stages_.begin() + (starts_stage_ ? 1 : 0), stages_.end());
+  gate_since_ = -1;
+  acknowledged_ = false;
+}
+
+/// The first stage has begun, or has no motion.
+void GroupQueue::end_stage(std::optional<std::uint64_t> finished) {
+  stages_.pop_front();
+  gate_since_ = -1;
+  acknowledged_ = false;
+  if (!stages_.empty()) stages_.front().finished = finished;
+}
+
+std::int32_t GroupQueue::m_word() const {
+  return gate_since_ >= 0 && !acknowledged_ && !stages_.empty() ? stages_.front().gate->m_word : 0;
+}
+
+Cause GroupQueue::acknowledge(std::int32_t number) {
+  const bool waits = gate_since_ >= 0 && !acknowledged_ && !stages_.empty();
+  if (!waits || (number != 0 && number != m_word())) return Cause::no_handshake;
+  acknowledged_ = true;
+  return Cause::none;
 }
 
 void GroupQueue::answered(bool accepted, std::uint64_t movement) {
-  if (std::exchange(starts_following_, false)) {
+  unacknowledged_ = false;
+  if (std::exchange(starts_stage_, false)) {
+    Stage& stage = stages_.front();
     if (accepted)
-      playing_ = Playing{movement, std::move(following_->commands), following_->program};
-    following_.reset();
+      playing_ = Playing{.movement = movement,
+                         .commands = std::move(stage.commands),
+                         .program = stage.program,
+                         .group = stage.group,
+                         .finished = finished_};
+    if (!accepted) return drop_stages();
+    from_rest_ = false;
+    end_stage(finished_);
     return;
   }
   if (!attempt_ || !attempt_->program) return;
   if (accepted) {
-    playing_ = Playing{movement, std::move(attempt_->commands), std::move(attempt_->program),
-                       attempt_->origin, attempt_->fast};
+    playing_ = Playing{movement,
+                       std::move(attempt_->commands),
+                       std::move(attempt_->program),
+                       std::move(attempt_->group),
+                       attempt_->origin,
+                       attempt_->fast,
+                       finished_};
     idle_.clear();
+    if (attempt_->way == Way::rest) from_rest_ = false;
   }
   if (accepted || attempt_->way == Way::rest) {
     finish(Cause::none);
@@ -160,7 +240,8 @@ void GroupQueue::fail() {
 std::size_t GroupQueue::size(const Tick& group) const {
   const auto played =
       plays(group) ? static_cast<std::size_t>(playing_->commands.last() - current(group) + 1) : 0;
-  const std::size_t after = following_ && !starts_following_ ? following_->commands.size() : 0;
+  std::size_t after = 0;
+  for (const Stage& stage : stages_) after += stage.commands.size() + (stage.gate ? 1 : 0);
   return played + after + waiting_.size() + idle_.size();
 }
 
@@ -186,54 +267,121 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
   if (const Cause no = permitted(group.state, kind_of(command)); no != Cause::none)
     return finish(no);
   try {
-    if (const auto* const what = std::get_if<command::SetCoordinateTransform>(&command)) {
-      const std::size_t axes = group_->coordinates().size();
-      frame_ = frame_of(*what, axes, group_->kinematics ? group_->kinematics->path_axes : axes);
+    if (const auto* const what = std::get_if<command::GroupSetLimits>(&command)) {
+      const SetLimits step{*what, request};
+      finish(Cause::none);
+      return step;
+    }
+    if (auto step = set_frame(command, group)) return step;
+    if (const auto* const what = std::get_if<command::GroupMWord>(&command)) {
+      if (what->number < 1) throw InputError("M word", "0", "must be at least 1");
+      add_stage(group, Gate{.m_word = what->number, .timeout = what->timeout});
       return finish(Cause::none);
     }
     if (is_fast(command) && blends(command))
       throw InputError("fast", "", "begins and ends at rest: leave out --blend");
-    if (rests(group)) {
-      halting_ = releasing_ = false;
-      return fresh();
-    }
-    if (is_fast(command) && !aborts(command))
+    if (aborts(command)) drop_stages();
+    if (rests(group)) halting_ = releasing_ = false;
+    if (rests(group) && stages_.empty() && !single_step_) return fresh(group);
+    if (is_fast(command) && (!aborts(command) || rests(group)))
       return finish(Cause::in_motion,
                     "a fast move begins at rest: send it when the group rests, or with the buffer "
                     "mode aborting");
-    if (aborts(command)) following_.reset();
-    if (aborts(command))
+    if (aborts(command) && !rests(group))
       return std::exchange(halting_, true) ? std::nullopt : std::optional(Step(Halt{}));
     if (next_way_ == Way::rest) return std::nullopt;  // the present motion ends first
     if (auto step = joined(group)) return step;
-    return proceed();
+    return proceed(group);
   } catch (const InputError& error) {
     return finish(Cause::no_value, reason_of(error, group_->coordinates()));
   }
 }
 
-/// No commands yet, from the present place of the group.
-PathCommands GroupQueue::commands_from_rest() const {
+/// A command that changes the frame of the commands after it; nullopt: it is another command.
+std::optional<GroupQueue::Step> GroupQueue::set_frame(const ClientCommand& command,
+                                                      const Tick& group) {
   const std::size_t axes = group_->coordinates().size();
-  return {axes, coordinates_of(places_(), *group_), 1,
-          group_->kinematics ? group_->kinematics->path_axes : axes};
+  if (const auto* const what = std::get_if<command::SetCoordinateTransform>(&command)) {
+    frame_ = frame_of(*what, axes, group_->kinematics ? group_->kinematics->path_axes : axes);
+    return finish(Cause::none);
+  }
+  const auto* const what = std::get_if<command::GroupSetPosition>(&command);
+  if (what == nullptr) return std::nullopt;
+  frame_ = shifted(frame_, *what, end_of(group), axes);
+  return finish(Cause::none);
+}
+
+void GroupQueue::limit(ExecutorGroup group, const PathLimits& path, bool from_rest) {
+  group_ = std::make_shared<const ExecutorGroup>(std::move(group));
+  limits_ = path;
+  from_rest_ = from_rest_ || from_rest;
+}
+
+double GroupQueue::highest_rate() const {
+  return attempt_ && attempt_->made && attempt_->made->program
+             ? highest_rate_of(*attempt_->made->program)
+             : 2;
+}
+
+/// The notice of a jog: where it ends, and why.
+std::string GroupQueue::text_of(const JogEnd& end) const {
+  std::string text = "the jog ends at";
+  const std::vector<std::string>& names = group_->coordinates();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? " " : ", ") + names[i] + " = " + six_digits(end.place[i]);
+  const std::string& axis = end.of_joint ? group_->names[end.index] : names[end.index];
+  if (end.cause == Cause::range_end)
+    return text + ": there, " + axis + " reaches the end of its position range, " +
+           six_digits(end.limit);
+  if (end.cause == Cause::reach_end) return text + ": there, the reach of the joints ends";
+  if (end.cause == Cause::singular_end)
+    return text + ", before a singular position: there, " + axis +
+           " limits the jog to 1 % of its velocity";
+  return "";
+}
+
+Cause GroupQueue::rests_because(const Tick& group) const {
+  if (gate_since_ >= 0 && !acknowledged_) return Cause::awaits_acknowledge;
+  if (unacknowledged_ && !in_motion(group)) return Cause::no_acknowledge;
+  const bool ended = playing_ && !in_motion(group) && group.reason == Cause::none &&
+                     group.finished == playing_->finished + 1;
+  const auto end = ended ? playing_->commands.jog_end() : std::nullopt;
+  return end ? end->cause : Cause::none;
+}
+
+/// No commands yet, from this place.
+PathCommands GroupQueue::commands_from(const Point& place) const {
+  const std::size_t axes = group_->coordinates().size();
+  return {axes, place, 1, group_->kinematics ? group_->kinematics->path_axes : axes};
+}
+
+/// A stage without commands, after all others.
+void GroupQueue::add_stage(const Tick& group, std::optional<Gate> gate) {
+  const bool rests_before = stages_.empty() && rests(group);
+  stages_.push_back({.commands = commands_from(end_of(group)),
+                     .program = nullptr,
+                     .group = group_,
+                     .finished = rests_before ? std::nullopt : std::optional(group.finished),
+                     .gate = gate});
 }
 
 /// A motion from rest. A wait alone moves nothing: it waits for the next command.
-std::optional<GroupQueue::Step> GroupQueue::fresh() {
-  PathCommands commands = commands_from_rest();
+std::optional<GroupQueue::Step> GroupQueue::fresh(const Tick& group) {
+  PathCommands commands = commands_from(end_of(group));
   commands.set_frame(frame_);
+  commands.set_limits(limits_);
   passed_ = first_passed;
   if (aborts(waiting_.front().command)) idle_.clear();
   const ClientCommand& command = waiting_.front().command;
   const bool fast = is_fast(command);
   if (!fast)
     for (const command::GroupWait& wait : idle_) commands.append(wait);
-  commands.append(command, coordinate_limits(*group_));
+  commands.append(command, space_of(*group_));
   if (commands.moves()) {
     plan(Way::rest,
-         {.commands = std::move(commands), .fast = fast ? std::optional(places_()) : std::nullopt});
-    return proceed();
+         {.commands = std::move(commands), .fast = fast ? std::optional(places_()) : std::nullopt},
+         group_);
+    return proceed(group);
   }
   if (idle_.size() >= most_commands)
     return finish(Cause::buffer_full, std::to_string(most_commands) + " waits are queued");
@@ -241,8 +389,10 @@ std::optional<GroupQueue::Step> GroupQueue::fresh() {
   return finish(Cause::none);
 }
 
-/// The coordinates at the end of the present motion.
+/// The coordinates at the end of the last command.
 Point GroupQueue::end_of(const Tick& group) const {
+  if (!stages_.empty()) return stages_.back().commands.position();
+  if (rests(group)) return coordinates_of(places_(), *group_);
   if (plays(group)) return playing_->commands.position();
   const auto program = program_of_ ? program_of_(group.job) : nullptr;
   if (!program) throw InputError("command", "", "cannot follow the present motion: send it again");
@@ -250,29 +400,28 @@ Point GroupQueue::end_of(const Tick& group) const {
   return path.point(path.pieces().size() - 1, path.pieces().back().length);
 }
 
-/// The command follows the end of the present motion, at rest.
+/// The command follows the end of the last command, at rest.
 std::optional<GroupQueue::Step> GroupQueue::follow(const Tick& group) {
-  const std::size_t axes = group_->coordinates().size();
-  PathCommands commands =
-      following_ ? following_->commands
-                 : PathCommands(axes, end_of(group), 1,
-                                group_->kinematics ? group_->kinematics->path_axes : axes);
-  if (commands.size() >= most_commands)
-    return finish(Cause::buffer_full, std::to_string(commands.size()) + " commands wait (limit " +
+  if (size(group) >= most_commands)
+    return finish(Cause::buffer_full, std::to_string(size(group)) + " commands wait (limit " +
                                           std::to_string(most_commands) +
                                           "): send this one again later");
+  const bool adds = stages_.empty() || single_step_;
+  PathCommands commands = adds ? commands_from(end_of(group)) : stages_.back().commands;
   commands.set_frame(frame_);
-  commands.append(waiting_.front().command, coordinate_limits(*group_));
+  commands.set_limits(limits_);
+  commands.append(waiting_.front().command, space_of(*group_));
   if (!commands.moves())
     return finish(Cause::in_motion, "a wait needs a motion before it: send it after the next line");
-  plan(Way::after, {.commands = std::move(commands)});
-  attempt_->finished = following_ ? following_->finished : group.finished;
-  return proceed();
+  plan(Way::after, {.commands = std::move(commands)}, group_);
+  attempt_->adds_stage = adds;
+  return proceed(group);
 }
 
 /// The command continues the present motion.
 std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
-  if (!plays(group) || playing_->fast) return follow(group);
+  if (!plays(group) || playing_->fast || !stages_.empty() || from_rest_ || single_step_)
+    return follow(group);
   const std::int32_t now = current(group);
   const PathCommands& all = playing_->commands;
   if (all.size() >= 2 * most_commands)
@@ -289,22 +438,24 @@ std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
                           : next_way_ == Way::slower ? all.slowed(*playing_->program->plan)
                                                      : all;
   commands.set_frame(frame_);
-  commands.append(waiting_.front().command, coordinate_limits(*group_));
+  commands.set_limits(limits_);
+  commands.append(waiting_.front().command, space_of(*playing_->group));
   if (next_way_ == Way::stopping) commands = commands.stopping();
-  plan(next_way_, {.commands = std::move(commands),
-                   .before = playing_->program,
-                   .q = group.position - playing_->origin});
+  plan(next_way_,
+       {.commands = std::move(commands),
+        .before = playing_->program,
+        .q = group.position - playing_->origin},
+       playing_->group);
   return std::nullopt;
 }
 
 /// Plans at once, or starts the planning in the thread of the worker.
-void GroupQueue::plan(Way way, Task task) {
-  Attempt attempt{way, task.commands, {}, std::make_shared<std::atomic<bool>>(false)};
+void GroupQueue::plan(Way way, Task task, std::shared_ptr<const ExecutorGroup> group) {
+  Attempt attempt{way, task.commands, {}, std::make_shared<std::atomic<bool>>(false), group};
   attempt.fast = task.fast.has_value();
   const std::size_t size = task.commands.size();
-  const auto work = [task = std::move(task), group = group_, canceled = attempt.canceled] {
-    return planned(task, *group, *canceled);
-  };
+  const auto work = [task = std::move(task), group = std::move(group),
+                     canceled = attempt.canceled] { return planned(task, *group, *canceled); };
   if (size > most_at_once_) {
     attempt.planned = worker_.ask(work);
   } else {
@@ -318,7 +469,7 @@ void GroupQueue::plan(Way way, Task task) {
 GroupQueue::Planned GroupQueue::planned(const Task& task, const ExecutorGroup& group,
                                         const std::atomic<bool>& canceled) {
   try {
-    const std::vector<Limits> limits = coordinate_limits(group);
+    const std::vector<Limits> limits = space_of(group).limits;
     const auto program =
         task.fast ? fast_program(*task.fast, task.commands.position(), group)
                   : planned_program(task.commands.program(), {.axes = limits}, group, &canceled);
@@ -338,30 +489,48 @@ GroupQueue::Planned GroupQueue::planned(const Task& task, const ExecutorGroup& g
   }
 }
 
-/// The planning has ended.
-std::optional<GroupQueue::Step> GroupQueue::proceed() {
-  if (attempt_->planned.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-    return std::nullopt;
-  Planned made = attempt_->planned.get();
-  if (!made.reason.empty()) return finish(Cause::bad_table, made.reason);
+/// The planning has ended, or goes on.
+std::optional<GroupQueue::Step> GroupQueue::proceed(const Tick& group) {
+  if (!attempt_->made) {
+    if (attempt_->planned.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+      return std::nullopt;
+    attempt_->made = attempt_->planned.get();
+  }
+  Planned& made = *attempt_->made;
+  if (const std::string reason = made.reason; !reason.empty())
+    return finish(Cause::bad_table, reason);
   const Request& request = waiting_.front().request;
   if (attempt_->way == Way::after) {
-    following_ =
-        Following{std::move(attempt_->commands), std::move(made.program), attempt_->finished};
+    if (attempt_->adds_stage || stages_.empty())
+      add_stage(group, single_step_ ? std::optional(Gate{.is_step = true}) : std::nullopt);
+    Stage& stage = stages_.back();
+    stage.commands = std::move(attempt_->commands);
+    stage.program = std::move(made.program);
+    stage.group = std::move(attempt_->group);
     return finish(Cause::none);
   }
   if (attempt_->way == Way::rest) {
     attempt_->program = made.program;
-    return Play{std::move(made.program), request};
+    const auto& jog = attempt_->commands.jog_end();
+    return Play{std::move(made.program), request, jog ? text_of(*jog) : ""};
   }
   if (!made.agreement) {
     fail();
     return std::nullopt;
   }
+  if (!takes_over(group)) return std::nullopt;
   attempt_->program = made.program;
   attempt_->origin = playing_->origin + made.agreement->position;
-  return Extend{std::move(made.program), attempt_->origin, made.agreement->shift,
-                made.agreement->until, request};
+  return Extend{made.program, attempt_->origin, made.agreement->shift, made.agreement->until,
+                request};
+}
+
+/// True if the rate of the group suits the longer plan, or if the group rests.
+bool GroupQueue::takes_over(const Tick& group) const {
+  const double most = highest_rate();
+  const bool slower =
+      most < highest_rate_of(*playing_->program) * (1 - profiles_detail::rounded_sum);
+  return !slower || !plays(group) || (group.rate == rate_ && group.rate <= most);
 }
 
 // ---- the present motion ------------------------------------------------------------------------

@@ -182,18 +182,36 @@ double positive(const std::string& word, const Field& field, const std::string& 
                                          : "; leave it out to use the limit of the axis"));
 }
 
-/// "50%" or "0.5".
-double factor_of(const std::string& text) {
-  if (text.empty()) throw InputError(value_word, "", "is missing: give 0% to 200%");
+/// "50%" or "0.5", as a factor.
+std::optional<double> factor_in(const std::string& text) {
   const bool percent = !text.empty() && text.back() == '%';
   const auto factor = csv_number(percent ? text.substr(0, text.size() - 1) : text);
-  if (!factor || !(*factor >= 0 && *factor <= (percent ? 200 : 2)))
+  return factor && percent ? *factor / 100 : factor;
+}
+
+/// A share of the limits; 1 if it is not given.
+double share_of(const std::string& name, const std::string& text) {
+  if (text.empty()) return 1;
+  const auto share = factor_in(text);
+  if (!share || !(*share > 0 && *share <= 1))
+    throw InputError(name, text,
+                     "must be more than 0% and at most 100%, or more than 0 and at most 1");
+  return *share;
+}
+
+/// The factor of an override; an option that is not given is 1.
+double factor_of(const std::string& name, const std::string& text) {
+  if (text.empty() && name != value_word) return 1;
+  if (text.empty()) throw InputError(name, "", "is missing: give 0% to 200%");
+  const bool percent = text.back() == '%';
+  const auto factor = factor_in(text);
+  if (!factor || !(*factor >= 0 && *factor <= 2))
     throw InputError(
-        value_word, text,
+        name, text,
         "must be from 0% to 200%, or from 0 to 2" +
             (!percent && factor && *factor > 2 && *factor <= 200 ? ": did you mean " + text + "%?"
                                                                  : std::string()));
-  return percent ? *factor / 100 : *factor;
+  return *factor;
 }
 
 /// "3:2" or "3".
@@ -342,11 +360,13 @@ InputError value_missing(const std::string& word, const Field& field, const std:
   const bool is_ratio =
       field.range == FieldRange::whole || field.range == FieldRange::whole_nonzero;
   const bool is_factor = field.range == FieldRange::factor;
+  const bool is_count = field.range == FieldRange::count;
   return {word, "",
           "VALUE is missing: give a " + (is_ratio ? "ratio" : std::string(field.name)) +
               ", such as " +
               (is_ratio    ? "3:2"
                : is_factor ? "50%"
+               : is_count  ? "6"
                            : "12.5" + unit)};
 }
 
@@ -366,7 +386,9 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
     case FieldRange::direction:
       return direction_of(text);
     case FieldRange::factor:
-      return factor_of(text);
+      return factor_of(name, text);
+    case FieldRange::share:
+      return share_of(name, text);
     case FieldRange::buffer_mode:
       if (text == "look-ahead")
         throw InputError(name, text, "applies to the moves of a group only");

@@ -14,7 +14,9 @@ namespace {
 /// The group of a Cause. Each group has a block of numbers.
 const char* group_of(Cause cause) {
   if (is_fault(cause)) return "Faults of an axis";
-  if (cause >= Cause::stopped && cause <= Cause::group_stopped) return "Why a motion ended";
+  if ((cause >= Cause::stopped && cause <= Cause::group_stopped) ||
+      (cause >= Cause::range_end && cause <= Cause::no_acknowledge))
+    return "Why a motion ended";
   if (cause >= Cause::bad_table && cause <= Cause::not_in_sync)
     return "Tables that an axis rejects";
   return "Commands that an axis rejects";

@@ -25,11 +25,18 @@ std::string number_text(double value, const std::string& unit) {
   return six_digits(value) + (unit.empty() ? "" : " " + unit);
 }
 
+/// "  range_end" after a jog that a group could not continue; "" otherwise.
+std::string end_of_jog(std::int32_t reason) {
+  const auto cause = static_cast<Cause>(reason);
+  const bool shown = cause >= Cause::range_end && cause <= Cause::no_acknowledge;
+  return shown ? std::string("  ") + name(cause) : "";
+}
+
 }  // namespace
 
 std::string status_text(const std::string& axis, const wire::Status& s) {
   return fmt::format(
-      "{:<12} {:<9} tick {:<10} {:<19} position {:<14} velocity {:<16} late {}{}{}{}{}{}{}", axis,
+      "{:<12} {:<9} tick {:<10} {:<19} position {:<14} velocity {:<16} late {}{}{}{}{}{}{}{}", axis,
       name(s.state), s.tick,
       std::isnan(s.master_position) ? "no master"
                                     : "master " + number_text(s.master_position, s.units.x),
@@ -40,6 +47,7 @@ std::string status_text(const std::string& axis, const wire::Status& s) {
                                : "  compensated " + number_text(s.correction, s.units.position),
       s.gear == wire::GearState::none ? "" : "  " + gear_text(s),
       s.last_error == 0 ? "" : fmt::format("  {}", name(static_cast<Cause>(s.last_error))),
+      end_of_jog(s.reason),
       s.unwritten == 0 ? "" : fmt::format("  not written: {}", unwritten_files(s.unwritten)));
 }
 
@@ -63,7 +71,8 @@ std::string status_json(const std::string& axis, const wire::Status& s) {
                   {"ratio", s.ratio},
                   {"correction", s.correction},
                   {"unwritten", unwritten_files(s.unwritten)},
-                  {"queue_rows", s.queue_rows}};
+                  {"queue_rows", s.queue_rows},
+                  {"reason", name(static_cast<Cause>(s.reason))}};
   return line.dump();
 }
 
@@ -143,6 +152,8 @@ std::string event_text(const wire::Event& event) {
       return fmt::format("mark, deviation {:.6g}", event.position);
     case wire::EventKind::end_of_profile:
       return "end of profile, master" + at;
+    case wire::EventKind::m_word:
+      return fmt::format("M{} {}", event.number, event.on ? "waits" : "ends");
     case wire::EventKind::compare:
     case wire::EventKind::track:
     case wire::EventKind::tappet:

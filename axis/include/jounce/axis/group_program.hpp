@@ -25,7 +25,12 @@ struct GroupProgram {
   std::vector<GroupAxis> axes;       ///< in the order of the axes of the plan
   /// Place of the first axis of the group among the axes of the plan; not 0 if they are joints.
   std::size_t first = 0;
+  /// Greatest magnitudes along the path: u/s, u/s^2, u/s^3.
+  Peaks along = {};
 };
+
+/// Returns the greatest magnitudes of a timing law along its path.
+Peaks peaks_of(const TimingLaw& law);
 
 /// Checks a plan against the limits of the axes that will play it: position range, velocity,
 /// acceleration and jerk, by exact extrema, and steps of position, velocity and acceleration (a step

@@ -4,18 +4,42 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <span>
+#include <memory>
+#include <optional>
 #include <variant>
+#include <vector>
 
+#include "jounce/command/cause.hpp"
 #include "jounce/command/commands.hpp"
 #include "jounce/path/arc.hpp"
+#include "jounce/path/axis_map.hpp"
 #include "jounce/path/frame.hpp"
+#include "jounce/path/group_limits.hpp"
 #include "jounce/path/plan.hpp"
 #include "jounce/path/point.hpp"
 #include "jounce/path/program.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
 namespace jounce {
+
+/// The coordinates that the commands of a group can reach.
+struct GroupSpace {
+  std::vector<Limits> limits;  ///< limits and ranges of the coordinates
+  PathLimits path = {};        ///< along the path
+  /// From the coordinates to the joints; null: the coordinates are the axes.
+  std::shared_ptr<const AxisMap> map = {};
+  std::vector<Limits> joints = {};  ///< limits and ranges of the joints
+};
+
+/// The place where a jog ends if no command ends it.
+struct JogEnd {
+  /// range_end, reach_end or singular_end; none: after an hour at full speed.
+  Cause cause = Cause::none;
+  bool of_joint = false;  ///< true: `index` counts the joints, false: the coordinates
+  std::size_t index = 0;  ///< the axis that determines the end
+  double limit = 0;       ///< end of its position range; range_end
+  Point place{};          ///< coordinates of the end
+};
 
 /// Commands of a group in their order, as a program for the planner. Each command has a number,
 /// which is the source line of its pieces in the plan.
@@ -34,6 +58,8 @@ class PathCommands {
 
   /// Sets the frame of the commands that are appended from now on.
   void set_frame(const Frame& frame) { frame_ = frame; }
+  /// Sets further limits along the path for the commands that are appended from now on.
+  void set_limits(const PathLimits& limits) { limits_ = limits; }
 
   /// Appends a command. Throws InputError with the name of the field for a command without a
   /// coordinate or of no length, for a coordinate beyond the axes, and for an arc that does not
@@ -45,11 +71,11 @@ class PathCommands {
   void append(const command::MoveDirect<relative>& line);
   template <bool relative>
   void append(const command::MoveCircular<relative>& arc);
-  /// A jog ends where an axis reaches the end of its range. `limits`: limits of the axes.
-  void append(const command::GroupJog& jog, std::span<const Limits> limits);
+  /// A jog ends at the last place on its line that the group can reach: see jog_end().
+  void append(const command::GroupJog& jog, const GroupSpace& space);
   /// Appends a command of a client. Throws InputError also for a command that is not a command of a
   /// group.
-  void append(const ClientCommand& command, std::span<const Limits> limits);
+  void append(const ClientCommand& command, const GroupSpace& space);
 
   [[nodiscard]] std::size_t size() const { return all_.size(); }
   [[nodiscard]] bool empty() const { return all_.empty(); }
@@ -62,6 +88,8 @@ class PathCommands {
   }
   /// End of the last command.
   [[nodiscard]] const Point& position() const { return all_.empty() ? start_ : all_.back().to; }
+  /// End of the last jog; nullopt: there was none.
+  [[nodiscard]] const std::optional<JogEnd>& jog_end() const { return jog_end_; }
 
   /// The commands as a program.
   [[nodiscard]] Program program() const;
@@ -93,17 +121,26 @@ class PathCommands {
   [[nodiscard]] bool is_at(const Point& part) const;
   [[nodiscard]] Point target(const command::Coordinates& to, bool relative) const;
   void add_line(const command::Coordinates& to, bool relative, const PathSettings& settings);
+  [[nodiscard]] PathSettings within_limits(PathSettings settings) const;
 
   std::size_t axes_, path_axes_;
   Frame frame_;
+  PathLimits limits_;
   Point start_;
   std::int32_t first_;
   std::deque<One> all_;
+  std::optional<JogEnd> jog_end_;
 };
 
 /// Returns the frame of a command for a group with this number of path axes. Throws InputError with
 /// the name of the field.
 Frame frame_of(const command::SetCoordinateTransform& what, std::size_t axes,
                std::size_t path_axes);
+
+/// Returns the frame, shifted so that the place with these coordinates of the machine has the
+/// coordinates of the command. Throws InputError "to" for no coordinate, and for one that the group
+/// does not have.
+Frame shifted(Frame frame, const command::GroupSetPosition& what, const Point& machine,
+              std::size_t axes);
 
 }  // namespace jounce

@@ -122,6 +122,14 @@ enum class Cause : std::uint8_t {
   replaced = 83,
   released = 84,
   group_stopped = 85,
+  range_end = 106,
+  reach_end = 107,
+  singular_end = 108,
+  awaits_acknowledge = 109,
+  no_acknowledge = 110,
+
+  // Groups: rejected commands.
+  no_handshake = 111,
 };
 
 /// Returns the word for logs, messages and docs/reference/messages.md: "aborted", "not_armed", ...

@@ -125,8 +125,14 @@ enum class CommandKind : std::uint8_t {
   enable_compensation,
   disable_compensation,
   set_coordinate_transform,
+  group_set_position,
+  group_set_limits,
+  group_m_word,
+  group_set_override,
+  group_acknowledge,
+  group_single_step,
 };
-inline constexpr std::size_t command_kinds = 51;  ///< number of kinds
+inline constexpr std::size_t command_kinds = 57;  ///< number of kinds
 
 }  // namespace jounce
 
@@ -215,7 +221,9 @@ constexpr void each_field(C& c, F f) {
     c.index_velocity);
   f(acceleration, c.acceleration);
   f(Field{"timeout", Quantity::time, FieldRange::positive, "timeout",
-          "home: end with a fault after this time"},
+          "home: end with a fault after this time; m-word: drop the commands that follow after "
+          "this "
+          "time; default: no limit"},
     c.timeout);
   f(Field{"distance", Quantity::position, FieldRange::positive, "distance",
           "home: end with a fault if one search goes further than this"},
@@ -769,6 +777,107 @@ constexpr void each_field(C& c, F f) {
       angle);
 }
 
+/// Gives the end of the last command of a group new coordinates, without motion
+/// (MC_GroupSetPosition, G92): shifts the frame of the following single commands. The axes keep their
+/// positions. The shift applies as long as the frame of SetCoordinateTransform.
+struct GroupSetPosition {
+  static constexpr auto kind = CommandKind::group_set_position;
+  /// New coordinates, u; or, if `relative`, values that are added. A coordinate that is not given
+  /// stays.
+  Coordinates to = no_coordinates<most_coordinates>();
+  bool relative = false;  ///< true: adds `to` to the present coordinates
+};
+template <Of<GroupSetPosition> C, class F>
+constexpr void each_field(C& c, F f) {
+  each_target(c.to, false, f);
+  f(Field{"relative", Quantity::none, FieldRange::flag, "relative",
+          "set-position: the value is an offset"},
+    c.relative);
+}
+
+/// Sets further limits of a group: along its path (SMC_GroupSetAncillaryPathLimits), or of one of its
+/// axes (SMC_GroupSetAncillaryAxisLimits). They apply in addition to the configured limits, until the
+/// group is disabled. A value that is not given removes the limit.
+struct GroupSetLimits {
+  static constexpr auto kind = CommandKind::group_set_limits;
+  MoveDynamics dynamics = {};  ///< the limits; an axis has no separate deceleration
+  std::int32_t axis = 0;       ///< number of the axis in the group, from 1; 0: along the path
+  /// True: the limits apply to the commands after this one (mcQueued). False: they also apply to the
+  /// present motion, whose speed is reduced (mcImmediately).
+  bool queued = false;
+};
+template <Of<GroupSetLimits> C, class F>
+constexpr void each_field(C& c, F f) {
+  each_field(c.dynamics, f);
+  f(Field{"axis", Quantity::none, FieldRange::count, "axis",
+          "set-limits: number of the axis in the group, from 1; default: along the path"},
+    c.axis);
+  f(Field{"queued", Quantity::none, FieldRange::flag, "queued",
+          "set-limits: apply to the commands after this one only; default: also to the present "
+          "motion"},
+    c.queued);
+}
+
+/// An M word with a handshake: the group comes to rest at the end of its last command, sends an event
+/// with the number, and continues after a GroupAcknowledge.
+struct GroupMWord {
+  static constexpr auto kind = CommandKind::group_m_word;
+  std::int32_t number = 0;  ///< number of the M word
+  double timeout = 0;       ///< s; the group then drops the commands that follow; 0: no limit
+};
+template <Of<GroupMWord> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"M word", Quantity::none, FieldRange::count, "VALUE"}, c.number);
+  f(Field{"timeout", Quantity::time, FieldRange::not_negative, "timeout",
+          "home: end with a fault after this time"},
+    c.timeout);
+}
+/// Acknowledges the M word at which a group waits, or begins the next command in single step.
+struct GroupAcknowledge {
+  static constexpr auto kind = CommandKind::group_acknowledge;
+  std::int32_t m_word = 0;  ///< number of the M word; 0: any, or a single step
+};
+template <Of<GroupAcknowledge> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"M word", Quantity::none, FieldRange::count, "m-word",
+          "acknowledge: number of the M word; default: the one that waits"},
+    c.m_word);
+}
+/// Lets each of the commands that follow begin at rest, after a GroupAcknowledge (SingleStep of the
+/// PMC600).
+struct GroupSingleStep {
+  static constexpr auto kind = CommandKind::group_single_step;
+  bool on = false;  ///< false: the commands that follow need no acknowledgment
+};
+template <Of<GroupSingleStep> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"on", Quantity::none, FieldRange::flag, "on",
+          "single-step: each command begins after an acknowledge; without it: no longer"},
+    c.on);
+}
+
+/// Multiplies the velocity, and reduces the acceleration and the jerk of the axes of a group
+/// (MC_GroupSetOverride).
+struct GroupSetOverride {
+  static constexpr auto kind = CommandKind::group_set_override;
+  double velocity = 1;      ///< 0 to 2, as command::Override
+  double acceleration = 1;  ///< share of the limits that the axes may use, > 0, at most 1
+  double jerk = 1;          ///< share of the limits that the axes may use, > 0, at most 1
+};
+template <Of<GroupSetOverride> C, class F>
+constexpr void each_field(C& c, F f) {
+  f(Field{"velocity factor", Quantity::none, FieldRange::factor, "velocity-factor",
+          "set-override: factor of the speed, 0% to 200%; default: 100%"},
+    c.velocity);
+  f(Field{"acceleration factor", Quantity::none, FieldRange::share, "acceleration-factor",
+          "set-override: share of the accelerations of the axes that the group may use, more than "
+          "0% to 100%; default: 100%"},
+    c.acceleration);
+  f(Field{"jerk factor", Quantity::none, FieldRange::share, "jerk-factor",
+          "set-override: the same for the jerks; default: 100%"},
+    c.jerk);
+}
+
 /// Captures the position of the axis at the edges of a trigger input. A new command for the same
 /// input replaces the previous one.
 struct TouchProbe {
@@ -843,7 +952,9 @@ using ClientCommand =
              command::MoveLinearAbsolute, command::MoveLinearRelative,
              command::MoveCircularAbsolute, command::MoveCircularRelative,
              command::MoveDirectAbsolute, command::MoveDirectRelative, command::GroupWait,
-             command::GroupJog, command::CombineAxes, command::SetCoordinateTransform>::type;
+             command::GroupJog, command::CombineAxes, command::SetCoordinateTransform,
+             command::GroupSetPosition, command::GroupSetLimits, command::GroupMWord,
+             command::GroupSetOverride, command::GroupAcknowledge, command::GroupSingleStep>::type;
 static_assert(std::is_trivially_copyable_v<ClientCommand>);
 
 /// Returns the kind of a command in any variant of commands.
@@ -881,7 +992,7 @@ inline bool holds_to_run(const ClientCommand& command) {
 /// (group_queue.hpp).
 constexpr bool is_path_kind(CommandKind kind) {
   return (kind >= CommandKind::move_linear_absolute && kind <= CommandKind::group_jog) ||
-         kind == CommandKind::set_coordinate_transform;
+         (kind >= CommandKind::set_coordinate_transform && kind <= CommandKind::group_m_word);
 }
 
 /// True for these commands.

@@ -39,6 +39,7 @@ enum class FieldRange : std::uint8_t {
   trigger_input,  ///< 1 to 6
   trigger_edge,   ///< 0 to 2
   not_negative,   ///< 0 or more
+  share,          ///< > 0, at most 1
 };
 
 /// One field of a command.

@@ -12,6 +12,7 @@
 #include "jounce/executor/command_queue.hpp"
 #include "jounce/executor/cycle.hpp"
 #include "jounce/executor/executor_options.hpp"
+#include "jounce/executor/group_dynamics.hpp"
 #include "jounce/executor/group_queue.hpp"
 #include "jounce/executor/group_report.hpp"
 #include "jounce/executor/last_start.hpp"
@@ -109,7 +110,25 @@ class AxisServer {
   void take_step(const GroupQueue::Halt& halt);
   void take_step(const GroupQueue::Play& step);
   void take_step(const GroupQueue::Extend& step);
+  void take_step(const GroupQueue::SetLimits& step);
+  void take_step(const GroupQueue::Announce& step);
   void take_step(const GroupQueue::Reply& reply);
+  void obey(const command::GroupAcknowledge& what, const CommandRequested& requested,
+            const Request& request);
+  void obey(const command::GroupSingleStep& what, const CommandRequested& requested,
+            const Request& request);
+  void obey(const command::Override& what, const CommandRequested& requested,
+            const Request& request);
+  void obey(const command::GroupSetOverride& what, const CommandRequested& requested,
+            const Request& request);
+  void obey(const command::GroupSetLimits& what, const CommandRequested& requested,
+            const Request& request);
+  void set_limits(const command::GroupSetLimits& what, const Request& request);
+  void limit_group(bool from_rest);
+  [[nodiscard]] const GroupProgram* playing() const;
+  [[nodiscard]] Cause reason() const;
+  [[nodiscard]] double group_rate(const GroupProgram* program) const;
+  void set_rate(double rate, const std::optional<Request>& request = {}, std::int64_t at = -1);
   void couple(const CommandRequested& requested, const Request& request);
   void couple(MadeMovement made, std::int64_t at, const Request& request);
   void start_cuts(const CommandRequested& requested, const Request& request);
@@ -151,6 +170,8 @@ class AxisServer {
   std::int64_t event_count_ = 0;
   MovementBuilder builder_;
   std::optional<GroupQueue> group_queue_;  // single commands of a group
+  std::optional<GroupDynamics> dynamics_;  // its override and further limits
+  double rate_ = 1;                        // override factor that it has
   std::uint64_t group_movement_ = 0;       // id of its last movement
   GroupReport group_report_;
   std::uint64_t numbers_ = 0;  // numbers of movements

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -47,6 +48,10 @@ class CommandQueue {
   [[nodiscard]] bool idle() const { return waiting_.empty() && under_way_ == 0; }
   /// True if so many commands wait that the caller must reject further ones.
   [[nodiscard]] bool full() const { return waiting_.size() >= most_waiting; }
+  /// True if a command of this kind waits.
+  [[nodiscard]] bool waits(CommandKind kind) const {
+    return std::ranges::any_of(waiting_, [&](const Command& one) { return one.kind() == kind; });
+  }
   /// Kind of the last waiting command; none if no command waits.
   [[nodiscard]] CommandKind last() const {
     return waiting_.empty() ? CommandKind::none : waiting_.back().kind();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "jounce/axis/group_program.hpp"
+#include "jounce/axis/path_commands.hpp"
 #include "jounce/executor/executor_options.hpp"
 #include "jounce/path/program.hpp"
 
@@ -33,8 +34,9 @@ void require_coordinates(std::span<const std::string> names, const ExecutorGroup
 std::shared_ptr<const GroupProgram> fast_program(const Point& from, const Point& to,
                                                  const ExecutorGroup& group);
 
-/// Returns the limits of the coordinates of a group, with their position ranges.
-std::vector<Limits> coordinate_limits(const ExecutorGroup& group);
+/// Returns the coordinates that the commands of a group can reach: their limits, and those of its
+/// joints.
+GroupSpace space_of(const ExecutorGroup& group);
 
 /// Returns the coordinates of a group from the positions of its axes: the forward kinematics. Returns
 /// nullopt if the joints do not fit together.

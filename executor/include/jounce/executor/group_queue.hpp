@@ -30,7 +30,8 @@ namespace jounce {
 ///
 /// If the group already brakes for the end of its path when a command arrives, the command begins
 /// at rest. Commands that arrive while the group plays a path that was sent as a whole, or a fast
-/// move, are planned from the end of this motion, and begin there at rest.
+/// move, are planned from the end of this motion, and begin there at rest. So do commands after an M
+/// word, when it is acknowledged, and in single step.
 ///
 ///     queue.take(command, request);
 ///     while (const auto step = queue.next(tick)) ...    // often; the server executes the step
@@ -49,6 +50,7 @@ class GroupQueue {
   struct Play {
     std::shared_ptr<const GroupProgram> program;
     Request request;
+    std::string notice = {};  ///< text for the operator; empty: none
   };
   /// The group must continue its present path with this program. The queue waits for answered().
   struct Extend {
@@ -58,13 +60,23 @@ class GroupQueue {
     double until = 0;     ///< time of the present program up to which both are equal, s
     Request request;
   };
+  /// The server must set these limits, call limit(), and answer the sender.
+  struct SetLimits {
+    command::GroupSetLimits limits;
+    Request request;
+  };
+  /// The group rests at an M word, or continues after it. The server must send an event.
+  struct Announce {
+    std::int32_t m_word = 0;
+    bool waits = false;  ///< true: the group waits for the acknowledgment
+  };
   /// The server must answer the sender: the command is accepted (Cause::none) or rejected.
   struct Reply {
     Request request;
     Cause cause = Cause::none;
     std::string reason = {};  ///< empty: the cause suffices
   };
-  using Step = std::variant<Halt, Play, Extend, Reply>;
+  using Step = std::variant<Halt, Play, Extend, SetLimits, Announce, Reply>;
 
   /// `worker` must outlive the queue. `most_at_once`: the greatest number of commands that the
   /// calling thread plans itself; the worker plans longer programs. `places`: returns the present
@@ -93,6 +105,25 @@ class GroupQueue {
   /// rests.
   void release() { releasing_ = true; }
 
+  /// Sets the limits of the commands that follow. `group`: the group with the limits for its next
+  /// motion from rest. `path`: further limits along the path. If `from_rest` is true, the commands that
+  /// follow begin at rest, so that the present motion keeps its limits.
+  void limit(ExecutorGroup group, const PathLimits& path, bool from_rest);
+  /// The highest rate at which the group may play until the next step: a longer plan that is faster
+  /// must take over at a lower rate.
+  [[nodiscard]] double highest_rate() const;
+  /// The reason why the group rests: a jog ended at the last place that it can reach, or an M word
+  /// waits for its acknowledgment, or was not acknowledged in time; or none.
+  [[nodiscard]] Cause rests_because(const Tick& group) const;
+
+  /// Acknowledges the M word at which the group waits, or begins the next command in single step.
+  /// `number`: its number; 0: any. Returns none, or no_handshake if the group does not wait for it.
+  [[nodiscard]] Cause acknowledge(std::int32_t number);
+  /// Number of the M word at which the group waits; 0: none.
+  [[nodiscard]] std::int32_t m_word() const;
+  /// True: each of the commands that follow begins at rest, after an acknowledgment.
+  void single_step(bool on) { single_step_ = on; }
+
   /// Present positions of the axes of the group.
   [[nodiscard]] Point places() const { return places_(); }
   /// Frame of the commands (command::SetCoordinateTransform).
@@ -114,14 +145,25 @@ class GroupQueue {
     std::uint64_t movement = 0;
     PathCommands commands;
     std::shared_ptr<const GroupProgram> program;
+    std::shared_ptr<const ExecutorGroup> group;  // group with the limits of the motion
     double origin = 0;  // position of the group at the start of the program
     bool fast = false;
+    std::uint64_t finished = 0;  // motions of the group before this one ends
   };
-  /// The commands that begin at rest when the present motion has ended.
-  struct Following {
+  /// A condition for the commands after it: an M word, or a single step.
+  struct Gate {
+    std::int32_t m_word = 0;
+    double timeout = 0;  // s; 0: none
+    bool is_step = false;
+  };
+  /// Commands that begin at rest when the motion before them has ended, and their gate is open.
+  struct Stage {
     PathCommands commands;
-    std::shared_ptr<const GroupProgram> program;
-    std::uint64_t finished = 0;  // motions of the group before the present motion ends
+    std::shared_ptr<const GroupProgram> program;  // null: no command moves yet
+    std::shared_ptr<const ExecutorGroup> group;
+    /// Motions of the group before the motion before this stage ends; nullopt: it rests already.
+    std::optional<std::uint64_t> finished = {};
+    std::optional<Gate> gate = {};
   };
   struct Planned {
     std::shared_ptr<const GroupProgram> program = {};
@@ -143,10 +185,12 @@ class GroupQueue {
     PathCommands commands;
     std::future<Planned> planned;
     std::shared_ptr<std::atomic<bool>> canceled;
+    std::shared_ptr<const ExecutorGroup> group = {};
+    std::optional<Planned> made = {};                  // set: the planning has ended
     std::shared_ptr<const GroupProgram> program = {};  // set: the group has the step
     double origin = 0;
     bool fast = false;
-    std::uint64_t finished = 0;  // see Following
+    bool adds_stage = false;  // the commands are a new stage, not more of the last one
   };
   struct Waiting {
     ClientCommand command = {};
@@ -166,20 +210,28 @@ class GroupQueue {
                          const std::atomic<bool>& canceled);
   void drop_attempt();
   [[nodiscard]] std::optional<Step> begin(const Tick& group);
-  [[nodiscard]] std::optional<Step> proceed();
+  [[nodiscard]] std::optional<Step> proceed(const Tick& group);
+  [[nodiscard]] std::optional<Step> set_frame(const ClientCommand& command, const Tick& group);
+  [[nodiscard]] bool takes_over(const Tick& group) const;
   [[nodiscard]] std::optional<Step> joined(const Tick& group);
-  [[nodiscard]] std::optional<Step> fresh();
-  [[nodiscard]] std::optional<Step> begin_following(const Tick& group);
+  [[nodiscard]] std::optional<Step> fresh(const Tick& group);
+  [[nodiscard]] std::optional<Step> begin_stage(const Tick& group);
+  [[nodiscard]] std::optional<Step> pass_gate(const Tick& group);
+  void drop_stages();
+  void end_stage(std::optional<std::uint64_t> finished);
+  void add_stage(const Tick& group, std::optional<Gate> gate);
   [[nodiscard]] std::optional<Step> follow(const Tick& group);
   [[nodiscard]] Point end_of(const Tick& group) const;
-  void plan(Way way, Task task);
-  [[nodiscard]] PathCommands commands_from_rest() const;
+  [[nodiscard]] PathCommands commands_from(const Point& place) const;
+  [[nodiscard]] std::string text_of(const JogEnd& end) const;
+  void plan(Way way, Task task, std::shared_ptr<const ExecutorGroup> group);
   void fail();
   Reply finish(Cause cause, const std::string& reason = {});
   [[nodiscard]] bool plays(const Tick& group) const;
   [[nodiscard]] std::int32_t current(const Tick& group) const;
 
-  std::shared_ptr<const ExecutorGroup> group_;
+  std::shared_ptr<const ExecutorGroup>
+      group_;  // group with the limits of its next motion from rest
   Worker& worker_;
   std::size_t most_at_once_;
   std::function<Point()> places_;
@@ -193,10 +245,20 @@ class GroupQueue {
   bool halting_ = false;
   bool releasing_ = false;
   std::optional<Playing> playing_;
-  std::optional<Following> following_;
-  bool starts_following_ = false;         // the group has the step that begins following_
+  std::deque<Stage> stages_;
+  bool starts_stage_ = false;     // the group has the step that begins the first stage
+  std::int64_t gate_since_ = -1;  // tick in which the group came to the gate; -1: it did not
+  bool acknowledged_ = false;     // the gate is open
+  bool unacknowledged_ = false;   // the last gate was not acknowledged in time
+  bool single_step_ = false;
   std::vector<command::GroupWait> idle_;  // waits before the first motion
   Frame frame_;                           // frame of the commands that follow
+  PathLimits limits_;                     // further limits of the commands that follow
+  bool from_rest_ = false;                // the next command begins at rest
+  double rate_ = 0;                       // rate in the tick before the newest one
+  double rate_seen_ = 0;                  // value in the newest tick
+  std::int64_t seen_ = -1;                // the newest tick
+  std::uint64_t finished_ = 0;            // value in the newest tick
 };
 
 }  // namespace jounce

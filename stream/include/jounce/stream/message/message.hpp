@@ -299,6 +299,7 @@ enum class EventKind : std::int8_t {
   probe = 3,           ///< a capture of a touch probe; `number`: its input, `on`: rising edge
   mark = 4,            ///< registration; `number`: see MarkEvent
   end_of_profile = 5,  ///< a pass of a cam on the live master has ended; `position`: of the master
+  m_word = 6,          ///< M word `number` of a group; `on`: it waits for its acknowledgment
 };
 
 /// Number of an event of the registration.
