@@ -61,7 +61,7 @@ inline constexpr int last_of<QueueMode> = static_cast<int>(QueueMode::dynamic);
 template <>
 inline constexpr int last_of<QueueEvent> = static_cast<int>(QueueEvent::pass);
 template <>
-inline constexpr int last_of<EventKind> = static_cast<int>(EventKind::end_of_profile);
+inline constexpr int last_of<EventKind> = static_cast<int>(EventKind::table_begin);
 
 template <class Enum>
 inline constexpr int first_of = 0;

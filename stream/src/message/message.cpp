@@ -48,7 +48,8 @@ const char* name(GearState gear) {
 }
 
 const char* name(EventKind kind) {
-  constexpr const char* names[] = {"compare", "track", "tappet", "probe", "mark", "end_of_profile"};
+  constexpr const char* names[] = {"compare", "track",          "tappet",     "probe",
+                                   "mark",    "end_of_profile", "table_begin"};
   return names[static_cast<std::size_t>(kind)];
 }
 
