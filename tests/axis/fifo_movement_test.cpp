@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -400,6 +402,88 @@ TEST(FifoFollow, PlaysExample77) {
   }
   EXPECT_NEAR(peak, 50e3, 1e-6) << "notes: peak 50 pulse/ms";
   EXPECT_NEAR(slave.step().slave[0], 5 * 40000, 1e-6) << "notes: 40000 pulses each 1200 ms";
+}
+
+/// The events of a movement in the ticks up to `last`, as kind, number, instant and master.
+std::vector<std::tuple<ProfileEvent::Kind, std::int64_t, double, double>> events_to(
+    Follower& slave, std::int64_t last) {
+  std::vector<std::tuple<ProfileEvent::Kind, std::int64_t, double, double>> all;
+  while (slave.tick < last) {
+    slave.step();
+    for (const ProfileEvent& e : slave.movement.events())
+      all.emplace_back(e.kind, e.number, e.t, e.master);
+  }
+  return all;
+}
+
+// Example 7-7: the start event at 1025 ms, then a pass of 60000 pulses of the master each 1200 ms.
+TEST(FifoFollow, ReportsItsStartEventAndEachPass) {
+  FifoFollow follow(1, {.each = 16, .stream = false, .loops = 3},
+                    {.event = {FollowEvent::pass, 50000}});
+  for (const PtPoint& p : test::example_7_7().segments) push(follow.fifos(), 0, p);
+  Follower slave{follow, speeding_up(50e3, 1e6)};
+  ASSERT_EQ(slave.begin({}), Cause::none);
+  const auto events = events_to(slave, 6000);
+  ASSERT_EQ(events.size(), 4U);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const auto& [kind, number, t, master] = events[k];
+    EXPECT_EQ(kind, k == 0 ? ProfileEvent::Kind::begin : ProfileEvent::Kind::pass_end);
+    EXPECT_EQ(number, k == 0 ? 1 : static_cast<std::int64_t>(k)) << "table 1, then passes";
+    EXPECT_NEAR(t, 1.025 + 1.2 * static_cast<double>(k), 1e-9) << k;
+    EXPECT_NEAR(master, 50000 + 60000 * static_cast<double>(k), 1e-9) << k;
+  }
+  EXPECT_EQ(follow.progress(), Progress::done);
+}
+
+// Without an event, a table begins at the start. The second one begins where the pass of the first one ends,
+// and counts its own passes. A backward direction counts the travel from the start downwards.
+TEST(FifoFollow, ReportsASwitchAtTheEndOfThePass) {
+  for (const int dir : {0, 1, -1}) {
+    FifoFollow follow(1, {.stream = false, .loops = 0}, {.dir = dir});
+    push(follow.fifos(), 0, {100, 50, PtType::even});
+    push(follow.fifos(), 1, {40, 20, PtType::even});
+    ASSERT_TRUE(follow.fifos().queue_switch());
+    const double sign = dir < 0 ? -1 : 1;
+    Follower slave{follow, steady(sign * 800)};  // 0.8 a tick
+    ASSERT_EQ(slave.begin({}), Cause::none);
+    const auto events = events_to(slave, 230);  // 184 of the master
+    using Kind = ProfileEvent::Kind;
+    const std::vector<std::tuple<Kind, std::int64_t, double>> want{{Kind::begin, 1, 0},
+                                                                   {Kind::pass_end, 1, 100},
+                                                                   {Kind::begin, 2, 100},
+                                                                   {Kind::pass_end, 1, 140},
+                                                                   {Kind::pass_end, 2, 180}};
+    ASSERT_EQ(events.size(), want.size()) << dir;
+    for (std::size_t k = 0; k < want.size(); ++k) {
+      const auto& [kind, number, t, master] = events[k];
+      EXPECT_EQ(std::tuple(kind, number), std::tuple(std::get<0>(want[k]), std::get<1>(want[k])));
+      EXPECT_NEAR(master, sign * std::get<2>(want[k]), 1e-9) << k;
+      EXPECT_NEAR(t, std::get<2>(want[k]) / 800, 1e-9) << k;
+    }
+  }
+}
+
+// A master that is several passes further in the next tick: the number of the last pass shows the others.
+TEST(FifoFollow, ReportsTheLastOfSeveralPassesInATick) {
+  FifoFollow follow(1, {.stream = false, .loops = 0});
+  push(follow.fifos(), 0, {10, 5, PtType::even});
+  double master = 0;
+  Follower slave{follow, [&](double) { return Jet{master, 1000, 0, 0}; }};
+  ASSERT_EQ(slave.begin({}), Cause::none);
+  master = 47;
+  slave.step();
+  const auto events = follow.events();
+  ASSERT_EQ(events.size(), 2U) << "the begin, and the last pass";
+  EXPECT_EQ(events[1].number, 4);
+  EXPECT_EQ(events[1].master, 40);
+  master = 1e6 + 3;
+  slave.step();
+  ASSERT_EQ(follow.events().size(), 1U);
+  EXPECT_EQ(follow.events()[0].number, 100000);
+  EXPECT_EQ(follow.events()[0].master, 1e6);
+  master = 1e6 + 5;
+  slave.step();
+  EXPECT_TRUE(follow.events().empty());
 }
 
 // Example 7-6: a catch-up of (5000, 2500) to ratio 1, then the shear's cycle without end.

@@ -21,6 +21,11 @@ class Echo final : public Movement {
     if (now.t < 1) return std::nullopt;
     return Moment{now.t - 0.0004, now.dt, {now.master[0] - 2, now.master[1], 0, 0}};
   }
+  [[nodiscard]] std::span<const ProfileEvent> events() const noexcept override {
+    return {&begun, 1};
+  }
+
+  ProfileEvent begun{ProfileEvent::Kind::begin, 2, 1.9997, 8};
 };
 
 Moment moment(double t, double master) {
@@ -64,6 +69,27 @@ TEST(LivePlayer, APassEndsInTheTimeAndTheCoordinateOfTheAxis) {
   ASSERT_TRUE(end);
   EXPECT_NEAR(end->t, -0.0004, 1e-15);
   EXPECT_EQ(end->master[0], 11);
+}
+
+TEST(LivePlayer, EventsAreInTheTimeAndTheCoordinateOfTheAxis) {
+  Echo echo;
+  LivePlayer player(1'000'000);
+  player.begin(echo, 0);
+  player.shift_master(3);
+  ProfileStep step;
+  player.add_pass(*player.pass_end(moment(0, 13), 2000), 2000, step);
+  player.add_events(2000, step);
+  ASSERT_EQ(step.events().size(), 2U);
+  const ProfileEvent& pass = step.events()[0];
+  EXPECT_EQ(pass.kind, ProfileEvent::Kind::pass_end);
+  EXPECT_EQ(pass.number, 1) << "of this cam";
+  EXPECT_NEAR(pass.t, -0.0004, 1e-15);
+  EXPECT_EQ(pass.master, 11);
+  const ProfileEvent& begin = step.events()[1];
+  EXPECT_EQ(begin.kind, ProfileEvent::Kind::begin);
+  EXPECT_EQ(begin.number, 2);
+  EXPECT_NEAR(begin.t, -0.0003, 1e-15);
+  EXPECT_EQ(begin.master, 11);
 }
 
 }  // namespace

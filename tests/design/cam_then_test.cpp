@@ -100,6 +100,22 @@ TEST(CamThen, OperatorsActInTheirOrder) {
   EXPECT_EQ(cam_of(second).at(150).position, 90);
 }
 
+// examples/cam-algebra/backwards.toml: the pusher over 360 - x, and a 3-4-5 stroke there and back from 10 to 50 deg.
+TEST(CamThen, ReverseAndReplaceAreTheClosedForm) {
+  const Input input = made("backwards");
+  const Cam& cam = cam_of(input);
+  const auto poly_345 = [](double z) { return z * z * z * (10 - 15 * z + 6 * z * z); };
+  const auto cycloid = [](double z) { return z - std::sin(2 * M_PI * z) / (2 * M_PI); };
+  for (double x = 0.5; x < 360; x += 1) {
+    double y = 0;
+    if (x > 10 && x < 50) y = 2 * poly_345(x < 30 ? (x - 10) / 20 : (50 - x) / 20);
+    if (x > 60)
+      y = 40 * (x < 180 ? cycloid((x - 60) / 120) : x < 240 ? 1 : poly_345((360 - x) / 120));
+    EXPECT_NEAR(cam.at(x).position, y, 1e-12) << x;
+  }
+  EXPECT_EQ(cam.outside(), Extrapolation::wrap);
+}
+
 TEST(CamThen, UnitsOfTheFileAreThoseOfTheResult) {
   const Input input = changed("{ operator = \"shift\", slave = \"1 mm\" }",
                               "units = { position = \"m\", master = \"rad\" }\n");

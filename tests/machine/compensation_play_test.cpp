@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // examples/compensated-table, commanded through the protocol on a virtual clock: answers, log, status, record.
 // tests/cli/judge_compensation.py judges the numbers.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -37,7 +40,7 @@ struct Plate {
     site.advance(20ms);
   }
   ~Plate() {
-    for (const char* const axis : {"x", "y", "line", "corrector", "label"})
+    for (const char* const axis : {"x", "y", "z", "line", "corrector", "label"})
       std::filesystem::remove(log_of(log, axis, 2));
   }
   Plate(const Plate&) = delete;
@@ -90,6 +93,63 @@ TEST(CompensationPlay, IsInTheLogTheStatusAndTheReplay) {
   const test::LogColumns log(log_of(plate.log, "x", 2));
   EXPECT_EQ(log.text.at("compensated").back(), "1");
   EXPECT_NEAR(log.numbers("compensation").back(), 0.2548828125, 1e-12);
+}
+
+/// The table of examples/compensated-table/z.toml, interpolated between its points with code of its own.
+double in_space(double x, double y, double z) {
+  constexpr double values[3][3][3] = {
+      {{0.3, 0.1, 0.2}, {-0.2, 0, 0.1}, {-0.1, 0.3, 0.4}},
+      {{0.2, -0.1, 0.4}, {0.2, 0, 0.2}, {0.3, 0.1, 0.1}},
+      {{0.4, 0.3, -0.2}, {-0.2, 0.1, 0.2}, {-0.2, 0.1, -0.4}}};  // [z][y][x]
+  const auto cell = [](double at, double base, double interval) {
+    const double s = std::clamp((at - base) / interval, 0.0, 2.0);
+    const int k = std::min(static_cast<int>(s), 1);
+    return std::pair(k, s - k);
+  };
+  const auto [i, u] = cell(x, -10, 20);
+  const auto [j, v] = cell(y, 5, 10);
+  const auto [k, w] = cell(z, 0, 30);
+  double sum = 0;
+  for (const int a : {0, 1})
+    for (const int b : {0, 1})
+      for (const int c : {0, 1})
+        sum += (a == 1 ? u : 1 - u) * (b == 1 ? v : 1 - v) * (c == 1 ? w : 1 - w) *
+               values[k + c][j + b][i + a];
+  return sum;
+}
+
+// HIMC manual 14.1.1, example 3: in each tick of the log, while all axes move, and at the points of the manual.
+TEST(CompensationPlay, ThreeReferencesCorrectAQuill) {
+  Plate plate("compensated-table/space.toml");
+  for (const char* const axis : {"x", "y"}) {
+    ASSERT_TRUE(plate.order(axis, command::Enable{}).ok());
+    ASSERT_TRUE(plate.order(axis, command::Home{}).ok());
+  }
+  plate.on("z");
+  for (const auto& [x, y, z, correction] :
+       {std::array{-10.0, 5.0, 0.0, 0.3}, {10.0, 15.0, 30.0, 0.0}, {30.0, 25.0, 60.0, -0.4}}) {
+    ASSERT_TRUE(plate.order("x", command::MoveAbsolute{.position = x}).ok());
+    ASSERT_TRUE(plate.order("y", command::MoveAbsolute{.position = y}).ok());
+    ASSERT_TRUE(plate.order("z", command::MoveAbsolute{.position = z}).ok());
+    plate.site.advance(2s);
+    EXPECT_NEAR(plate.site.last(2).correction[0], correction, 1e-12) << x;
+  }
+  EXPECT_FALSE(plate.site.replayed().difference);
+  const auto positions = [&](const char* axis) {
+    return test::LogColumns(log_of(plate.log, axis, 3)).numbers("position");
+  };
+  const test::LogColumns log(log_of(plate.log, "z", 3));
+  const auto x = positions("x");
+  const auto y = positions("y");
+  const auto z = positions("z");
+  const auto drive = log.numbers("drive_position");
+  std::size_t judged = 0;
+  for (std::size_t t = 0; t < z.size(); ++t) {
+    if (log.text.at("compensated")[t] != "1" || log.text.at("state")[t] == "disabled") continue;
+    ASSERT_NEAR(drive[t], z[t] + in_space(x[t], y[t], z[t]), 1e-12) << t;
+    ++judged;
+  }
+  EXPECT_GT(judged, 5000U);
 }
 
 TEST(CompensationPlay, ADamagedReplayDiffers) {

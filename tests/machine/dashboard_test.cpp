@@ -238,8 +238,10 @@ TEST(Events, AreLinesOfText) {
   EXPECT_EQ(event_text({.kind = wire::EventKind::mark, .number = 2}), "mark missing");
   EXPECT_EQ(event_text({.kind = wire::EventKind::track, .number = 3, .position = 5}),
             "track 3 off at 5");
-  EXPECT_EQ(event_text({.kind = wire::EventKind::end_of_profile, .position = 400}),
-            "end of profile, master at 400");
+  EXPECT_EQ(event_text({.kind = wire::EventKind::end_of_profile, .number = 3, .position = 400}),
+            "end of profile 3, master at 400");
+  EXPECT_EQ(event_text({.kind = wire::EventKind::table_begin, .number = 2, .position = 50000}),
+            "follow table 2 begins, master at 50000");
 }
 
 TEST(Status, IsALineWithUnits) {

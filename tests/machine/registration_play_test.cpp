@@ -171,8 +171,15 @@ TEST(RegistrationPlay, BringsThePrintsIntoRegisterWithMarksThatDrift) {
     if (event.kind != wire::EventKind::end_of_profile) continue;
     passes += 1;
     EXPECT_NEAR(event.position, 400 * passes, 1e-6);
+    EXPECT_EQ(event.number, passes);
   }
   EXPECT_EQ(passes, 59);
+  std::string in_log;  // the same in the log, without the ages
+  std::string expected;
+  for (const std::string& cell : run.log->text.at("profile"))
+    if (!cell.empty()) in_log += cell.substr(0, cell.find('@')) + " ";
+  for (int k = 1; k <= 59; ++k) expected += "pass" + std::to_string(k) + " ";
+  EXPECT_EQ(in_log, expected);
 }
 
 // Without a stretch, the correction of the slave stays small and keeps the prints in register.

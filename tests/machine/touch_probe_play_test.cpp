@@ -21,12 +21,12 @@ namespace {
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 
-const std::string example = JOUNCE_SOURCE_DIR "/examples/touch-probe/axis.toml";
+const std::string examples = JOUNCE_SOURCE_DIR "/examples/";
 
 struct Slide {
-  Slide()
+  explicit Slide(const std::string& example = "touch-probe/axis.toml")
       : log(testing::TempDir() + "/touch_probe_" + std::to_string(getpid()) + ".csv"),
-        site(machine_parts({.files = {example}, .log = log, .enable = true}).axes,
+        site(machine_parts({.files = {examples + example}, .log = log, .enable = true}).axes,
              {.masters = {}, .recorded = true, .said = {}}),
         listener(site.network) {
     listener.subscribe(wire::channel("slide", wire::Lane::event), 1000);
@@ -79,6 +79,37 @@ TEST(TouchProbePlay, CapturesAreEventsInTheLogAndInTheReplay) {
   for (const std::string& cell : log.text.at("captures"))
     captures += cell.empty() ? "" : cell.substr(0, 2) + cell.substr(cell.find('=')) + " ";
   EXPECT_EQ(captures, "1+=60 1-=64 1+=100 1-=104 ");
+}
+
+// LS_ZeroLatch and EzLatch of the PMC600, on the machine of examples/homing: after the homing, its home switch is on
+// from 1 to 16 mm (20 to 35 mm of the machine, whose index at 24 mm gets the position 5).
+TEST(TouchProbePlay, LatchesTheHomeSwitchAndTheIndex) {
+  Slide slide("homing/axis.toml");
+  ASSERT_TRUE(slide.order(command::Home{}).ok());
+  slide.site.advance(20s);
+  ASSERT_TRUE(slide.order(command::MoveAbsolute{.position = -4}).ok());
+  slide.site.advance(3s);
+  const std::size_t before = slide.events().size();
+  ASSERT_TRUE(slide.order(command::TouchProbe{.input = home_switch_input}).ok());
+  ASSERT_TRUE(
+      slide.order(command::TouchProbe{.input = index_input, .count = 3, .first_position = 10})
+          .ok());
+  ASSERT_TRUE(slide.order(command::MoveAbsolute{.position = 60}).ok());
+  slide.site.advance(3s);
+  ASSERT_EQ(before, 0U) << "no capture without a touch probe";
+  std::vector<std::pair<std::uint32_t, double>> captures;
+  for (const auto& [count, event] : slide.events()) {
+    EXPECT_TRUE(event.on);
+    captures.emplace_back(event.number, event.position);
+  }
+  ASSERT_EQ(captures.size(), 4U);
+  const std::vector<std::pair<std::uint32_t, double>> want{
+      {home_switch_input, 1}, {index_input, 15}, {index_input, 25}, {index_input, 35}};
+  for (std::size_t k = 0; k < want.size(); ++k) {
+    EXPECT_EQ(captures[k].first, want[k].first) << k;
+    EXPECT_NEAR(captures[k].second, want[k].second, 1e-9) << k;
+  }
+  EXPECT_FALSE(slide.site.replayed().difference);
 }
 
 TEST(TouchProbePlay, MistakesAreAnsweredWithTheirReason) {

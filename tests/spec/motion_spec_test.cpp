@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every profile, queue, set of axes and operator of a spec is the library's own, key by key.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <regex>
@@ -455,6 +456,37 @@ TEST(Then, ChangesInFlightAreTheLibrarys) {
       pmc600::move_superimposed(f, 2, 7, d, 2.2));
 }
 
+TEST(Then, AChangeBeginsWhereTheMotionPassesAPosition) {
+  const Dynamics d{.velocity = 15, .acceleration = 20, .deceleration = 10, .jerk = 200};
+  const std::string dynamics = "velocity = 15\nacceleration = 20\ndeceleration = 10\njerk = 200\n";
+  const std::string target = "[[then]]\noperator = \"new_target\"\nto = 80\n" + dynamics;
+  const double at_2 = the_s_curve().at(2).position;
+  const Trajectory past = after(target + "past = " + number(at_2));
+  const Trajectory timed = with_target(the_s_curve(), 2, 80, d);
+  for (double t = 0; t <= timed.end(); t += 0.01)
+    EXPECT_NEAR(past.at(t).position, timed.at(t).position, 1e-9) << t;
+  const auto wrong = [&](const std::string& keys) {
+    return test::error_of([&] { (void)after(target + keys); });
+  };
+  EXPECT_THAT(wrong("past = 51"),
+              HasSubstr("past = 51 mm: must be a position that the motion passes"));
+  EXPECT_THAT(wrong("time = 1\npast = 5"),
+              HasSubstr("past = 5 mm: replaces time: leave out one of the two"));
+}
+
+// Googol manual, example 7-2: 80000 pulses at 1600 ms, the change at 1800 ms, 160000 pulses at 2600 ms.
+TEST(Then, AChangeAtAPositionPlaysExample72) {
+  const Trajectory jog = curve(read_file(JOUNCE_SOURCE_DIR "/examples/googol-move/7-2.toml"));
+  EXPECT_NEAR(jog.end(), 2600, 1e-9);
+  for (const auto& [t, p, v] : {std::array{1600.0, 80000.0, 100.0},
+                                {1800.0, 100000.0, 100.0},
+                                {2200.0, 135000.0, 75.0},
+                                {2600.0, 160000.0, 50.0}}) {
+    EXPECT_NEAR(jog.jet(t, Side::left)[0], p, 1e-6) << t;
+    EXPECT_NEAR(jog.jet(t, Side::left)[1], v, 1e-9) << t;
+  }
+}
+
 TEST(Then, OneAfterAnother) {
   expect_same(after("[[then]]\noperator = \"moving_average\"\nwindow = 0.1\n"
                     "[[then]]\noperator = \"moving_average\"\nwindow = 0.2"),
@@ -571,9 +603,9 @@ INSTANTIATE_TEST_SUITE_P(
                   "axis has a choice of direction: add period, or leave direction out"},
         BadMotion{move_spec(point + "period = -360"),
                   "a.toml:9:10: move.period = -360 mm: must be greater than 0"},
-        BadMotion{
-            move_spec(point + "to_velocity = 11"),
-            "a.toml:9:15: move.to_velocity = 11 mm/s: must be at most 10 mm/s, the greatest velocity"},
+        BadMotion{move_spec(point + "to_velocity = 11"),
+                  "a.toml:9:15: move.to_velocity = 11 mm/s: must be at most 10 mm/s, the greatest "
+                  "velocity"},
         BadMotion{move_spec(point + "position_max = 40"),
                   "a.toml:6:6: move.to: no motion from start to target keeps the position limits: "
                   "target 50 is above the highest permitted value 40"},

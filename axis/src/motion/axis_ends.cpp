@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <limits>
 
 #include "jounce/axis/axis.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
@@ -112,7 +111,7 @@ void MotionAxis::fail(Cause cause) {
   const bool first = now_.fault == Cause::none;
   if (first) now_.fault = cause;
   if (first && moving()) now_.reason = cause;
-  now_.end_of_profile = std::numeric_limits<double>::quiet_NaN();
+  now_.profile.clear();
   break_groups();
   forget_next();
   forget_later();

@@ -247,25 +247,49 @@ Cause FifoFollow::begin(const MotionState& axis, const Moment& now) noexcept {
 }
 
 Setpoint FifoFollow::at(const Moment& now) noexcept {
+  events_.clear();
   if (progress_ >= Progress::done) return last_;
-  fresh_ = false;
   const bool lost = !axis_detail::usable(now.master);
   if (!lost) {
     const Sample sample{now.t, now.master};
+    const bool begins = fresh_ && !run_.waiting;  // without an event
+    const bool waited = run_.waiting;
+    const int table = fifos_.active() + 1;
     Jet f = step(run_, fifos_, before_, sample);
+    if (begins || (waited && !run_.waiting))
+      note(ProfileEvent::Kind::begin, table, run_.origin, sample);
+    note_passes(table, sample);
     before_ = sample;
     progress_ = progress_of(fifos_.state());
     if (fifos_.state() == SegmentFifos::State::cut_off && !fifos_.stream()) {
       f = beyond(now.master[0]);
       progress_ = Progress::done;
     }
+    fresh_ = false;
     if (progress_ != Progress::broken)
       return last_ = axis_detail::setpoint(now.master, chained(f, now.master));
   }
+  fresh_ = false;
   progress_ = Progress::broken;
   cause_ =
       lost || fifos_.state() == SegmentFifos::State::lost ? Cause::master_lost : Cause::underrun;
   return last_;
+}
+
+/// Adds an event at a position of the master, with its instant between the previous step and `now`.
+void FifoFollow::note(ProfileEvent::Kind kind, std::int64_t number, double master,
+                      const Sample& now) {
+  const auto at = master == before_.master[0] ? before_ : passing(before_, now, master);
+  events_.add({kind, number, at ? at->t : now.t, master});
+}
+
+void FifoFollow::note_passes(int table, const Sample& now) {
+  if (run_.waiting) return;
+  for (const SegmentFifos::PassEnd& end : fifos_.pass_ends()) {
+    const double master = run_.origin + (run_.dir < 0 ? -end.x : end.x);
+    note(ProfileEvent::Kind::pass_end, end.passes, master, now);
+    if (end.switched) note(ProfileEvent::Kind::begin, 3 - table, master, now);
+  }
 }
 
 /// The slave and its derivatives with respect to the master, along the line beyond the end of the

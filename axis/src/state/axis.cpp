@@ -40,7 +40,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.dropped.reset();
   now_.handed_back = {};
   now_.frozen = false;
-  if (base_ != Base::live) now_.end_of_profile = std::numeric_limits<double>::quiet_NaN();
+  if (base_ != Base::live) now_.profile.clear();
   joint_ = false;
   const bool rested = !moving();
   if (state_ == State::homing && !moving()) state_ = State::standstill;
@@ -179,13 +179,16 @@ Cause MotionAxis::advance(Setpoint& next) {
 Cause MotionAxis::advance_live(Setpoint& next) {
   // A pass that ends exactly in a tick is found in this tick and in the next one; a master may also
   // rest at the end of a pass.
-  const double reported = now_.end_of_profile + dt();
-  now_.end_of_profile = std::numeric_limits<double>::quiet_NaN();
+  const auto before = now_.profile.events();
+  const double reported = before.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                         : before.back().t - dt();  // from this tick
+  now_.profile.clear();
   const bool moved = inputs_.master[0] != last_master_[0];
   if (const auto end = live_.pass_end(moment(), now_.tick);
-      end && moved && !(std::abs(reported + end->t) < dt() / 2))
-    now_.end_of_profile = -end->t;
+      end && moved && !(std::abs(end->t - reported) < dt() / 2))
+    live_.add_pass(*end, now_.tick, now_.profile);
   next = live_.at(moment(), now_.tick);
+  live_.add_events(now_.tick, now_.profile);
   const bool fails = registration_ && registration_->spec().on_loss == MarkLoss::fault;
   if (fails && registration_->reading().lost) return Cause::marks_lost;
   if (live_->progress() != Progress::broken) return Cause::none;

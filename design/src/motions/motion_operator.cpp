@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/sequences/retime.hpp"
 #include "jounce/profiles/vibration/moving_average.hpp"
@@ -70,16 +71,27 @@ void apply(const OverrideSpec& s, const Context& context, Curves& motions) {
   motions = overridden(motions, context.limits, s).axes;
 }
 
+/// The first instant after the start at which the motion passes this position. A motion that ends at
+/// a velocity keeps it.
+double passage(const Trajectory& running, double position) {
+  for (const double t : crossings(running, 0, position))
+    if (t > running.start()) return t;
+  const Jet end = running.jet(running.end(), Side::left);
+  if (end[1] * (position - end[0]) > 0) return running.end() + (position - end[0]) / end[1];
+  throw InputError("past", position, "must be a position that the motion passes");
+}
+
 Trajectory changed(const Trajectory& running, const ChangeSpec& c) {
+  const double time = c.past ? passage(running, *c.past) : c.time;
   switch (c.to) {
     case ChangeSpec::To::target:
-      return with_target(running, c.time, c.value, c.dynamics);
+      return with_target(running, time, c.value, c.dynamics);
     case ChangeSpec::To::velocity:
-      return moving_at_ends(with_velocity(running, c.time, c.value, c.dynamics));
+      return moving_at_ends(with_velocity(running, time, c.value, c.dynamics));
     case ChangeSpec::To::additive:
-      return pmc600::move_additive(running, c.time, c.value, c.dynamics);
+      return pmc600::move_additive(running, time, c.value, c.dynamics);
     default:
-      return pmc600::move_superimposed(running, c.time, c.value, c.dynamics, c.abort);
+      return pmc600::move_superimposed(running, time, c.value, c.dynamics, c.abort);
   }
 }
 

@@ -55,6 +55,7 @@ AxisServer::AxisServer(ExecutorOptions options, Receiver& receiver, MachineExcha
         });
   LogColumns more{.path = options_.group.has_value(),
                   .probes = options_.logs_probes,
+                  .profile = options_.logs_profile,
                   .compensation = options_.axis.compensation.has_value()};
   if (options_.axis.registration) more.registration = options_.axis.registration->add_to;
   if (options_.log) log_.emplace(*options_.log, options_.units, more);

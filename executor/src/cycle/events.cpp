@@ -8,7 +8,8 @@
 namespace jounce {
 namespace {
 
-constexpr std::int64_t most_marks = 8;  // events of a kind in one cycle
+constexpr std::int64_t most_marks = 8;            // events of a kind in one cycle
+constexpr std::int64_t most_number = 0x7fffffff;  // greatest number of an event in a message
 
 /// One end of a step: position and velocity of the signal of the switches.
 struct End {
@@ -63,8 +64,11 @@ std::vector<wire::Event> events_of(const Tick& before, const Tick& now, const Ou
   };
   for (const Capture& c : now.probe.captures())
     note(wire::EventKind::probe, c.input, c.rising, c.age, c.position());
-  if (std::isfinite(now.end_of_profile))
-    add(wire::EventKind::end_of_profile, 1, true, dt - now.end_of_profile, SwitchesOf::master);
+  for (const ProfileEvent& e : now.profile.events())
+    note(e.kind == ProfileEvent::Kind::begin ? wire::EventKind::table_begin
+                                             : wire::EventKind::end_of_profile,
+         static_cast<std::uint32_t>(std::clamp<std::int64_t>(e.number, 1, most_number)), true,
+         std::max(0.0, -e.t), e.master);
   const RegistrationReading& was = before.registration;
   const RegistrationReading& is = now.registration;
   const auto marks = [&](wire::MarkEvent what, std::int64_t count, double position) {

@@ -28,7 +28,7 @@ FifoSpec spec_of(const wire::Queue& queue, const AxisConfig& config) {
 }
 
 FollowRun run_of(const wire::Queue& queue) {
-  FollowRun run;
+  FollowRun run{.dir = queue.direction};
   if (queue.event == wire::QueueEvent::pass)
     run.event = {.event = FollowEvent::pass,
                  .position = queue.event_position,

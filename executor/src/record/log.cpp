@@ -58,6 +58,22 @@ void append(std::string& line, const ProbeStep& probe) {
   }
 }
 
+/// "pass3@0.00042=170000": the third pass ended, this time (s) before the tick, with the master at
+/// this position. "table1@...": the table in this bank begins.
+void append(std::string& line, const ProfileStep& profile) {
+  const char* separator = "";
+  for (const ProfileEvent& event : profile.events()) {
+    append(line, separator);
+    line += event.kind == ProfileEvent::Kind::begin ? "table" : "pass";
+    append(line, event.number);
+    line += '@';
+    append(line, std::max(0.0, -event.t));
+    line += '=';
+    append(line, event.master);
+    separator = " ";
+  }
+}
+
 template <class First, class... Others>
 void join(std::string& line, const First& first, const Others&... others) {
   append(line, first);
@@ -84,6 +100,7 @@ TickLog::TickLog(std::filesystem::path path, const Units& units, const LogColumn
         << "/s^2],job,fault,outputs,edges [s],held,homed";
   if (more.path) file_ << ",path_time [s]";
   if (more.probes) file_ << ",captures [s=" << units.position << "]";
+  if (more.profile) file_ << ",profile [s=" << units.x << "]";
   if (more.registration)
     file_ << ",deviation" << m << "],correction"
           << (*more.registration == CorrectionOf::master ? m : u) << "],marks,missed,strays";
@@ -113,6 +130,7 @@ void TickLog::add(const Tick& tick) {
        tick.held ? 1 : 0, tick.homed ? 1 : 0);
   if (more_.path) join(line_, "", tick.path_time);
   if (more_.probes) join(line_, "", tick.probe);
+  if (more_.profile) join(line_, "", tick.profile);
   const RegistrationReading& marks = tick.registration;
   if (more_.registration)
     join(line_, "", marks.deviation, marks.correction, marks.marks, marks.missed, marks.strays);

@@ -125,7 +125,7 @@ queue_t on_wire(const RecordedQueue& q) {
   queue_t w{};
   w.axis = static_cast<std::int16_t>(q.axis);
   w.id = static_cast<std::int64_t>(q.id);
-  w.over = static_cast<std::int8_t>(q.queue.axis);
+  w.over = wire::variable_number(q.queue);
   w.mode = static_cast<std::int8_t>(q.queue.mode);
   w.capacity = q.queue.capacity;
   w.loops = q.queue.loops;
@@ -141,7 +141,8 @@ queue_t on_wire(const RecordedQueue& q) {
 
 RecordedQueue ours(const queue_t& w) {
   RecordedQueue q{.axis = static_cast<std::size_t>(w.axis), .id = static_cast<std::uint64_t>(w.id)};
-  Get{}("over", q.queue.axis, w.over);
+  if (!wire::set_variable(w.over, q.queue))
+    throw InputError("over", std::to_string(w.over), "is not a value of this field");
   Get{}("mode", q.queue.mode, w.mode);
   Get{}("event", q.queue.event, w.event);
   if (w.capacity < 1 || w.capacity > 1'000'000)

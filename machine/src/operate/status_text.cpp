@@ -151,7 +151,9 @@ std::string event_text(const wire::Event& event) {
       }
       return fmt::format("mark, deviation {:.6g}", event.position);
     case wire::EventKind::end_of_profile:
-      return "end of profile, master" + at;
+      return fmt::format("end of profile {}, master{}", event.number, at);
+    case wire::EventKind::table_begin:
+      return fmt::format("follow table {} begins, master{}", event.number, at);
     case wire::EventKind::m_word:
       return fmt::format("M{} {}", event.number, event.on ? "waits" : "ends");
     case wire::EventKind::compare:

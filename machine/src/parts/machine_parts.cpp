@@ -241,6 +241,7 @@ void set_leaders(ExecutorOptions& executor, const Read& axis, const std::vector<
         "registration", "", "needs a master: add [follow] to the axis or to its machine"));
   if (!axis.follow) return;
   executor.follow = resolved(axis, *axis.follow, "follow", axis.spec.master_unit, axes, masters);
+  executor.logs_profile = true;
   for (const FollowWhom& second : axis.follow->second)
     executor.second = resolved(axis, second, "follow.second", "", axes, masters);
 }

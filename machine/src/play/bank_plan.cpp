@@ -72,6 +72,7 @@ BankPlan follow_bank_plan(const Input& input, bool relative) {
                            .relative = relative},
                  .first = on_wire(tables.first),
                  .second = on_wire(tables.second)};
+  banks.queue.direction = static_cast<std::int8_t>(part.direction);
   if (part.start.event == FollowEvent::pass) {
     banks.queue.event = wire::QueueEvent::pass;
     banks.queue.event_position = part.start.position;

@@ -322,11 +322,19 @@ void SegmentFifos::new_table() {
   known_rates_ = 0;
 }
 
+/// A later end of the same table replaces the earlier one.
+void SegmentFifos::note_end(const PassEnd& end) {
+  const bool same = ends_count_ > 0 && !ends_[ends_count_ - 1].switched;
+  if (!same && ends_count_ < ends_.size()) ++ends_count_;
+  ends_[ends_count_ - 1] = end;
+}
+
 void SegmentFifos::end_pass() {
   const std::int64_t done = passes_.load() + 1;
   passes_.store(done);
   const bool again = loops() < 1 || done < loops();
   const bool switches = switch_seen();
+  note_end({origin_.x + last_row().x_end, done, switches});
   if (!switches && !again) return stop();
   take_turns(1);
   if (switches) {
@@ -395,6 +403,7 @@ Jet SegmentFifos::here(double u) const {
 }
 
 Jet SegmentFifos::at(double x) {
+  ends_count_ = 0;
   if (moving() && !std::isfinite(x)) lose();
   while (moving() && x - origin_.x >= playing().slots[slot_].row.x_end && !dry()) {
     next();

@@ -156,6 +156,17 @@ FollowStart read_start(TomlReader& follow, const Units& units) {
   return start;
 }
 
+int read_direction(const TomlReader& top, TomlReader& follow) {
+  const std::int64_t direction = follow.optional_whole("direction").value_or(0);
+  if (direction < -1 || direction > 1)
+    follow.fail("direction", std::to_string(direction), "must be 1, -1 or 0 (both directions)");
+  if (direction < 0 && top.has("master"))
+    follow.fail("direction", std::to_string(direction),
+                "lets the slave stand still, because the position of [master] rises: leave out "
+                "[master], or give direction = 1");
+  return static_cast<int>(direction);
+}
+
 }  // namespace
 
 FollowPart read_follow(TomlReader& top, const Units& units) {
@@ -166,6 +177,7 @@ FollowPart read_follow(TomlReader& top, const Units& units) {
   TomlReader follow = given ? std::move(*given) : TomlReader(nothing, "follow", unused);
   FollowPart part;
   part.start = read_start(follow, units);
+  part.direction = read_direction(top, follow);
   const bool plan = top.has("point") || top.has("zone");
   if (plan && (top.has("segment") || follow.has("table")))
     top.fail(top.has("point") ? "point" : "zone", "",

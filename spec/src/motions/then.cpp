@@ -67,7 +67,10 @@ Operator read_override(MotionFields& f) {
 
 ChangeSpec read_change(MotionFields& f, ChangeSpec::To to) {
   ChangeSpec c{.to = to};
-  c.time = f.reader().number("time", f.units().x);
+  c.past = f.reader().optional_number("past", f.units().position);
+  if (c.past && f.reader().has("time"))
+    f.reader().fail("past", number(*c.past), "replaces time: leave out one of the two");
+  if (!c.past) c.time = f.reader().number("time", f.units().x);
   c.dynamics = read_dynamics(f, to != ChangeSpec::To::velocity);
   return c;
 }

@@ -42,7 +42,7 @@ bool get_queue(std::int32_t number, std::uint32_t& queue) {
 
 void put(const Queue& from, jounce_lcm::queue_t& to) {
   to.queue = put_count("queue", from.queue);
-  to.axis = number_of(from.axis);
+  to.axis = variable_number(from);
   to.mode = number_of(from.mode);
   put_unit("unit of x", from.units.x, to.unit_x);
   put_unit("unit of position", from.units.position, to.unit_position);
@@ -67,7 +67,7 @@ bool get(const jounce_lcm::queue_t& from, Queue& to) {
   to.lowest = from.lowest;
   to.highest = from.highest;
   if (from.relative != 0 && from.relative != 1) return false;
-  return get_queue(from.queue, to.queue) && get_enum(from.axis, to.axis) &&
+  return get_queue(from.queue, to.queue) && set_variable(from.axis, to) &&
          get_enum(from.mode, to.mode) && get_text(from.unit_x, unit_bytes, to.units.x) &&
          get_text(from.unit_position, unit_bytes, to.units.position) &&
          get_count(from.capacity, to.capacity) && get_enum(from.event, to.event) &&

@@ -48,8 +48,8 @@ const char* name(GearState gear) {
 }
 
 const char* name(EventKind kind) {
-  constexpr const char* names[] = {"compare", "track",          "tappet", "probe",
-                                   "mark",    "end_of_profile", "m_word"};
+  constexpr const char* names[] = {"compare", "track",          "tappet",      "probe",
+                                   "mark",    "end_of_profile", "table_begin", "m_word"};
   return names[static_cast<std::size_t>(kind)];
 }
 

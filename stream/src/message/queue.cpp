@@ -10,9 +10,20 @@ bool operator==(const Queue& a, const Queue& b) {
   const auto fields = [](const Queue& q) {
     return std::tie(q.queue, q.axis, q.units.x, q.units.position, q.mode, q.capacity, q.loops,
                     q.event, q.event_position, q.event_direction, q.prefill, q.relative, q.origin,
-                    q.lowest, q.highest);
+                    q.lowest, q.highest, q.direction);
   };
   return fields(a) == fields(b);
+}
+
+std::int8_t variable_number(const Queue& queue) {
+  if (queue.axis == Domain::time) return 0;
+  return queue.direction == 0 ? 1 : queue.direction > 0 ? 2 : 3;
+}
+
+bool set_variable(std::int64_t number, Queue& queue) {
+  queue.axis = number == 0 ? Domain::time : Domain::master;
+  queue.direction = static_cast<std::int8_t>(number == 2 ? 1 : number == 3 ? -1 : 0);
+  return number >= 0 && number <= 3;
 }
 
 std::uint32_t room(const Queue& queue) {
@@ -26,6 +37,9 @@ std::string contradiction(const Queue& queue) {
     return "the prefill must be 1 to the " + std::to_string(room(queue)) + " rows of the queue";
   if (queue.mode == QueueMode::dynamic && queue.loops != 1)
     return "a dynamic queue is played once: loops must be 1";
+  if (queue.direction < -1 || queue.direction > 1) return "the direction must be -1, 0 or 1";
+  if (queue.direction != 0 && queue.axis == Domain::time)
+    return "a direction needs a queue over master position";
   const bool pass = queue.event == QueueEvent::pass;
   if (pass && queue.axis == Domain::time)
     return "the event pass needs a queue over master position";

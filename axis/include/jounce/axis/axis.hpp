@@ -87,9 +87,8 @@ struct Tick {
   SwitchStep switches{};  ///< outputs of the cam switches, with their edges since the previous tick
   /// Output of the position compare, with its edges since the previous tick.
   CompareStep compare{};
-  /// Time from the end of a pass of the live cam to this tick, s; NaN: no pass has ended.
-  double end_of_profile = std::numeric_limits<double>::quiet_NaN();
-  ProbeStep probe{};                   ///< captures of the touch probes in this tick
+  ProfileStep profile{};  ///< events of the cam or the follow tables on the live master
+  ProbeStep probe{};      ///< captures of the touch probes in this tick
   RegistrationReading registration{};  ///< state of the registration
   bool compensated = false;            ///< true if the compensation is active
   /// Correction of the compensation and its derivatives, u, u/s, u/s^2; 0 if it is not active. The

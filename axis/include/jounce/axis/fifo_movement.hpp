@@ -150,9 +150,15 @@ class FifoFollow final : public Movement {
   [[nodiscard]] bool absolute() const noexcept override { return origin_.has_value(); }
   /// The greatest slopes of the rows so far.
   [[nodiscard]] std::array<double, 3> slopes() const noexcept override;
+  /// The begin of each table, and the ends of its passes.
+  [[nodiscard]] std::span<const ProfileEvent> events() const noexcept override {
+    return events_.events();
+  }
 
  private:
   [[nodiscard]] Jet beyond(double master) const noexcept;
+  void note(ProfileEvent::Kind kind, std::int64_t number, double master, const Sample& now);
+  void note_passes(int table, const Sample& now);
 
   SegmentFifos fifos_;
   std::optional<double> origin_;
@@ -161,6 +167,7 @@ class FifoFollow final : public Movement {
   std::atomic<int> first_{0};
   bool fresh_ = false;  // begun, and nothing played yet
   Sample before_;
+  ProfileStep events_;
   Progress progress_ = Progress::waiting;
   Cause cause_ = Cause::none;
   Setpoint last_;

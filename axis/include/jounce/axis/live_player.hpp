@@ -30,6 +30,7 @@ class LivePlayer {
     movement_ = &movement;
     origin_ = tick;
     shift_ = second_shift_ = 0;
+    passes_ = 0;
     phase_.end();
   }
   /// Ends the movement, if there is one.
@@ -70,6 +71,21 @@ class LivePlayer {
     return at;
   }
 
+  /// Adds the events of the follow tables in the last at() to `step`, in times from this tick.
+  void add_events(std::int64_t tick, ProfileStep& step) const noexcept {
+    for (ProfileEvent event : movement_->events()) {
+      event.t -= since(tick);
+      event.master += shift_;
+      step.add(event);
+    }
+  }
+  /// Adds the end of a pass of a cam, as returned by pass_end(). The position of the master includes
+  /// the phase shift, as in the setpoint.
+  void add_pass(const Moment& end, std::int64_t tick, ProfileStep& step) noexcept {
+    const double phase = phase_.at(tick, end.t)[0];
+    step.add({ProfileEvent::Kind::pass_end, ++passes_, end.t, end.master[0] + phase});
+  }
+
  private:
   [[nodiscard]] double since(std::int64_t tick) const noexcept {
     return seconds((tick - origin_) * period_);
@@ -92,6 +108,7 @@ class LivePlayer {
   std::int64_t origin_ = 0;  // tick in which the time of the movement is 0
   double shift_ = 0;         // change of the master's coordinate since that tick, m
   double second_shift_ = 0;  // likewise, of the second master
+  std::int64_t passes_ = 0;  // number of passes of a cam, since its start
   PhasePlayer phase_;
 };
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "jounce/axis/profile_event.hpp"
 #include "jounce/command/cause.hpp"
 #include "jounce/profiles/curve/jet.hpp"
 #include "jounce/profiles/moves/profile.hpp"
@@ -163,6 +164,9 @@ class Movement {
   [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
     return std::nullopt;
   }
+  /// For follow tables: the events up to the last at(), since the at() before it. Their `t` is the
+  /// time of the movement. A cam reports its passes by pass_end().
+  [[nodiscard]] virtual std::span<const ProfileEvent> events() const noexcept { return {}; }
   /// For a plan of cuts: the plan; otherwise null.
   [[nodiscard]] virtual LiveCuts* cuts() noexcept { return nullptr; }
   /// For a path: the length of one run of its table (a pass), s of path time; 0 for a stream of

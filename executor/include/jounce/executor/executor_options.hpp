@@ -85,6 +85,8 @@ struct ExecutorOptions {
   Nanos status_period = std::chrono::milliseconds(50);  ///< time between two status messages
   std::optional<std::filesystem::path> log{};           ///< tick log, a CSV file; nullopt: none
   bool logs_probes = false;  ///< true: the log has a column for the captures of the touch probes
+  bool logs_profile =
+      false;  ///< true: the log has a column for the events of cams and follow tables
   std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
   Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: no record
   bool in_group = false;   ///< true: an axis of a group, which reports the motions of its axes

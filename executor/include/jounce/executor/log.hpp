@@ -16,6 +16,7 @@ namespace jounce {
 struct LogColumns {
   bool path = false;                              ///< time of the path of a group
   bool probes = false;                            ///< captures of the touch probes
+  bool profile = false;                           ///< events of cams and follow tables
   std::optional<CorrectionOf> registration = {};  ///< state of the registration
   bool compensation = false;                      ///< state and correction of the compensation
 };

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "jounce/pvt/segment_row.hpp"
@@ -175,6 +176,16 @@ class SegmentFifos {
   /// only on the number of rows. If nothing is played, returns the end position, at rest.
   Jet at(double x);
 
+  /// An end of a pass of a table.
+  struct PassEnd {
+    double x = 0;             ///< s or m
+    std::int64_t passes = 0;  ///< passes of the table completed by then
+    bool switched = false;    ///< true: the other FIFO continues from here
+  };
+  /// The ends of passes of tables in the last at(), in their order: for each of the two FIFOs the
+  /// last one.
+  [[nodiscard]] std::span<const PassEnd> pass_ends() const { return {ends_.data(), ends_count_}; }
+
   /// End of the rows that were played, and the rate at this end, if the state is `ended` or
   /// `cut_off`.
   struct End {
@@ -233,6 +244,7 @@ class SegmentFifos {
   bool grown();
   void next();
   void end_pass();
+  void note_end(const PassEnd& end);
   void new_table();
   void take_turns(std::int64_t turns);
   void end_stream_fifo();
@@ -275,6 +287,8 @@ class SegmentFifos {
   double rate_ = 0;       // end rate of the previous row
   double position_ = 0;   // position returned last
   End end_;
+  std::array<PassEnd, 2> ends_{};
+  std::size_t ends_count_ = 0;
   // end rates of the last passes; known_rates_ of them are known
   std::array<double, 3> pass_rates_{};
   int known_rates_ = 0;

@@ -156,13 +156,15 @@ struct MovingAverageSpec {
 /// Retimes the motion with retimed(), to the [limits] of each axis.
 struct RetimeSpec {};
 
-/// A change in flight at a given time.
+/// A change in flight at a given time, or when the motion first passes a given position.
 struct ChangeSpec {
   enum class To { target, velocity, additive, superimposed };
   To to = To::target;      ///< kind of the change
   double time = 0;         ///< time at which it takes effect
   double value = 0;        ///< target position, velocity, or distance
   Dynamics dynamics = {};  ///< dynamics of the new command
+  /// Position at which it takes effect, instead of `time`; nullopt: at the time.
+  std::optional<double> past = {};
   /// For superimposed: time at which the superimposed move is aborted.
   std::optional<double> abort = {};
 };

@@ -38,6 +38,7 @@ struct GearInPosPart {
 struct FollowPart {
   std::variant<FollowSpec, FollowPlan> slave;
   FollowStart start = {};  ///< start event
+  int direction = 0;       ///< direction of the master that moves the slave: 1, -1; 0: both
 };
 
 /// A spec of a synchronous slave. For the kinds "knife", "shear" and "indexer" it is the parameter

@@ -293,13 +293,17 @@ struct Status {
 
 /// Kind of an event.
 enum class EventKind : std::int8_t {
-  compare = 0,         ///< the output of the position compare
-  track = 1,           ///< a cam switch; `number`: its track
-  tappet = 2,          ///< an output of another executor
-  probe = 3,           ///< a capture of a touch probe; `number`: its input, `on`: rising edge
-  mark = 4,            ///< registration; `number`: see MarkEvent
-  end_of_profile = 5,  ///< a pass of a cam on the live master has ended; `position`: of the master
-  m_word = 6,          ///< M word `number` of a group; `on`: it waits for its acknowledgment
+  compare = 0,  ///< the output of the position compare
+  track = 1,    ///< a cam switch; `number`: its track
+  tappet = 2,   ///< an output of another executor
+  probe = 3,    ///< a capture of a touch probe; `number`: its input, `on`: rising edge
+  mark = 4,     ///< registration; `number`: see MarkEvent
+  /// A pass of a cam or a follow table on the live master has ended; `number`: of passes that have
+  /// ended, `position`: of the master.
+  end_of_profile = 5,
+  /// A follow table begins; `number`: its bank, 1 or 2; `position`: of the master.
+  table_begin = 6,
+  m_word = 7,  ///< M word `number` of a group; `on`: it waits for its acknowledgment
 };
 
 /// Number of an event of the registration.

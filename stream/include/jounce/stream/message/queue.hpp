@@ -93,6 +93,9 @@ struct Queue {
   double lowest = -no_bound;
   /// Highest position of the whole motion, relative to its start, u, >= 0.
   double highest = no_bound;
+  /// Over a master: the direction of the master that moves the slave, 1 or -1; 0: both. With 1 or
+  /// -1, the slave stands still while the master moves in the other direction, and until it is back.
+  std::int8_t direction = 0;
 
   static constexpr double no_bound = std::numeric_limits<double>::infinity();  ///< no limit
 };
@@ -110,6 +113,13 @@ struct Rows {
 
 /// Returns the error of a queue as a sentence; "" if the queue is valid.
 std::string contradiction(const Queue& queue);
+
+/// Returns the number of the variable of the queue in messages and records: 0 time, 1 travel of the
+/// master, 2 its forward travel, 3 its backward travel.
+std::int8_t variable_number(const Queue& queue);
+
+/// Sets `axis` and `direction` from this number. Returns false for another number.
+bool set_variable(std::int64_t number, Queue& queue);
 
 /// Returns the number of rows for which a bank has space. In a dynamic queue, this is the space of
 /// both banks.
