@@ -132,7 +132,8 @@ function showAnalysis(answer) {
   plane.take(answer.charts, answer.edit);
   tables.take(answer.edit?.tables ?? []);
   $('insert').hidden = !answer.edit?.insert || answer.cam !== null || stale;
-  $('help').hidden = !(answer.edit?.handles.length > 0 || answer.edit?.plane.length > 0);
+  $('help').hidden = picture === null;
+  $('help').querySelector('p').hidden = !(answer.edit?.handles.length > 0 || answer.edit?.plane.length > 0);
   $('measured').hidden = answer.cam === null && answer.result.kind !== '' && answer.edit !== null;
   showMeasured();
   showGallery();
@@ -332,14 +333,17 @@ async function fitPoints() {
 let templates = null;
 
 /// The first sentence of the comment at the beginning of a text.
-const aboutOf = (text) => text.split(/\n(?!#)/)[0].replace(/\n?# ?/g, ' ').trim().split(/[.:] /)[0];
+const aboutOf = (text) => text.split(/\n(?:# *\n|(?!#))/)[0].replace(/\n?# ?/g, ' ').trim().split('. ')[0].replace(/[.:]$/, '');
 
 async function showGallery() {
-  $('gallery').hidden = state.text.trim() !== '';
+  const is_empty = state.text.trim() === '';
+  $('gallery').hidden = !is_empty;
+  $('finding-list').hidden = is_empty;
+  for (const id of ['validate', 'difference', 'report', 'table', 'form', 'stream']) $(id).disabled = is_empty;
   if ($('gallery').hidden || templates) return;
   templates = await request('GET', '/templates');
   $('gallery').querySelector('.cards').replaceChildren(...templates.map(({kind, text, picture: drawing}) => html('button', {type: 'button', className: 'card', onclick: () => act('/document', {text})},
-    html('b', {textContent: kind}), drawing ? html('img', {alt: `Curve of the template ${kind}`, src: `data:image/svg+xml,${encodeURIComponent(drawing)}`}) : html('small', {textContent: aboutOf(text)}))));
+    html('b', {textContent: kind}), html('small', {textContent: aboutOf(text)}), ...(drawing ? [html('img', {alt: `Curve of the template ${kind}`, src: `data:image/svg+xml,${encodeURIComponent(drawing)}`})] : []))));
 }
 
 const short = (value) => value === null ? '∞' : number(value, 4);
@@ -384,7 +388,9 @@ const stream = new StreamDialog({
 async function openStream() {
   await inTurn(sendTyped);
   if (state.charts.length === 0) return say('The text describes no motion that can be sent.', true);
-  return stream.open(axis, state.charts[axis].name.split(' ').at(-1));
+  const {name, views: [view]} = state.charts[axis];
+  const kind = state.result.kind === 'follow' ? 'follow' : view.axis.startsWith('master') ? 'cam' : 'move';
+  return stream.open({axis, name: name.split(' ').at(-1), kind, master_unit: view.unit});
 }
 
 const table = new SegmentTable($('knots'), {
@@ -421,6 +427,32 @@ async function showJob(now) {
   $('outcome-text').textContent = result.text + (result.broken ? `\nThe result breaks these checks:\n${result.broken}` : '');
   $('outcome').replaceChildren();
   if (result.charts) new Report($('outcome'), result.charts[0], 'outcome');
+}
+
+// ---- `jounce validate` ---------------------------------------------------------------------------
+
+let proof = null;  // of the last event
+
+async function showProof(now) {
+  const ended = proof?.running !== false && now?.running === false;
+  proof = now;
+  $('proof').hidden = !now;
+  if (!now) return;
+  $('proof-done').value = now.done;
+  $('proof-done').hidden = $('proof-stop').hidden = !now.running;
+  $('proof-close').hidden = now.running;
+  $('proof-step').textContent = now.running ? `${Math.round(100 * now.done)} % ${now.step}` : now.error;
+  $('proof-stale').hidden = now.running || now.current;
+  if (now.running) $('proof-verdict').hidden = $('proof-text').hidden = true;
+  if (!ended || now.error) return;
+  const result = await request('GET', '/proof');
+  const verdict = $('proof-verdict');
+  verdict.hidden = false;
+  verdict.className = `verdict ${result.proven ? 'ok' : 'no'}`;
+  verdict.children[0].textContent = result.proven ? '✓' : '✗';
+  verdict.children[1].textContent = result.proven ? 'Proven: the integration agrees with the curve and the table, and no limit is broken.' : 'Not proven: the lines below have the reasons.';
+  $('proof-text').hidden = false;
+  $('proof-text').textContent = raisedUnit(result.text.trimEnd());
 }
 
 // ---- buttons, keys, events -----------------------------------------------------------------------
@@ -487,6 +519,17 @@ function listen() {
       say(error.message, true);
     }
   };
+  const prover = (path, body) => async () => {
+    try {
+      await inTurn(sendTyped);
+      await request('POST', path, body);
+    } catch (error) {
+      say(error.message, true);
+    }
+  };
+  $('validate').onclick = prover('/validate', {});
+  $('proof-stop').onclick = prover('/proof', {do: 'stop'});
+  $('proof-close').onclick = prover('/proof', {do: 'discard'});
   $('optimize').onclick = optimizer({});
   for (const id of ['stop', 'take', 'discard']) $(id).onclick = optimizer({do: id});
   addEventListener('keydown', (event) => {
@@ -516,6 +559,7 @@ async function follow() {
       if (event.revision !== state.revision && busy === 0) await load();
       stream.show(event.stream);
       await showJob(event.optimum);
+      await showProof(event.proof);
     }
   }
 }

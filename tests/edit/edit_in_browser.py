@@ -19,6 +19,15 @@ from editor_page import (TEXT, browser, click, drag, drag_grip, field, folder, j
 picture = sys.argv[4] if len(sys.argv) > 4 else None
 SPEC = pathlib.Path(folder) / "feeder.toml"
 SIDE = pathlib.Path(folder) / "feeder.toml.autosave"
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+MANY_CASES = """
+[drive.tolerances]
+method = "monte_carlo"
+cases = 200000
+[[drive.tolerances.number]]
+key = "mass[1].inertia"
+share = "20 %"
+"""
 FEEDER = """\
 # A feeder.
 jounce = 1
@@ -369,6 +378,62 @@ def exports(editor):
     assert hashes[0] == hashes[1], hashes
 
 
+def validation(editor):
+    """The numbers of *Validate* are those of `jounce validate`; a long one is canceled; the result belongs to its text."""
+    open_feeder(editor)
+    click("validate")
+    browser.wait_for("!document.getElementById('proof-verdict').hidden")
+    proven = "document.getElementById('proof-text').textContent"
+    expected = subprocess.run([jounce, "validate", str(SPEC)], capture_output=True, text=True).stdout.strip()
+    assert browser.run(f"raisedUnit({json.dumps(expected)})") == browser.run(proven), (expected, browser.run(proven))
+    assert browser.run("document.getElementById('proof-stale').hidden")
+    browser.run("change({do: 'append'})")
+    browser.wait_for("!document.getElementById('proof-stale').hidden")
+    click("proof-close")
+    browser.wait_for("document.getElementById('proof').hidden")
+    long = (EXAMPLES / "fastest-for-motor" / "move.toml").read_text() + MANY_CASES
+    browser.run("act('/document', {text: " + json.dumps(long) + "})")
+    browser.wait_for(f"{TEXT} === {json.dumps(long)}")
+    settle()
+    click("validate")
+    browser.wait_for("document.getElementById('proof-step').textContent.includes('tolerances')")
+    click("proof-stop")
+    browser.wait_for("document.getElementById('proof-step').textContent === 'stopped: nothing is proven'")
+    click("proof-close")
+    browser.wait_for("document.getElementById('proof').hidden")
+    open_feeder(editor)
+
+
+def compared_with_the_commit():
+    """The difference to the newest commit: its lines, both curves, and the output of `jounce diff`."""
+    here = pathlib.Path(folder) / "repository"
+    here.mkdir()
+    spec = here / "feeder.toml"
+    spec.write_text(FEEDER)
+    git = ["git", "-C", str(here), "-c", "user.name=x", "-c", "user.email=x@example.com"]
+    for words in ["init", "-q"], ["add", "."], ["commit", "-q", "-m", "feeder"]:
+        subprocess.run([*git, *words], check=True)
+    spec.write_text(FEEDER.replace("slave = 50 }   # the top", "slave = 45 }   # the top"))
+    editor = Editor(spec)
+    try:
+        open_page(editor)
+        click("difference")
+        browser.wait_for("document.getElementById('window').open")
+        assert "The text is that of the file." in browser.run("document.getElementById('window').textContent")
+        browser.run("document.querySelector('#window-body button').click()")
+        browser.wait_for("document.getElementById('window-title').textContent === 'Comparison with the newest commit'")
+        browser.wait_for("document.querySelector('#window figure.live') !== null")
+        lines = browser.run("[...document.querySelectorAll('#window pre .add')].map((line) => line.textContent.trim()).join()")
+        assert lines == "+ end = { master = 120, slave = 45 }   # the top", lines
+        before = here / "before.toml"
+        before.write_text(FEEDER)
+        expected = subprocess.run([jounce, "diff", str(before), str(spec)], capture_output=True, text=True).stdout
+        peak_line = next(line for line in expected.split("\n") if "differs by" in line).strip()
+        assert peak_line.split("differs by")[1] in browser.run("document.getElementById('window').textContent"), (peak_line, expected)
+    finally:
+        editor.end()
+
+
 def layout(editor):
     """Nothing is wider than its window, in both schemes; all controls have names."""
     open_page(editor)
@@ -510,6 +575,7 @@ def test():
         errors_in_the_text(editor)
         disk_and_conflict(editor)
         exports(editor)
+        validation(editor)
         layout(editor)
         contrast()
         editor = killed_and_reloaded(editor)
@@ -522,6 +588,7 @@ def test():
         said = editor.end()
     assert "the unsaved text is in" in said, said
     points_and_switches()
+    compared_with_the_commit()
     optimizer()
     print("edited")
 
