@@ -138,6 +138,7 @@ function showAnalysis(answer) {
   showMeasured();
   showGallery();
   $('optimize').hidden = !answer.can_optimize;
+  $('over').hidden = !(answer.charts[axis]?.views.length > 1);
   showFindings(answer.result);
   $('check').hidden = answer.check === '';
   $('check-text').textContent = answer.check;
@@ -339,9 +340,10 @@ async function showGallery() {
   const is_empty = state.text.trim() === '';
   $('gallery').hidden = !is_empty;
   $('finding-list').hidden = is_empty;
-  for (const id of ['validate', 'difference', 'report', 'table', 'form', 'stream']) $(id).disabled = is_empty;
+  for (const id of ['validate', 'difference', 'measured', 'report', 'table', 'over', 'form', 'stream']) $(id).disabled = is_empty;
   if ($('gallery').hidden || templates) return;
   templates = await request('GET', '/templates');
+  templates.sort((a, b) => (a.picture === '') - (b.picture === ''));  // motions first
   $('gallery').querySelector('.cards').replaceChildren(...templates.map(({kind, text, picture: drawing}) => html('button', {type: 'button', className: 'card', onclick: () => act('/document', {text})},
     html('b', {textContent: kind}), html('small', {textContent: aboutOf(text)}), ...(drawing ? [html('img', {alt: `Curve of the template ${kind}`, src: `data:image/svg+xml,${encodeURIComponent(drawing)}`})] : []))));
 }
@@ -390,7 +392,8 @@ async function openStream() {
   if (state.charts.length === 0) return say('The text describes no motion that can be sent.', true);
   const {name, views: [view]} = state.charts[axis];
   const kind = state.result.kind === 'follow' ? 'follow' : view.axis.startsWith('master') ? 'cam' : 'move';
-  return stream.open({axis, name: name.split(' ').at(-1), kind, master_unit: view.unit});
+  const executor = state.charts.length > 1 ? name.split(' ').at(-1) : name;
+  return stream.open({axis, name: /^[\w-]{1,23}$/.test(executor) ? executor : '', kind, master_unit: view.unit});
 }
 
 const table = new SegmentTable($('knots'), {
@@ -450,7 +453,7 @@ async function showProof(now) {
   verdict.hidden = false;
   verdict.className = `verdict ${result.proven ? 'ok' : 'no'}`;
   verdict.children[0].textContent = result.proven ? '✓' : '✗';
-  verdict.children[1].textContent = result.proven ? 'Proven: the integration agrees with the curve and the table, and no limit is broken.' : 'Not proven: the lines below have the reasons.';
+  verdict.children[1].textContent = result.proven ? 'Proven: the integration agrees with the curve and with the table.' : 'Not proven: the text below has the reasons.';
   $('proof-text').hidden = false;
   $('proof-text').textContent = raisedUnit(result.text.trimEnd());
 }
@@ -463,17 +466,28 @@ function download(name, text, type) {
   setTimeout(() => URL.revokeObjectURL(url), again_ms);
 }
 
-async function exported(path, name, type) {
+const stem = () => state.file.split('/').at(-1).replace(/\.toml$/, '');
+
+/// Downloads an answer of the server; `act` returns its path, name and type.
+async function exported(act) {
   try {
     await inTurn(sendTyped);
-    download(name, await request('GET', path), type);
+    const {path, name, type, words} = await act();
+    const answer = await fetch(path, {headers: {'X-Jounce-Token': token}});
+    if (!answer.ok) throw new Rejected(answer.status, JSON.parse(await answer.text()).reason);
+    download(name, await answer.blob(), type);
+    if (words) say(words);
   } catch (error) {
     say(error.message, true);
   }
 }
 
-const stem = () => state.file.split('/').at(-1).replace(/\.toml$/, '');
-const endings = {csv: '.csv', json: '.json', points: '.csv'};
+/// The table, with the output of `jounce convert`: its error, and what the file loses.
+async function exportedTable() {
+  const query = `form=${$('form').value}&axis=${axis}${$('over').hidden ? '' : `&over=${$('over').value}`}`;
+  const {text, ending} = await request('GET', `/conversion?${query}`);
+  return {path: `/table?${query}`, name: `${stem()}${ending}`, type: 'application/octet-stream', words: raisedUnit(text.trim())};
+}
 
 async function save() {
   await inTurn(sendTyped);
@@ -496,8 +510,8 @@ function listen() {
     event.preventDefault();
     takePoints(event.dataTransfer.files[0]);
   });
-  $('report').onclick = () => exported(`/report?axis=${axis}`, `${stem()}.html`, 'text/html');
-  $('table').onclick = () => exported(`/table?form=${$('form').value}&axis=${axis}`, `${stem()}${endings[$('form').value] ?? '.txt'}`, 'text/plain');
+  $('report').onclick = () => exported(async () => ({path: `/report?axis=${axis}`, name: `${stem()}.html`, type: 'text/html'}));
+  $('table').onclick = () => exported(exportedTable);
   $('split').onclick = $('insert').onclick = () => insert(picture.x);
   $('append').onclick = () => change({do: 'append'});
   $('whole-what').onchange = () => { $('whole-by').hidden = $('whole-what').value.startsWith('mirror'); };

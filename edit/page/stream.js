@@ -45,9 +45,10 @@ class StreamDialog {
     const master = choice('master', 'Master', {spec: '[master] of the spec', live: 'live master of the axis'});
     const begin = choice('begin', 'Begin', {now: 'at once', position: 'when the master passes', cut: 'at the end of the present pass'});
     const end = choice('end', 'At the end', {brake: 'brake to standstill', keep: 'keep the velocity'});
-    const position = html('input', {id: 'stream-position', size: 8, inputMode: 'decimal', 'aria-label': `Position of the master [${unit}]`, placeholder: unit});
-    const live = html('span', {className: 'stream'}, begin.label, position, end.label);
-    const show = () => { live.hidden = master.select.value !== 'live'; position.hidden = begin.select.value !== 'position'; };
+    const position = html('input', {id: 'stream-position', size: 8, inputMode: 'decimal'});
+    const at = html('label', {}, `Position [${unit}] `, position);
+    const live = html('span', {className: 'stream'}, begin.label, at, end.label);
+    const show = () => { live.hidden = master.select.value !== 'live'; at.hidden = begin.select.value !== 'position'; };
     master.select.onchange = begin.select.onchange = show;
     show();
     return {element: html('span', {className: 'stream'}, master.label, live), members: () => master.select.value !== 'live' ? {} : {

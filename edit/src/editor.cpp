@@ -106,21 +106,22 @@ struct Editor::Impl {
         session(file),
         templates(std::move(its_templates)),
         token(web::new_token()),
-        server(std::move(listening), token,
-               {.files = {{"/", "text/html; charset=utf-8", edit_detail::page()},
-                          {"/edit.js", "text/javascript; charset=utf-8", edit_detail::script()},
-                          {"/edit.css", "text/css; charset=utf-8", edit_detail::style()}},
-                .commands = {"GET /document", "POST /document", "POST /change",    "POST /preview",
-                             "POST /undo",    "POST /redo",     "POST /save",      "POST /conflict",
-                             "GET /laws",     "GET /forms",     "GET /difference", "GET /table",
-                             "GET /report",   "GET /templates", "POST /fit",       "POST /optimize",
-                             "GET /optimum",  "POST /optimum",  "POST /validate",  "GET /proof",
-                             "POST /proof",   "GET /stream",    "POST /stream"},
-                .event = [this](std::int64_t& seen) { return event(seen); },
-                .obey = [this](const Request& request) { return answer(request); },
-                .urgent = [](const Request& /*request*/) { return false; },
-                .most_body = most_text,
-                .events_need_token = true}) {
+        server(
+            std::move(listening), token,
+            {.files = {{"/", "text/html; charset=utf-8", edit_detail::page()},
+                       {"/edit.js", "text/javascript; charset=utf-8", edit_detail::script()},
+                       {"/edit.css", "text/css; charset=utf-8", edit_detail::style()}},
+             .commands = {"GET /document",   "POST /document", "POST /change",    "POST /preview",
+                          "POST /undo",      "POST /redo",     "POST /save",      "POST /conflict",
+                          "GET /laws",       "GET /forms",     "GET /difference", "GET /table",
+                          "GET /conversion", "GET /report",    "GET /templates",  "POST /fit",
+                          "POST /optimize",  "GET /optimum",   "POST /optimum",   "POST /validate",
+                          "GET /proof",      "POST /proof",    "GET /stream",     "POST /stream"},
+             .event = [this](std::int64_t& seen) { return event(seen); },
+             .obey = [this](const Request& request) { return answer(request); },
+             .urgent = [](const Request& /*request*/) { return false; },
+             .most_body = most_text,
+             .events_need_token = true}) {
     watcher = std::thread([this] { watch(); });
   }
 
@@ -171,6 +172,7 @@ struct Editor::Impl {
       if (path == "/difference") return difference(request.value("against"));
       if (path == "/templates") return {200, edit_detail::gallery(templates)};
       if (path == "/table") return table(request);
+      if (path == "/conversion") return conversion(request);
       if (path == "/report")
         return {200, edit_detail::exported_report(path_of(), text(), axis_of(request)),
                 "text/html; charset=utf-8"};
@@ -321,12 +323,24 @@ struct Editor::Impl {
                              edit_detail::difference_members(path_of(), before, now))};
   }
 
-  Answer table(const Request& request) {
+  edit_detail::Exported exported(const Request& request) {
     const std::string form = request.value("form");
-    return {200,
-            edit_detail::exported_table(path_of(), text(), form.empty() ? "csv" : form,
-                                        axis_of(request)),
-            "text/plain; charset=utf-8"};
+    return edit_detail::exported_table(path_of(), text(), form.empty() ? "csv" : form,
+                                       axis_of(request), request.value("over"));
+  }
+
+  Answer table(const Request& request) {
+    edit_detail::Exported made = exported(request);
+    if (!made.fits) return rejected(400, made.text);
+    const bool is_text = made.file.find('\0') == std::string::npos;
+    return {200, std::move(made.file),
+            is_text ? "text/plain; charset=utf-8" : "application/octet-stream"};
+  }
+
+  Answer conversion(const Request& request) {
+    const edit_detail::Exported made = exported(request);
+    return {200, fmt::format(R"({{"ok":true,"text":{},"ending":{},"fits":{}}})",
+                             json_text(made.text), json_text(made.ending), made.fits)};
   }
 
   // ---- the optimizer ----------------------------------------------------------------------------

@@ -360,22 +360,38 @@ def optimizer():
         editor.end()
 
 
+def arrives(name):
+    """Waits for a downloaded file."""
+    file = pathlib.Path(folder) / name
+    for _ in range(200):
+        if file.exists() and file.stat().st_size > 0:
+            return
+        time.sleep(0.05)
+    raise AssertionError(name)
+
+
 def exports(editor):
     """The downloads of the table and the report are those of the command line."""
     open_feeder(editor)
     browser.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=folder)
     for element, name, begin in ("table", "feeder.csv", "# jounce table 1"), ("report", "feeder.html", "<!doctype html>"):
-        file = pathlib.Path(folder) / name
         click(element)
-        for _ in range(200):
-            if file.exists() and file.stat().st_size > 0:
-                break
-            time.sleep(0.05)
-        assert file.read_text().startswith(begin), file
+        arrives(name)
+        assert (pathlib.Path(folder) / name).read_text().startswith(begin), name
     expected = subprocess.run([jounce, "design", str(SPEC), "-o", "-"], capture_output=True, text=True).stdout
     table = (pathlib.Path(folder) / "feeder.csv").read_text()
     hashes = [next(line for line in each.split("\n") if line.startswith("# sha256")) for each in (table, expected)]
     assert hashes[0] == hashes[1], hashes
+    assert "feeder -> csv: " in browser.run("document.querySelector('.notice[data-key=said]').textContent")
+    # A binary form keeps its bytes; a form for motions over time takes the cam over time.
+    browser.run("document.getElementById('form').value = 'npy'")
+    click("table")
+    arrives("feeder.npy")
+    assert (pathlib.Path(folder) / "feeder.npy").read_bytes()[:8] == b"\x93NUMPY\x01\x00"
+    browser.run("document.getElementById('form').value = 'xps'; document.getElementById('over').value = 'time'")
+    click("table")
+    arrives("feeder.trj")
+    browser.run("document.getElementById('form').value = 'csv'; document.getElementById('over').value = 'master'")
 
 
 def validation(editor):
@@ -413,7 +429,7 @@ def compared_with_the_commit():
     git = ["git", "-C", str(here), "-c", "user.name=x", "-c", "user.email=x@example.com"]
     for words in ["init", "-q"], ["add", "."], ["commit", "-q", "-m", "feeder"]:
         subprocess.run([*git, *words], check=True)
-    spec.write_text(FEEDER.replace("slave = 50 }   # the top", "slave = 45 }   # the top"))
+    spec.write_text(FEEDER.replace("slave = 10,", "slave = 12,"))
     editor = Editor(spec)
     try:
         open_page(editor)
@@ -424,7 +440,7 @@ def compared_with_the_commit():
         browser.wait_for("document.getElementById('window-title').textContent === 'Comparison with the newest commit'")
         browser.wait_for("document.querySelector('#window figure.live') !== null")
         lines = browser.run("[...document.querySelectorAll('#window pre .add')].map((line) => line.textContent.trim()).join()")
-        assert lines == "+ end = { master = 120, slave = 45 }   # the top", lines
+        assert lines == "+ end = { master = 300, slave = 12, geo_velocity = -0.6, geo_acceleration = 0 }", lines
         before = here / "before.toml"
         before.write_text(FEEDER)
         expected = subprocess.run([jounce, "diff", str(before), str(spec)], capture_output=True, text=True).stdout

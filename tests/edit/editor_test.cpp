@@ -214,6 +214,27 @@ TEST_F(Editors, ExportsTheTableAndTheReport) {
   EXPECT_EQ(get("/laws").size(), all_laws().size());
 }
 
+/// A cam with [master] has a file in every form; a form for cams or for motions over time needs the
+/// other variable.
+TEST_F(Editors, ExportsEveryForm) {
+  post("/document", {{"revision", 1}, {"text", feeder + "[master]\nvelocity = 50\n"}});
+  for (const json& form : get("/forms")) {
+    const std::string name = form;
+    std::string query = "form=" + name;
+    if (client->Get("/table?" + query, headers())->status != 200) query += "&over=time";
+    const auto file = client->Get("/table?" + query, headers());
+    EXPECT_EQ(file->status, 200) << query << file->body;
+    const json conversion = get("/conversion?" + query);
+    EXPECT_EQ(conversion["fits"], true) << name;
+    EXPECT_THAT(conversion["ending"], testing::MatchesRegex("[.][a-zA-Z0-9]+")) << name;
+    EXPECT_THAT(conversion["text"], HasSubstr(name)) << name;
+  }
+  const auto npy = client->Get("/table?form=npy", headers());
+  EXPECT_EQ(npy->get_header_value("Content-Type"), "application/octet-stream");
+  EXPECT_EQ(npy->body.substr(0, 6), "\x93NUMPY") << "the bytes of the file";
+  EXPECT_EQ(get("/table?over=x", 400)["ok"], false);
+}
+
 TEST_F(Editors, ComparesWithTheSavedFile) {
   change({{"do", "move"}, {"knot", 1}, {"master", 100}, {"slave", 60}});
   const json difference = get("/difference");
@@ -337,8 +358,8 @@ TEST_F(Editors, ComparesATextWithAnError) {
 // ---- hostile requests ---------------------------------------------------------------------------
 
 TEST_F(Editors, NothingIsReadOrChangedWithoutTheToken) {
-  for (const char* target : {"/document", "/difference", "/table", "/report", "/laws", "/forms",
-                             "/optimum", "/proof", "/stream", "/events"}) {
+  for (const char* target : {"/document", "/difference", "/table", "/conversion", "/report",
+                             "/laws", "/forms", "/optimum", "/proof", "/stream", "/events"}) {
     EXPECT_EQ(client->Get(target)->status, 403) << target;
     EXPECT_EQ(client->Get(target, {{"X-Jounce-Token", "0123"}})->status, 403) << target;
   }
