@@ -19,12 +19,12 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& bod
     for (std::size_t i = next++; i < count; i = next++) {
       try {
         body(i);
+        if (reports && progress) progress(static_cast<double>(i) / static_cast<double>(count));
       } catch (...) {
         const std::lock_guard lock(mutex);
         if (!thrown) thrown = std::current_exception();
         next = count;
       }
-      if (reports && progress) progress(static_cast<double>(i) / static_cast<double>(count));
     }
   };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());

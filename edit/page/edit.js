@@ -132,11 +132,13 @@ function showAnalysis(answer) {
   plane.take(answer.charts, answer.edit);
   tables.take(answer.edit?.tables ?? []);
   $('insert').hidden = !answer.edit?.insert || answer.cam !== null || stale;
-  $('help').hidden = !(answer.edit?.handles.length > 0 || answer.edit?.plane.length > 0);
+  $('help').hidden = picture === null;
+  $('help').querySelector('p').hidden = !(answer.edit?.handles.length > 0 || answer.edit?.plane.length > 0);
   $('measured').hidden = answer.cam === null && answer.result.kind !== '' && answer.edit !== null;
   showMeasured();
   showGallery();
   $('optimize').hidden = !answer.can_optimize;
+  $('over').hidden = !(answer.charts[axis]?.views.length > 1);
   showFindings(answer.result);
   $('check').hidden = answer.check === '';
   $('check-text').textContent = answer.check;
@@ -332,14 +334,18 @@ async function fitPoints() {
 let templates = null;
 
 /// The first sentence of the comment at the beginning of a text.
-const aboutOf = (text) => text.split(/\n(?!#)/)[0].replace(/\n?# ?/g, ' ').trim().split(/[.:] /)[0];
+const aboutOf = (text) => text.split(/\n(?:# *\n|(?!#))/)[0].replace(/\n?# ?/g, ' ').trim().split('. ')[0].replace(/[.:]$/, '');
 
 async function showGallery() {
-  $('gallery').hidden = state.text.trim() !== '';
+  const is_empty = state.text.trim() === '';
+  $('gallery').hidden = !is_empty;
+  $('finding-list').hidden = is_empty;
+  for (const id of ['validate', 'difference', 'measured', 'report', 'table', 'over', 'form', 'stream']) $(id).disabled = is_empty;
   if ($('gallery').hidden || templates) return;
   templates = await request('GET', '/templates');
+  templates.sort((a, b) => (a.picture === '') - (b.picture === ''));  // motions first
   $('gallery').querySelector('.cards').replaceChildren(...templates.map(({kind, text, picture: drawing}) => html('button', {type: 'button', className: 'card', onclick: () => act('/document', {text})},
-    html('b', {textContent: kind}), drawing ? html('img', {alt: `Curve of the template ${kind}`, src: `data:image/svg+xml,${encodeURIComponent(drawing)}`}) : html('small', {textContent: aboutOf(text)}))));
+    html('b', {textContent: kind}), html('small', {textContent: aboutOf(text)}), ...(drawing ? [html('img', {alt: `Curve of the template ${kind}`, src: `data:image/svg+xml,${encodeURIComponent(drawing)}`})] : []))));
 }
 
 const short = (value) => value === null ? '∞' : number(value, 4);
@@ -384,7 +390,10 @@ const stream = new StreamDialog({
 async function openStream() {
   await inTurn(sendTyped);
   if (state.charts.length === 0) return say('The text describes no motion that can be sent.', true);
-  return stream.open(axis, state.charts[axis].name.split(' ').at(-1));
+  const {name, views: [view]} = state.charts[axis];
+  const kind = state.result.kind === 'follow' ? 'follow' : view.axis.startsWith('master') ? 'cam' : 'move';
+  const executor = state.charts.length > 1 ? name.split(' ').at(-1) : name;
+  return stream.open({axis, name: /^[\w-]{1,23}$/.test(executor) ? executor : '', kind, master_unit: view.unit});
 }
 
 const table = new SegmentTable($('knots'), {
@@ -423,6 +432,32 @@ async function showJob(now) {
   if (result.charts) new Report($('outcome'), result.charts[0], 'outcome');
 }
 
+// ---- `jounce validate` ---------------------------------------------------------------------------
+
+let proof = null;  // of the last event
+
+async function showProof(now) {
+  const ended = proof?.running !== false && now?.running === false;
+  proof = now;
+  $('proof').hidden = !now;
+  if (!now) return;
+  $('proof-done').value = now.done;
+  $('proof-done').hidden = $('proof-stop').hidden = !now.running;
+  $('proof-close').hidden = now.running;
+  $('proof-step').textContent = now.running ? `${Math.round(100 * now.done)} % ${now.step}` : now.error;
+  $('proof-stale').hidden = now.running || now.current;
+  if (now.running) $('proof-verdict').hidden = $('proof-text').hidden = true;
+  if (!ended || now.error) return;
+  const result = await request('GET', '/proof');
+  const verdict = $('proof-verdict');
+  verdict.hidden = false;
+  verdict.className = `verdict ${result.proven ? 'ok' : 'no'}`;
+  verdict.children[0].textContent = result.proven ? '✓' : '✗';
+  verdict.children[1].textContent = result.proven ? 'Proven: the integration agrees with the curve and with the table.' : 'Not proven: the text below has the reasons.';
+  $('proof-text').hidden = false;
+  $('proof-text').textContent = raisedUnit(result.text.trimEnd());
+}
+
 // ---- buttons, keys, events -----------------------------------------------------------------------
 
 function download(name, text, type) {
@@ -431,17 +466,28 @@ function download(name, text, type) {
   setTimeout(() => URL.revokeObjectURL(url), again_ms);
 }
 
-async function exported(path, name, type) {
+const stem = () => state.file.split('/').at(-1).replace(/\.toml$/, '');
+
+/// Downloads an answer of the server; `act` returns its path, name and type.
+async function exported(act) {
   try {
     await inTurn(sendTyped);
-    download(name, await request('GET', path), type);
+    const {path, name, type, words} = await act();
+    const answer = await fetch(path, {headers: {'X-Jounce-Token': token}});
+    if (!answer.ok) throw new Rejected(answer.status, JSON.parse(await answer.text()).reason);
+    download(name, await answer.blob(), type);
+    if (words) say(words);
   } catch (error) {
     say(error.message, true);
   }
 }
 
-const stem = () => state.file.split('/').at(-1).replace(/\.toml$/, '');
-const endings = {csv: '.csv', json: '.json', points: '.csv'};
+/// The table, with the output of `jounce convert`: its error, and what the file loses.
+async function exportedTable() {
+  const query = `form=${$('form').value}&axis=${axis}${$('over').hidden ? '' : `&over=${$('over').value}`}`;
+  const {text, ending} = await request('GET', `/conversion?${query}`);
+  return {path: `/table?${query}`, name: `${stem()}${ending}`, type: 'application/octet-stream', words: raisedUnit(text.trim())};
+}
 
 async function save() {
   await inTurn(sendTyped);
@@ -464,8 +510,8 @@ function listen() {
     event.preventDefault();
     takePoints(event.dataTransfer.files[0]);
   });
-  $('report').onclick = () => exported(`/report?axis=${axis}`, `${stem()}.html`, 'text/html');
-  $('table').onclick = () => exported(`/table?form=${$('form').value}&axis=${axis}`, `${stem()}${endings[$('form').value] ?? '.txt'}`, 'text/plain');
+  $('report').onclick = () => exported(async () => ({path: `/report?axis=${axis}`, name: `${stem()}.html`, type: 'text/html'}));
+  $('table').onclick = () => exported(exportedTable);
   $('split').onclick = $('insert').onclick = () => insert(picture.x);
   $('append').onclick = () => change({do: 'append'});
   $('whole-what').onchange = () => { $('whole-by').hidden = $('whole-what').value.startsWith('mirror'); };
@@ -487,6 +533,17 @@ function listen() {
       say(error.message, true);
     }
   };
+  const prover = (path, body) => async () => {
+    try {
+      await inTurn(sendTyped);
+      await request('POST', path, body);
+    } catch (error) {
+      say(error.message, true);
+    }
+  };
+  $('validate').onclick = prover('/validate', {});
+  $('proof-stop').onclick = prover('/proof', {do: 'stop'});
+  $('proof-close').onclick = prover('/proof', {do: 'discard'});
   $('optimize').onclick = optimizer({});
   for (const id of ['stop', 'take', 'discard']) $(id).onclick = optimizer({do: id});
   addEventListener('keydown', (event) => {
@@ -516,6 +573,7 @@ async function follow() {
       if (event.revision !== state.revision && busy === 0) await load();
       stream.show(event.stream);
       await showJob(event.optimum);
+      await showProof(event.proof);
     }
   }
 }

@@ -42,6 +42,7 @@ class EditPicture extends Report {
   constructor(figure, data, actions) {
     super(figure, data, 'main');
     this.actions = actions;
+    document.getElementById('help').append(this.box.querySelector('[id^=keys]'));
   }
 
   /// Shows the curves of an axis of a text, with its handles. `edit`: null: none; `cam`: null: it is no cam.

@@ -36,6 +36,7 @@ class NumberTable {
       return input;
     }));
     const removes = rows.some(({remove}) => remove !== null);
+    this.table.classList.toggle('wide', heads.length > 6);
     this.table.replaceChildren(
       html('thead', {}, html('tr', {}, ...heads.map((text) => html('th', {scope: 'col', textContent: raisedUnit(text)})), ...(removes ? [html('th', {scope: 'col'})] : []))),
       html('tbody', {}, ...rows.map((row, r) => html('tr', {}, this.head(r), ...this.inputs[r].map((input) => html('td', {}, input)),

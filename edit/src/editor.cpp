@@ -23,22 +23,23 @@
 #include "edit/src/change.hpp"
 #include "edit/src/exports.hpp"
 #include "edit/src/gallery.hpp"
+#include "edit/src/jobs/optimum_job.hpp"
+#include "edit/src/jobs/proof_job.hpp"
+#include "edit/src/jobs/stream_job.hpp"
 #include "edit/src/json_reader.hpp"
 #include "edit/src/only_one.hpp"
-#include "edit/src/optimum_job.hpp"
 #include "edit/src/page.hpp"
 #include "edit/src/session.hpp"
-#include "edit/src/stream_job.hpp"
 
 namespace jounce {
 namespace {
 
 using edit_detail::Analysis;
+using edit_detail::Job;
 using edit_detail::json_text;
 using edit_detail::JsonReader;
-using edit_detail::OptimumJob;
-using edit_detail::StreamJob;
 using edit_detail::StreamOffer;
+using edit_detail::StreamRequest;
 using web::Answer;
 using web::Request;
 
@@ -65,14 +66,26 @@ const char* word_of(EditSession::OnDisk state) {
   return "same";
 }
 
-std::string job_members(const OptimumJob::State& job) {
+std::string progress_members(const Job::State& job) {
   return fmt::format(R"("running":{},"done":{},"step":{},"error":{})", job.running, job.done,
-                     json_text(job.step), json_text(job.error));
+                     json_text(job.step), json_text(job.outcome.error));
 }
 
-std::string stream_members(const StreamJob::State& stream) {
+std::string stream_members(const Job::State& stream) {
+  const Job::Outcome& outcome = stream.outcome;
   return fmt::format(R"("running":{},"done":{},"step":{},"started":{},"text":{})", stream.running,
-                     stream.done, json_text(stream.step), stream.ok, json_text(stream.text));
+                     stream.done, json_text(stream.step), outcome.ok,
+                     json_text(outcome.error.empty() ? outcome.text : outcome.error));
+}
+
+/// `present`: the text of the session.
+std::string proof_members(const Job& proof, const std::string& present) {
+  return fmt::format(R"({},"current":{})", progress_members(proof.state()),
+                     proof.given() == present);
+}
+
+std::string object_or_null(const std::string& members) {
+  return members.empty() ? "null" : "{" + members + "}";
 }
 
 std::size_t axis_of(const Request& request) {
@@ -93,20 +106,22 @@ struct Editor::Impl {
         session(file),
         templates(std::move(its_templates)),
         token(web::new_token()),
-        server(std::move(listening), token,
-               {.files = {{"/", "text/html; charset=utf-8", edit_detail::page()},
-                          {"/edit.js", "text/javascript; charset=utf-8", edit_detail::script()},
-                          {"/edit.css", "text/css; charset=utf-8", edit_detail::style()}},
-                .commands = {"GET /document", "POST /document", "POST /change",    "POST /preview",
-                             "POST /undo",    "POST /redo",     "POST /save",      "POST /conflict",
-                             "GET /laws",     "GET /forms",     "GET /difference", "GET /table",
-                             "GET /report",   "GET /templates", "POST /fit",       "POST /optimize",
-                             "GET /optimum",  "POST /optimum",  "GET /stream",     "POST /stream"},
-                .event = [this](std::int64_t& seen) { return event(seen); },
-                .obey = [this](const Request& request) { return answer(request); },
-                .urgent = [](const Request& /*request*/) { return false; },
-                .most_body = most_text,
-                .events_need_token = true}) {
+        server(
+            std::move(listening), token,
+            {.files = {{"/", "text/html; charset=utf-8", edit_detail::page()},
+                       {"/edit.js", "text/javascript; charset=utf-8", edit_detail::script()},
+                       {"/edit.css", "text/css; charset=utf-8", edit_detail::style()}},
+             .commands = {"GET /document",   "POST /document", "POST /change",    "POST /preview",
+                          "POST /undo",      "POST /redo",     "POST /save",      "POST /conflict",
+                          "GET /laws",       "GET /forms",     "GET /difference", "GET /table",
+                          "GET /conversion", "GET /report",    "GET /templates",  "POST /fit",
+                          "POST /optimize",  "GET /optimum",   "POST /optimum",   "POST /validate",
+                          "GET /proof",      "POST /proof",    "GET /stream",     "POST /stream"},
+             .event = [this](std::int64_t& seen) { return event(seen); },
+             .obey = [this](const Request& request) { return answer(request); },
+             .urgent = [](const Request& /*request*/) { return false; },
+             .most_body = most_text,
+             .events_need_token = true}) {
     watcher = std::thread([this] { watch(); });
   }
 
@@ -124,14 +139,15 @@ struct Editor::Impl {
     while (!ended.wait_for(lock, poll_interval, [this] { return ending; })) session.poll();
   }
 
-  // ---- events: the number of the state, and the progress of the optimizer and of a stream ------
+  // ---- events: the number of the state, and the progress of the jobs ----------------------------
 
   std::string event(std::int64_t& seen) {
     const std::scoped_lock lock(mutex);
     std::string text =
-        fmt::format(R"({{"revision":{},"optimum":{},"stream":{}}})", session.revision(),
-                    job ? "{" + job_members(job->state()) + "}" : "null",
-                    stream ? "{" + stream_members(stream->state()) + "}" : "null");
+        fmt::format(R"({{"revision":{},"optimum":{},"proof":{},"stream":{}}})", session.revision(),
+                    object_or_null(optimizer ? progress_members(optimizer->state()) : ""),
+                    object_or_null(proof ? proof_members(*proof, session.text()) : ""),
+                    object_or_null(stream ? stream_members(stream->state()) : ""));
     const auto hash = static_cast<std::int64_t>(std::hash<std::string>{}(text) | 1U);  // never 0
     return std::exchange(seen, hash) == hash ? "" : text;
   }
@@ -156,10 +172,12 @@ struct Editor::Impl {
       if (path == "/difference") return difference(request.value("against"));
       if (path == "/templates") return {200, edit_detail::gallery(templates)};
       if (path == "/table") return table(request);
+      if (path == "/conversion") return conversion(request);
       if (path == "/report")
         return {200, edit_detail::exported_report(path_of(), text(), axis_of(request)),
                 "text/html; charset=utf-8"};
       if (path == "/stream") return stream_state();
+      if (path == "/proof") return proof_state();
       return path == "/optimum" ? optimum() : document();
     }
     const JsonReader body("request", request.body);
@@ -173,6 +191,8 @@ struct Editor::Impl {
                   "the file has changed on the disk: resolve the conflict");
     if (path == "/conflict") return resolve(body);
     if (path == "/fit") return fit(body);
+    if (path == "/validate") return validate(body);
+    if (path == "/proof") return end_proof(body);
     if (path == "/stream") return send(body);
     return path == "/optimize" ? optimize(body) : end_optimum(body);
   }
@@ -303,12 +323,24 @@ struct Editor::Impl {
                              edit_detail::difference_members(path_of(), before, now))};
   }
 
-  Answer table(const Request& request) {
+  edit_detail::Exported exported(const Request& request) {
     const std::string form = request.value("form");
-    return {200,
-            edit_detail::exported_table(path_of(), text(), form.empty() ? "csv" : form,
-                                        axis_of(request)),
-            "text/plain; charset=utf-8"};
+    return edit_detail::exported_table(path_of(), text(), form.empty() ? "csv" : form,
+                                       axis_of(request), request.value("over"));
+  }
+
+  Answer table(const Request& request) {
+    edit_detail::Exported made = exported(request);
+    if (!made.fits) return rejected(400, made.text);
+    const bool is_text = made.file.find('\0') == std::string::npos;
+    return {200, std::move(made.file),
+            is_text ? "text/plain; charset=utf-8" : "application/octet-stream"};
+  }
+
+  Answer conversion(const Request& request) {
+    const edit_detail::Exported made = exported(request);
+    return {200, fmt::format(R"({{"ok":true,"text":{},"ending":{},"fits":{}}})",
+                             json_text(made.text), json_text(made.ending), made.fits)};
   }
 
   // ---- the optimizer ----------------------------------------------------------------------------
@@ -317,27 +349,28 @@ struct Editor::Impl {
     body.require_only({});
     std::string given = text();
     const std::scoped_lock lock(mutex);
-    if (job && job->state().running)
+    if (optimizer && optimizer->state().running)
       return rejected(409, "the optimizer is running: stop it first");
-    job.reset();
-    job = std::make_unique<OptimumJob>(path_of(), given);
+    optimizer.reset();
+    optimizer = edit_detail::optimum_job(path_of(), given);
     return {200, R"({"ok":true})"};
   }
 
   /// The state of the optimizer, and its result with the comparison of both curves.
   Answer optimum() {
-    OptimumJob::State state;
+    Job::State state;
     std::string given;
     {
       const std::scoped_lock lock(mutex);
-      if (!job) return rejected(404, "no optimization was started");
-      state = job->state();
-      given = job->given();
+      if (!optimizer) return rejected(404, "no optimization was started");
+      state = optimizer->state();
+      given = optimizer->given();
     }
+    const Job::Outcome& best = state.outcome;
     std::string out =
-        fmt::format(R"({{"ok":true,{},"text":{},"broken":{},"spec":{})", job_members(state),
-                    json_text(state.text), json_text(state.broken), or_null(state.spec));
-    if (state.spec) out += "," + edit_detail::difference_members(path_of(), given, *state.spec);
+        fmt::format(R"({{"ok":true,{},"text":{},"broken":{},"spec":{})", progress_members(state),
+                    json_text(best.text), json_text(best.broken), or_null(best.spec));
+    if (best.spec) out += "," + edit_detail::difference_members(path_of(), given, *best.spec);
     return {200, out + "}"};
   }
 
@@ -346,11 +379,11 @@ struct Editor::Impl {
     const std::string what = body.word("do");
     {
       const std::scoped_lock lock(mutex);
-      if (!job) return rejected(404, "no optimization was started");
+      if (!optimizer) return rejected(404, "no optimization was started");
       if (what == "stop")
-        job->stop();
+        optimizer->stop();
       else if (what == "discard")
-        job.reset();
+        optimizer.reset();
       else if (what == "take") {
         if (auto objection = take_optimum(body)) return *objection;
       } else
@@ -360,16 +393,52 @@ struct Editor::Impl {
   }
 
   std::optional<Answer> take_optimum(const JsonReader& body) {
-    OptimumJob::State state = job->state();
-    if (!state.spec) return rejected(409, "there is no result to take");
-    if (session.text() != job->given())
+    Job::State state = optimizer->state();
+    if (!state.outcome.spec) return rejected(409, "there is no result to take");
+    if (session.text() != optimizer->given())
       return rejected(409,
                       "the text has changed since the optimizer began: undo the changes, or start "
                       "the optimizer again");
-    if (!session.set(body.whole("revision"), *std::move(state.spec), "optimize"))
+    if (!session.set(body.whole("revision"), *std::move(state.outcome.spec), "optimize"))
       return conflict_of_revisions();
-    job.reset();
+    optimizer.reset();
     return std::nullopt;
+  }
+
+  // ---- `jounce validate` ------------------------------------------------------------------------
+
+  Answer validate(const JsonReader& body) {
+    body.require_only({});
+    std::string given = text();
+    const std::scoped_lock lock(mutex);
+    if (proof && proof->state().running)
+      return rejected(409, "a validation is running: stop it first");
+    proof.reset();
+    proof = edit_detail::proof_job(path_of(), given);
+    return {200, R"({"ok":true})"};
+  }
+
+  Answer proof_state() {
+    const std::scoped_lock lock(mutex);
+    if (!proof) return rejected(404, "no validation was started");
+    const Job::Outcome outcome = proof->state().outcome;
+    return {200, fmt::format(R"({{"ok":true,{},"proven":{},"text":{}}})",
+                             proof_members(*proof, session.text()), outcome.ok,
+                             json_text(outcome.text))};
+  }
+
+  Answer end_proof(const JsonReader& body) {
+    body.require_only({"do"});
+    const std::string what = body.word("do");
+    const std::scoped_lock lock(mutex);
+    if (!proof) return rejected(404, "no validation was started");
+    if (what == "stop")
+      proof->stop();
+    else if (what == "discard")
+      proof.reset();
+    else
+      throw InputError("do", what, "must be stop or discard");
+    return {200, R"({"ok":true})"};
   }
 
   // ---- a stream to an executor: never without the confirmation of an offer ----------------------
@@ -382,18 +451,25 @@ struct Editor::Impl {
     body.require_only({"do"});
     const std::scoped_lock lock(mutex);
     offer.reset();
-    if (stream) stream->cancel();
+    if (stream) stream->stop();
     return {200, R"({"ok":true})"};
   }
 
   /// Makes the table and asks the axis for its state. A new offer replaces the one before.
   Answer offer_stream(const JsonReader& body) {
-    body.require_only({"do", "axis", "to", "url", "key"});
-    LinkOptions link;
-    if (body.has("url")) link.url = body.word("url");
-    if (body.has("key")) link.key = body.word("key");
-    StreamOffer made = edit_detail::stream_offer(
-        path_of(), text(), body.index("axis", 0, most_text), body.word("to"), std::move(link));
+    body.require_only({"do", "axis", "to", "url", "key", "live", "start_at", "at_next_cut",
+                       "keep_velocity", "relative"});
+    StreamRequest wanted{.axis = body.index("axis", 0, most_text),
+                         .executor = body.word("to"),
+                         .link = {},
+                         .play = {.live = body.flag("live"),
+                                  .at_next_cut = body.flag("at_next_cut"),
+                                  .keep_velocity = body.flag("keep_velocity")},
+                         .start_at = body.optional_number("start_at"),
+                         .relative = body.flag("relative")};
+    if (body.has("url")) wanted.link.url = body.word("url");
+    if (body.has("key")) wanted.link.key = body.word("key");
+    StreamOffer made = edit_detail::stream_offer(path_of(), text(), wanted);
     std::string members = members_of(made);
     const std::scoped_lock lock(mutex);
     offer = std::move(made);
@@ -412,7 +488,7 @@ struct Editor::Impl {
     if (stream && stream->state().running)
       return rejected(409, "a stream is running: cancel it, or wait for its end");
     stream.reset();
-    stream = std::make_unique<StreamJob>(*std::exchange(offer, std::nullopt));
+    stream = edit_detail::stream_job(*std::exchange(offer, std::nullopt));
     return {200, R"({"ok":true})"};
   }
 
@@ -423,12 +499,13 @@ struct Editor::Impl {
   }
 
   edit_detail::OnlyOne only_one;
-  std::mutex mutex;  // guards the session, the job, the offer and the stream
+  std::mutex mutex;  // guards the session, the jobs and the offer
   EditSession session;
   const std::map<std::string, std::string> templates;
-  std::unique_ptr<OptimumJob> job;
+  std::unique_ptr<Job> optimizer;
+  std::unique_ptr<Job> proof;
   std::optional<StreamOffer> offer;
-  std::unique_ptr<StreamJob> stream;
+  std::unique_ptr<Job> stream;
   std::mutex kept_mutex;  // guards the next one
   std::optional<std::pair<std::string, std::shared_ptr<const Analysis>>> kept;
   std::condition_variable ended;

@@ -12,6 +12,7 @@
 #include "jounce/design/convert.hpp"
 #include "jounce/design/files/file_difference.hpp"
 #include "jounce/design/input.hpp"
+#include "jounce/design/over_time.hpp"
 #include "jounce/plot/chart_data.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/proof/report_page.hpp"
@@ -32,20 +33,30 @@ Input axis_of_text(const std::string& path, const std::string& text, std::size_t
   return std::move(axes[axis]);
 }
 
+std::string ending_of(const TableForm& form) {
+  const std::string otherwise = form.name == "points" ? ".csv" : ".txt";
+  if (form.format != nullptr) return *form.format->extension ? form.format->extension : otherwise;
+  for (const OwnForm& own : own_forms())
+    if (form.name == own.name) return own.ending;
+  return otherwise;
+}
+
 }  // namespace
 
-std::string exported_table(const std::string& path, const std::string& text,
-                           const std::string& form, std::size_t axis) {
+Exported exported_table(const std::string& path, const std::string& text, const std::string& form,
+                        std::size_t axis, const std::string& over_what) {
   const std::vector<std::string> forms = form_names();
   if (std::find(forms.begin(), forms.end(), form) == forms.end())
     throw InputError("form", form, fmt::format("must be one of {}", fmt::join(forms, ", ")));
-  const Input input = axis_of_text(path, text, axis);
-  const TableForm to = table_form(form, form == "json" ? "table.json" : "table.csv");
-  const Conversion wanted{.rule = rule_for(to, std::nullopt, "", input.table.table),
-                          .format = to.format};
-  const TableFile file = converted(input, wanted).file;
-  if (to.format == nullptr) require_units(file);
-  return form_text(to, file);
+  const Input input = over(over_what, axis_of_text(path, text, axis));
+  const TableForm to = table_form(form, "");
+  const auto rule = form == "points" ? std::optional(Interpolation::linear) : std::nullopt;
+  const Conversion wanted{.rule = rule_for(to, rule, "", input.table.table), .format = to.format};
+  const Converted made = converted(input, wanted);
+  if (to.format == nullptr) require_units(made.file);
+  return {form_text(to, made.file), ending_of(to),
+          conversion_text(input, made, to, all_losses(input, to, made.file.table)),
+          made.within_limit()};
 }
 
 std::string exported_report(const std::string& path, const std::string& text, std::size_t axis) {

@@ -9,9 +9,17 @@ namespace jounce::edit_detail {
 /// The functions read the text of a spec with the file name `path`. They throw InputError for a text
 /// without a motion, and for an axis (counted from 0) that the spec does not have.
 
-/// Returns the table of an axis in the form with this name (form_names()).
-std::string exported_table(const std::string& path, const std::string& text,
-                           const std::string& form, std::size_t axis);
+/// A table as a file, converted as by `jounce convert`.
+struct Exported {
+  std::string file;    ///< contents of the file; may be binary
+  std::string ending;  ///< usual ending of its name: ".csv"
+  std::string text;    ///< the output of `jounce convert`: knots, error, and what the file loses
+  bool fits = true;    ///< false: the error exceeds its limit, so `jounce convert` writes no file
+};
+/// Returns the table of an axis in the form with this name (form_names()). `over`: "master", "time",
+/// or "": as the spec describes it. The form "points" gets straight lines.
+Exported exported_table(const std::string& path, const std::string& text, const std::string& form,
+                        std::size_t axis, const std::string& over);
 /// Returns the page of `jounce report` for an axis.
 std::string exported_report(const std::string& path, const std::string& text, std::size_t axis);
 

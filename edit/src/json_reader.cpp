@@ -84,6 +84,13 @@ std::string JsonReader::word(const char* key) const {
   return value.get<std::string>();
 }
 
+bool JsonReader::flag(const char* key) const {
+  if (!has(key)) return false;
+  const json& value = at(key);
+  if (!value.is_boolean()) throw InputError(key, value.dump(), "must be true or false");
+  return value.get<bool>();
+}
+
 std::string JsonReader::object(const char* key) const {
   return at(key).dump();
 }

@@ -35,6 +35,8 @@ class JsonReader {
   [[nodiscard]] std::size_t index(const char* key, std::size_t least, std::size_t most) const;
   [[nodiscard]] std::int64_t whole(const char* key) const;
   [[nodiscard]] std::string word(const char* key) const;
+  /// False if the key is missing.
+  [[nodiscard]] bool flag(const char* key) const;
   /// The object under a key, as text.
   [[nodiscard]] std::string object(const char* key) const;
   /// Throws InputError for any other key.

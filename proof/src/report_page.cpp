@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <ctime>
 #include <utility>
 
 #include <fmt/format.h>
@@ -145,6 +147,17 @@ Report check_of(const Input& input) {
   return report;
 }
 
+/// The day in UTC, such as 2026-11-26. The environment variable SOURCE_DATE_EPOCH (s) replaces the
+/// clock, so that a page can be reproduced: reproducible-builds.org.
+std::string report_day() {
+  const char* const given = std::getenv("SOURCE_DATE_EPOCH");
+  const auto now = given == nullptr ? std::time(nullptr)
+                                    : static_cast<std::time_t>(std::strtoll(given, nullptr, 10));
+  std::tm day{};
+  if (gmtime_r(&now, &day) == nullptr) return "";
+  return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
+}
+
 }  // namespace
 
 ReportPage report_page(const Input& input, const std::optional<Input>& before,
@@ -159,7 +172,7 @@ ReportPage report_page(const Input& input, const std::optional<Input>& before,
   Page page{.title = input.name,
             .subtitle = "Motion table report",
             .verdict = verdict(all),
-            .footer = "Made by " + made_by()};
+            .footer = "Made by " + made_by() + " on " + report_day()};
   Figure figure = figure_of(input, before);
   figure.title.clear();
   page.sections.push_back({"Curve",

@@ -19,6 +19,15 @@ from editor_page import (TEXT, browser, click, drag, drag_grip, field, folder, j
 picture = sys.argv[4] if len(sys.argv) > 4 else None
 SPEC = pathlib.Path(folder) / "feeder.toml"
 SIDE = pathlib.Path(folder) / "feeder.toml.autosave"
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+MANY_CASES = """
+[drive.tolerances]
+method = "monte_carlo"
+cases = 200000
+[[drive.tolerances.number]]
+key = "mass[1].inertia"
+share = "20 %"
+"""
 FEEDER = """\
 # A feeder.
 jounce = 1
@@ -351,22 +360,94 @@ def optimizer():
         editor.end()
 
 
+def arrives(name):
+    """Waits for a downloaded file."""
+    file = pathlib.Path(folder) / name
+    for _ in range(200):
+        if file.exists() and file.stat().st_size > 0:
+            return
+        time.sleep(0.05)
+    raise AssertionError(name)
+
+
 def exports(editor):
     """The downloads of the table and the report are those of the command line."""
     open_feeder(editor)
     browser.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=folder)
     for element, name, begin in ("table", "feeder.csv", "# jounce table 1"), ("report", "feeder.html", "<!doctype html>"):
-        file = pathlib.Path(folder) / name
         click(element)
-        for _ in range(200):
-            if file.exists() and file.stat().st_size > 0:
-                break
-            time.sleep(0.05)
-        assert file.read_text().startswith(begin), file
+        arrives(name)
+        assert (pathlib.Path(folder) / name).read_text().startswith(begin), name
     expected = subprocess.run([jounce, "design", str(SPEC), "-o", "-"], capture_output=True, text=True).stdout
     table = (pathlib.Path(folder) / "feeder.csv").read_text()
     hashes = [next(line for line in each.split("\n") if line.startswith("# sha256")) for each in (table, expected)]
     assert hashes[0] == hashes[1], hashes
+    assert "feeder -> csv: " in browser.run("document.querySelector('.notice[data-key=said]').textContent")
+    # A binary form keeps its bytes; a form for motions over time takes the cam over time.
+    browser.run("document.getElementById('form').value = 'npy'")
+    click("table")
+    arrives("feeder.npy")
+    assert (pathlib.Path(folder) / "feeder.npy").read_bytes()[:8] == b"\x93NUMPY\x01\x00"
+    browser.run("document.getElementById('form').value = 'xps'; document.getElementById('over').value = 'time'")
+    click("table")
+    arrives("feeder.trj")
+    browser.run("document.getElementById('form').value = 'csv'; document.getElementById('over').value = 'master'")
+
+
+def validation(editor):
+    """The numbers of *Validate* are those of `jounce validate`; a long one is canceled; the result belongs to its text."""
+    open_feeder(editor)
+    click("validate")
+    browser.wait_for("!document.getElementById('proof-verdict').hidden")
+    proven = "document.getElementById('proof-text').textContent"
+    expected = subprocess.run([jounce, "validate", str(SPEC)], capture_output=True, text=True).stdout.strip()
+    assert browser.run(f"raisedUnit({json.dumps(expected)})") == browser.run(proven), (expected, browser.run(proven))
+    assert browser.run("document.getElementById('proof-stale').hidden")
+    browser.run("change({do: 'append'})")
+    browser.wait_for("!document.getElementById('proof-stale').hidden")
+    click("proof-close")
+    browser.wait_for("document.getElementById('proof').hidden")
+    long = (EXAMPLES / "fastest-for-motor" / "move.toml").read_text() + MANY_CASES
+    browser.run("act('/document', {text: " + json.dumps(long) + "})")
+    browser.wait_for(f"{TEXT} === {json.dumps(long)}")
+    settle()
+    click("validate")
+    browser.wait_for("document.getElementById('proof-step').textContent.includes('tolerances')")
+    click("proof-stop")
+    browser.wait_for("document.getElementById('proof-step').textContent === 'stopped: nothing is proven'")
+    click("proof-close")
+    browser.wait_for("document.getElementById('proof').hidden")
+    open_feeder(editor)
+
+
+def compared_with_the_commit():
+    """The difference to the newest commit: its lines, both curves, and the output of `jounce diff`."""
+    here = pathlib.Path(folder) / "repository"
+    here.mkdir()
+    spec = here / "feeder.toml"
+    spec.write_text(FEEDER)
+    git = ["git", "-C", str(here), "-c", "user.name=x", "-c", "user.email=x@example.com"]
+    for words in ["init", "-q"], ["add", "."], ["commit", "-q", "-m", "feeder"]:
+        subprocess.run([*git, *words], check=True)
+    spec.write_text(FEEDER.replace("slave = 10,", "slave = 12,"))
+    editor = Editor(spec)
+    try:
+        open_page(editor)
+        click("difference")
+        browser.wait_for("document.getElementById('window').open")
+        assert "The text is that of the file." in browser.run("document.getElementById('window').textContent")
+        browser.run("document.querySelector('#window-body button').click()")
+        browser.wait_for("document.getElementById('window-title').textContent === 'Comparison with the newest commit'")
+        browser.wait_for("document.querySelector('#window figure.live') !== null")
+        lines = browser.run("[...document.querySelectorAll('#window pre .add')].map((line) => line.textContent.trim()).join()")
+        assert lines == "+ end = { master = 300, slave = 12, geo_velocity = -0.6, geo_acceleration = 0 }", lines
+        before = here / "before.toml"
+        before.write_text(FEEDER)
+        expected = subprocess.run([jounce, "diff", str(before), str(spec)], capture_output=True, text=True).stdout
+        peak_line = next(line for line in expected.split("\n") if "differs by" in line).strip()
+        assert peak_line.split("differs by")[1] in browser.run("document.getElementById('window').textContent"), (peak_line, expected)
+    finally:
+        editor.end()
 
 
 def layout(editor):
@@ -510,6 +591,7 @@ def test():
         errors_in_the_text(editor)
         disk_and_conflict(editor)
         exports(editor)
+        validation(editor)
         layout(editor)
         contrast()
         editor = killed_and_reloaded(editor)
@@ -522,6 +604,7 @@ def test():
         said = editor.end()
     assert "the unsaved text is in" in said, said
     points_and_switches()
+    compared_with_the_commit()
     optimizer()
     print("edited")
 

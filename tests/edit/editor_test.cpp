@@ -16,7 +16,9 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/cam/laws/law.hpp"
+#include "jounce/design/input.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/proof/proof.hpp"
 
 #include "support/errors.hpp"
 #include "support/temporary_folder.hpp"
@@ -87,6 +89,17 @@ class Editors : public test::WithFolder {
     }
     ADD_FAILURE() << "never";
     return get("/document");
+  }
+
+  /// The state of a job after its end.
+  json ended(const std::string& job) {
+    json state = get(job);
+    for (int turn = 0; turn < 600 && state["running"]; ++turn) {
+      std::this_thread::sleep_for(50ms);
+      state = get(job);
+    }
+    EXPECT_EQ(state["running"], false) << job;
+    return state;
   }
 
   const std::string path = in("feeder.toml");
@@ -201,6 +214,27 @@ TEST_F(Editors, ExportsTheTableAndTheReport) {
   EXPECT_EQ(get("/laws").size(), all_laws().size());
 }
 
+/// A cam with [master] has a file in every form; a form for cams or for motions over time needs the
+/// other variable.
+TEST_F(Editors, ExportsEveryForm) {
+  post("/document", {{"revision", 1}, {"text", feeder + "[master]\nvelocity = 50\n"}});
+  for (const json& form : get("/forms")) {
+    const std::string name = form;
+    std::string query = "form=" + name;
+    if (client->Get("/table?" + query, headers())->status != 200) query += "&over=time";
+    const auto file = client->Get("/table?" + query, headers());
+    EXPECT_EQ(file->status, 200) << query << file->body;
+    const json conversion = get("/conversion?" + query);
+    EXPECT_EQ(conversion["fits"], true) << name;
+    EXPECT_THAT(conversion["ending"], testing::MatchesRegex("[.][a-zA-Z0-9]+")) << name;
+    EXPECT_THAT(conversion["text"], HasSubstr(name)) << name;
+  }
+  const auto npy = client->Get("/table?form=npy", headers());
+  EXPECT_EQ(npy->get_header_value("Content-Type"), "application/octet-stream");
+  EXPECT_EQ(npy->body.substr(0, 6), "\x93NUMPY") << "the bytes of the file";
+  EXPECT_EQ(get("/table?over=x", 400)["ok"], false);
+}
+
 TEST_F(Editors, ComparesWithTheSavedFile) {
   change({{"do", "move"}, {"knot", 1}, {"master", 100}, {"slave", 60}});
   const json difference = get("/difference");
@@ -230,11 +264,7 @@ TEST_F(Editors, OptimizesAndTakesTheResult) {
       post("/document", {{"revision", get("/document")["revision"]}, {"text", free_knot}});
   EXPECT_EQ(before["can_optimize"], true);
   post("/optimize", json::object());
-  json optimum = json::object();
-  for (int turn = 0; turn < 600 && optimum.value("running", true); ++turn) {
-    std::this_thread::sleep_for(50ms);
-    optimum = get("/optimum");
-  }
+  const json optimum = ended("/optimum");
   ASSERT_TRUE(optimum["spec"].is_string()) << optimum.dump();
   EXPECT_EQ(optimum["charts"][0]["views"][0]["curves"].size(), 2U);
   const json taken = post("/optimum", {{"do", "take"}, {"revision", before["revision"]}});
@@ -255,6 +285,52 @@ TEST_F(Editors, AnOptimumOfAnotherTextIsNotTaken) {
   EXPECT_EQ(get("/document")["text"], free_knot + "# more\n") << answer.dump();
   post("/optimum", {{"do", "discard"}});
   EXPECT_EQ(get("/optimum", 404)["ok"], false);
+}
+
+/// The numbers of the proof are those of `jounce validate`.
+TEST_F(Editors, ValidatesTheText) {
+  EXPECT_EQ(get("/proof", 404)["ok"], false);
+  EXPECT_EQ(post("/proof", {{"do", "stop"}}, 404)["ok"], false);
+  post("/validate", json::object());
+  const json proof = ended("/proof");
+  EXPECT_EQ(proof["error"], "");
+  EXPECT_EQ(proof["proven"], true);
+  EXPECT_EQ(proof["current"], true);
+  const Input input = read_inputs(path).front();
+  EXPECT_EQ(proof["text"], proof_answer(prove(input), input));
+  change({{"do", "append"}});
+  EXPECT_EQ(get("/proof")["current"], false) << "the text has changed";
+  post("/proof", {{"do", "discard"}});
+  EXPECT_EQ(get("/proof", 404)["ok"], false);
+  EXPECT_THAT(post("/proof", {{"do", "take"}}, 404)["reason"], HasSubstr("no validation"));
+}
+
+const std::string many_cases = R"(
+[drive.tolerances]
+method = "monte_carlo"
+cases = 200000
+[[drive.tolerances.number]]
+key = "mass[1].inertia"
+share = "20 %"
+)";
+
+TEST_F(Editors, AValidationIsStoppedAndReportsErrors) {
+  const std::string move = read_file(JOUNCE_SOURCE_DIR "/examples/fastest-for-motor/move.toml");
+  post("/document", {{"revision", get("/document")["revision"]}, {"text", move + many_cases}});
+  post("/validate", json::object());
+  json proof = get("/proof");
+  for (int turn = 0; turn < 600 && proof["step"] != "tolerances"; ++turn) {
+    std::this_thread::sleep_for(20ms);
+    proof = get("/proof");
+  }
+  ASSERT_EQ(proof["running"], true) << proof;
+  EXPECT_THAT(post("/validate", json::object(), 409)["reason"], HasSubstr("stop it first"));
+  post("/proof", {{"do", "stop"}});
+  proof = ended("/proof");
+  EXPECT_EQ(proof["error"], "stopped: nothing is proven");
+  EXPECT_EQ(proof["proven"], false);
+  post("/document", {{"revision", get("/document")["revision"]}, {"text", "jounce = 1\nkind ="}});
+  EXPECT_THAT(post("/validate", json::object(), 400)["reason"], HasSubstr("feeder.toml:2"));
 }
 
 TEST_F(Editors, ExportsEachAxis) {
@@ -282,13 +358,14 @@ TEST_F(Editors, ComparesATextWithAnError) {
 // ---- hostile requests ---------------------------------------------------------------------------
 
 TEST_F(Editors, NothingIsReadOrChangedWithoutTheToken) {
-  for (const char* target : {"/document", "/difference", "/table", "/report", "/laws", "/forms",
-                             "/optimum", "/stream", "/events"}) {
+  for (const char* target : {"/document", "/difference", "/table", "/conversion", "/report",
+                             "/laws", "/forms", "/optimum", "/proof", "/stream", "/events"}) {
     EXPECT_EQ(client->Get(target)->status, 403) << target;
     EXPECT_EQ(client->Get(target, {{"X-Jounce-Token", "0123"}})->status, 403) << target;
   }
-  for (const char* target : {"/document", "/change", "/preview", "/undo", "/redo", "/save",
-                             "/conflict", "/optimize", "/optimum", "/stream"})
+  for (const char* target :
+       {"/document", "/change", "/preview", "/undo", "/redo", "/save", "/conflict", "/optimize",
+        "/optimum", "/validate", "/proof", "/stream"})
     EXPECT_EQ(client->Post(target, "{}", "application/json")->status, 403) << target;
   const std::string page =
       client->Get("/")->body + client->Get("/edit.js")->body + client->Get("/edit.css")->body;
@@ -450,13 +527,44 @@ TEST_F(Editors, NothingIsSentWithoutTheConfirmationOfAnOffer) {
   (void)post("/stream", confirm(second));
   (void)post("/stream", confirm(second), 409);  // once only
   (void)post("/stream", {{"do", "cancel"}});
-  json state = get("/stream");
-  for (int turn = 0; turn < 400 && state["running"]; ++turn) {
-    std::this_thread::sleep_for(50ms);
-    state = get("/stream");
-  }
-  EXPECT_EQ(state["running"], false);
+  const json state = ended("/stream");
   EXPECT_EQ(state["started"], false);
+}
+
+/// A cam on the live master of the axis, and a follow spec, which plays from two banks.
+TEST_F(Editors, AnOfferWithALiveMaster) {
+  std::filesystem::create_directory(in("bus"));
+  json wanted{{"do", "offer"},
+              {"axis", 0},
+              {"to", "feeder"},
+              {"url", "unix://" + in("bus")},
+              {"live", true}};
+  const json at_once = post("/stream", wanted);
+  EXPECT_EQ(at_once["begin"], "at once");
+  EXPECT_EQ(at_once["duration"], 100);
+  EXPECT_EQ(at_once["time_unit"], "deg");
+  wanted["start_at"] = 30;
+  const json later = post("/stream", wanted);
+  EXPECT_EQ(later["begin"], "when the master passes 30 deg");
+  EXPECT_EQ(later["table"], at_once["table"]);
+  wanted["live"] = false;
+  EXPECT_THAT(post("/stream", wanted, 400)["reason"], HasSubstr("need a live master"));
+  wanted["live"] = "yes";
+  EXPECT_THAT(post("/stream", wanted, 400)["reason"], HasSubstr("must be true or false"));
+
+  const std::string follow = read_file(JOUNCE_SOURCE_DIR "/cli/templates/follow.toml");
+  post("/document", {{"revision", get("/document")["revision"]}, {"text", follow}});
+  wanted.erase("start_at");
+  wanted.erase("live");
+  wanted["relative"] = true;
+  const json banks = post("/stream", wanted);
+  EXPECT_EQ(banks["table"], nullptr) << "rows have no hash";
+  EXPECT_GT(banks["knots"], 2);
+  wanted["live"] = true;
+  EXPECT_THAT(post("/stream", wanted, 400)["reason"], HasSubstr("defines its own master"));
+  (void)post("/stream", {{"do", "confirm"}, {"confirmation", banks["confirmation"]}});
+  (void)post("/stream", {{"do", "cancel"}});
+  EXPECT_EQ(ended("/stream")["started"], false) << "no executor answers";
 }
 
 TEST_F(Editors, AnOfferNamesWhatIsWrong) {

@@ -7,6 +7,7 @@ With a folder for pictures: draws each kind in a wide, a dark and a narrow page.
 """
 import json
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -17,6 +18,7 @@ from editor_page import (TEXT, Editor, browser, click, drag_grip, folder, jounce
 
 pictures = pathlib.Path(sys.argv[4]) if len(sys.argv) > 4 else None
 here = pathlib.Path(folder)
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
 PVT = """\
 jounce = 1
@@ -446,12 +448,67 @@ def moves_and_streams():
         executor.end()
 
 
+def follows_a_live_master():
+    """The label of examples/external-master follows the line from a position on; then it is stopped while it waits."""
+    machine = here / "external-master"
+    shutil.copytree(EXAMPLES / "external-master", machine)
+    bus = here / "line"
+    bus.mkdir()
+    url = f"unix://{bus}"
+    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    run = [subprocess.Popen([jounce, "run", str(machine / "machine.toml"), "--enable", "--url", url], **quiet)]
+    try:
+        browser_document = Editor(machine / "cam.toml")
+        open_page(browser_document)
+        choose = "(id, value) => { const e = document.getElementById(id); e.value = value; e.dispatchEvent(new Event('change')); }"
+
+        def prepared():
+            browser.run("document.getElementById('window').close()")
+            click("stream")
+            browser.wait_for("document.getElementById('stream-to') !== null")
+            browser.run(f"(() => {{ const choose = {choose}; choose('stream-to', 'label'); choose('stream-url', '{url}');"
+                        "choose('stream-master', 'live'); choose('stream-begin', 'position'); choose('stream-position', '250');"
+                        "document.getElementById('stream-offer').click(); })()")
+            browser.wait_for("document.getElementById('stream-confirm') !== null")
+            return browser.run("document.getElementById('stream-facts').innerText")
+
+        for _ in range(100):  # until the axis is enabled
+            facts = prepared()
+            if "standstill" in facts:
+                break
+            time.sleep(0.1)
+        assert "when the master passes 250 mm" in facts and "the live master of the axis" in facts, facts
+        # It waits for the master, which does not move yet: Cancel ends the stream.
+        click("stream-confirm")
+        browser.wait_for("document.querySelector('#stream-outcome button') !== null")
+        browser.run("document.querySelector('#stream-outcome button').click()")
+        browser.wait_for("document.querySelector('#stream-outcome .bad') !== null")
+        prepared()
+        run.append(subprocess.Popen([jounce, "master", str(machine / "line.toml"), "--as", "line", "--before", "3", "--url", url], **quiet))
+        click("stream-confirm")
+        browser.wait_for("document.querySelector('#stream-outcome .good') !== null")
+        said = browser.run("document.getElementById('stream-outcome').textContent")
+        for _ in range(100):
+            out = subprocess.run([jounce, "monitor", "label", "--url", url, "--seconds", "0.3", "--json"], capture_output=True, text=True)
+            positions = [json.loads(line)["position"] for line in out.stdout.strip().split("\n") if '"name":"label"' in line]
+            if positions and positions[-1] > 90:
+                break
+        assert positions[-1] > 90, (said, positions)
+        assert browser.run("errors.join('; ')") == "", browser.run("errors.join('; ')")
+        browser_document.end()
+    finally:
+        for process in run:
+            process.kill()
+            process.wait()
+
+
 try:
     pvt_knots()
     via_points()
     path_points()
     follow_and_pt()
     moves_and_streams()
+    follows_a_live_master()
     print("edited")
 finally:
     browser.end()

@@ -6,6 +6,7 @@ The values that the page shows at its cursor are compared with those of the libr
 """
 import json
 import math
+import os
 import pathlib
 import subprocess
 import sys
@@ -21,7 +22,8 @@ browser = Browser(program, folder)
 
 def report(spec, *options):
     page = pathlib.Path(folder) / "page.html"
-    subprocess.run([jounce, "report", str(spec), "-o", str(page), *map(str, options)], stdout=subprocess.DEVNULL)
+    subprocess.run([jounce, "report", str(spec), "-o", str(page), *map(str, options)], stdout=subprocess.DEVNULL,
+                   env=dict(os.environ, SOURCE_DATE_EPOCH="86400"))
     browser.open(page.as_uri())
     browser.wait_for("document.querySelector('figure.live') !== null")
     settle()
@@ -266,6 +268,7 @@ def errors():
                  "addEventListener('securitypolicyviolation', (e) => errors.push(e.violatedDirective));")
     report(PUSHER)
     assert browser.run("errors.length") == 0, browser.run("errors")
+    assert browser.run("document.querySelector('footer').textContent").endswith(" on 1970-01-02")
     browser.run("(() => { const s = document.createElement('script'); s.textContent = 'window.injected = 1'; document.body.append(s); })()")
     browser.run("new Image().src = 'http://localhost:9/x.png'")
     browser.wait_for("errors.length === 2")

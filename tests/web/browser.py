@@ -47,8 +47,9 @@ class Browser:
         self.call("Page.navigate", url="about:blank")  # else another part after # loads nothing
         self.call("Page.navigate", url=address)
 
-    def run(self, script):
-        answer = self.call("Runtime.evaluate", expression=script, returnByValue=True)
+    def run(self, script, waits=False):
+        """The value of a script; `waits`: the result of its promise."""
+        answer = self.call("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=waits)
         assert "exceptionDetails" not in answer, (script, answer)
         return answer["result"].get("value")
 

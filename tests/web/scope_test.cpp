@@ -128,6 +128,31 @@ TEST_F(Traced, TablesAreShownWithTheirPicture) {
   EXPECT_EQ(seen[0]["position"].back(), 0);
 }
 
+TEST_F(Traced, AGroupHasItsPlannedPath) {
+  const auto path = [&](const std::string& query) {
+    return json::parse(path_json(trace, 0, {.query = query}));
+  };
+  EXPECT_EQ(path(""), (json{{"ok", true}, {"number", 0}}));
+  TracePath planned{.coordinates = 2, .points = 3, .origin = 7};
+  planned.names[0] = {'x'};
+  planned.names[1] = {'y'};
+  planned.unit = {'m', 'm'};
+  planned.at[1] = 5;
+  planned.at[2] = 8;
+  planned.places[0][1] = 4;
+  trace.set(0, planned);
+  const json seen = path("seen=0");
+  EXPECT_EQ(seen["number"], 1);
+  EXPECT_THAT(seen["names"], ElementsAre("x", "y"));
+  EXPECT_EQ(seen["unit"], "mm");
+  EXPECT_EQ(seen["origin"], 7);
+  EXPECT_THAT(seen["at"], ElementsAre(0, 5, 8));
+  EXPECT_THAT(seen["places"], ElementsAre(json{0.0, 4.0, 0.0}, json{0.0, 0.0, 0.0}));
+  EXPECT_EQ(path("seen=1"), (json{{"ok", true}, {"number", 1}})) << "nothing new";
+  trace.set(0, planned);
+  EXPECT_EQ(path("seen=1")["number"], 2);
+}
+
 std::string error_of(const std::string& query) {
   try {
     static_cast<void>(scope_query({.query = query}));

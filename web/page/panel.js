@@ -22,14 +22,17 @@ const number = (value, unit) => value === null || value === undefined ? '–'
   : `${Number(value.toPrecision(6)).toLocaleString('en', {maximumFractionDigits: 4, useGrouping: false})}${unit ? ' ' + unit : ''}`;
 const words = (text) => text.replaceAll('_', ' ');
 
+/// A position of a master, in its period if that is known: "30 of 360 deg".
+const masterAt = (position, unit, modulo) => !modulo || position === null ? number(position, unit)
+  : `${number(position - modulo * Math.floor(position / modulo))} of ${number(modulo, unit)}`;
 /// A master: where it is, how fast, how long ago that was measured.
-const wordsOf = (master) => master.lost ? `${master.name} is lost`
-  : `${master.name} ${number(master.position, master.unit)}, ${number(master.velocity, `${master.unit}/s`)}`
+const wordsOf = (master, modulo) => master.lost ? `${master.name} is lost`
+  : `${master.name} ${masterAt(master.position, master.unit, modulo)}, ${number(master.velocity, `${master.unit}/s`)}`
     + (master.age_ms ? `, ${number(master.age_ms, 'ms')} old` : '');
 
 /// The place of a group on its path, with the line of the source.
-const coordinatesOf = (group) => (group.framed ? 'frame ' : '')
-  + group.axes.map((axis, k) => `${axis} ${number(group.place[k])}`).join(' ');
+const coordinatesOf = (group) => (group.framed ? 'in the frame: ' : '')
+  + group.axes.map((axis, k) => `${axis} ${number(group.place[k], axes.get(axis)?.units.unit)}`).join(', ');
 const placeOf = (group, unit) => group.length === null ? number(group.position, unit)
   : `${number(group.position, unit)} of ${number(group.length, unit)}, line ${group.line}`;
 /// What remains of the path of a group, and how much of it is planned without braking.
@@ -156,7 +159,8 @@ function show(axis) {
   parts.position.textContent = number(axis.position, unit);
   parts.velocity.textContent = number(axis.velocity, unit && `${unit}/s`);
   parts.error.textContent = number(axis.error, unit);
-  parts.master.textContent = axis.masters.length ? axis.masters.map(wordsOf).join('; ') : number(axis.master);
+  parts.master.textContent = axis.masters.length ? axis.masters.map((master) => wordsOf(master, view.scope.modulo)).join('; ')
+    : masterAt(axis.master, axis.master_unit, view.scope.modulo);
   parts.queue.textContent = `${axis.queue} of ${axis.capacity}`;
   parts.level.value = axis.capacity ? axis.queue / axis.capacity : 0;
   if (axis.group) {
@@ -225,7 +229,8 @@ function paint() {
   dirty = false;
 }
 
-const path = new Path(document.getElementById('path'));
+const path = new PathPlane(document.getElementById('path'));
+path.units = (name) => axes.get(name)?.units.unit ?? '';
 setInterval(() => { if (!document.hidden) showTables().catch(() => {}); }, 1000);
 
 /// Draws everything again: the colors or the widths have changed.
@@ -245,7 +250,7 @@ function take(event) {
   const {axes: axesNow, log} = JSON.parse(event);
   axesNow.forEach(show);
   showEvents(log);
-  path.offer(axesNow.map((axis) => axis.name));
+  path.offer(axesNow);
   showCycle(axesNow.find((axis) => axis.heard !== null));
   if (!dirty) { dirty = true; requestAnimationFrame(paint); }
 }

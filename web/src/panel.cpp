@@ -52,7 +52,7 @@ struct Panel::Impl {
     server.emplace(std::move(listening), options.token,
                    Site{.files = files_of(page(options.title, options.warning)),
                         .commands = {"POST /order", "POST /command"},
-                        .readings = {"/trace", "/tables", "/commands"},
+                        .readings = {"/trace", "/path", "/tables", "/commands"},
                         .event = [this](std::int64_t& seen) { return event(seen); },
                         .obey = [this](const Request& request) { return obey(request); },
                         .urgent = [](const Request& request) { return is_stop(request); },
@@ -160,6 +160,8 @@ struct Panel::Impl {
       if (request.path == "/trace")
         return {200,
                 scope_json(trace(), index_of(request.value("axis")), scope_query(request), !own)};
+      if (request.path == "/path")
+        return {200, path_json(trace(), index_of(request.value("axis")), request)};
       if (request.path == "/tables") return {200, tables_json(trace(), options.axes)};
       if (request.path == "/commands") return {200, word_orders_json()};
       const CallOutcome outcome = request.path == "/command" ? outcome_of_words(request.body)

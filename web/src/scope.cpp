@@ -190,6 +190,27 @@ std::string scope_json(const Trace& trace, std::size_t axis, const ScopeQuery& q
   return utf8_dump(out);
 }
 
+std::string path_json(const Trace& trace, std::size_t group, const Request& request) {
+  const auto seen = static_cast<std::uint64_t>(tick_in(request, "seen").value_or(0));
+  const std::uint64_t number = trace.path_number(group);
+  ordered_json out{{"ok", true}, {"number", number}};
+  const auto path = number == 0 || number == seen ? nullptr : trace.path(group);
+  if (!path) return utf8_dump(out);
+  out["number"] = path->number;
+  out["unit"] = unit_text(path->unit);
+  out["origin"] = path->origin;
+  out["names"] = ordered_json::array();
+  out["places"] = ordered_json::array();
+  const auto count = static_cast<std::ptrdiff_t>(path->points);
+  out["at"] = std::vector<double>(path->at.begin(), path->at.begin() + count);
+  for (std::size_t k = 0; k < path->coordinates; ++k) {
+    out["names"].push_back(unit_text(path->names[k]));
+    out["places"].push_back(
+        std::vector<double>(path->places[k].begin(), path->places[k].begin() + count));
+  }
+  return utf8_dump(out);
+}
+
 std::string tables_json(const Trace& trace, const std::vector<std::string>& axes) {
   ordered_json all = ordered_json::array();
   for (const TraceTable& table : trace.last_tables())

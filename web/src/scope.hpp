@@ -46,6 +46,11 @@ ScopeQuery scope_query(const Request& request);
 std::string scope_json(const Trace& trace, std::size_t axis, const ScopeQuery& query,
                        bool every_cycle = true);
 
+/// Returns the planned path of a group as JSON: {"number", "names", "unit", "origin", "at": [...],
+/// "places": [[...], ...]} with one list of places for each name; see TracePath. If the number is
+/// the key "seen" of the request, or 0 (no path), the object has only the number.
+std::string path_json(const Trace& trace, std::size_t group, const Request& request);
+
 /// Returns the tables of an executor as JSON, the newest first. `axes`: names of the axes.
 std::string tables_json(const Trace& trace, const std::vector<std::string>& axes);
 

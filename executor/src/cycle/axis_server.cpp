@@ -750,9 +750,15 @@ wire::GearState AxisServer::gear() const {
 std::optional<wire::GroupStatus> AxisServer::group_status() {
   if (!group_queue_) return std::nullopt;
   const auto playing = movements_.find(last_.job);
-  return group_report_.status(*options_.group, last_, group_queue_->places(),
-                              playing == movements_.end() ? nullptr : playing->second.made.program,
-                              *group_queue_);
+  const auto program = playing == movements_.end() ? nullptr : playing->second.made.program;
+  wire::GroupStatus status =
+      group_report_.status(*options_.group, last_, group_queue_->places(), program, *group_queue_);
+  if (options_.trace != nullptr && program && program != traced_) {
+    const double origin = status.length - program->plan->path().length();
+    options_.trace->set(axis_, *trace_path(*program, *options_.group, origin));
+  }
+  if (program) traced_ = program;
+  return status;
 }
 
 std::uint8_t AxisServer::unwritten() const {

@@ -23,7 +23,7 @@
 namespace jounce {
 namespace {
 
-constexpr std::uint64_t trace_magic = 0x3165636172542d4aU;  // "J-Trace1"
+constexpr std::uint64_t trace_magic = 0x3265636172542d4aU;  // "J-Trace2"
 constexpr std::size_t trace_words = (sizeof(TraceTick) + 7) / 8;
 static_assert(std::is_trivially_copyable_v<TraceTick>);
 
@@ -66,7 +66,14 @@ void store_unit(std::array<char, TraceTable::most_unit>& to, const std::string& 
 
 }  // namespace
 
-/// The beginning of the memory. The rings of the axes follow it, and then their slots.
+/// The path of a group. Its number is also outside, so that a reader need not copy the path.
+struct TracePathSlot {
+  std::atomic<std::uint64_t> number;
+  Seqlock<TracePath> path;
+};
+
+/// The beginning of the memory. The paths and the rings of the axes follow it, and then their slots.
+/// The kernel provides the pages of a path only when it is written.
 struct Trace::Memory {
   std::atomic<std::uint64_t> magic;
   std::uint64_t axes;
@@ -75,9 +82,11 @@ struct Trace::Memory {
   std::array<Seqlock<TraceTable>, Trace::tables> tables;
 
   static std::size_t bytes_of(std::size_t axes, std::size_t capacity) {
-    return sizeof(Memory) + axes * (sizeof(TraceRing) + capacity * sizeof(TraceSlot));
+    return sizeof(Memory) +
+           axes * (sizeof(TracePathSlot) + sizeof(TraceRing) + capacity * sizeof(TraceSlot));
   }
-  TraceRing& ring(std::size_t axis) { return reinterpret_cast<TraceRing*>(this + 1)[axis]; }
+  TracePathSlot& path(std::size_t axis) { return reinterpret_cast<TracePathSlot*>(this + 1)[axis]; }
+  TraceRing& ring(std::size_t axis) { return reinterpret_cast<TraceRing*>(&path(axes))[axis]; }
   TraceSlot& slot(std::size_t axis, std::uint64_t number) {
     auto* const slots = reinterpret_cast<TraceSlot*>(&ring(axes));
     return slots[axis * capacity + number % capacity];
@@ -196,6 +205,22 @@ void Trace::add(std::size_t axis, const StoredTable& stored) {
   }
   memory_->tables[number % tables].write(entry);
   memory_->table_count.store(number, std::memory_order_release);
+}
+
+void Trace::set(std::size_t group, TracePath& path) {
+  TracePathSlot& slot = memory_->path(group);
+  path.number = slot.number.load(std::memory_order_relaxed) + 1;
+  slot.path.write(path);
+  slot.number.store(path.number, std::memory_order_release);
+}
+
+std::uint64_t Trace::path_number(std::size_t group) const {
+  return memory_->path(group).number.load(std::memory_order_acquire);
+}
+
+std::unique_ptr<TracePath> Trace::path(std::size_t group) const {
+  const auto path = memory_->path(group).path.read();
+  return path && path->number != 0 ? std::make_unique<TracePath>(*path) : nullptr;
 }
 
 std::size_t Trace::axes() const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -174,6 +175,7 @@ class AxisServer {
   double rate_ = 1;                        // override factor that it has
   std::uint64_t group_movement_ = 0;       // id of its last movement
   GroupReport group_report_;
+  std::shared_ptr<const GroupProgram> traced_;  // the last program whose path is in the trace
   std::uint64_t numbers_ = 0;  // numbers of movements
   bool retired_ = false;
   bool log_truncated_ = false;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,8 +57,32 @@ struct TraceTable {
   std::array<double, samples> position{};  ///< position at equal distances from start to end
 };
 
-/// The last ticks of several axes, and the last tables, in memory that two processes can share: one
-/// writes, others read, and neither waits.
+/// The planned path of a group as a polygon, for a picture. On lines it is exact. The coordinates are
+/// those of the machine, without the frame of the commands. u is the unit of the axes.
+struct TracePath {
+  static constexpr std::size_t most_points = 4096;  ///< greatest number of points
+  /// Greatest number of coordinates: the first axes of the group, or of the path of its tool.
+  static constexpr std::size_t most_names = 3;
+  static constexpr std::size_t most_name = 24;      ///< greatest length of a name, bytes
+
+  std::uint64_t number = 0;       ///< number of the path, from 1; 0: none
+  std::uint64_t coordinates = 0;  ///< number of coordinates
+  std::uint64_t points = 0;       ///< number of points
+  double origin = 0;              ///< position of the group at the start of the path, u
+  std::array<std::array<char, most_name>, most_names> names{};  ///< names of the coordinates
+  std::array<char, TraceTable::most_unit> unit{};               ///< unit u; "": not known
+  std::array<double, most_points> at{};  ///< length along the path, from 0, u
+  std::array<std::array<double, most_points>, most_names> places{};  ///< coordinates, u
+};
+
+/// Returns the path of a program as points: the ends of all pieces, and points between the ends of
+/// curved pieces. A path with too many pieces has points at equal distances. A fast move of joints
+/// (fast_program()) has no points. The number is 0. `origin`: see TracePath.
+std::unique_ptr<TracePath> trace_path(const GroupProgram& program, const ExecutorGroup& group,
+                                      double origin);
+
+/// The last ticks of several axes, the last tables, and the paths of groups, in memory that two
+/// processes can share: one writes, others read, and neither waits.
 ///
 ///     Trace trace = Trace::of({1'000'000});               // the executor: one axis at 1 kHz
 ///     trace.add(0, tick);                                 // its communication thread, each tick
@@ -95,6 +120,8 @@ class Trace {
   void clear(std::size_t axis) noexcept;
   /// Adds a table; replaces the oldest one.
   void add(std::size_t axis, const StoredTable& table);
+  /// Sets the path of a group, and numbers it. One thread of the writing process calls this.
+  void set(std::size_t group, TracePath& path);
 
   [[nodiscard]] std::size_t axes() const;
   [[nodiscard]] std::int64_t period(std::size_t axis) const;  ///< ns
@@ -107,6 +134,10 @@ class Trace {
                                              std::int64_t last) const;
   /// The tables, the newest first.
   [[nodiscard]] std::vector<TraceTable> last_tables() const;
+  /// Number of the path of a group; 0: none.
+  [[nodiscard]] std::uint64_t path_number(std::size_t group) const;
+  /// The path of a group; null: none, or the writer replaced it during each attempt to read it.
+  [[nodiscard]] std::unique_ptr<TracePath> path(std::size_t group) const;
 
  private:
   struct Memory;
