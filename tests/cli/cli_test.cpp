@@ -708,7 +708,7 @@ master = { velocity = 500, distance = 300, acceleration = 2000 }
 limits = { slave = { acceleration = 5000 } }
 )");  // f'' is at most 0.075: 5000 / 0.075 = 258.199^2
   EXPECT_THAT(run("check both.toml").out,
-              HasSubstr("at most 1000, and velocity to at most 258.199"));
+              HasSubstr("at most 1000 mm/s^2, and velocity to at most 258.199 mm/s"));
   write("good.toml", gear + "master = { velocity = 500, distance = 100, acceleration = 1000 }\n");
   EXPECT_EQ(run("check good.toml").status, 0);
 }
