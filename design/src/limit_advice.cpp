@@ -152,15 +152,16 @@ std::string position_advice(const Input& input, const Finding& f) {
 }
 
 std::string over_time(const Input& input, const Finding& f, std::size_t order) {
-  const Trajectory& curve = std::get<Trajectory>(*input.curve);
   const Words words{input.labels};
-  if (!input.spec) return table_advice(f, order, curve.end() - curve.start(), words);
+  const Table& table = input.table.table;
+  if (!input.spec) return table_advice(f, order, table.end() - table.start(), words);
   if (input.plan || input.overlap) return f.advice;
   const bool filled = input.spec->document.places.contains("velocities");
   if (std::holds_alternative<TimeTableSpec>(input.spec->subject) || filled)
     return "give the segment more time, or raise the limit";
   if (!std::holds_alternative<Table>(input.spec->subject) || !input.spec->then.empty())
     return motion_advice(f, order, words);
+  const Trajectory& curve = std::get<Trajectory>(*input.curve);
   return points_advice(f, order, stretch_of(curve, input.labels, f, order), words);
 }
 
