@@ -28,6 +28,7 @@ struct Stretch {
   double length = 0;
   double stroke = 0;    ///< signed
   bool rests = false;   ///< the derivatives below that of the limit are 0 at both ends
+  bool still = false;   ///< velocity and acceleration are 0 at both ends: the shape scales
   bool at_end = false;  ///< the finding is at an end of its piece
 };
 
@@ -40,12 +41,16 @@ Stretch stretch_between(const Curve<Over>& f, double x0, double x1, const Findin
   const Jet begin = f.jet(x0, Side::right);
   const Jet end = f.jet(x1, Side::left);
   s.stroke = end[0] - begin[0];
-  s.rests = true;
-  for (std::size_t k = 1; k < order; ++k) {
-    const double scale =
-        rest * least_peaks[k] * std::abs(s.stroke) / std::pow(s.length, static_cast<double>(k));
-    s.rests = s.rests && std::abs(begin[k]) <= scale && std::abs(end[k]) <= scale;
-  }
+  const auto is_still = [&](std::size_t below) {
+    for (std::size_t k = 1; k < below; ++k) {
+      const double scale =
+          rest * least_peaks[k] * std::abs(s.stroke) / std::pow(s.length, static_cast<double>(k));
+      if (std::abs(begin[k]) > scale || std::abs(end[k]) > scale) return false;
+    }
+    return true;
+  };
+  s.rests = is_still(order);
+  s.still = is_still(3);
   const double near = beside * s.length;
   s.at_end = finding.where <= x0 + near || finding.where >= x1 - near;
   return s;
@@ -126,7 +131,7 @@ std::string cam_advice(const Finding& f, std::size_t order, const Stretch& s, co
   const double longer = std::pow(std::abs(f.value / f.limit), 1.0 / static_cast<double>(order));
   return fmt::format(
       "lengthen the segment{}, or use a law with a lower {} coefficient",
-      s.rests && s.stroke != 0 ? " to at least " + words.at_least(s.length * longer) : "",
+      s.still && s.stroke != 0 ? " to at least " + words.at_least(s.length * longer) : "",
       coefficients[order]);
 }
 

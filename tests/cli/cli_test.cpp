@@ -1162,10 +1162,10 @@ TEST_F(Cli, AnEmptyArgumentIsNoMissingOne) {
 TEST_F(Cli, AToleranceBelowTheRoundingIsRefused) {
   const std::string convert = "convert " + cam + " out.csv ";
   EXPECT_EQ(run(convert + "--tolerance 1e-30").err,
-            "jounce: --tolerance = 1e-30: must be at least 5.55948e-12: rounding hides "
+            "jounce: --tolerance = 1e-30 pulse: must be at least 5.55948e-12 pulse: rounding hides "
             "smaller errors\n");
   EXPECT_THAT(run(convert + "--velocity-tolerance 1e-30").err,
-              HasSubstr("--velocity-tolerance = 1e-30: must be at least "));
+              HasSubstr("--velocity-tolerance = 1e-30 pulse/pulse: must be at least "));
   EXPECT_EQ(run(convert + "--tolerance -1").err,
             "jounce: --tolerance = -1: must be greater than 0\n");
   EXPECT_TRUE(files().empty());
