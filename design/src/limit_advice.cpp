@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "jounce/base/units.hpp"
+#include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
@@ -26,9 +28,35 @@ struct Stretch {
   double length = 0;
   double stroke = 0;    ///< signed
   bool rests = false;   ///< the derivatives below that of the limit are 0 at both ends
+  bool still = false;   ///< velocity and acceleration are 0 at both ends: the shape scales
   bool at_end = false;  ///< the finding is at an end of its piece
 };
 
+/// The part of a motion from x0 to x1, to which the finding belongs.
+template <class Over>
+Stretch stretch_between(const Curve<Over>& f, double x0, double x1, const Finding& finding,
+                        std::size_t order) {
+  Stretch s;
+  s.length = x1 - x0;
+  const Jet begin = f.jet(x0, Side::right);
+  const Jet end = f.jet(x1, Side::left);
+  s.stroke = end[0] - begin[0];
+  const auto is_still = [&](std::size_t below) {
+    for (std::size_t k = 1; k < below; ++k) {
+      const double scale =
+          rest * least_peaks[k] * std::abs(s.stroke) / std::pow(s.length, static_cast<double>(k));
+      if (std::abs(begin[k]) > scale || std::abs(end[k]) > scale) return false;
+    }
+    return true;
+  };
+  s.rests = is_still(order);
+  s.still = is_still(3);
+  const double near = beside * s.length;
+  s.at_end = finding.where <= x0 + near || finding.where >= x1 - near;
+  return s;
+}
+
+/// The same for all pieces of the segment of the spec to which the piece of the finding belongs.
 template <class Over>
 Stretch stretch_of(const Curve<Over>& f, const Labels& labels, const Finding& finding,
                    std::size_t order) {
@@ -41,21 +69,15 @@ Stretch stretch_of(const Curve<Over>& f, const Labels& labels, const Finding& fi
   std::size_t last = piece;
   while (first > 0 && label(first - 1) == label(piece)) --first;
   while (last + 1 < count && label(last + 1) == label(piece)) ++last;
-  Stretch s;
-  s.length = f.breaks()[last + 1] - f.breaks()[first];
-  const Jet begin = evaluate(f.segments()[first], 0);
-  const Jet end = evaluate(f.segments()[last], 1);
-  s.stroke = end[0] - begin[0];
-  s.rests = true;
-  for (std::size_t k = 1; k < order; ++k) {
-    const double scale =
-        rest * least_peaks[k] * std::abs(s.stroke) / std::pow(s.length, static_cast<double>(k));
-    s.rests = s.rests && std::abs(begin[k]) <= scale && std::abs(end[k]) <= scale;
-  }
-  const double near = beside * (f.breaks()[piece + 1] - f.breaks()[piece]);
-  s.at_end =
-      finding.where <= f.breaks()[piece] + near || finding.where >= f.breaks()[piece + 1] - near;
-  return s;
+  return stretch_between(f, f.breaks()[first], f.breaks()[last + 1], finding, order);
+}
+
+/// The segment of a cam spec whose index the finding has.
+Stretch stretch_of(const CamDesign& cam, const CamSpec& spec, const Finding& finding,
+                   std::size_t order) {
+  const std::size_t i = std::min(*finding.segment, spec.segments.size() - 1);
+  const double x0 = i == 0 ? spec.start.master : spec.segments[i - 1].end.master;
+  return stretch_between(cam.cam, x0, spec.segments[i].end.master, finding, order);
 }
 
 /// The order of the derivative of a broken limit with a segment; 0 for any other finding.
@@ -92,8 +114,9 @@ std::string impossible(const Finding& f, std::size_t order, const Stretch& s, co
   const double limit = std::abs(f.limit);
   if (!s.rests || needed <= limit) return "";
   const std::string why =
-      order == 1 ? fmt::format("its mean {} is {}", f.quantity, words.of(needed, 1))
-                 : fmt::format("any law reaches a {} of {}", f.quantity, words.of(needed, order));
+      order == 1
+          ? fmt::format("its mean {} is {}", f.quantity, words.of(needed, 1))
+          : fmt::format("any law reaches a {} of at least {}", f.quantity, words.of(needed, order));
   return fmt::format(
       "{} moves {} in {}: {}, above the limit {}. Lengthen the segment to more than {}, or raise "
       "the limit",
@@ -108,23 +131,31 @@ std::string cam_advice(const Finding& f, std::size_t order, const Stretch& s, co
   const double longer = std::pow(std::abs(f.value / f.limit), 1.0 / static_cast<double>(order));
   return fmt::format(
       "lengthen the segment{}, or use a law with a lower {} coefficient",
-      s.rests && s.stroke != 0 ? " to at least " + words.at_least(s.length * longer) : "",
+      s.still && s.stroke != 0 ? " to at least " + words.at_least(s.length * longer) : "",
       coefficients[order]);
 }
 
 /// The advice for a table of points with velocities (kind "pvt").
-std::string points_advice(const Finding& f, std::size_t order, const Stretch& s,
-                          const Words& words) {
+std::string points_advice(const Finding& f, std::size_t order, const Stretch& s, const Words& words,
+                          const std::optional<double>& velocity) {
   const double mean = s.stroke / s.length;
   if (order == 1 && std::abs(mean) > std::abs(f.limit))
-    return impossible(f, 1, s, words, "the segment");
+    return fmt::format(
+        "the segment moves {} in {}: its mean velocity is {}, above the limit {}. Give the segment "
+        "more than {}, or raise the limit",
+        words.of(std::abs(s.stroke), 0), words.x(s.length), words.of(std::abs(mean), 1),
+        words.of(std::abs(f.limit), 1), words.at_least(std::abs(s.stroke / f.limit)));
   if (order == 1 && s.at_end)
-    return fmt::format("the point at {} has the velocity {}: change it to at most {} in magnitude",
-                       words.x(f.where), words.of(f.value, 1), words.of(std::abs(f.limit), 1));
+    return fmt::format(
+        "the point at {} has the velocity {}: {} {}", words.x(f.where), words.of(f.value, 1),
+        f.limit > 0 ? "lower it to at most" : "raise it to at least", words.of(f.limit, 1));
   const std::string closer = fmt::format(
-      "choose velocities of its two points that are closer to the mean velocity of the segment, {}",
+      "choose velocities of the two points of the segment that are closer to its mean velocity, {}",
       words.of(mean, 1));
-  return order == 1 ? closer : closer + ", or give the segment more time and lower velocities";
+  if (order == 1) return closer;
+  return velocity && std::abs(mean) > *velocity
+             ? "give the segment more time, or raise the limit"
+             : closer + ", or give the segment more time and lower velocities";
 }
 
 /// The advice for a motion that a generator makes from its velocity, acceleration and jerk.
@@ -152,27 +183,31 @@ std::string position_advice(const Input& input, const Finding& f) {
 }
 
 std::string over_time(const Input& input, const Finding& f, std::size_t order) {
-  const Trajectory& curve = std::get<Trajectory>(*input.curve);
   const Words words{input.labels};
-  if (!input.spec) return table_advice(f, order, curve.end() - curve.start(), words);
+  const Table& table = input.table.table;
+  if (!input.spec) return table_advice(f, order, table.end() - table.start(), words);
   if (input.plan || input.overlap) return f.advice;
   const bool filled = input.spec->document.places.contains("velocities");
   if (std::holds_alternative<TimeTableSpec>(input.spec->subject) || filled)
     return "give the segment more time, or raise the limit";
   if (!std::holds_alternative<Table>(input.spec->subject) || !input.spec->then.empty())
     return motion_advice(f, order, words);
-  return points_advice(f, order, stretch_of(curve, input.labels, f, order), words);
+  const Trajectory& curve = std::get<Trajectory>(*input.curve);
+  return points_advice(f, order, stretch_of(curve, input.labels, f, order), words,
+                       input.limits.velocity);
 }
 
 }  // namespace
 
 void advise_on_limits(const Input& input, Report& report) {
-  if (input.labels.over_master && input.spec)
-    return advise_on_limits(std::get<Cam>(*input.curve), input.labels, report);
   if (input.labels.over_master) {
     for (Finding& f : report.findings)
-      if (order_of(f, OverMaster::names) > 0)
-        f.advice = "change the spec from which the table was made, or raise the limit";
+      if (const std::size_t order = order_of(f, OverMaster::names); order > 0)
+        f.advice = input.spec
+                       ? cam_advice(f, order,
+                                    stretch_of(std::get<Cam>(*input.curve), input.labels, f, order),
+                                    {input.labels})
+                       : "change the spec from which the table was made, or raise the limit";
     return;
   }
   for (Finding& f : report.findings) {
@@ -183,17 +218,19 @@ void advise_on_limits(const Input& input, Report& report) {
   }
 }
 
-void advise_on_limits(const Cam& cam, const Labels& labels, Report& report) {
+void advise_on_limits(const CamSpec& spec, const Labels& labels, Report& report) {
+  const CamDesign cam = design(spec);
   for (Finding& f : report.findings)
     if (const std::size_t order = order_of(f, OverMaster::names); order > 0)
-      f.advice = cam_advice(f, order, stretch_of(cam, labels, f, order), {labels});
+      f.advice = cam_advice(f, order, stretch_of(cam, spec, f, order), {labels});
 }
 
-std::string impossible_limit(const Cam& cam, const Labels& labels, const Report& report) {
+std::string impossible_limit(const CamSpec& spec, const Labels& labels, const Report& report) {
+  const CamDesign cam = design(spec);
   for (const Finding& f : report.findings) {
     const std::size_t order = order_of(f, OverMaster::names);
     if (order == 0) continue;
-    std::string text = impossible(f, order, stretch_of(cam, labels, f, order), {labels},
+    std::string text = impossible(f, order, stretch_of(cam, spec, f, order), {labels},
                                   "segment " + labels.segment_of(f));
     if (!text.empty()) return text;
   }

@@ -708,7 +708,7 @@ master = { velocity = 500, distance = 300, acceleration = 2000 }
 limits = { slave = { acceleration = 5000 } }
 )");  // f'' is at most 0.075: 5000 / 0.075 = 258.199^2
   EXPECT_THAT(run("check both.toml").out,
-              HasSubstr("at most 1000, and velocity to at most 258.199"));
+              HasSubstr("at most 1000 mm/s^2, and velocity to at most 258.199 mm/s"));
   write("good.toml", gear + "master = { velocity = 500, distance = 100, acceleration = 1000 }\n");
   EXPECT_EQ(run("check good.toml").status, 0);
 }
@@ -1162,10 +1162,10 @@ TEST_F(Cli, AnEmptyArgumentIsNoMissingOne) {
 TEST_F(Cli, AToleranceBelowTheRoundingIsRefused) {
   const std::string convert = "convert " + cam + " out.csv ";
   EXPECT_EQ(run(convert + "--tolerance 1e-30").err,
-            "jounce: --tolerance = 1e-30: must be at least 5.55948e-12: rounding hides "
+            "jounce: --tolerance = 1e-30 pulse: must be at least 5.55948e-12 pulse: rounding hides "
             "smaller errors\n");
   EXPECT_THAT(run(convert + "--velocity-tolerance 1e-30").err,
-              HasSubstr("--velocity-tolerance = 1e-30: must be at least "));
+              HasSubstr("--velocity-tolerance = 1e-30 pulse/pulse: must be at least "));
   EXPECT_EQ(run(convert + "--tolerance -1").err,
             "jounce: --tolerance = -1: must be greater than 0\n");
   EXPECT_TRUE(files().empty());

@@ -62,7 +62,7 @@ TEST(SlaveUnits, ABrokenLimitNamesTheSlaveAndTheSpeedThatKeepsIt) {
   EXPECT_EQ(worst.segment, 0U);
   const std::string text = check_text(report, input);
   EXPECT_THAT(text, HasSubstr("acceleration 16.085 m/s^2 at 22.5 deg (segment 1 rise) exceeds the "
-                              "limit 15 by 7.23 %"));
+                              "limit 15 m/s^2 by 7.23 %"));
   // 120 sqrt(15 / 16.085)
   EXPECT_THAT(text, HasSubstr("slow the master down to 115.882 cpm"));
   EXPECT_THAT(text, HasSubstr("fastest master 115.882 cpm"));

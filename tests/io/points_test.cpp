@@ -43,7 +43,7 @@ TEST(Points, MayHaveTabsAndWords) {
 }
 
 TEST(Points, NameWhatIsWrongAndWhere) {
-  EXPECT_EQ(complaint(""), "p.csv: is empty: the first line must name the columns");
+  EXPECT_EQ(complaint(""), "p.csv: is empty: a header must name the columns, such as time [s],position [mm]");
   EXPECT_EQ(complaint("time [s],position [mm]\n"),
             "p.csv:1: has a header but no points: add at least one row");
   EXPECT_EQ(complaint("0,1\n1,2\n"),

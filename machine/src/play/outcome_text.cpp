@@ -30,7 +30,8 @@ std::optional<std::string> start_remedy(const std::string& reason) {
   std::erase(start, ' ');
   const std::string move = "`jounce order NAME move --to " + start;
   if (reason.find("present motion ends at") != std::string::npos)
-    return "Send " + move + " --buffered` first, or a table that begins there.";
+    return "Wait for the end of this motion, then send " + move +
+           "`, or send a table that begins where the motion ends.";
   return "Move the axis to the start of the table (" + move +
          "`), or start the executor with --adopt-start. With --live, use --start-at instead, or "
          "start = \"ramp_in\" in [coupling].";

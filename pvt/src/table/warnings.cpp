@@ -41,9 +41,9 @@ std::string advice_against_overshoot(const Segment& f, const std::string& unit) 
   const auto [a, b] = end_slopes(f);
   const double mean = (value(f, 1) - value(f, 0)) / f.length;
   const std::string of_unit = unit.empty() ? "" : " " + unit;
-  const std::string ends = "the velocity is " + rounded(a) + " at the start of the segment and " +
-                           rounded(b) + of_unit + " at its end, on average " + rounded(mean) +
-                           of_unit + ": ";
+  const std::string ends = "the velocity is " + rounded(a) + of_unit +
+                           " at the start of the segment and " + rounded(b) + of_unit +
+                           " at its end, on average " + rounded(mean) + of_unit + ": ";
   if (mean == 0) return ends + "let both velocities be 0";
   return ends + "the segment does not overshoot if both velocities are between 0 and " +
          rounded(3 * mean) + of_unit;

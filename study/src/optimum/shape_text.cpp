@@ -109,8 +109,7 @@ Json json_of(const CamRunOutcome& run, const ShapeWords& words) {
 /// The reason of the outcome: the limit that no shape can keep, if there is one.
 std::string reason_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
   if (outcome.status != OptimizeStatus::infeasible) return outcome.reason;
-  const std::string why =
-      impossible_limit(design(outcome.best).cam, words.labels(), outcome.limits);
+  const std::string why = impossible_limit(outcome.best, words.labels(), outcome.limits);
   return why.empty() ? outcome.reason : why;
 }
 
@@ -126,7 +125,7 @@ std::string text_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
   }
   if (outcome.limits.ok()) return text;
   Report limits = outcome.limits;
-  advise_on_limits(design(outcome.best).cam, words.labels(), limits);
+  advise_on_limits(outcome.best, words.labels(), limits);
   return text + "limits of the whole cam:\n" + full_text(limits, words.labels());
 }
 
