@@ -64,7 +64,7 @@ wrong 1 'a1 = .* deg (below position_min, 5 deg)' x=549.9 y=0 z=0
 wrong 2 'is out of reach of the joints' x=600 y=0 z=0
 wrong 2 'is missing' x=300 y=250
 wrong 2 'is given twice' x=300 x=250 z=0
-wrong 2 'u is not one of x, y, z' u=1
+wrong 2 'is not one of x, y, z, and not one of a0, a1, z_joint' u=1
 wrong 2 'must be a position with its name' 300
 wrong 2 'mm' x=3s y=0 z=0
 got=0

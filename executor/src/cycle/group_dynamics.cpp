@@ -96,6 +96,7 @@ ExecutorGroup GroupDynamics::limited() const {
   for (std::size_t k = 0; k < group.configs.size(); ++k) {
     Limits& axis = group.configs[k].limits;
     axis = effective(axis, planned_.axes[k]);
+    group.configs[k].homing = {};  // its values may exceed these limits
     if (!group.kinematics) continue;
     Limits& joint = group.kinematics->joints.limits[k];
     joint = effective(joint, planned_.axes[k]);
