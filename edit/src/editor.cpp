@@ -324,9 +324,13 @@ struct Editor::Impl {
   }
 
   edit_detail::Exported exported(const Request& request) {
-    const std::string form = request.value("form");
-    return edit_detail::exported_table(path_of(), text(), form.empty() ? "csv" : form,
-                                       axis_of(request), request.value("over"));
+    edit_detail::ExportRequest wanted{.axis = axis_of(request),
+                                      .over = request.value("over"),
+                                      .target = {.tolerance = request.value("tolerance"),
+                                                 .x_step = request.value("x_step"),
+                                                 .p_step = request.value("p_step")}};
+    if (const std::string form = request.value("form"); !form.empty()) wanted.form = form;
+    return edit_detail::exported_table(path_of(), text(), wanted);
   }
 
   Answer table(const Request& request) {
