@@ -490,7 +490,7 @@ async function exportTable() {
   await inTurn(sendTyped);
   if (state.charts.length === 0) return say('The text describes no motion that can be exported.', true);
   const {views} = state.charts[axis];
-  return exporter.open({axis, stem: stem(), over: views.length > 1, forms, units: [views[0].unit, views[0].panels[0].unit]});
+  return exporter.open({axis, stem: stem(), over: views.length > 1, forms, first: views[0].axis.split(' [')[0], units: [views[0].unit, views[0].panels[0].unit]});
 }
 
 async function save() {

@@ -9,7 +9,7 @@ class ExportDialog {
   }
 
   /// `of`: {axis: number of the axis of the spec, stem: name of the file, over: true if the motion is over the master and over
-  /// time, forms, units: [of the first column, of the position]}.
+  /// time, forms, first: name of the first column, units: [of the first column, of the position]}.
   open(of) {
     this.of = of;
     const label = (text, input, key) => {
@@ -26,10 +26,11 @@ class ExportDialog {
     const form = html('form', {className: 'fields'},
       label('Format', select(Object.fromEntries(of.forms.map((name) => [name, name]))), 'form'),
       ...(of.over ? [label('Over', select({master: 'master', time: 'time'}), 'over')] : []),
-      label(`Tolerance [${p}]`, text('knots stay'), 'tolerance'), label(`Count of the first column`, text(`such as 0.001 ${x}`), 'x_step'),
-      label(`Count of the position`, text(`such as 0.001 ${p}`), 'p_step'), this.download);
+      label(`Tolerance [${p}]`, text('knots stay'), 'tolerance'), label(`One count of the ${of.first}`, text(`such as 0.001 ${x}`), 'x_step'),
+      label('One count of the position', text(`such as 0.001 ${p}`), 'p_step'), this.download);
     form.onsubmit = (event) => { event.preventDefault(); this.save(); };
-    this.actions.window('Export the table', html('p', {textContent: 'Some controllers count in pulses: give the size of a count. With a tolerance, the table gets the fewest knots within it.'}), form, this.result);
+    this.actions.window('Export the table', html('p', {textContent: 'For a controller that counts in pulses, give the size of one count. With a tolerance, the table gets the fewest knots within it.'}), form, this.result);
+    form.querySelector('select').focus();
     this.show();
   }
 
@@ -53,7 +54,8 @@ class ExportDialog {
     } catch (error) {
       if (query !== this.newest) return;
       this.result.className = 'bad';
-      this.result.textContent = error.message;
+      this.result.textContent = error.message.replace('give a spec with [master], and convert it with --over time',
+        this.of.over ? 'select Over: time' : 'add a [master] to the spec, then select Over: time');
     }
   }
 
