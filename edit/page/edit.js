@@ -138,7 +138,6 @@ function showAnalysis(answer) {
   showMeasured();
   showGallery();
   $('optimize').hidden = !answer.can_optimize;
-  $('over').hidden = !(answer.charts[axis]?.views.length > 1);
   showFindings(answer.result);
   $('check').hidden = answer.check === '';
   $('check-text').textContent = answer.check;
@@ -340,7 +339,7 @@ async function showGallery() {
   const is_empty = state.text.trim() === '';
   $('gallery').hidden = !is_empty;
   $('finding-list').hidden = is_empty;
-  for (const id of ['validate', 'difference', 'measured', 'report', 'table', 'over', 'form', 'stream']) $(id).disabled = is_empty;
+  for (const id of ['validate', 'difference', 'measured', 'report', 'table', 'stream']) $(id).disabled = is_empty;
   if ($('gallery').hidden || templates) return;
   templates = await request('GET', '/templates');
   templates.sort((a, b) => (a.picture === '') - (b.picture === ''));  // motions first
@@ -460,33 +459,38 @@ async function showProof(now) {
 
 // ---- buttons, keys, events -----------------------------------------------------------------------
 
-function download(name, text, type) {
-  const url = URL.createObjectURL(new Blob([text], {type}));
+function download(name, blob) {
+  const url = URL.createObjectURL(blob);
   html('a', {href: url, download: name}).click();
   setTimeout(() => URL.revokeObjectURL(url), again_ms);
 }
 
+/// A file of the server, as its bytes.
+async function fileOf(path) {
+  const answer = await fetch(path, {headers: {'X-Jounce-Token': token}});
+  if (!answer.ok) throw new Rejected(answer.status, JSON.parse(await answer.text()).reason);
+  return answer.blob();
+}
+
 const stem = () => state.file.split('/').at(-1).replace(/\.toml$/, '');
 
-/// Downloads an answer of the server; `act` returns its path, name and type.
-async function exported(act) {
+async function downloadReport() {
   try {
     await inTurn(sendTyped);
-    const {path, name, type, words} = await act();
-    const answer = await fetch(path, {headers: {'X-Jounce-Token': token}});
-    if (!answer.ok) throw new Rejected(answer.status, JSON.parse(await answer.text()).reason);
-    download(name, await answer.blob(), type);
-    if (words) say(words);
+    download(`${stem()}.html`, await fileOf(`/report?axis=${axis}`));
   } catch (error) {
     say(error.message, true);
   }
 }
 
-/// The table, with the output of `jounce convert`: its error, and what the file loses.
-async function exportedTable() {
-  const query = `form=${$('form').value}&axis=${axis}${$('over').hidden ? '' : `&over=${$('over').value}`}`;
-  const {text, ending} = await request('GET', `/conversion?${query}`);
-  return {path: `/table?${query}`, name: `${stem()}${ending}`, type: 'application/octet-stream', words: raisedUnit(text.trim())};
+let forms = [];
+const exporter = new ExportDialog({request, file: fileOf, save: download, window: openWindow});
+
+async function exportTable() {
+  await inTurn(sendTyped);
+  if (state.charts.length === 0) return say('The text describes no motion that can be exported.', true);
+  const {views} = state.charts[axis];
+  return exporter.open({axis, stem: stem(), over: views.length > 1, forms, first: views[0].axis.split(' [')[0], units: [views[0].unit, views[0].panels[0].unit]});
 }
 
 async function save() {
@@ -510,8 +514,8 @@ function listen() {
     event.preventDefault();
     takePoints(event.dataTransfer.files[0]);
   });
-  $('report').onclick = () => exported(async () => ({path: `/report?axis=${axis}`, name: `${stem()}.html`, type: 'text/html'}));
-  $('table').onclick = () => exported(exportedTable);
+  $('report').onclick = downloadReport;
+  $('table').onclick = exportTable;
   $('split').onclick = $('insert').onclick = () => insert(picture.x);
   $('append').onclick = () => change({do: 'append'});
   $('whole-what').onchange = () => { $('whole-by').hidden = $('whole-what').value.startsWith('mirror'); };
@@ -591,7 +595,7 @@ async function begin() {
     try {
       if (laws.length === 0) {
         laws = lawsOf(await request('GET', '/laws'));
-        $('form').replaceChildren(...(await request('GET', '/forms')).map((form) => html('option', {value: form, textContent: form})));
+        forms = await request('GET', '/forms');
       }
       await load();
       notice('lost', null);

@@ -97,7 +97,8 @@ class StreamDialog {
     const place = document.getElementById('stream-outcome') ?? this.facts;
     if (!now || !place?.isConnected) return;
     const cancel = html('button', {type: 'button', textContent: 'Cancel', onclick: () => this.actions.request('POST', '/stream', {do: 'cancel'})});
-    place.replaceChildren(now.running ? html('p', {}, html('progress', {max: 1, value: now.done, 'aria-label': 'Progress of the stream'}), ` ${now.step} `, cancel)
+    const progress = html('progress', {max: 1, value: now.done, 'aria-label': 'Progress of the stream'});
+    place.replaceChildren(now.running ? html('p', {}, progress, ` ${now.step} `, cancel)
       : html('p', {className: now.started ? 'good' : 'bad', textContent: now.text}));
   }
 }

@@ -78,10 +78,9 @@ std::string stream_members(const Job::State& stream) {
                      json_text(outcome.error.empty() ? outcome.text : outcome.error));
 }
 
-/// `present`: the text of the session.
-std::string proof_members(const Job& proof, const std::string& present) {
-  return fmt::format(R"({},"current":{})", progress_members(proof.state()),
-                     proof.given() == present);
+/// `current`: true if the job began with the present text.
+std::string proof_members(const Job::State& proof, bool current) {
+  return fmt::format(R"({},"current":{})", progress_members(proof), current);
 }
 
 std::string object_or_null(const std::string& members) {
@@ -146,7 +145,7 @@ struct Editor::Impl {
     std::string text =
         fmt::format(R"({{"revision":{},"optimum":{},"proof":{},"stream":{}}})", session.revision(),
                     object_or_null(optimizer ? progress_members(optimizer->state()) : ""),
-                    object_or_null(proof ? proof_members(*proof, session.text()) : ""),
+                    object_or_null(proof ? proof_members(proof->state(), is_proof_current()) : ""),
                     object_or_null(stream ? stream_members(stream->state()) : ""));
     const auto hash = static_cast<std::int64_t>(std::hash<std::string>{}(text) | 1U);  // never 0
     return std::exchange(seen, hash) == hash ? "" : text;
@@ -324,9 +323,13 @@ struct Editor::Impl {
   }
 
   edit_detail::Exported exported(const Request& request) {
-    const std::string form = request.value("form");
-    return edit_detail::exported_table(path_of(), text(), form.empty() ? "csv" : form,
-                                       axis_of(request), request.value("over"));
+    edit_detail::ExportRequest wanted{.axis = axis_of(request),
+                                      .over = request.value("over"),
+                                      .target = {.tolerance = request.value("tolerance"),
+                                                 .x_step = request.value("x_step"),
+                                                 .p_step = request.value("p_step")}};
+    if (const std::string form = request.value("form"); !form.empty()) wanted.form = form;
+    return edit_detail::exported_table(path_of(), text(), wanted);
   }
 
   Answer table(const Request& request) {
@@ -409,22 +412,27 @@ struct Editor::Impl {
 
   Answer validate(const JsonReader& body) {
     body.require_only({});
-    std::string given = text();
+    {
+      const std::scoped_lock lock(mutex);
+      if (proof && proof->state().running)
+        return rejected(409, "a validation is running: stop it first");
+    }
+    std::unique_ptr<Job> made = edit_detail::proof_job(path_of(), text());
     const std::scoped_lock lock(mutex);
-    if (proof && proof->state().running)
-      return rejected(409, "a validation is running: stop it first");
-    proof.reset();
-    proof = edit_detail::proof_job(path_of(), given);
+    proof = std::move(made);
     return {200, R"({"ok":true})"};
   }
+
+  /// Call with the lock.
+  [[nodiscard]] bool is_proof_current() const { return proof->given() == session.text(); }
 
   Answer proof_state() {
     const std::scoped_lock lock(mutex);
     if (!proof) return rejected(404, "no validation was started");
-    const Job::Outcome outcome = proof->state().outcome;
+    const Job::State state = proof->state();
     return {200, fmt::format(R"({{"ok":true,{},"proven":{},"text":{}}})",
-                             proof_members(*proof, session.text()), outcome.ok,
-                             json_text(outcome.text))};
+                             proof_members(state, is_proof_current()), state.outcome.ok,
+                             json_text(state.outcome.text))};
   }
 
   Answer end_proof(const JsonReader& body) {

@@ -43,15 +43,19 @@ std::string ending_of(const TableForm& form) {
 
 }  // namespace
 
-Exported exported_table(const std::string& path, const std::string& text, const std::string& form,
-                        std::size_t axis, const std::string& over_what) {
+Exported exported_table(const std::string& path, const std::string& text,
+                        const ExportRequest& request) {
+  const std::string& form = request.form;
   const std::vector<std::string> forms = form_names();
   if (std::find(forms.begin(), forms.end(), form) == forms.end())
     throw InputError("form", form, fmt::format("must be one of {}", fmt::join(forms, ", ")));
-  const Input input = over(over_what, axis_of_text(path, text, axis));
+  const Input input = over(request.over, axis_of_text(path, text, request.axis));
   const TableForm to = table_form(form, "");
   const auto rule = form == "points" ? std::optional(Interpolation::linear) : std::nullopt;
-  const Conversion wanted{.rule = rule_for(to, rule, "", input.table.table), .format = to.format};
+  Conversion wanted{.rule = rule_for(to, rule, "", input.table.table), .format = to.format};
+  if (request.target.any())
+    wanted.target =
+        target_of(request.target, input.table.table.axis(), wanted.rule, input.labels.units);
   const Converted made = converted(input, wanted);
   if (to.format == nullptr) require_units(made.file);
   return {form_text(to, made.file), ending_of(to),

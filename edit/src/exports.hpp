@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "jounce/controllers/table_target.hpp"
+
 namespace jounce::edit_detail {
 
 /// The functions read the text of a spec with the file name `path`. They throw InputError for a text
@@ -16,10 +18,15 @@ struct Exported {
   std::string text;    ///< the output of `jounce convert`: knots, error, and what the file loses
   bool fits = true;    ///< false: the error exceeds its limit, so `jounce convert` writes no file
 };
-/// Returns the table of an axis in the form with this name (form_names()). `over`: "master", "time",
-/// or "": as the spec describes it. The form "points" gets straight lines.
-Exported exported_table(const std::string& path, const std::string& text, const std::string& form,
-                        std::size_t axis, const std::string& over);
+/// Options of `jounce convert`.
+struct ExportRequest {
+  std::string form = "csv";  ///< one of form_names(); "points" gets straight lines
+  std::size_t axis = 0;      ///< number of the axis of the spec
+  std::string over = {};     ///< "master", "time"; "": as the spec describes the motion
+  TargetTexts target = {};   ///< requirements for new knots; all empty: the knots stay
+};
+Exported exported_table(const std::string& path, const std::string& text,
+                        const ExportRequest& request);
 /// Returns the page of `jounce report` for an axis.
 std::string exported_report(const std::string& path, const std::string& text, std::size_t axis);
 

@@ -131,13 +131,26 @@ function sampled(curve, from, to, step) {
   return {x, y};
 }
 
-/// The band between the least (`low`) and the greatest values (`y`) of an outline: both ends of each block.
-function sampledOutline(curve, from, to) {
+/// The band between the least (`low`) and the greatest values (`y`) of an outline: both ends of each block. Blocks within
+/// `width` (a pixel) of the x axis are one.
+function sampledOutline(curve, from, to, width) {
   const x = [], y = [[], [], [], []], low = [[], [], [], []];
   if (to < curve.start || from > curve.end) return {x, y, low};
   const last = intervalAt(curve.breaks, Math.min(to, curve.end));
+  let begin = -Infinity;
   for (let i = intervalAt(curve.breaks, Math.max(from, curve.start)); i <= last; ++i) {
-    x.push(Math.max(from, curve.breaks[i]), Math.min(to, curve.breaks[i + 1]));
+    const left = Math.max(from, curve.breaks[i]), right = Math.min(to, curve.breaks[i + 1]);
+    const end = x.length - 1;
+    if (right - begin <= width) {
+      x[end] = right;
+      for (let k = 0; k < 4; ++k) {
+        y[k][end - 1] = y[k][end] = Math.max(y[k][end], curve.high[k][i]);
+        low[k][end - 1] = low[k][end] = Math.min(low[k][end], curve.low[k][i]);
+      }
+      continue;
+    }
+    begin = left;
+    x.push(left, right);
     for (let k = 0; k < 4; ++k) {
       y[k].push(curve.high[k][i], curve.high[k][i]);
       low[k].push(curve.low[k][i], curve.low[k][i]);

@@ -84,7 +84,7 @@ function draw(root, view, {from, to, difference, piece, ranges}, width) {
   const right = width - look.right;
   const inside = (x) => x >= from && x <= to;
   const curves = difference ? [view.difference] : view.curves;
-  const points = curves.map((curve) => curve instanceof Outline ? sampledOutline(curve, from, to)
+  const points = curves.map((curve) => curve instanceof Outline ? sampledOutline(curve, from, to, (to - from) / (right - look.left))
     : sampled(curve, from, to, (to - from) / (right - look.left)));
   const panels = view.panels.map((panel, k) => {
     const inUnit = (list) => panel.size === 1 ? list : list.map((value) => value / panel.size);

@@ -371,27 +371,37 @@ def arrives(name):
 
 
 def exports(editor):
-    """The downloads of the table and the report are those of the command line."""
+    """The report and the tables are downloaded; the dialog shows the output of `jounce convert`."""
     open_feeder(editor)
     browser.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=folder)
-    for element, name, begin in ("table", "feeder.csv", "# jounce table 1"), ("report", "feeder.html", "<!doctype html>"):
-        click(element)
-        arrives(name)
-        assert (pathlib.Path(folder) / name).read_text().startswith(begin), name
-    expected = subprocess.run([jounce, "design", str(SPEC), "-o", "-"], capture_output=True, text=True).stdout
-    table = (pathlib.Path(folder) / "feeder.csv").read_text()
-    hashes = [next(line for line in each.split("\n") if line.startswith("# sha256")) for each in (table, expected)]
-    assert hashes[0] == hashes[1], hashes
-    assert "feeder -> csv: " in browser.run("document.querySelector('.notice[data-key=said]').textContent")
-    # A binary form keeps its bytes; a form for motions over time takes the cam over time.
-    browser.run("document.getElementById('form').value = 'npy'")
+    click("report")
+    arrives("feeder.html")
+    assert (pathlib.Path(folder) / "feeder.html").read_text().startswith("<!doctype html>")
     click("table")
+
+    def choose(**members):
+        for key, value in members.items():
+            browser.run(f"(() => {{ const e = document.getElementById('export-{key}'); e.value = '{value}'; e.onchange(); }})()")
+        browser.wait_for("!document.getElementById('export-download').disabled")
+        shown = browser.run("document.getElementById('export-text').textContent")
+        click("export-download")
+        return shown
+
+    shown = choose(form="csv")
+    arrives("feeder.csv")
+    converted = subprocess.run([jounce, "convert", str(SPEC), str(pathlib.Path(folder) / "converted.csv")], capture_output=True, text=True)
+    assert browser.run(f"raisedUnit({json.dumps(converted.stdout.strip())})") == shown, (shown, converted.stdout)
+    assert (pathlib.Path(folder) / "feeder.csv").read_text() == (pathlib.Path(folder) / "converted.csv").read_text()
+    choose(form="npy")  # binary: the bytes stay
     arrives("feeder.npy")
     assert (pathlib.Path(folder) / "feeder.npy").read_bytes()[:8] == b"\x93NUMPY\x01\x00"
-    browser.run("document.getElementById('form').value = 'xps'; document.getElementById('over').value = 'time'")
-    click("table")
+    browser.run("document.getElementById('export-form').value = 'xps'; document.getElementById('export-form').onchange()")
+    browser.wait_for("document.getElementById('export-text').textContent.includes('is for motions over time')")
+    assert browser.run("document.getElementById('export-download').disabled")
+    choose(over="time")
     arrives("feeder.trj")
-    browser.run("document.getElementById('form').value = 'csv'; document.getElementById('over').value = 'master'")
+    choose(form="csv", over="master")
+    browser.run("document.getElementById('window').close()")
 
 
 def validation(editor):

@@ -35,7 +35,7 @@ def order(what):
         if browser.run(f"post('/command', {{axis: '{group}', what: '{what}', value: '', options: {{}}, flags: []}})", True):
             return
         time.sleep(0.2)
-    raise AssertionError(f"{what}: {browser.run('document.getElementById(`said`).textContent')}")
+    raise AssertionError(what + ": " + browser.run("document.body.innerText"))
 
 
 def traced(axis, span=10):

@@ -168,8 +168,14 @@ function show(axis) {
     parts.remaining.textContent = remainingOf(axis.group, unit);
   }
   for (const [part, known] of [['path', axis.group], ['remaining', axis.group], ['error', axis.error !== null],
-    ['master', axis.master !== null || axis.masters.length > 0], ['queue', axis.capacity > 0]])
+    ['master', (axis.master !== null && axis.master_unit !== '') || axis.masters.length > 0], ['queue', axis.capacity > 0],
+    ['homed', !axis.group]])
     parts[part].closest('dl > div').hidden = !known;
+  parts.move.hidden = parts.jog.closest('.jog').hidden = axis.group !== null;  // a group has commands of its own
+  if (axis.group && !view.leads) {  // before its axes
+    view.leads = true;
+    view.element.parentElement.prepend(view.element);
+  }
   parts.homed.textContent = axis.homed ? 'yes' : 'no';
   parts.late.textContent = axis.late;
   parts.motions.textContent = `${axis.finished} done, ${axis.stopped} stopped`;

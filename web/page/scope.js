@@ -246,7 +246,8 @@ class Scope {
   paint() {
     const {data} = this, low = data.low ?? {};
     const turn = this.part('modulo-label');
-    turn.hidden = !('master' in low);
+    const has_master = 'master' in low && this.units.master !== '';  // an axis of a group has none
+    turn.hidden = !has_master;
     if (!turn.hidden && !this.knowsTurn && this.units.master) {
       this.knowsTurn = true;
       this.part('modulo').value = turns[this.units.master] ?? '';
@@ -259,7 +260,7 @@ class Scope {
       + (data.missing && data.source !== 'status' ? `; ${data.missing} cycles are missing` : '')
       + (this.frozen ? '; frozen' : this.waits ? '; waiting for the trigger' : data.trigger !== null ? '; triggered' : '');
     for (const one of this.figures) {
-      one.figure.hidden = !one.plot.signals.some((signal) => signal in low);
+      one.figure.hidden = !one.plot.signals.some((signal) => signal in low) || (one.plot.master && !has_master);
       if (!one.figure.hidden) this.paintOne(one, low, data.high ?? low, first, last);
     }
   }
