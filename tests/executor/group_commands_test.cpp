@@ -494,7 +494,8 @@ TEST(GroupCommands, AJogRestsAtTheEndOfTheRangeAndReverses) {
   Judged site(false, axis);
   site.requested.lines.push_back({-150, 0, 150, 0});
   command::GroupJog jog{.dynamics = {.velocity = 100}};
-  EXPECT_THAT(site.order("plotter", jog).reason, HasSubstr("along must be a direction"));
+  EXPECT_THAT(site.order("plotter", jog).reason,
+              HasSubstr("the direction of the jog has no length"));
   jog.along[0] = 1;
   ASSERT_TRUE(site.order("plotter", jog).ok());
   site.advance(500ms);

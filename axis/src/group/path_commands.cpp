@@ -205,10 +205,9 @@ Point direction_of(const command::GroupJog& jog, std::size_t axes) {
     if (!std::isnan(component)) square += component * component;
   const double norm = std::sqrt(square);
   if (!(norm > 0) || !std::isfinite(norm))
-    throw InputError(
-        "along", "",
-        "must be a direction: give components whose squares have a sum that is greater "
-        "than 0 and finite, such as 1,0");
+    throw InputError("the direction of the jog", "",
+                     "has no length: give at least one component that is not 0, and only finite "
+                     "ones, such as x=1");
   Point direction{};
   for (std::size_t i = 0; i < axes; ++i)
     direction[i] = std::isnan(jog.along[i]) ? 0 : jog.along[i] / norm;
