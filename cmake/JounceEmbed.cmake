@@ -3,7 +3,9 @@
 # it, jounce::MODULE_files::NAME is a std::string_view with the text of these files, one after another. The assets of a
 # page are files so that they are read, checked and compared as files.
 function(jounce_embed module)
-  set(text "#pragma once\n\n#include <string_view>\n\nnamespace jounce::${module}_files {\n")
+  # GCC and Clang accept literals that are longer than the 65536 bytes that the standard guarantees.
+  set(text "#pragma once\n\n#pragma GCC diagnostic ignored \"-Woverlength-strings\"\n#include <string_view>\n\n")
+  string(APPEND text "namespace jounce::${module}_files {\n")
   set(close "")
   foreach(argument ${ARGN})
     if(argument MATCHES "^[a-z_]+$")

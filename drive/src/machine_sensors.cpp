@@ -99,9 +99,9 @@ void SimulatedMarks::each_near(double low, double high, F f) const {
   const double margin = spec_.wander + spec_.width;
   const double first = std::max(std::floor((low - margin - spec_.first) / spec_.distance), 0.0);
   const double last = std::ceil((high + margin - spec_.first) / spec_.distance);
-  constexpr double most = 1000;  // in one cycle
-  for (double mark = first; mark <= std::min(last, first + most); ++mark)
-    if (exists(mark)) f(place(mark));
+  constexpr int most = 1000;  // in one cycle
+  for (int i = 0; i <= most && first + i <= last; ++i)
+    if (exists(first + i)) f(place(first + i));
   for (const double extra : spec_.extra) f(extra);
 }
 

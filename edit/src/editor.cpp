@@ -307,7 +307,7 @@ struct Editor::Impl {
   }
 
   Answer difference(const std::string& against) {
-    if (against != "" && against != "file" && against != "head")
+    if (!against.empty() && against != "file" && against != "head")
       throw InputError("against", against, "must be file or head");
     std::string before = against == "head" ? committed_text(path_of()) : "";
     std::string now;

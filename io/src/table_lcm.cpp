@@ -35,18 +35,19 @@ constexpr std::array fields{Field{"axis", &table_file_t::axis},
                             Field{"spec_sha256", &table_file_t::spec_sha256},
                             Field{"made_by", &table_file_t::made_by}};
 
+[[noreturn]] void reject_message(const std::string& name) {
+  throw InputError(std::string(table_channel), "",
+                   "is not a message of the type table_file_t: is the file complete?")
+      .at(name);
+}
+
 /// Decodes the message. A length of a text or a list in it may be wrong, so the sizes are compared first.
 table_file_t message_of(const std::string& data, const std::string& name) {
-  const auto fail = [&] [[noreturn]] () {
-    throw InputError(std::string(table_channel), "",
-                     "is not a message of the type table_file_t: is the file complete?")
-        .at(name);
-  };
   constexpr std::size_t fingerprint = 8;
   constexpr std::size_t least = 4;  // bytes of a length, and of the zero after a text
   std::size_t at = fingerprint;
   const auto number = [&]() {
-    if (data.size() < at + least) fail();
+    if (data.size() < at + least) reject_message(name);
     std::size_t value = 0;
     for (std::size_t i = 0; i < least; ++i)
       value = value << 8U | static_cast<unsigned char>(data[at + i]);
@@ -55,18 +56,19 @@ table_file_t message_of(const std::string& data, const std::string& name) {
   };
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const std::size_t length = number();
-    if (length < 1 || data.size() - at < length || data[at + length - 1] != '\0') fail();
+    if (length < 1 || data.size() - at < length || data[at + length - 1] != '\0')
+      reject_message(name);
     at += length;
   }
   const std::size_t columns = number();
   const std::size_t knots = number();
   if (columns < 2 || columns > 4 || knots > data.size() ||
       data.size() - at != columns * knots * sizeof(double))
-    fail();
+    reject_message(name);
   table_file_t message;
   if (message.decode(data.data(), 0, static_cast<int>(data.size())) !=
       static_cast<int>(data.size()))
-    fail();
+    reject_message(name);
   return message;
 }
 

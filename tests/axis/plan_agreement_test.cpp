@@ -54,7 +54,7 @@ double apart(const Plan& before, const Plan& after, const Agreement& where, doub
     const double t = t0 + (t1 - t0) * k / 1000;
     before.at(t, a);
     after.at(t - where.shift, b);
-    for (const std::size_t i : {0, 1}) {
+    for (const std::size_t i : {0U, 1U}) {
       most = std::max({most, std::abs(a[i].position - b[i].position),
                        std::abs(a[i].velocity - b[i].velocity) * 1e-3,
                        std::abs(a[i].acceleration - b[i].acceleration) * 1e-6});

@@ -110,7 +110,7 @@ TEST(PathExamples, OfHimcArcsEndWhereTheManualSays) {
   const Path& path = axes.front().plan->path();
   expect_near(path.point(4, path.pieces()[4].length / 2), 100, 100);
   expect_near(path.point(6, path.pieces()[6].length / 2), 100, -100);
-  for (const std::size_t half : {4, 6})
+  for (const std::size_t half : {4U, 6U})
     EXPECT_NEAR(path.pieces()[half].length, 100 * std::acos(-1), 1e-9);
 }
 

@@ -132,6 +132,14 @@ TEST(MachineMarks, MoreChangesThanFitAreLost) {
   EXPECT_EQ(seen.count, Triggers::most_changes);
 }
 
+TEST(MachineMarks, OfNumbersThatADoubleCannotCountDoNotExist) {
+  const SimulatedMarks marks({.distance = 1, .width = 0.2});
+  EXPECT_FALSE(marks.at(1e17));
+  Triggers seen;
+  marks.step(1e17, 2e17, 1e-3, 0, seen);
+  EXPECT_EQ(seen.count, 0);
+}
+
 // Marks on the master: the drive reports an edge one cycle later, with its age.
 TEST(MachineMarks, OnTheMasterAreReportedByTheDrive) {
   MachineSensorsSpec spec;

@@ -199,8 +199,10 @@ TEST(GearState, IsInTheStatusOfTheSlaveAndOfItsMaster) {
   EXPECT_TRUE(master->gear_master);
   EXPECT_EQ(master->gear, wire::GearState::none);
   ASSERT_TRUE(line.order("label", command::GearOut{}).ok());
-  EXPECT_EQ(line.status("label")->gear, wire::GearState::disengaged);
-  EXPECT_EQ(line.status("label")->ratio, 0);
+  label = line.status("label");
+  ASSERT_TRUE(label);
+  EXPECT_EQ(label->gear, wire::GearState::disengaged);
+  EXPECT_EQ(label->ratio, 0);
 }
 
 }  // namespace

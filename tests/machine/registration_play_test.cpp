@@ -74,9 +74,9 @@ struct Printing {
     listener.subscribe(wire::channel("cylinder", wire::Lane::event), 100000);
     const Input cam = read_inputs(copy.file("cam.toml")).front();
     EXPECT_TRUE(site.stream(stream_plan("cylinder", cam, {.live = true})).ok());
-    Client web(site.link, "web", {}, site.clock);
-    EXPECT_TRUE(web.command(command::StartTable{}).ok());
-    static_cast<void>(web.release());
+    Client roller(site.link, "web", {}, site.clock);
+    EXPECT_TRUE(roller.command(command::StartTable{}).ok());
+    static_cast<void>(roller.release());
     site.advance(time);
     Rejects rejects;
     while (const auto message = next_message(listener, 0ns, rejects))
@@ -85,7 +85,7 @@ struct Printing {
     replay = site.replayed();
     log.emplace(copy.file("run.cylinder.csv"));
     cylinder = log->numbers("position");
-    this->web = test::LogColumns(copy.file("run.web.csv")).numbers("position");
+    web = test::LogColumns(copy.file("run.web.csv")).numbers("position");
   }
 
   /// The last number of a column of the cylinder.

@@ -402,7 +402,7 @@ std::vector<std::uint64_t> seeds() {
   if (const std::uint64_t one = number_in("JOUNCE_SEED", 0)) return {one};
   std::vector<std::uint64_t> all(40 * number_in("JOUNCE_CASES", 1));
   std::iota(all.begin(), all.end(), 1);
-  for (const std::uint64_t failed : {77, 99, 126, 154, 159, 194, 223, 285, 344})
+  for (const std::uint64_t failed : {77U, 99U, 126U, 154U, 159U, 194U, 223U, 285U, 344U})
     if (failed > all.size()) all.push_back(failed);
   return all;
 }

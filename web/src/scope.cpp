@@ -130,7 +130,7 @@ ScopeQuery scope_query(const Request& request) {
   trigger.level = number_in(request, "level", 0, std::numeric_limits<double>::lowest(),
                             std::numeric_limits<double>::max());
   const std::string edge = request.value("edge");
-  if (edge != "" && edge != "rising" && edge != "falling")
+  if (!edge.empty() && edge != "rising" && edge != "falling")
     throw InputError("edge", edge, "must be rising or falling");
   trigger.rising = edge != "falling";
   trigger.before = number_in(request, "before", 0, 0, query.span);

@@ -62,7 +62,8 @@ MadeMovement movement_of(const ExecutorCutter& cutter, std::uint64_t id, const A
 }
 
 MadeMovement movement_of(std::shared_ptr<const GroupProgram> program, std::uint64_t id) {
-  return {.movement = std::make_shared<GroupPath>(id, *program), .program = std::move(program)};
+  auto movement = std::make_shared<GroupPath>(id, *program);
+  return {.movement = std::move(movement), .program = std::move(program)};
 }
 
 MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const ExecutorGroup& group,

@@ -80,7 +80,7 @@ CallOutcome Client::open(Nanos patience) {
 }
 
 /// Uses the present session, or a new one.
-CallOutcome Client::request(wire::Body body, Nanos patience) {
+CallOutcome Client::request(const wire::Body& body, Nanos patience) {
   if (session_ != 0) {
     CallOutcome outcome = ask(body, patience);
     if (outcome.error != StreamError::refused || !is_over(outcome.refusal)) return outcome;

@@ -50,9 +50,9 @@ Group::Group(std::vector<StreamPlan> plans, std::int64_t session, GroupOptions o
     : options_(std::move(options)) {
   plans = checked(std::move(plans));
   axes_.reserve(plans.size());
-  for (std::size_t i = 0; i < plans.size(); ++i) {
-    std::string name = plans[i].executor;
-    axes_.push_back({std::move(name), Sender(std::move(plans[i]), session, options_.sender)});
+  for (StreamPlan& plan : plans) {
+    std::string name = plan.executor;
+    axes_.push_back({std::move(name), Sender(std::move(plan), session, options_.sender)});
   }
 }
 

@@ -92,7 +92,7 @@ class Client {
   /// Sends any message of a client, in the present session or in a new one. Use a Heartbeat to keep
   /// the session alive. Each message waits for its answer for `patience`, but not longer than the
   /// patience of the options.
-  CallOutcome request(wire::Body body, Nanos patience = Nanos::max());
+  CallOutcome request(const wire::Body& body, Nanos patience = Nanos::max());
 
   /// Ends the session. A motion continues.
   CallOutcome release();
