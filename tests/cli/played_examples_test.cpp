@@ -292,8 +292,10 @@ class Play {
     ExecutorOptions axis =
         test::axis_named("feeder", {}, {input_.table.units.x, input_.table.units.position});
     axis.axis.limits.velocity = 1.01 * std::max(peaks_.velocity, 1e-9);
-    // A step of the velocity counts as the acceleration that causes it within a tick.
-    const double step = peaks_.velocity_step / (static_cast<double>(axis.axis.period) * 1e-9);
+    // In a table of lines, a step of the velocity counts as the acceleration that causes it in a tick.
+    const bool lines = input_.table.table.rule() == Interpolation::linear;
+    const double tick = static_cast<double>(axis.axis.period) * 1e-9;
+    const double step = lines ? peaks_.velocity_step / tick : 0;
     axis.axis.limits.acceleration = 1.01 * std::max({peaks_.acceleration, step, 1e-6});
     axis.adopt_start = true;
     axis.enable = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// examples/rotary-table/axis.toml on a virtual clock: moves around the turn, then two tables, which begin in the turn of
-// the axis and swap without a stop. The judge reads the tick log alone.
+// examples/rotary-table/axis.toml on a virtual clock: moves around the turn, then two tables, which begin in the
+// turn of the axis and swap without a stop. The judge reads the tick log alone.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
