@@ -68,12 +68,14 @@ END
 
 "$jounce" monitor shear --events --json --seconds 100 > events.json 2>&1 &
 monitor=$!
-"$jounce" run machine.toml --enable --watchdog 30 --log run.csv --seconds 60 > run.txt 2>&1 &
+"$jounce" run machine.toml --enable --watchdog 30 --log run.csv --record run.lcmlog --seconds 60 > run.txt 2>&1 &
 executor=$!
 "$jounce" master far.toml --as line --before 8 --after 40 > line.txt 2>&1 &
 line=$!
 trap 'kill $executor $line $monitor 2> /dev/null || true; sleep 0.5; rm -rf "$scratch"' EXIT
 soon "$jounce" order web override 100% || fail "no executor: $(cat run.txt)"
+sees_line() { "$jounce" monitor bridge --seconds 0.3 --json 2> /dev/null | grep -q '"master_name":"line".*"lost":false'; }
+soon sees_line || fail "the line sends no position: $(cat line.txt run.txt)"
 timeout 20 "$jounce" stream "$examples/7-9.toml" --to bridge --live > 7-9.txt 2>&1 || fail "7-9: $(cat 7-9.txt run.txt line.txt)"
 timeout 20 "$jounce" stream open.toml.follow --to open --live > open.txt 2>&1 || fail "open: $(cat open.txt)"
 timeout 20 "$jounce" stream "$examples/7-7.toml" --to shear --live > 7-7.txt 2>&1 &
@@ -99,6 +101,7 @@ kill -INT $line
 kill -INT $monitor
 wait $monitor || true
 
+"$jounce" replay run.lcmlog > replay.txt 2>&1 || fail "the replay differs: $(cat replay.txt)"
 python3 "$judge" 7-7 run.shear.csv events.json || fail "the shear of 7-7"
 python3 "$judge" 7-9 run.bridge.csv || fail "the tables of 7-9"
 python3 "$judge" forwards run.back.csv || fail "the table that only a forward master moves"

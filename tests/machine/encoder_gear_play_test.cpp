@@ -41,8 +41,10 @@ TEST(EncoderGearPlay, CountsTheTurnsOfASingleTurnEncoder) {
   test::Site site(std::move(parts.axes), {.masters = parts.masters, .recorded = true, .said = {}});
   MemoryTransport encoder(site.network);
   std::int64_t samples = 0;
+  const Nanos zero = site.clock();
+  const auto since = [&] { return std::chrono::duration<double>(site.clock() - zero).count(); };
   site.before = [&] {
-    const double now = crank(std::chrono::duration<double>(site.clock()).count());
+    const double now = crank(since());
     send_message(encoder, {"crank", 0,
                            wire::Master{.seq = ++samples,
                                         .stamp_ns = site.clock().count(),
@@ -59,6 +61,7 @@ TEST(EncoderGearPlay, CountsTheTurnsOfASingleTurnEncoder) {
     static_cast<void>(client.release());
   }
   site.advance(17s);
+  const double began = since() - site.last().time;
   EXPECT_FALSE(site.replayed().difference);
   const test::LogColumns columns(log);
   const auto master = columns.numbers("master");
@@ -71,7 +74,8 @@ TEST(EncoderGearPlay, CountsTheTurnsOfASingleTurnEncoder) {
     if (columns.text.at("state")[k] != "synchronized_motion") continue;
     if (judged++ == 0) first = position[k] - master[k] / 2;
     ASSERT_NEAR(position[k], first + master[k] / 2, 1e-9) << k << ": 1 mm for each 2 deg";
-    ASSERT_NEAR(master[k], crank(time[k]), 0.1) << k << ": the filter, with a jerk of 1300 deg/s^3";
+    ASSERT_NEAR(master[k], crank(began + time[k]), 5)
+        << k << ": samples and filter are some ms late, at up to 1200 deg/s";
   }
   EXPECT_GT(judged, 15000U);
   EXPECT_NEAR(master.back(), start + travel - 1800, 1e-6) << "all turns";

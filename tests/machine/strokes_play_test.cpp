@@ -60,7 +60,9 @@ struct Slide {
 TEST(StrokesPlay, TheQuasiSineOfAgitoIsInTheLog) {
   Slide slide;
   slide.order(command::MoveRepetitive{
-      .position = 400, .dynamics = {.velocity = 8000, .acceleration = 160000}, .strokes = 20});
+      .position = 400,
+      .dynamics = {.velocity = 8000, .acceleration = 160000, .deceleration = 160000},
+      .strokes = 20});
   slide.site.advance(3s);
   const std::vector<double> log = slide.positions();
   ASSERT_GT(log.size(), 2500U);

@@ -477,6 +477,24 @@ Bytes with_text(Bytes bytes, const std::string& text, const std::string& other) 
   return bytes;
 }
 
+// The direction of the master is part of the variable: queues without one have the bytes that they had.
+TEST(Wire, TheVariableOfAQueueHasItsDirection) {
+  for (const int direction : {-1, 0, 1}) {
+    wire::Queue queue{.queue = 64, .axis = Domain::master, .capacity = 2};
+    queue.direction = static_cast<std::int8_t>(direction);
+    const Bytes bytes = wire::encode({"feeder", 1, queue});
+    const auto decoded = wire::decode(bytes);
+    ASSERT_TRUE(std::holds_alternative<wire::Message>(decoded)) << direction;
+    EXPECT_EQ(std::get<wire::Queue>(std::get<wire::Message>(decoded).body), queue) << direction;
+    EXPECT_EQ(wire::variable_number(queue), direction == 0 ? 1 : direction > 0 ? 2 : 3);
+    EXPECT_EQ(contradiction(queue), "");
+  }
+  wire::Queue queue{.queue = 64, .capacity = 2, .direction = 1};
+  EXPECT_EQ(contradiction(queue), "a direction needs a queue over master position");
+  EXPECT_FALSE(wire::set_variable(4, queue));
+  EXPECT_FALSE(wire::set_variable(-1, queue));
+}
+
 TEST(Wire, EveryTextIsUtf8WithoutControlCharacters) {
   const std::string mark = "wxyz";
   const Units units{mark, "mm"}, others{"mm", mark};
