@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Draws docs/pictures/live-page.png and live-page-dark.png: a label behind an external master, on the live page.
+"""Draws docs/pictures/live-page.png and live-page-dark.png (a label behind an external master, on the live page), and
+live-path.png (a plotter on its planned path).
 
 usage: live_page_picture.py [JOUNCE [CHROMIUM]]
 
-Runs examples/external-master in real time, for 10 s; looks best on a machine with nothing else to do.
+Runs examples/external-master and examples/plotter in real time, for 15 s; looks best on a machine with nothing else to do.
 """
 import os
 import pathlib
@@ -23,7 +24,26 @@ if os.environ.get("JOUNCE_INSIDE") != "1":  # in a network of its own
     os.execv(str(ROOT / "scripts" / "own_network"), ["own_network", sys.executable, *sys.argv])
 
 BUS = ["--url", os.environ["JOUNCE_BUS"]]
+PATH_HEIGHT = 700  # px, with the group below its path
 EXAMPLE = ROOT / "examples" / "external-master"
+
+
+def plotter(jounce, browser):
+    """The top of the live page while a plotter draws."""
+    executor = subprocess.Popen([jounce, "run", str(ROOT / "examples" / "plotter" / "machine.toml"), "--enable", "--realtime", "80",
+                                 "--web", "0", *BUS], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
+    try:
+        browser.open(next(m[1] for m in (re.search(r"live page at (\S+)", line) for line in executor.stderr) if m))
+        browser.wait_for("typeof path !== 'undefined' && path.group?.name === 'plotter'")
+        for what in ("enable", "start"):
+            order = f"post('/command', {{axis: 'plotter', what: '{what}', value: '', options: {{}}, flags: []}})"
+            while not browser.run(order, True):
+                time.sleep(0.1)
+        browser.wait_for("path.trail().places.at(-1)?.[1] > 40")
+        browser.picture(str(ROOT / "docs" / "pictures" / "live-path.png"), height=PATH_HEIGHT)
+    finally:
+        executor.terminate()
+        executor.wait()
 
 
 def main():
@@ -51,6 +71,8 @@ def main():
             browser.wait_for("parseFloat(document.querySelector('[data-is=position]').textContent) > 550")
             for name, dark in (("live-page", False), ("live-page-dark", True)):
                 browser.picture(str(ROOT / "docs" / "pictures" / f"{name}.png"), dark)
+            browser.call("Emulation.setEmulatedMedia", features=[])
+            plotter(jounce, browser)
         finally:
             if browser:
                 browser.end()

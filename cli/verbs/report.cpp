@@ -22,7 +22,18 @@ struct ReportArguments {
 
 int run_report(const ReportArguments& options) {
   require_other_file(options.file, options.output);
-  const Input input = load_program_axis(options.file, options.machine, options.axis);
+  const std::vector<Input> axes = load_program(options.file, options.machine, options.axis);
+  if (axes.size() > 1) {
+    for (const auto& [option, value] : {std::pair{"--before", &options.before},
+                                        {"--log", &options.page.proof.log},
+                                        {"--optimum", &options.page.optimum}})
+      if (!value->empty()) throw InputError(option, *value, "is for one axis: name it with --axis");
+    const auto [page, all] = report_page(axes, options.page);
+    write_file(options.output, html(page));
+    if (options.output != "-") fmt::print("{}: {}\n", page.title, page.verdict->text);
+    return all.ok() ? fine : finding;
+  }
+  const Input& input = axes.front();
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
   const auto [page, all] =

@@ -186,7 +186,8 @@ class Report {
     this.window(this.from + moved, this.to + moved);
   }
   /// Moves the cursor; the window follows a cursor that would leave it.
-  moveTo(x) {
+  moveTo(x, alone = false) {
+    for (const other of alone ? [] : this.others ?? []) if (other.view.axis === this.view.axis) other.moveTo(x, true);
     this.x = clamped(x, this.view.start, this.view.end);
     if (this.x < this.from || this.x > this.to) this.pan((this.x - clamped(this.x, this.from, this.to)) / (this.to - this.from));
     this.moved();
@@ -269,9 +270,9 @@ class Report {
     this.change();
   }
 
-  /// Connects the rows of all tables that have a place.
-  link() {
-    for (const row of document.querySelectorAll('tr[data-from]')) {
+  /// Connects the rows of tables that have a place.
+  link(rows) {
+    for (const row of rows) {
       const [from, to] = [Number(row.dataset.from), Number(row.dataset.to)];
       const cell = [...row.cells].find((each) => each.textContent && !each.classList.contains('m'));
       if (!cell) continue;
@@ -283,11 +284,17 @@ class Report {
   }
 }
 
-/// Starts the reports of the page. The first one has the places of the tables.
+/// Starts the reports of the page: one for each axis. The tables below a report have its places, and all reports have one
+/// cursor.
 function start() {
   const reports = [...document.querySelectorAll('figure > script[type="application/json"]')]
     .map((script, id) => new Report(script.parentElement, JSON.parse(script.textContent), id));
-  if (reports.length > 0) reports[0].link();
+  const follows = (row, report) => report.figure.compareDocumentPosition(row) & Node.DOCUMENT_POSITION_FOLLOWING;
+  const rows = [...document.querySelectorAll('tr[data-from]')];
+  reports.forEach((report, i) => {
+    report.others = reports.filter((other) => other !== report);
+    report.link(rows.filter((row) => follows(row, report) && !(i + 1 < reports.length && follows(row, reports[i + 1]))));
+  });
   return reports;
 }
 

@@ -158,41 +158,93 @@ std::string report_day() {
   return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
 }
 
+Page empty_page(const std::string& title, const Report& all) {
+  return {.title = title,
+          .subtitle = "Motion table report",
+          .verdict = verdict(all),
+          .footer = "Made by " + made_by() + " on " + report_day()};
+}
+
+/// The sections of an axis, except its path and its spec, and all its findings.
+struct ReportedAxis {
+  std::vector<Section> sections;
+  Report findings;
+};
+
+/// Adds the remarks of an axis to the text of the spec. They have no places: the text is common to the
+/// charts of all axes.
+void add_remarks(Listing& spec, Section section) {
+  Listing own = std::get<Listing>(std::move(section.blocks.front()));
+  for (Listing::Remark& remark : own.remarks) remark.place.reset();
+  own.remarks.insert(own.remarks.begin(), spec.remarks.begin(), spec.remarks.end());
+  std::stable_sort(own.remarks.begin(), own.remarks.end(),
+                   [](const auto& a, const auto& b) { return a.line < b.line; });
+  spec = std::move(own);
+}
+
+ReportedAxis reported_axis(const Input& input, const std::optional<Input>& before,
+                           const ReportOptions& options) {
+  const Report report = check_of(input);
+  const Proof proof = prove(input, options.proof);
+  ReportedAxis part{{}, report};
+  std::vector<Finding>& all = part.findings.findings;
+  all.insert(all.end(), proof.report.findings.begin(), proof.report.findings.end());
+  sort(part.findings);
+
+  Figure figure = figure_of(input, before);
+  figure.title.clear();
+  std::vector<Section>& sections = part.sections;
+  sections.push_back({"Curve",
+                      {Chart{std::move(figure),
+                             before ? "The pale line is " + before->name +
+                                          " as it was before. Marked are the exact extrema."
+                                    : "Marked are the exact extrema.",
+                             chart_data(input, before)},
+                       extrema_table(input)}});
+  if (!options.optimum.empty())
+    sections.push_back(optimum_section(read_file(options.optimum), options.optimum, input.labels));
+  if (auto load = load_figure(input)) sections.push_back(load_section(std::move(*load), input));
+  if (input.spec && input.spec->disc) sections.push_back(disc_section(input));
+  sections.push_back({"Limits and joints", {first_findings(report, input.labels)}});
+  sections.push_back(proof_section(proof, input));
+  sections.push_back({"Table", {facts(input)}});
+  return part;
+}
+
 }  // namespace
 
 ReportPage report_page(const Input& input, const std::optional<Input>& before,
                        const ReportOptions& options) {
-  const Report report = check_of(input);
-  const Proof proof = prove(input, options.proof);
-  Report all = report;
-  all.findings.insert(all.findings.end(), proof.report.findings.begin(),
-                      proof.report.findings.end());
-  sort(all);
+  ReportedAxis part = reported_axis(input, before, options);
+  Page page = empty_page(input.name, part.findings);
+  page.sections = std::move(part.sections);
+  if (input.plan)
+    page.sections.insert(page.sections.begin() + (options.optimum.empty() ? 1 : 2),
+                         path_section(input));
+  if (input.spec) page.sections.push_back(spec_section(input, part.findings));
+  return {std::move(page), std::move(part.findings)};
+}
 
-  Page page{.title = input.name,
-            .subtitle = "Motion table report",
-            .verdict = verdict(all),
-            .footer = "Made by " + made_by() + " on " + report_day()};
-  Figure figure = figure_of(input, before);
-  figure.title.clear();
-  page.sections.push_back({"Curve",
-                           {Chart{std::move(figure),
-                                  before ? "The pale line is " + before->name +
-                                               " as it was before. Marked are the exact extrema."
-                                         : "Marked are the exact extrema.",
-                                  chart_data(input, before)},
-                            extrema_table(input)}});
-  if (!options.optimum.empty())
-    page.sections.push_back(
-        optimum_section(read_file(options.optimum), options.optimum, input.labels));
-  if (input.plan) page.sections.push_back(path_section(input));
-  if (auto load = load_figure(input))
-    page.sections.push_back(load_section(std::move(*load), input));
-  if (input.spec && input.spec->disc) page.sections.push_back(disc_section(input));
-  page.sections.push_back({"Limits and joints", {first_findings(report, input.labels)}});
-  page.sections.push_back(proof_section(proof, input));
-  page.sections.push_back({"Table", {facts(input)}});
-  if (input.spec) page.sections.push_back(spec_section(input, all));
+ReportPage report_page(const std::vector<Input>& axes, const ReportOptions& options) {
+  const Input& first = axes.front();
+  Report all;
+  Listing spec;
+  std::vector<Section> sections;
+  if (first.plan) sections.push_back(path_section(first));
+  for (const Input& input : axes) {
+    ReportedAxis part = reported_axis(input, std::nullopt, options);
+    for (Section& section : part.sections) {
+      section.heading = input.axis + ": " + section.heading;
+      sections.push_back(std::move(section));
+    }
+    all.findings.insert(all.findings.end(), part.findings.findings.begin(),
+                        part.findings.findings.end());
+    if (input.spec) add_remarks(spec, spec_section(input, part.findings));
+  }
+  sort(all);
+  if (first.spec) sections.push_back({"Spec", {std::move(spec)}});
+  Page page = empty_page(first.name.substr(0, first.name.size() - first.axis.size() - 1), all);
+  page.sections = std::move(sections);
   return {std::move(page), std::move(all)};
 }
 

@@ -177,6 +177,22 @@ def before_and_difference():
     assert browser.run("document.querySelector('.plot .label').textContent") == "difference of position [mm]"
 
 
+def several_axes():
+    """One cursor for the charts of all axes; the rows of a table lead to the chart of their axis."""
+    report(EXAMPLES / "scara" / "pick-and-place.toml")
+    charts = browser.run("document.querySelectorAll('figure.live').length")
+    headings = browser.run("[...document.querySelectorAll('h2')].map((h) => h.textContent).join()")
+    assert charts == 6 and "Path" in headings and "a1: Curve" in headings and headings.endswith("Spec"), (charts, headings)
+    at = box()
+    mouse("mouseMoved", at["x"] + 0.4 * at["width"], at["y"] + 90)
+    cursors = browser.run("[...document.querySelectorAll('.plot')].map((plot) => plot.getAttribute('aria-valuenow'))")
+    assert len(cursors) == 6 and len(set(cursors)) == 1 and float(cursors[0]) > 0, cursors
+    second = "document.querySelectorAll('figure.live')[1]"
+    browser.run(f"[...document.querySelectorAll('tr[data-from] .go')].find((go) => {second}.compareDocumentPosition(go) & 4).click()")
+    settle()
+    assert browser.run(f"{second}.contains(document.activeElement)")
+
+
 def large_table():
     """A table that is too large for the page: the picture is a band, and the cursor shows the range of its block."""
     folder_path = pathlib.Path(folder)
@@ -293,6 +309,7 @@ try:
     zoom_and_pan()
     rows_and_findings()
     before_and_difference()
+    several_axes()
     large_table()
     layout()
     print_on_paper()

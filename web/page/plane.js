@@ -164,7 +164,7 @@ class PathPlane {
     ink.beginPath();
     ink.rect(scales.left, scales.top, scales.right - scales.left, scales.bottom - scales.top);
     ink.clip();
-    this.line(ink, planned, scales, 'frame', 1, [5, 4]);
+    this.line(ink, planned, scales, 'soft', 1.5, [5, 4]);
     this.line(ink, places, scales, 'one', 2, []);
     ink.restore();
     const now = places.at(-1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "jounce/plot/page.hpp"
 #include "jounce/proof/proof.hpp"
@@ -26,5 +27,9 @@ struct ReportPage {
 /// one input is over time and the other over a master, and for a file `optimum` of another kind.
 ReportPage report_page(const Input& input, const std::optional<Input>& before,
                        const ReportOptions& options = {});
+
+/// Returns the page of the axes of a spec, at least two: the path, the sections of each axis, and
+/// the spec with the findings of all axes. The charts of the axes have one cursor.
+ReportPage report_page(const std::vector<Input>& axes, const ReportOptions& options = {});
 
 }  // namespace jounce
