@@ -67,7 +67,7 @@ TEST(CommandTable, OperatorsChangeTheTimingAlone) {
   std::string operators;
   for (const CommandInfo* const row : sent())
     if (is_operators(row->kind)) operators += std::string(row->name) + " ";
-  EXPECT_EQ(operators, "hold resume override ");
+  EXPECT_EQ(operators, "hold resume override group_set_override group_acknowledge ");
 }
 
 TEST(CommandTable, IsThatOfTheProtocolPage) {

@@ -36,6 +36,8 @@ double some(FieldRange range, double number) {
       return 3;
     case FieldRange::trigger_edge:
       return 2;
+    case FieldRange::share:
+      return 1 / number;
     case FieldRange::whole_nonzero:
     case FieldRange::count:
       break;

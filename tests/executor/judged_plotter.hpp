@@ -103,6 +103,7 @@ struct Judged : PlotterSite {
     requested.lines.push_back({x0, y0, px, py});
     if (path.deviation > 0) requested.tolerance = std::max(requested.tolerance, path.deviation);
     const CallOutcome outcome = order("plotter", command::MoveLinearAbsolute{at(px, py), path});
+    EXPECT_TRUE(outcome.ok() || outcome.error == StreamError::refused) << outcome.reason;
     if (outcome.ok()) accept({px, py});
     return outcome;
   }

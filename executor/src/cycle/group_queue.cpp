@@ -289,7 +289,7 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
                     "mode aborting");
     if (aborts(command) && !rests(group))
       return std::exchange(halting_, true) ? std::nullopt : std::optional(Step(Halt{}));
-    if (next_way_ == Way::rest) return std::nullopt;  // the present motion ends first
+    if (next_way_ == Way::rest) return follow(group);
     if (auto step = joined(group)) return step;
     return proceed(group);
   } catch (const InputError& error) {
@@ -411,6 +411,7 @@ std::optional<GroupQueue::Step> GroupQueue::follow(const Tick& group) {
   commands.set_frame(frame_);
   commands.set_limits(limits_);
   commands.append(waiting_.front().command, space_of(*group_));
+  if (!commands.moves() && next_way_ == Way::rest) return std::nullopt;  // until the group rests
   if (!commands.moves())
     return finish(Cause::in_motion, "a wait needs a motion before it: send it after the next line");
   plan(Way::after, {.commands = std::move(commands)}, group_);
