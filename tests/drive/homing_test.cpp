@@ -458,7 +458,7 @@ TEST(Homing, StopAndHaltEndItAtRestWithinTheLimits) {
       if (stage.before.state == State::standstill)
         EXPECT_EQ(no, Cause::position_limit) << "the axis is outside its range";
       else
-        EXPECT_EQ(no, Cause::in_motion);
+        EXPECT_EQ(no, Cause::stopping);
       stage.finish();
       EXPECT_EQ(stage.now.fault, Cause::none);
       EXPECT_EQ(stage.now.state, State::standstill);
