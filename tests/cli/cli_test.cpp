@@ -1518,7 +1518,7 @@ TEST_F(Cli, ConvertWritesTheSegmentsOfAController) {
       run("convert m.toml q.csv --controller googol_pt --position-resolution 1pulse");
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.err,
-              HasSubstr("--position-resolution = 1: cannot be used with quadratic pieces"));
+              HasSubstr("--position-resolution = 1 pulse: cannot be used with quadratic pieces"));
   EXPECT_THAT(run("convert m.toml q.csv --to points --rule cubic_hermite").err,
               HasSubstr("needs a constant acceleration between the knots; before knot 2"));
 }

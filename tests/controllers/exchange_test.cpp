@@ -173,9 +173,11 @@ TEST(Exchange, ReadsDecimalCommasOnlyWhereTheyAreMeant) {
             "`jounce convert --decimal-comma`");
   EXPECT_EQ(parse_exchange("2\n0;0\n1,5;0,5\n", "t", true).table.columns().x[1], 1.5);
   EXPECT_EQ(complaint("0,0 0,0 0,0 0,0\n", false).substr(0, 11), "t:1: X = \"0");
-  EXPECT_EQ(complaint("x,y,v,a\n0,0,0,0\n1,0,2,5,0,0,0,0\n"),
-            "t:3: row = 8 values: must have 4: if these are decimal commas, convert the file with "
-            "`jounce convert --decimal-comma`");
+  EXPECT_EQ(
+      complaint("x,y,v,a\n0,0,0,0\n1,0,2,5,0,0,0,0\n"),
+      "t:3: has 8 values, but the header has 4 columns: if these are decimal commas, convert the "
+      "file with "
+      "`jounce convert --decimal-comma`");
 }
 
 TEST(Exchange, NamesFileLineKeyValueAndRule) {

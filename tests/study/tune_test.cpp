@@ -252,7 +252,7 @@ TEST(Tune, RefusesWhatItCannotDo) {
               HasSubstr("optimize.require[1].at_most = \"1 kg\""));
   EXPECT_THAT(
       said("[optimize]\nminimize = \"duration\"\n" + parameter("move.velocity", "300, 1000")),
-      HasSubstr("optimize.parameter[1].range = 300 to 1000: must contain 200, the present value in "
+      HasSubstr("optimize.parameter[1].range = 300 to 1000 mm/s: must contain 200 mm/s, the present value in "
                 "the spec"));
   EXPECT_THAT(said(""), HasSubstr("optimize.parameter: is missing"));
 }

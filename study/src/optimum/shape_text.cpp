@@ -106,10 +106,16 @@ Json json_of(const CamRunOutcome& run, const ShapeWords& words) {
   return object;
 }
 
-/// The reason of the outcome: the limit that no shape can keep, if there is one.
+/// The reason of the outcome: the limit that no shape of a free segment can keep, if there is one.
 std::string reason_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
   if (outcome.status != OptimizeStatus::infeasible) return outcome.reason;
-  const std::string why = impossible_limit(outcome.best, words.labels(), outcome.limits);
+  Report free = outcome.limits;
+  std::erase_if(free.findings, [&](const Finding& f) {
+    return std::none_of(outcome.runs.begin(), outcome.runs.end(), [&](const CamRunOutcome& run) {
+      return f.segment && std::count(run.segments.begin(), run.segments.end(), *f.segment) > 0;
+    });
+  });
+  const std::string why = impossible_limit(outcome.best, words.labels(), free);
   return why.empty() ? outcome.reason : why;
 }
 

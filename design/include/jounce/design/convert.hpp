@@ -32,8 +32,8 @@ struct Converted {
   /// its table; for a table, nullopt.
   std::optional<SampleError> error;
   /// Greatest permitted error of the position, in the unit of the input, for the format of a
-  /// controller, and for knots that get another rule: the tolerance of the target; if it has none,
-  /// a ten-thousandth of the stroke, but at least one count.
+  /// controller, and for knots that get another rule or equal intervals: the tolerance of the
+  /// target; if it has none, a ten-thousandth of the stroke, but at least one count.
   std::optional<double> limit = {};
   /// Sizes of the counts of a format in counts, and a tolerance that follows from the resolution of
   /// the position, as a sentence; otherwise "".
