@@ -183,8 +183,7 @@ def several_axes():
     charts = browser.run("document.querySelectorAll('figure.live').length")
     headings = browser.run("[...document.querySelectorAll('h2')].map((h) => h.textContent).join()")
     assert charts == 6 and "Path" in headings and "a1: Curve" in headings and headings.endswith("Spec"), (charts, headings)
-    at = box()
-    mouse("mouseMoved", at["x"] + 0.4 * at["width"], at["y"] + 90)
+    press("ArrowUp", 13)
     cursors = browser.run("[...document.querySelectorAll('.plot')].map((plot) => plot.getAttribute('aria-valuenow'))")
     assert len(cursors) == 6 and len(set(cursors)) == 1 and float(cursors[0]) > 0, cursors
     second = "document.querySelectorAll('figure.live')[1]"
