@@ -94,6 +94,7 @@ Limits GroupDynamics::effective(const Limits& configured, const Limits& further)
 ExecutorGroup GroupDynamics::limited() const {
   ExecutorGroup group = group_;
   for (std::size_t k = 0; k < group.configs.size(); ++k) {
+    group.configs[k] = resolved(group.configs[k]);  // the stop limits stay
     Limits& axis = group.configs[k].limits;
     axis = effective(axis, planned_.axes[k]);
     group.configs[k].homing = {};  // its values may exceed these limits
