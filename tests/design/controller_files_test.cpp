@@ -484,7 +484,8 @@ TEST(ControllerFiles, WithTooFewKnotsAreNotWithinTheLimit) {
   EXPECT_NEAR(made.error->position, 1.44, 0.01) << "the notes on formats, 5.9";
   EXPECT_EQ(made.counts, "master: 1 count is 0.01 deg; position: 1 count is 0.001 mm");
   EXPECT_THAT(conversion_text(cam_e(), made, {"galil", &galil}, {}),
-              HasSubstr("the error exceeds the tolerance, 0.004 mm; the format holds at most 257"));
+              HasSubstr("the error exceeds the tolerance, 0.004 mm (by default, a ten-thousandth "
+                        "of the travel); the format holds at most 257"));
 }
 
 TEST(ControllerFiles, OfFourStepsLoseWhatTheNotesState) {
