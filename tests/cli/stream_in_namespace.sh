@@ -127,12 +127,12 @@ refused "loops out of the range" 'position_limit.*320.*limit 300' 0-80.toml --to
 stands_at x 160
 
 # Several axes: all or none, all reasons, one tick.
-refused "one of two stands elsewhere" 'x: refused.*start_position' 0-80.toml --to y,x
+refused "one of two stands elsewhere" 'x: rejected.*start_position' 0-80.toml --to y,x
 grep -q 'y: .*not started, because x rejected its start' out.txt || fail "y is not named: $(cat out.txt)"
 stands_at y 0
 stream 200-280.toml --to x --rolling --ahead 2 --relative || fail "to 240: $(cat out.txt)"
-refused "two reasons" 'x: refused.*start_position' 200-280.toml --to x,y
-grep -q 'y: refused.*start_position' out.txt || fail "the second reason is missing: $(cat out.txt)"
+refused "two reasons" 'x: rejected.*start_position' 200-280.toml --to x,y
+grep -q 'y: rejected.*start_position' out.txt || fail "the second reason is missing: $(cat out.txt)"
 "$jounce" order x move --to 0 > /dev/null
 wait_for x standstill
 stream 0-80.toml --to x,y || fail "together: $(cat out.txt)"

@@ -58,7 +58,8 @@ TEST(Notices, ARejectionNamesThePresentFaultAndTheReasonForNoMaster) {
   const Tick now{.fault = Cause::negative_soft_limit};
   for (const Cause cause : {Cause::in_error, Cause::not_enabled}) {
     EXPECT_THAT(refusal_text({cause}, now, options), HasSubstr("negative_soft_limit: "));
-    EXPECT_EQ(refusal_text({cause}, {}, options), text({cause}, ""));
+    EXPECT_THAT(refusal_text({cause}, {}, options),
+                ::testing::StartsWith(std::string(name(cause)) + ": The axis "));
   }
   EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, options), HasSubstr("no [follow]"));
   ExecutorOptions follower;

@@ -223,8 +223,8 @@ TEST(FlyingShear, TakesEveryLawFromRestToRest) {
       shear.return_form = quarters;  // it has no shape without one
     else
       shear.ramp = each.law;
-    if (each.ends == Ends::straight || each.ends == Ends::standing ||
-        reverses(each.ends) || !has_own_shape(each.law)) {
+    if (each.ends == Ends::straight || each.ends == Ends::standing || reverses(each.ends) ||
+        !has_own_shape(each.law)) {
       EXPECT_THROW(flying_shear(shear), InputError) << each.name;
       continue;
     }
@@ -283,7 +283,8 @@ TEST(FlyingShear, NamesWhatBinds) {
   using ::testing::StartsWith;
   FlyingShear shear = case_2();
   shear.limits.velocity = 0.5;
-  EXPECT_THAT(refusal(shear), StartsWith("line_speed = 1: must be at most 0.5: in the sync zone"));
+  EXPECT_THAT(refusal(shear), StartsWith("line_speed = 1: must be at most 0.5: otherwise the "
+                                         "carriage in the sync zone is faster than"));
   shear = case_2();
   shear.stroke = 0.3;
   EXPECT_THAT(refusal(shear),

@@ -57,7 +57,7 @@ TEST(Check, AdvisesByThePlaceOfABrokenPosition) {
   EXPECT_EQ(advice(line(1, 0, 10)),
             "the knots here are outside the position range: move them, or widen the range");
   EXPECT_EQ(advice(hill()),
-            "the curve overshoots between its knots: move them, or lower the velocities there");
+            "the curve overshoots between its knots: move the knots, or lower their velocities");
 }
 
 TEST(Check, ALimitBrokenByALittleIsBroken) {

@@ -103,8 +103,8 @@ TEST_F(CamPoints, ThatAreWrongNameTheirLine) {
 
 TEST_F(CamPoints, NeedALawThroughPoints) {
   EXPECT_EQ(complaint("[[segment]]\nlaw = \"modified_sine\"\npoints = \"points.csv\"\n", points),
-            "spec.toml:6:10: segment[1].points = points.csv: the law `modified_sine` takes no "
-            "points: use polynomial, cubic_spline, quintic_spline or hermite");
+            "spec.toml:6:10: segment[1].points = points.csv: the law modified_sine takes no "
+            "points: leave them out, or use polynomial, cubic_spline, quintic_spline or hermite");
 }
 
 TEST_F(CamPoints, CannotBeMovedByAFreeKnot) {
