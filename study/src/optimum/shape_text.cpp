@@ -109,7 +109,8 @@ Json json_of(const CamRunOutcome& run, const ShapeWords& words) {
 /// The reason of the outcome: the limit that no shape can keep, if there is one.
 std::string reason_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
   if (outcome.status != OptimizeStatus::infeasible) return outcome.reason;
-  const std::string why = impossible_limit(outcome.best, words.labels(), outcome.limits);
+  const std::string why =
+      impossible_limit(words.cam(), outcome.best, words.labels(), outcome.limits);
   return why.empty() ? outcome.reason : why;
 }
 
@@ -120,12 +121,12 @@ std::string text_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
   for (const CamRunOutcome& run : outcome.runs) {
     text += run_text(run, words);
     if (!run.shape.usable())
-      text += fmt::format("least violated:\n{}",
+      text += fmt::format("the shape that exceeds the limits least:\n{}",
                           full_text(words.in_cam(run.shape.limits, run), words.labels()));
   }
   if (outcome.limits.ok()) return text;
   Report limits = outcome.limits;
-  advise_on_limits(outcome.best, words.labels(), limits);
+  advise_on_limits(words.cam(), outcome.best, words.labels(), limits);
   return text + "limits of the whole cam:\n" + full_text(limits, words.labels());
 }
 
