@@ -47,16 +47,24 @@ std::string fastest_line(const Cam& cam, const Input& input) {
   const MasterRates rates = master_rates(*input.spec);
   if (rates.acceleration > 0 && master_accelerates_too_fast(cam, *input.spec)) {
     const MasterLimit most = greatest_master_acceleration(cam, *input.spec);
+    const MasterSpeed both = fastest_master_with_ramp(cam, *input.spec);
+    const SpeedUnit unit = master_speed_unit(*input.spec);
+    const std::string slower =
+        both.velocity < input.spec->master->velocity
+            ? fmt::format(" at rest; the master may run at {} {} with {} {}",
+                          six_digits_down(both.velocity / unit.size), unit.name,
+                          six_digits_down(both.acceleration), master_rate_unit(*input.spec, 2))
+            : "";
     return fmt::format(
-        "  fastest acceleration of the master {} {}, limited by the slave's {} at {} {}\n",
-        rounded(most.value), master_rate_unit(*input.spec, 2), most.quantity, rounded(most.where),
-        input.labels.units.x);
+        "  fastest acceleration of the master {} {}, limited by the slave's {} at {} {}{}\n",
+        six_digits_down(most.value), master_rate_unit(*input.spec, 2), most.quantity,
+        rounded(most.where), input.labels.units.x, slower);
   }
   const MasterLimit limit = greatest_master_velocity(cam, input.spec->slave, rates);
   if (std::isinf(limit.value)) return "";
   const SpeedUnit unit = master_speed_unit(*input.spec);
   std::string line =
-      fmt::format("  fastest master {} {}", rounded(limit.value / unit.size), unit.name);
+      fmt::format("  fastest master {} {}", six_digits_down(limit.value / unit.size), unit.name);
   if (is_made_for_a_speed(*input.spec)) line += " for this table";
   if (rates.acceleration > 0)
     line += fmt::format(" while it accelerates with {} {}", rounded(rates.acceleration),

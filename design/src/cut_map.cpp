@@ -78,7 +78,9 @@ CutMap cut_map(const std::string& path, const CutMapTexts& texts) {
   CutLengths cuts = cut_lengths(spec);
   const double from = positive("from", texts.from, spec.units.x).value_or(cuts.from);
   const double to = positive("to", texts.to, spec.units.x).value_or(cuts.to);
-  if (!(to > from)) throw InputError("to", to, "must be greater than --from, " + number(from));
+  if (!(to > from))
+    throw InputError("to", number(to) + " " + spec.units.x,
+                     "must be greater than --from = " + number(from) + " " + spec.units.x);
   const CutLimits limits = cut_limits(
       spec, positive("line_speed", texts.line_speed, rate_unit(spec.units.x, spec.time_unit, 1)));
   return cut_map(std::move(spec), std::move(cuts), limits, from, to, texts.steps);

@@ -109,7 +109,9 @@ Input inverse_of(const Input& input, const InverseTexts& texts) {
   if (!(tolerance > 0)) throw InputError("tolerance", texts.tolerance, "must be greater than 0");
   require_motion_at(branch, from, Side::right, "from", units.position);
   require_motion_at(branch, to, Side::left, "to", units.position);
-  if (!(from < to)) throw InputError("to", to, "must be greater than " + number(from));
+  if (!(from < to))
+    throw InputError("to", number(to) + " " + units.position,
+                     "must be greater than --from = " + number(from) + " " + units.position);
   const Fitted<OverMaster> fitted = [&] {
     try {
       return inverse_within(branch, from, to, tolerance / 2);

@@ -72,7 +72,7 @@ Stretch stretch_of(const Curve<Over>& f, const Labels& labels, const Finding& fi
   return stretch_between(f, f.breaks()[first], f.breaks()[last + 1], finding, order);
 }
 
-/// The segment of a cam spec whose index the finding has.
+/// The part of a cam over the segment of a spec whose index the finding has.
 Stretch stretch_of(const CamDesign& cam, const CamSpec& spec, const Finding& finding,
                    std::size_t order) {
   const std::size_t i = std::min(*finding.segment, spec.segments.size() - 1);
@@ -218,19 +218,21 @@ void advise_on_limits(const Input& input, Report& report) {
   }
 }
 
-void advise_on_limits(const CamSpec& spec, const Labels& labels, Report& report) {
-  const CamDesign cam = design(spec);
+void advise_on_limits(const CamSpec& given, const CamSpec& made, const Labels& labels,
+                      Report& report) {
+  const CamDesign cam = design(made);
   for (Finding& f : report.findings)
     if (const std::size_t order = order_of(f, OverMaster::names); order > 0)
-      f.advice = cam_advice(f, order, stretch_of(cam, spec, f, order), {labels});
+      f.advice = cam_advice(f, order, stretch_of(cam, given, f, order), {labels});
 }
 
-std::string impossible_limit(const CamSpec& spec, const Labels& labels, const Report& report) {
-  const CamDesign cam = design(spec);
+std::string impossible_limit(const CamSpec& given, const CamSpec& made, const Labels& labels,
+                             const Report& report) {
+  const CamDesign cam = design(made);
   for (const Finding& f : report.findings) {
     const std::size_t order = order_of(f, OverMaster::names);
     if (order == 0) continue;
-    std::string text = impossible(f, order, stretch_of(cam, spec, f, order), {labels},
+    std::string text = impossible(f, order, stretch_of(cam, given, f, order), {labels},
                                   "segment " + labels.segment_of(f));
     if (!text.empty()) return text;
   }

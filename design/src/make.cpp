@@ -254,7 +254,9 @@ std::pair<double, double> master_range(const Spec& spec) {
 
 Trajectory master_of(const Spec& spec) {
   if (!spec.master)
-    throw InputError("master", "", "is missing: a cam needs a master; add [master] with velocity");
+    throw InputError("master", "",
+                     "is missing: the motion over time needs the speed of the master; add [master] "
+                     "with velocity");
   const MasterSpec& master = *spec.master;
   const double unit = seconds_per_unit(spec);
   const double velocity = master.velocity / unit;

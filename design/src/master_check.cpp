@@ -7,6 +7,7 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
 namespace jounce {
@@ -51,14 +52,22 @@ MasterLimit greatest_master_acceleration(const Cam& cam, const Spec& spec) {
   return running.value > 0 ? running : greatest_master_acceleration(cam, slave, 0);
 }
 
+MasterSpeed fastest_master_with_ramp(const Cam& cam, const Spec& spec) {
+  const double given = spec.master->velocity;
+  const double running = greatest_master_acceleration(cam, spec.slave, given).value;
+  if (running > 0) return {given, running};
+  const double half = greatest_master_acceleration(cam, spec.slave, 0).value / 2;
+  return {greatest_master_velocity(cam, spec.slave, {half, 0}).value, half};
+}
+
 namespace {
 
 using profiles_detail::rounded_sum;
 
-/// A speed of the master in the unit of the spec: "96.4 cpm".
+/// A greatest speed of the master in the unit of the spec, rounded down: "96.4 cpm".
 std::string speed_text(double speed, const Spec& spec) {
   const SpeedUnit unit = master_speed_unit(spec);
-  return rounded(speed / unit.size) + " " + unit.name;
+  return six_digits_down(speed / unit.size) + " " + unit.name;
 }
 
 /// The quantity whose step makes this one unbounded.
@@ -101,6 +110,7 @@ namespace {
 Finding acceleration_finding(const Cam& cam, const Spec& spec) {
   const MasterLimit limit = greatest_master_acceleration(cam, spec);
   Finding f;
+  const MasterSpeed most = fastest_master_with_ramp(cam, spec);
   f.rule = "limit/master_acceleration";
   f.quantity = "master_acceleration";
   f.where = limit.where;
@@ -110,16 +120,12 @@ Finding acceleration_finding(const Cam& cam, const Spec& spec) {
   f.broken = true;
   f.unit = master_rate_unit(spec, 2);
   f.advice = fmt::format(
-      "the slave reaches limits.slave.{0} at any speed of the master: lower acceleration in "
-      "[master] to at most {1} {2}",
-      limit.quantity, rounded(limit.value), f.unit);
-  const SpeedUnit speed_unit = master_speed_unit(spec);
-  const double steady = greatest_master_velocity(cam, spec.slave).value;
-  if (spec.master->velocity > steady)
-    f.advice +=
-        fmt::format(", and velocity to at most {}", speed_unit.name == master_rate_unit(spec, 1)
-                                                        ? rounded(steady) + " " + speed_unit.name
-                                                        : speed_text(steady, spec));
+      "the slave reaches limits.slave.{} at any speed of the master: lower acceleration in "
+      "[master] to at most {} {}{}",
+      limit.quantity, six_digits_down(most.acceleration), f.unit,
+      most.velocity < spec.master->velocity
+          ? ", and velocity to at most " + speed_text(most.velocity, spec)
+          : "");
   return f;
 }
 

@@ -40,6 +40,16 @@ bool master_accelerates_too_fast(const Cam& cam, const Spec& spec);
 /// any speed.
 MasterLimit greatest_master_acceleration(const Cam& cam, const Spec& spec);
 
+/// A speed of the master, and an acceleration with which it may reach it.
+struct MasterSpeed {
+  double velocity = 0;
+  double acceleration = 0;
+};
+/// A speed and an acceleration of the master that keep the limits of the slave together: the speed
+/// of [master] if an acceleration is left for it, otherwise half of the greatest acceleration at
+/// rest, and the greatest speed with it.
+MasterSpeed fastest_master_with_ramp(const Cam& cam, const Spec& spec);
+
 /// The finding that compares the speed of the spec's [master] with the greatest speed at which the
 /// slave stays within its limits.
 Finding master_finding(const Cam& cam, const Spec& spec);

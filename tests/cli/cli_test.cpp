@@ -706,9 +706,19 @@ zone = [{ from = 100, to = 200, ratio = 5, slave = 250 }]
 point = [{ master = 300, slave = 1000 }]
 master = { velocity = 500, distance = 300, acceleration = 2000 }
 limits = { slave = { acceleration = 5000 } }
-)");  // f'' is at most 0.075: 5000 / 0.075 = 258.199^2
+)");
   EXPECT_THAT(run("check both.toml").out,
-              HasSubstr("at most 1000 mm/s^2, and velocity to at most 258.199 mm/s"));
+              HasSubstr("at most 500 mm/s^2, and velocity to at most 216.345 mm/s"));
+  write("advised.toml", R"(jounce = 1
+kind = "follow"
+units = { position = "mm", master = "mm" }
+follow = {}
+zone = [{ from = 100, to = 200, ratio = 5, slave = 250 }]
+point = [{ master = 300, slave = 1000 }]
+master = { velocity = 216.345, distance = 300, acceleration = 500 }
+limits = { slave = { acceleration = 5000 } }
+)");
+  EXPECT_THAT(run("check advised.toml").out, Not(HasSubstr("BROKEN limit/")));
   write("good.toml", gear + "master = { velocity = 500, distance = 100, acceleration = 1000 }\n");
   EXPECT_EQ(run("check good.toml").status, 0);
 }
@@ -1176,8 +1186,10 @@ TEST_F(Cli, AUnitOfConvertIsRefusedByTheNameOfItsOption) {
   ASSERT_EQ(run("design " + cam + " -o given.csv").status, 0);
   EXPECT_EQ(run("convert given.csv out.csv --master-unit J").err,
             "jounce: --master-unit = J: cannot be converted from the unit of the table, pulse\n");
-  EXPECT_EQ(run("convert given.csv out.csv --position-unit wibble").err,
-            "jounce: --position-unit = wibble: is not a known unit\n");
+  EXPECT_EQ(
+      run("convert given.csv out.csv --position-unit wibble").err,
+      "jounce: --position-unit = wibble: is not a known unit: give a length (mm m um cm in), an "
+      "angle (rad deg rev), a time (s ms us ns min h), or pulse, count or inc\n");
   EXPECT_EQ(run("convert given.csv given.csv").err,
             "jounce: OUT = given.csv: is also the input: choose another name\n");
 }

@@ -172,13 +172,16 @@ TEST_F(FitFile, RejectsWithTheLineOfTheFile) {
               HasSubstr("master_unit: is missing: the file names no unit"));
   const std::string head = "master [deg],slave [mm]\n";
   EXPECT_EQ(complaint(head + "0,0\n1,1\n1,2\n2,2\n3,3\n", {.tolerance = "1"}),
-            ":4: master = 1: must be greater than 1, the previous point");
+            ":4: master = 1: must be greater than 1 deg, the previous point");
   EXPECT_EQ(complaint(head + "0,0\n1,1\n", {.tolerance = "1"}), ": points = 2: must be at least 5");
   EXPECT_THAT(complaint(head + "0,0\n1,1\n", {.tolerance = "1", .master_unit = "rad"}),
               HasSubstr("master_unit = rad: is not the unit in the file, deg: leave it out"));
   EXPECT_THAT(complaint(head + "0,0\n1,1\n", {}), HasSubstr("tolerance: is missing"));
   EXPECT_EQ(complaint(head + "0,0\n1,1\n", {.tolerance = "0"}),
             "tolerance = 0: must be greater than 0");
+  EXPECT_EQ(complaint(head + "0,0\n1,1\n2,2\n3,3\n4,4\n", {.tolerance = "20"}),
+            "tolerance = 20 mm: must be at most the travel of the slave, 4 mm: with more, a dwell "
+            "fits all points");
   EXPECT_EQ(complaint(head + "0,0\n1,1\n2,2\n3,3\n4,4\n", {.tolerance = "1", .period = "3"}),
             "period = 3: must be at least 4 deg, the travel of the master in the file");
   EXPECT_THAT(complaint("jounce = 1\nkind = \"cam\"\n", {.tolerance = "1"}),

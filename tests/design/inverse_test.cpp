@@ -62,15 +62,17 @@ TEST(InverseOfACam, ErrorsNameTheOptionAndWhatToDo) {
       error({}),
       "at: is missing: the inverse has 2 branches. Give a master position inside the one that "
       "you need (0 to 120, 180 to 300 deg), such as 60 deg");
-  EXPECT_EQ(error({.at = "330"}),
-            "at = 330 deg: is not in a rise or fall of the slave, which are 0 to 120, 180 to 300 deg");
+  EXPECT_EQ(
+      error({.at = "330"}),
+      "at = 330 deg: is not in a rise or fall of the slave, which are 0 to 120, 180 to 300 deg");
   EXPECT_EQ(
       error({.at = "60"}),
       "from = 0: is where the slave is at rest, so the slope of the inverse is infinite: give "
       "a position between 0 and 40 mm");
   EXPECT_EQ(error({.at = "60", .from = "1", .to = "41"}),
             "to = 41: must lie within the branch, 0 to 40 mm");
-  EXPECT_EQ(error({.at = "60", .from = "5", .to = "4"}), "to = 4: must be greater than 5");
+  EXPECT_EQ(error({.at = "60", .from = "5", .to = "4"}),
+            "to = 4 mm: must be greater than --from = 5 mm");
   EXPECT_EQ(error({.at = "60", .from = "1", .to = "2", .tolerance = "-1"}),
             "tolerance = -1: must be greater than 0");
 }

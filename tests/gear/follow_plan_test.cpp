@@ -102,7 +102,7 @@ TEST(FollowPlan, StandsStillRatherThanTurnBack) {
   ASSERT_NE(f, nullptr);
   EXPECT_TRUE(f->broken);
   // The quintic of slope 1 at both ends is slowest in the middle: 1 + 15/8 (S/L - 1) = 0.
-  EXPECT_THAT(f->advice, HasSubstr("let it travel at least 373.333 there, or use form"));
+  EXPECT_THAT(f->advice, HasSubstr("let it travel at least 373.334 there, or use form"));
   EXPECT_NEAR(f->where, 500, 1e-9);
   EXPECT_NEAR(f->value, 1 + 15.0 / 8 * (100.0 / 800 - 1), 1e-12);
 }

@@ -95,10 +95,13 @@ TEST(ShearSpec, ErrorsStandWhereTheUserWroteThem) {
   EXPECT_THAT(refusal(power7), HasSubstr("a shorter return would break limits.slave.acceleration"));
   EXPECT_THAT(
       refusal(spec("cut_length = 1000\nline_speed = 3000\nsync_time = 0.15")),
-      StartsWith(
-          "s.toml:6:14: shear.line_speed = 3000 mm/s: must be at most 2000 mm/s: otherwise "
-          "the carriage in the sync zone is faster than limits.slave.velocity = 2000 "
-          "mm/s"));
+      StartsWith("s.toml:6:14: shear.line_speed = 3000 mm/s: must be at most 2000 mm/s: otherwise "
+                 "the carriage in the sync zone is faster than limits.slave.velocity = 2000 "
+                 "mm/s"));
+  EXPECT_THAT(
+      refusal(spec("cut_length = 1000\nline_speed = 1000\nsync_time = 0.6\nstroke = 400")),
+      HasSubstr("must be at least 787.5 mm at this line_speed, with cut_length greater "
+                "than 1713.29 mm; at this stroke, line_speed must be at most 566.41 mm/s: "));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1", "deg")),
               HasSubstr("shear.ratio: is missing: the line counts in deg, the carriage in mm"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1\nangle = 90")),

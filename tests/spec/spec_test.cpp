@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml:2:8: kind = \"cma\": is unknown: did you mean \"cam\"?"},
         Bad{cam, "\"deg\"", "\"degrees\"",
             "a.toml:3:20: units.master = \"degrees\": is not a known unit; known are mm, m, um, "
-            "in, deg, rad, rev, pulse, s, ms and their products"},
+            "cm, in, deg, rad, rev, pulse, count, inc, s, ms, us, ns, min, h and their products"},
         Bad{cam, "position = \"mm\"", "position = 3",
             "a.toml:3:38: units.position = 3: must be a string in quotes"},
         Bad{cam, "slave = 50", "slave = \"50 deg\"",

@@ -18,7 +18,11 @@ using profiles_detail::rounded_input;
 
 TableFile in_units(TableFile file, const Conversion& wanted) {
   const auto change = [](const char* key, std::string& unit, const std::string& to) {
-    if (!to.empty() && !is_unit(to)) throw InputError(key, to, "is not a known unit");
+    if (!to.empty() && !is_unit(to))
+      throw InputError(
+          key, to,
+          "is not a known unit: give a length (mm m um cm in), an angle (rad deg rev), "
+          "a time (s ms us ns min h), or pulse, count or inc");
     double factor = 1;
     try {
       if (!unit.empty() && !to.empty()) factor = conversion(unit, to);

@@ -87,9 +87,9 @@ Measurement from_points(Points file, const FitOptions& options) {
   const std::vector<double> tolerances = tolerances_of(file, options, m.units.position);
   for (std::size_t i = 0; i < m.points; ++i) {
     if (i > 0 && !(m.columns.x[i] > m.columns.x[i - 1]))
-      throw InputError(
-          "master", m.columns.x[i],
-          "must be greater than " + number(m.columns.x[i - 1]) + ", the previous point")
+      throw InputError("master", m.columns.x[i],
+                       "must be greater than " + number(m.columns.x[i - 1]) + " " + m.units.x +
+                           ", the previous point")
           .at(file.document, static_cast<int>(file.lines[i]));
     m.cam.points.push_back({m.columns.x[i], m.columns.p[i], tolerances[i]});
   }
@@ -157,6 +157,20 @@ void require_return(const Measurement& m, double end, const std::string& period)
                        "advances in each period has another position there");
 }
 
+/// Throws InputError if a tolerance is greater than the travel of the slave, so that a dwell would fit.
+void require_tolerance_below_travel(const Measurement& m) {
+  const auto& points = m.cam.points;
+  const auto [least, greatest] = std::minmax_element(
+      points.begin(), points.end(),
+      [](const SplinePoint& a, const SplinePoint& b) { return a.slave < b.slave; });
+  const double travel = points.empty() ? 0 : greatest->slave - least->slave;
+  for (const SplinePoint& p : points)
+    if (travel > 0 && p.tolerance > travel)
+      throw InputError("tolerance", number(p.tolerance) + " " + m.units.position,
+                       "must be at most the travel of the slave, " + number(travel) + " " +
+                           m.units.position + ": with more, a dwell fits all points");
+}
+
 /// Makes the points those of one period.
 void close(Measurement& m, const std::string& text) {
   const double period = option("period", text, m.units.x);
@@ -197,6 +211,7 @@ std::string stem(const std::string& path) {
 
 FittedCam fitted(Measurement m, const std::string& path, const FitOptions& options) {
   constexpr double table_share = 0.1;  // share of the tolerance, for the table of the spec
+  require_tolerance_below_travel(m);
   if (!options.period.empty()) close(m, options.period);
   FittedCam made;
   made.source = path == "-" ? "standard input" : path;
@@ -215,7 +230,8 @@ FittedCam fitted(Measurement m, const std::string& path, const FitOptions& optio
       made.fit.spec, m.units, stem(path),
       "Fitted by `jounce fit` to the " + std::to_string(m.points) + " points of " +
           printable(made.source) + ".\n# Greatest distance from a point: " + rounded(made.fit.gap) +
-          " " + m.units.position + " (tolerance " + rounded(made.tolerance) + ").",
+          " " + m.units.position + " (tolerance " + rounded(made.tolerance) + " " +
+          m.units.position + ").",
       table_share * made.tolerance, m.disc);
   return made;
 }

@@ -41,6 +41,7 @@ namespace {
 using profiles_detail::rounded_sum;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double six_digit_step = 1e-5;  ///< greatest relative step of a number with six digits
 
 /// Input of the generator: the spec, its ratio, and the peaks of its laws.
 struct Worked {
@@ -210,13 +211,30 @@ std::string or_slower(const FlyingShear& spec, const char* key) {
                      : "";
 }
 
-/// Advice: the longest sync for which the stroke is sufficient.
+bool possible(const FlyingShear& spec) {
+  const Worked shear = worked(spec);
+  const Cycle cycle = cycle_at(shear, spec.line_speed, spec.cut_length);
+  return broken(shear, cycle, spec.line_speed, spec.cut_length, rounded_sum).empty();
+}
+
+/// Advice: the longest sync for which the stroke is sufficient, if the shear is then possible.
 std::string or_shorter(const Worked& shear, const Cycle& cycle) {
-  const FlyingShear& spec = shear.spec;
+  FlyingShear spec = shear.spec;
   const double sync = cycle.sync - (cycle.stroke - *spec.stroke) / shear.ratio;
   if (longest_sync(spec) || !(sync > 0)) return "";
-  return spec.sync_time ? ", or sync_time at most " + six_digits_down(sync / spec.line_speed)
-                        : ", or sync_length at most " + six_digits_down(sync);
+  double& shorter = spec.sync_time ? *spec.sync_time : *spec.sync_length;
+  shorter = spec.sync_time ? sync / spec.line_speed : sync;
+  if (!possible(spec)) return "";
+  return (spec.sync_time ? ", or sync_time at most " : ", or sync_length at most ") +
+         six_digits_down(shorter);
+}
+
+/// Advice: the cut length that a longer stroke needs, if the present one is too short.
+std::string and_longer_cut(FlyingShear spec, double stroke) {
+  spec.stroke = stroke * (1 + six_digit_step);
+  if (possible(spec)) return "";
+  const double least = least_cut_length(spec).value;
+  return std::isfinite(least) ? ", with cut_length greater than " + six_digits_up(least) : "";
 }
 
 [[noreturn]] void refuse_length(const FlyingShear& spec, const std::string& quantity) {
@@ -232,12 +250,16 @@ std::string or_shorter(const Worked& shear, const Cycle& cycle) {
 
 [[noreturn]] void refuse(const Worked& shear, const Cycle& cycle, const std::string& quantity) {
   const FlyingShear& spec = shear.spec;
-  if (quantity == "sync velocity")
+  if (quantity == "sync velocity") {
+    const double most = *spec.limits.velocity / shear.ratio;
+    const bool lower = greatest_line_speed(spec).value < most * (1 - six_digit_step);
     throw InputError("line_speed", spec.line_speed,
-                     "must be at most " + six_digits_down(*spec.limits.velocity / shear.ratio) +
+                     "must be at most " + six_digits_down(most) +
                          ": otherwise the carriage in the sync zone is faster than "
                          "limits.velocity = " +
-                         number(*spec.limits.velocity));
+                         number(*spec.limits.velocity) +
+                         (lower ? or_slower(spec, "cut_length") : ""));
+  }
   if (quantity.starts_with("ramp") && !std::isfinite(cycle.ramp.value))
     throw InputError("ramp", name(spec.ramp),
                      "breaks " + limit_of(quantity) + " at any speed: the limited quantity steps");
@@ -254,9 +276,10 @@ std::string or_shorter(const Worked& shear, const Cycle& cycle) {
     throw InputError("stroke", *spec.stroke,
                      (longest_sync(spec) ? "must be greater than " + six_digits(ramps)
                                          : "must be at least " + six_digits_up(cycle.stroke)) +
-                         " at this line_speed" + or_slower(spec, "stroke") +
-                         or_shorter(shear, cycle) + ": run-up and braking alone take " +
-                         six_digits(ramps));
+                         " at this line_speed" +
+                         (longest_sync(spec) ? "" : and_longer_cut(spec, cycle.stroke)) +
+                         or_slower(spec, "stroke") + or_shorter(shear, cycle) +
+                         ": run-up and braking alone take " + six_digits(ramps));
   }
   if (!std::isfinite(cycle.back.value))
     throw InputError("return_law", name(spec.return_law),

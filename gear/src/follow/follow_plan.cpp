@@ -8,6 +8,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/follow/follow_gap.hpp"
 #include "gear/src/follow/follow_knots.hpp"
@@ -148,6 +149,10 @@ double least_travel(const FollowGap& g, const FollowPlan& plan) {
   return good;
 }
 
+std::string away_from_zero(double travel) {
+  return travel < 0 ? six_digits_down(travel) : six_digits_up(travel);
+}
+
 std::string travel_advice(const FollowGap& g, const FollowPlan& plan, double from, double to) {
   const std::string where = "between master " + rounded(from) + " and " + rounded(to) +
                             " the slave travels " + rounded(g.travel);
@@ -156,7 +161,7 @@ std::string travel_advice(const FollowGap& g, const FollowPlan& plan, double fro
     return where +
            ", but the ratios at both ends move it the other way: change the slave position "
            "of one of the two points, or add a point where it reverses";
-  return where + ": let it travel at least " + rounded(least) +
+  return where + ": let it travel at least " + away_from_zero(least) +
          " there, or use form = \"table\", whose slave can wait between two zones";
 }
 

@@ -7,6 +7,7 @@
 
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
@@ -25,10 +26,10 @@ Finding finding(const Cam& cam, const std::string& quantity, const Limits& slave
   f.margin = std::isinf(most.value) ? 1 : most.value > 0 ? 1 - master.velocity / most.value : -1;
   f.broken = master.velocity > most.value * (1 + rounded_sum);
   if (!f.broken) return f;
-  f.advice =
-      most.value > 0
-          ? "slow the master down to " + number(most.value) + ", or engage over a longer distance"
-          : "no speed of the master keeps the " + quantity + " limit of the slave here";
+  f.advice = most.value > 0
+                 ? "slow the master down to " + six_digits_down(most.value) +
+                       ", or engage over a longer distance"
+                 : "no speed of the master keeps the " + quantity + " limit of the slave here";
   return f;
 }
 

@@ -43,7 +43,9 @@ void require_law_leaves_free(const CamSpec& cam, std::size_t knot, Quantity quan
     if (fixes(law, quantity))
       throw InputError(key, given,
                        std::string("cannot be free: the law `") + name(law) + "` of segment " +
-                           std::to_string(segment + 1) + " fixes it");
+                           std::to_string(segment + 1) +
+                           " fixes it. Leave it out; `shape = 60` instead frees the shape of a "
+                           "segment");
   };
   // A law that determines its acceleration passes it on to an adjacent polynomial. A free quantity
   // would change that acceleration too, and the problem would not be linear in the free quantities.
@@ -66,6 +68,35 @@ void require_law_leaves_free(const CamSpec& cam, std::size_t knot, Quantity quan
   };
   if (knot > 0 || seam) look(knot > 0 ? knot - 1 : last - 1);
   if (knot < last || seam) look(knot < last ? knot : 0);
+}
+
+/// True if the slave position of a knot between two segments can be free.
+bool can_be_free(const CamSpec& cam, std::size_t knot) {
+  try {
+    require_law_leaves_free(cam, knot, Quantity::slave, "", 0);
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
+}
+
+/// What a spec without a free quantity can free.
+std::string what_to_free(const CamSpec& cam) {
+  const auto knots = optimizer::knots_of(cam);
+  const auto stroke = [&](std::size_t i) {
+    const std::size_t slave = optimizer::index(Quantity::slave);
+    return std::abs(knots[i + 1][slave] - knots[i][slave]);
+  };
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < cam.segments.size(); ++i)
+    if (stroke(i) > stroke(longest)) longest = i;
+  std::string text = "add free = { shape = 60 } to segment " + std::to_string(longest + 1) +
+                     " to free its shape, and minimize = [\"peak geo_jerk\"] to [optimize]";
+  for (std::size_t knot = 1; knot < cam.segments.size(); ++knot)
+    if (can_be_free(cam, knot))
+      return text + ", or free = { slave = [LEAST, GREATEST] } to segment " + std::to_string(knot) +
+             " to free the knot at its end";
+  return text;
 }
 
 void require_bound(const CamProblem& problem, const FreeKnot& free, Quantity quantity,
@@ -110,10 +141,7 @@ void require_free(const CamProblem& problem) {
   }
   const auto freedom = optimizer::freedom(problem);
   if (std::none_of(freedom.begin(), freedom.end(), optimizer::any))
-    throw InputError("free", "",
-                     "nothing is free to optimize: add free = { slave = [30, 60] } to a segment to "
-                     "free the knot at "
-                     "its end, or free = { shape = 60 } to free its shape");
+    throw InputError("free", "", "nothing is free to optimize: " + what_to_free(problem.cam));
 }
 
 void require_objectives(const std::vector<Objective>& minimize) {

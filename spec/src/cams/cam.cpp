@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/base/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/cam/laws/law_names.hpp"
 
@@ -311,6 +312,11 @@ namespace {
 
 /// Without a parameter and a free shape, only the knots are free.
 [[noreturn]] void refuse_other_figure(TomlReader& table, const std::string& figure) {
+  const std::vector<std::string> known{"peak geo_acceleration", "peak geo_jerk",
+                                       "rms geo_acceleration"};
+  const std::string meant = nearest(figure, known);
+  if (!meant.empty())
+    table.fail("minimize", '"' + figure + '"', "is unknown: did you mean \"" + meant + "\"?");
   table.fail(
       "minimize", '"' + figure + '"',
       "must be a list of \"peak geo_acceleration\", \"peak geo_jerk\" or \"rms "

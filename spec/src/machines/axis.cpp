@@ -23,8 +23,9 @@ std::string read_unit(TomlReader& reader, const char* key, const char* fallback)
   auto unit = reader.optional_text(key).value_or(fallback == nullptr ? "" : fallback);
   if (!is_unit(unit))
     reader.fail(key, '"' + unit + '"',
-                "is not a known unit; known are mm, m, um, in, deg, rad, rev, pulse, s, ms and "
-                "their products");
+                "is not a known unit; known are mm, m, um, cm, in, deg, rad, rev, pulse, count, "
+                "inc, s, ms, us, "
+                "ns, min, h and their products");
   return unit;
 }
 

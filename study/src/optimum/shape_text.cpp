@@ -115,7 +115,7 @@ std::string reason_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
       return f.segment && std::count(run.segments.begin(), run.segments.end(), *f.segment) > 0;
     });
   });
-  const std::string why = impossible_limit(outcome.best, words.labels(), free);
+  const std::string why = impossible_limit(words.cam(), outcome.best, words.labels(), free);
   return why.empty() ? outcome.reason : why;
 }
 
@@ -126,12 +126,12 @@ std::string text_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
   for (const CamRunOutcome& run : outcome.runs) {
     text += run_text(run, words);
     if (!run.shape.usable())
-      text += fmt::format("least violated:\n{}",
+      text += fmt::format("the shape that exceeds the limits least:\n{}",
                           full_text(words.in_cam(run.shape.limits, run), words.labels()));
   }
   if (outcome.limits.ok()) return text;
   Report limits = outcome.limits;
-  advise_on_limits(outcome.best, words.labels(), limits);
+  advise_on_limits(words.cam(), outcome.best, words.labels(), limits);
   return text + "limits of the whole cam:\n" + full_text(limits, words.labels());
 }
 

@@ -25,6 +25,8 @@ class ShapeWords {
   }
 
   [[nodiscard]] const Labels& labels() const { return labels_; }
+  /// The cam of the spec, as it is given.
+  [[nodiscard]] const CamSpec& cam() const { return cam_; }
   [[nodiscard]] const std::vector<ShapeFigureSpec>& figures() const {
     return spec_.optimize.shape.figures;
   }

@@ -122,10 +122,10 @@ void note(const IdentifySpec& spec, Identification& answer) {
   const double after = answer.drive.controller.torque_feed_forward;
   if (before != after)
     answer.notes.push_back(
-        fmt::format("the torque feed-forward of the controller still uses the given inertia, "
-                    "{:.4g} x {:.4g} kg m^2: controller.torque_feed_forward = {:.4g} times the "
-                    "fitted inertia is the same torque",
-                    before, before == 0 ? 0 : inertia(spec.drive), after));
+        fmt::format("the torque feed-forward of the controller still uses {:.4g} times the given "
+                    "inertia, {:.4g} kg m^2. To keep its torque with the fitted inertia, set "
+                    "controller.torque_feed_forward = {:.4g}",
+                    before, inertia(spec.drive), after));
 }
 
 std::string not_determined(const std::string& unknown, const Identification& answer) {

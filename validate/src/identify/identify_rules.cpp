@@ -35,7 +35,7 @@ void require_can_fit(const Drive& drive, const DriveNumber& number) {
     throw InputError("fit", number.key, "is a setting: fit numbers of the machine");
   if (*number.value == 0)
     throw InputError(number.key, 0,
-                     "cannot be fitted from 0: give a start of the right order of magnitude");
+                     "cannot be fitted from 0: add a rough value to the spec, in " + number.unit);
   if (of_friction(number.key) && drive.controller.friction_feed_forward != 0)
     throw InputError("controller.friction_feed_forward", drive.controller.friction_feed_forward,
                      "must be 0 where friction is fitted: record the run without it");
