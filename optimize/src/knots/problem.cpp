@@ -80,7 +80,7 @@ bool can_be_free(const CamSpec& cam, std::size_t knot) {
   return true;
 }
 
-/// What a spec without a free quantity can free.
+/// Advice for a spec without a free quantity: the key that frees one.
 std::string what_to_free(const CamSpec& cam) {
   const auto knots = optimizer::knots_of(cam);
   const auto stroke = [&](std::size_t i) {
