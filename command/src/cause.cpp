@@ -117,7 +117,8 @@ constexpr std::array entries{
     Entry{Cause::no_movement, "no_movement",
           "The command changes a motion, but no motion is in progress.", "Start a motion first."},
     Entry{Cause::not_synchronized, "not_synchronized", "The axis is not following a master.",
-          "Nothing to do: the axis is not engaged with a master."},
+          "For phasing: engage the axis with its master first (`jounce order NAME gear-in`, or "
+          "`jounce stream --live`). For gear-out and cam-out: nothing, the axis is not engaged."},
     Entry{Cause::direction_blocked, "direction_blocked",
           "The limit switch in the direction of the motion is active.",
           "Move the axis in the other direction, off the limit switch."},
@@ -190,8 +191,8 @@ constexpr std::array entries{
           "accelerations."},
     Entry{Cause::wrong_unit, "wrong_unit",
           "The unit of the table differs from the unit of the axis.",
-          "Write the table in the unit of the axis: change units in its spec, or use `jounce "
-          "convert --position-unit`."},
+          "Correct units in the spec of the table or of the axis. A length cannot be converted to "
+          "an angle: send the table to an axis with its unit."},
     Entry{Cause::no_master_input, "no_master_input",
           "The axis has no live master: its spec has no [follow], or the master sends no "
           "position in the unit that [follow] expects.",
@@ -245,7 +246,8 @@ constexpr std::array entries{
           "Enable, home or reset this axis, or wait for its standstill; then repeat the command."},
     Entry{Cause::axis_away, "axis_away",
           "An axis of the group does not stand where the path begins or continues.",
-          "Disable the group unless it has a fault, move the axis there, and repeat the command."},
+          "Unless the group has a fault, disable it first. Move the axis there, enable the group, "
+          "and repeat the command."},
     Entry{
         Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
         "Use `jounce order NAME move --to POSITION`. For a table: choose one axis of the path with "
@@ -296,7 +298,8 @@ constexpr std::array entries{
           "Check the program that acknowledges the M word, or raise its timeout. Then send the "
           "commands again."},
     Entry{Cause::no_handshake, "no_handshake", "The group does not wait for this acknowledgment.",
-          "Wait for the event of the M word, and give its number, or no number."},
+          "Send `acknowledge` after the event of the M word: `jounce monitor NAME --events` shows "
+          "it."},
     Entry{Cause::no_cut_plan, "no_cut_plan", "The axis does not cut: no plan of cuts is running.",
           "Start the plan of its cutter: `jounce order NAME start`. The spec of the axis names the "
           "cutter (`cutter` in [axis])."},
@@ -450,6 +453,9 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
   if (is_cut(cause)) return words + ": " + cut_text(refusal, master_unit) + ".";
   if (!is_measured(cause) && cause != Cause::cutter_away) return words + ".";
   const auto shown = [&](double number) { return six_digits(number) + unit_of(cause, unit); };
+  if (cause == Cause::position_limit && refusal.value == refusal.limit)  // of a jog
+    return std::string(name(cause)) + ": The axis is at the end of its position range, " +
+           shown(refusal.limit) + ", and cannot move further in this direction.";
   if (cause == Cause::cutter_away)
     return words + ": home is at " + shown(refusal.value) + ", the axis at " +
            shown(refusal.limit) + ".";

@@ -31,6 +31,9 @@ EditSession::EditSession(std::string path) : path_(std::move(path)) {
   if (path_ == "-")
     throw InputError("", "", "is standard input: give the name of a file, which Save can write")
         .at(path_);
+  const std::string folder = std::filesystem::path(path_).parent_path().string();
+  if (std::error_code none; !folder.empty() && !std::filesystem::is_directory(folder, none))
+    throw InputError("", "", "the folder " + folder + " does not exist: make it first").at(path_);
   stamp_ = stamp_of(path_);
   if (stamp_.empty())
     on_disk_ = OnDisk::missing;

@@ -130,6 +130,8 @@ TEST_F(Sessions, AFileWithTheNameOfTheSideFileIsNotReplaced) {
 
 TEST_F(Sessions, StandardInputIsNoFile) {
   EXPECT_THAT(test::why([] { EditSession session("-"); }), HasSubstr("-: is standard input"));
+  EXPECT_THAT(test::why([] { EditSession session("missing/x.toml"); }),
+              HasSubstr("missing/x.toml: the folder missing does not exist"));
 }
 
 TEST_F(Sessions, AChangeOnTheDiskIsAVersion) {

@@ -62,7 +62,8 @@ TEST(UpText, NamesTheAxesAndTheNextCommand) {
   axes[1].receiver.executor = "knife";
   EXPECT_EQ(up_text(axes, true), "feeder, knife: up, enabled");
   EXPECT_EQ(up_text(axes, false),
-            "feeder, knife: up, disabled; enable it with: jounce order feeder enable");
+            "feeder, knife: up, disabled; enable each, in this order: jounce order feeder enable, "
+            "jounce order knife enable");
   axes.push_back(axes.front());
   axes.back().receiver.executor = "plotter";
   axes.back().enable = false;  // a group

@@ -87,6 +87,9 @@ TEST(Arc, OfARadius) {
       {20000, -10000}, 1e-8);
   EXPECT_THROW(arc_of_radius({}, 49, {100, 0}, xy, ArcRotation::clockwise), InputError);
   EXPECT_THROW(arc_of_radius({}, 49, {}, xy, ArcRotation::clockwise), InputError);
+  EXPECT_THROW(arc_of_radius({300, 100}, 5, {300 + 1e-10, 100}, xy, ArcRotation::clockwise),
+               InputError)
+      << "a rounded end at the start";
 }
 
 TEST(Arc, ByAnAngle) {

@@ -11,6 +11,7 @@
 #include "jounce/executor/recorder.hpp"
 #include "jounce/executor/trace.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "executor/src/cycle/commands.hpp"
 #include "executor/src/cycle/events.hpp"
@@ -234,7 +235,7 @@ void AxisServer::handle(const StopRequested& stop) {
 
 void AxisServer::handle(const SessionEnded& ended) {
   const bool silent = ended.why == SessionEnded::Why::silent;
-  if (silent) notify("the session timed out: no heartbeat from its streamer");
+  if (silent) notify("the session timed out: its program sent no heartbeat");
   builder_.cancel();
   if (group_queue_) group_queue_->cancel();
   queues_.close();
@@ -428,6 +429,11 @@ void AxisServer::take_step(const GroupQueue::Announce& step) {
   if (step.waits)
     notify("M" + std::to_string(step.m_word) + " waits for `jounce order " +
            options_.receiver.executor + " acknowledge`");
+  if (step.timeout > 0)
+    notify("M" + std::to_string(step.m_word) + " was not acknowledged within " +
+           six_digits(step.timeout) + " s: " + std::to_string(step.dropped) +
+           (step.dropped == 1 ? " command that follows it was dropped"
+                              : " commands that follow it were dropped"));
   events_.push_back({.count = ++event_count_,
                      .kind = wire::EventKind::m_word,
                      .number = static_cast<std::uint32_t>(step.m_word),

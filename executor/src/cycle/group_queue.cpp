@@ -165,8 +165,10 @@ std::optional<GroupQueue::Step> GroupQueue::pass_gate(const Tick& group) {
       static_cast<double>(group.tick - gate_since_) * seconds(group_->configs.front().period);
   if (!(gate.timeout > 0 && waited >= gate.timeout)) return std::nullopt;
   unacknowledged_ = true;
+  std::size_t dropped = 0;
+  for (const Stage& stage : stages_) dropped += stage.commands.size() + (stage.gate ? 1 : 0);
   drop_stages();
-  return Announce{gate.m_word, false};
+  return Announce{gate.m_word, false, gate.timeout, dropped - 1};  // without the gate itself
 }
 
 /// Drops all stages but the one whose beginning the group has already.

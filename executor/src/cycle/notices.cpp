@@ -84,7 +84,9 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
                           (refusal.cause == Cause::in_error ? ": the axis has the fault "
                                                             : ": disabled since the fault ") +
                           name(now.fault);
-  const std::string whole = why + ": " + meaning(now.fault);
+  const std::string whole =
+      why + ": " + meaning(now.fault) +
+      numbers_of(now, options.units.position, options.axis, group_names(options));
   return whole.size() < wire::reason_bytes
              ? whole
              : why + ". See `jounce explain " + name(now.fault) + "`.";

@@ -206,7 +206,10 @@ std::string master_text(const wire::MasterStatus& master, bool ascii) {
   const std::string rejected =
       master.refused > 0 ? fmt::format(", {} rejected (unit, epoch, order)", master.refused) : "";
   if (master.lost)
-    return fmt::format("{}{}, {}{}", master.master, std::isnan(master.age_s) ? "" : " is lost", age,
+    return fmt::format("{}{}, {}{}", master.master, std::isnan(master.age_s) ? "" : " is lost",
+                       master.age_s > 0
+                           ? fmt::format("its last sample came {} s ago", six_digits(master.age_s))
+                           : age,
                        rejected);
   return fmt::format("{} {}, {}, {}", master.master, machine_detail::valued(master.position, unit),
                      machine_detail::valued(master.velocity, unit + "/s"), age);

@@ -353,7 +353,9 @@ MachineParts machine_parts(const MachineOptions& options) {
     for (const Leader& other : axes)
       if (other.name == one.spec.name)
         throw one.spec.document.located(
-            InputError("name", other.name, "is also the name of another axis: rename one of them"));
+            InputError("name", other.name,
+                       "is also the name of another axis: rename one of them, and give each axis "
+                       "its own spec"));
     axes.push_back({one.spec.name,
                     one.spec.units.position,
                     {.what = Follow::What::setpoint, .index = axes.size()}});

@@ -22,7 +22,9 @@ RecordedAxis recorded_axis(const std::string& file, const std::string& wanted) {
   const Replay names = replay(in, file);
   for (const RecordedAxis& axis : names.axes)
     if (wanted.empty() || axis.name == wanted) return axis;
-  throw InputError("axis", wanted, "is not an axis of the record").at(file);
+  std::string known;
+  for (const RecordedAxis& axis : names.axes) known += (known.empty() ? "" : ", ") + axis.name;
+  throw InputError("axis", wanted, "is not an axis of the record, which has: " + known).at(file);
 }
 
 namespace {

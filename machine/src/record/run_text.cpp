@@ -47,8 +47,9 @@ std::string up_text(const std::vector<ExecutorOptions>& axes, bool enabled) {
   if (!on.empty())
     text = fmt::format("{}: up, enabled{}", fmt::join(on, ", "), off.empty() ? "" : "; ");
   if (!off.empty())
-    text += fmt::format("{}: up, disabled; enable it with: jounce order {} enable",
-                        fmt::join(off, ", "), off.front());
+    text += fmt::format("{}: up, disabled; enable {}: jounce order {} enable", fmt::join(off, ", "),
+                        off.size() == 1 ? "it with" : "each, in this order",
+                        fmt::join(off, " enable, jounce order "));
   return text;
 }
 

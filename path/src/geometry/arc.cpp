@@ -159,12 +159,15 @@ Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane
   const Point chord = in_plane(vec::difference(to, from), plane);
   const double half = vec::norm(chord) / 2;
   const double r = std::abs(radius);
-  if (!(half > 0) || half > r * (1 + coincident))
+  // planar() makes a full circle of such ends: its center would be arbitrary.
+  if (!(2 * half > coincident * r))
+    throw InputError("radius", radius,
+                     "does not determine the center, because start and end are the same point: "
+                     "give the center for a full circle, or correct the end");
+  if (half > r * (1 + coincident))
     throw InputError(
         "radius", radius,
-        half > 0 ? "must be at least half the distance from start to end, " + six_digits_up(half)
-                 : std::string("cannot define a full circle, because start and end are equal: give "
-                               "the center instead"));
+        "must be at least half the distance from start to end, " + six_digits_up(half));
   const double height = std::sqrt(std::max((r - half) * (r + half), 0.0));
   const Point along = vec::scaled(chord, 0.5 / half);
   // Counterclockwise the center of a minor arc lies to the left of the chord.

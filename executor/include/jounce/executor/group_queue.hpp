@@ -68,7 +68,9 @@ class GroupQueue {
   /// The group rests at an M word, or continues after it. The server must send an event.
   struct Announce {
     std::int32_t m_word = 0;
-    bool waits = false;  ///< true: the group waits for the acknowledgment
+    bool waits = false;       ///< true: the group waits for the acknowledgment
+    double timeout = 0;       ///< > 0: no acknowledgment arrived within this time, s
+    std::size_t dropped = 0;  ///< commands that were dropped for this reason
   };
   /// The server must answer the sender: the command is accepted (Cause::none) or rejected.
   struct Reply {
