@@ -34,8 +34,8 @@ plt.legend()
 plt.savefig("optimize.png")
 
 # Output:
-#   geo_velocity -3.39227 pulse/pulse at 241.898 pulse (segment 3 return) exceeds the limit -3 by 13.1 %
-#   geo_acceleration -0.161923 pulse/pulse^2 at 217.53 pulse (segment 3 return) exceeds the limit -0.15 by 7.95 %
+#   geo_velocity -3.39227 pulse/pulse at 241.898 pulse (segment 3 return) exceeds the limit -3 pulse/pulse by 13.1 %
+#   geo_acceleration -0.161923 pulse/pulse^2 at 217.53 pulse (segment 3 return) exceeds the limit -0.15 pulse/pulse^2 by 7.95 %
 #   peak geo_acceleration: 0.1619, now 0.0708, bound 0.0490
 #   peak geo_jerk: 0.0203, now 0.0058, bound 0.0025
 #   rms geo_acceleration: 0.0634, now 0.0357, bound 0.0335
