@@ -17,7 +17,9 @@ namespace {
 constexpr double deviation = 0.02;  // mm, G64 P of the program
 
 GcodeProgram program(Corner corner) {
-  const std::string file = testing::TempDir() + "jounce_cam_program.ngc";
+  // The tests run at the same time: each has a file of its own.
+  const std::string file = testing::TempDir() + "jounce_cam_program_" +
+                           std::to_string(static_cast<int>(corner)) + ".ngc";
   const std::string make =
       "/usr/bin/python3 " JOUNCE_SOURCE_DIR "/tests/oracle/cam_program.py " + file;
   EXPECT_EQ(std::system(make.c_str()), 0);
