@@ -654,7 +654,7 @@ TEST_F(Cli, MapSaysHowFastTheLineMayRunForEachCut) {
   EXPECT_THAT(map.out, HasSubstr("# shortest at 20 in/s: 4.5800"));
   EXPECT_EQ(run("map " + knife + " -o map.svg").status, 0);
   EXPECT_THAT(slurp(folder / "map.svg"), HasSubstr("longest without a stop 19.8968"));
-  EXPECT_THAT(run("map " + knife + " --from 5 --to 4").err, HasSubstr("greater than --from, 5"));
+  EXPECT_THAT(run("map " + knife + " --from 5 --to 4").err, HasSubstr("greater than --from = 5 in"));
   EXPECT_EQ(run("map " + examples + "pmc600-cam/cam.toml").status, 2);
 }
 
