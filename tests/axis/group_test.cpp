@@ -56,6 +56,53 @@ TEST(Group, PlaysItsPlanToTheLastBit) {
   EXPECT_EQ(rig.at(y).position, 0);
 }
 
+/// Against samples of the plan. The lines have 40, 150, 20 and 10 mm/s.
+TEST(GroupProgram, PartsHaveThePeaksFromTheirRestToTheEnd) {
+  Program lines(2);
+  const double feed[] = {40, 150, 20, 10};
+  const double at[] = {50, 150, 170, 190};
+  for (int i = 0; i < 4; ++i) {
+    lines.set({.velocity = feed[i], .corner = Corner::stop});
+    lines.line({at[i], i % 2 == 0 ? 0.0 : 10.0}, i + 1);
+  }
+  const Plotter rig(limits(200, 2000, 1e5), lines);
+  const std::vector<ProgramPart>& parts = rig.program.parts;
+  ASSERT_EQ(parts.size(), 3U) << "the first and the second line have the same greatest magnitudes";
+  EXPECT_EQ(parts[0].start, 0);
+  for (const ProgramPart& part : parts) {
+    EXPECT_EQ(&part_at(rig.program, part.start), &part);
+    EXPECT_EQ(&part_at(rig.program, part.start + 1), &part);
+    Peaks along;
+    std::vector<Peaks> axes(2);
+    const auto raise = [](Peaks& peaks, const Motion& m) {
+      peaks.velocity = std::max(peaks.velocity, std::abs(m.velocity));
+      peaks.acceleration = std::max(peaks.acceleration, std::abs(m.acceleration));
+      peaks.jerk = std::max(peaks.jerk, std::abs(m.jerk));
+    };
+    std::vector<Motion> motion(2);
+    for (double t = 0; t < rig.plan->duration(); t += 1e-5) {
+      const Motion q = rig.plan->law().at(t);
+      if (q.position <= part.start) continue;
+      rig.plan->at(t, motion);
+      raise(along, q);
+      for (const std::size_t k : {x, y}) raise(axes[k], motion[k]);
+    }
+    const auto expect_near = [&](const Peaks& peaks, const Peaks& sampled) {
+      EXPECT_LE(sampled.velocity, peaks.velocity * (1 + 1e-9));
+      EXPECT_LE(sampled.acceleration, peaks.acceleration * (1 + 1e-9));
+      EXPECT_LE(sampled.jerk, peaks.jerk * (1 + 1e-9));
+      EXPECT_GE(sampled.velocity, 0.999 * peaks.velocity);
+      EXPECT_GE(sampled.jerk, 0.999 * peaks.jerk);
+    };
+    expect_near(part.along, along);
+    for (const std::size_t k : {x, y}) {
+      expect_near(part.axes[k], axes[k]);
+      EXPECT_GE(axes[k].acceleration, 0.99 * part.axes[k].acceleration);
+    }
+  }
+  EXPECT_EQ(&part_at(rig.program, 1e9), &parts.back());
+}
+
 TEST(Group, IsEnabledOnlyWithItsAxes) {
   Plotter rig;
   rig.send(x, command::Enable{});

@@ -188,6 +188,25 @@ TEST(GroupLimits, ImmediateLimitsReduceTheSpeedOfThePresentMotion) {
   EXPECT_EQ(site.last(x).position, 150);
 }
 
+/// The appended line is planned within the new limit, so it is not slowed down with the line before it.
+TEST(GroupLimits, AfterARestOnlyTheCommandsThatRemainCount) {
+  Measured site;
+  ASSERT_TRUE(site.line(150, 0, {.along = {.velocity = 150}}).ok());
+  site.advance(300ms);
+  site.accepts(command::GroupSetLimits{.dynamics = {.velocity = 30}});
+  ASSERT_TRUE(site.line(150, 40, buffered(150)).ok());
+  double fastest = 0;
+  const auto judge = site.each_tick;
+  site.each_tick = [&] {
+    judge();
+    fastest = std::max(fastest, std::abs(site.last(Plotter::y).velocity));
+  };
+  site.finish();
+  EXPECT_EQ(site.last(group).finished, 1U) << "one motion";
+  EXPECT_EQ(site.last(Plotter::y).position, 40);
+  EXPECT_NEAR(fastest, 30, 1e-6);
+}
+
 TEST(GroupLimits, OfAnAxisHoldInEveryMotion) {
   Measured site;
   site.accepts(command::GroupSetLimits{

@@ -133,19 +133,79 @@ double norm(std::span<const AxisConfig> axes, double (*of)(const AxisConfig&)) {
   return std::sqrt(sum);
 }
 
+void raise(double& peak, double value) {
+  if (std::isfinite(value)) peak = std::max(peak, value);
+}
+
+void raise(Peaks& peaks, const LawInterval& s) {
+  for (const double v : {s.v0, s.peak, s.v1}) raise(peaks.velocity, v);
+  for (const double a : {s.acceleration, s.deceleration}) raise(peaks.acceleration, std::abs(a));
+  raise(peaks.jerk, std::abs(s.jerk));
+}
+
+/// `error`: of an arc, which has a greater reserve.
+void raise(Peaks& peaks, const Ranges& ranges, const Jet& error) {
+  raise(peaks.velocity, std::abs(ranges[1].peak().value) + error[1]);
+  raise(peaks.acceleration, std::abs(ranges[2].peak().value) + error[2]);
+  raise(peaks.jerk, std::abs(ranges[3].peak().value) + error[3]);
+}
+
+/// The segment of a motion at this time.
+std::size_t segment_at(const Trajectory& motion, double time) {
+  const auto breaks = motion.breaks();
+  const auto after = std::upper_bound(breaks.begin(), breaks.end(), time);
+  const auto segment = static_cast<std::size_t>(after - breaks.begin());
+  return std::clamp<std::size_t>(segment, 1, motion.segments().size()) - 1;
+}
+
+bool same_peaks(const ProgramPart& a, const ProgramPart& b) {
+  return a.along == b.along && a.axes == b.axes;
+}
+
+/// The parts of a program, found from its last rest to its first; `whole`: the whole program.
+std::vector<ProgramPart> parts_of(const GroupProgram& program, const PlanAxes& motions,
+                                  ProgramPart whole) {
+  const auto stretches = program.plan->law().stretches();
+  ProgramPart part{.axes = std::vector<Peaks>(program.axes.size())};
+  std::vector<std::size_t> ends;  // number of segments that do not count yet
+  for (std::size_t k = 0; k < program.axes.size(); ++k)
+    ends.push_back(motions.curves[program.first + k].segments().size());
+  std::vector<ProgramPart> parts;
+  for (std::size_t i = stretches.size(); i-- > 1;) {
+    raise(part.along, stretches[i]);
+    if (stretches[i].v0 != 0) continue;
+    part.start = stretches[i].start;
+    for (std::size_t k = 0; k < program.axes.size(); ++k) {
+      const Trajectory& motion = motions.curves[program.first + k];
+      const std::size_t first = segment_at(motion, stretches[i].time);
+      if (first < ends[k])
+        raise(part.axes[k], segment_extrema(motion, first, ends[k] - 1),
+              motions.error[program.first + k]);
+      ends[k] = std::min(ends[k], first);
+    }
+    if (!parts.empty() && same_peaks(parts.back(), part))
+      parts.back().start = part.start;
+    else
+      parts.push_back(part);
+  }
+  if (!parts.empty() && same_peaks(parts.back(), whole)) parts.pop_back();
+  parts.push_back(std::move(whole));
+  std::reverse(parts.begin(), parts.end());
+  return parts;
+}
+
 }  // namespace
 
 Peaks peaks_of(const TimingLaw& law) {
   Peaks peaks;
-  const auto raise = [](double& peak, double value) {
-    if (std::isfinite(value)) peak = std::max(peak, value);
-  };
-  for (const LawInterval& s : law.stretches()) {
-    for (const double v : {s.v0, s.peak, s.v1}) raise(peaks.velocity, v);
-    for (const double a : {s.acceleration, s.deceleration}) raise(peaks.acceleration, std::abs(a));
-    raise(peaks.jerk, std::abs(s.jerk));
-  }
+  for (const LawInterval& s : law.stretches()) raise(peaks, s);
   return peaks;
+}
+
+const ProgramPart& part_at(const GroupProgram& program, double length) {
+  const auto after = std::upper_bound(program.parts.begin() + 1, program.parts.end(), length,
+                                      [](double at, const ProgramPart& p) { return at < p.start; });
+  return *std::prev(after);
 }
 
 GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const AxisConfig> axes,
@@ -157,13 +217,11 @@ GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const Axi
         "must be " + std::to_string(plan->path().axes()) + ", the number of axes of the path");
   GroupProgram program{.plan = std::move(plan), .axes = {}};
   program.first = program.plan->path().axes() - axes.size();
-  program.along = peaks_of(program.plan->law());
+  ProgramPart whole{.along = peaks_of(program.plan->law())};
   const PlanAxes motions = to_axes(*program.plan);
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const AxisConfig config = resolved(axes[k]);
     const Ranges ranges = extrema(motions.curves[program.first + k]);
-    std::array<double, 4> peak{};
-    for (std::size_t i = 1; i < peak.size(); ++i) peak[i] = std::abs(ranges[i].peak().value);
     const PlannedAxis axis{names[k], unit, *program.plan, motions.curves[program.first + k],
                            config};
     require_smooth(axis);
@@ -171,13 +229,10 @@ GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const Axi
     require_within(axis, 1, ranges[1].peak(), config.limits.velocity);
     require_within(axis, 2, ranges[2].peak(), config.limits.acceleration);
     require_within(axis, 3, ranges[3].peak(), config.limits.jerk);
-    const Jet& fit =
-        motions.error[program.first + k];  // error of arcs, which have a greater reserve
-    program.axes.push_back({config,
-                            {.velocity = peak[1] + fit[1],
-                             .acceleration = peak[2] + fit[2],
-                             .jerk = peak[3] + fit[3]}});
+    raise(whole.axes.emplace_back(), ranges, motions.error[program.first + k]);
+    program.axes.push_back({config, whole.axes.back()});
   }
+  program.parts = parts_of(program, motions, std::move(whole));
   return program;
 }
 

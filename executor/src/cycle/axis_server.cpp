@@ -218,7 +218,7 @@ void AxisServer::handle(const StartRequested& start) {
   if (crowded(start.session, start.command)) return;
   if (const auto armed = movements_.find(armed_); dynamics_ && armed != movements_.end()) {
     dynamics_->begin();
-    set_rate(group_rate(armed->second.made.program.get()));
+    set_rate(group_rate(armed->second, 0));
   }
   motion_session_ = start.session;
   start_.request(start.session, start.command, armed_);
@@ -380,12 +380,12 @@ void AxisServer::play(std::shared_ptr<const GroupProgram> program, const Request
                       std::int64_t at) {
   MadeMovement path = movement_of(std::move(program), ++numbers_);
   record(path);
+  const Kept& kept = movements_[numbers_] = {std::move(path), {}};
   dynamics_->begin();
-  set_rate(group_rate(path.program.get()));
+  set_rate(group_rate(kept, 0));
   commands_.send({command::Disarm{}});
-  commands_.send({command::Arm{path.movement.get()}});
+  commands_.send({command::Arm{kept.made.movement.get()}});
   commands_.send({command::Start{.tick = at}}, request);
-  movements_[numbers_] = {std::move(path), {}};
 }
 
 // ---- single commands of a group ----------------------------------------------------------------
@@ -396,8 +396,7 @@ void AxisServer::turn_group() {
     dynamics_->clear();
     limit_group(true);
   }
-  const GroupProgram* const program = playing();
-  if (program != nullptr && commands_.idle()) set_rate(group_rate(program));
+  if (movements_.contains(last_.job) && commands_.idle()) set_rate(present_rate());
   while (const auto step = group_queue_->next(last_))
     std::visit([&](const auto& one) { take_step(one); }, *step);
 }
@@ -418,7 +417,7 @@ void AxisServer::take_step(const GroupQueue::Extend& step) {
   commands_.send({command::Extend{path.movement.get(), step.position, step.shift, step.until}},
                  {step.request.session, step.request.command, Kind::extend});
   group_movement_ = path.movement->id();
-  movements_[group_movement_] = {std::move(path), {}};
+  movements_[group_movement_] = {std::move(path), {}, step.position};
 }
 
 void AxisServer::take_step(const GroupQueue::SetLimits& step) {
@@ -464,7 +463,7 @@ void AxisServer::set_limits(const command::GroupSetLimits& what, const Request& 
   try {
     dynamics_->set(what);
     limit_group(what.axis != 0);
-    if (moving()) set_rate(group_rate(playing()));
+    if (moving()) set_rate(present_rate());
     answer(request, std::nullopt);
   } catch (const InputError& error) {
     receiver_.refuse(request.session, request.command,
@@ -478,16 +477,19 @@ void AxisServer::limit_group(bool from_rest) {
   group_queue_->limit(dynamics_->limited(), dynamics_->path(), from_rest);
 }
 
-/// The program that the group plays; null: none.
-const GroupProgram* AxisServer::playing() const {
-  const auto kept = movements_.find(last_.job);
-  return kept == movements_.end() ? nullptr : kept->second.made.program.get();
+/// The override factor of the program that the group plays.
+double AxisServer::present_rate() const {
+  const auto playing = movements_.find(last_.job);
+  return playing == movements_.end() ? dynamics_->rate()
+                                     : group_rate(playing->second, last_.position);
 }
 
-/// The override factor of a program: below the commanded one if the limits require it.
-double AxisServer::group_rate(const GroupProgram* program) const {
+/// The override factor of a program at a position: below the commanded one if the limits require it.
+double AxisServer::group_rate(const Kept& kept, double position) const {
+  const GroupProgram* const program = kept.made.program.get();
   if (program == nullptr) return dynamics_->rate();
-  return std::min(dynamics_->rate(*program), group_queue_->highest_rate());
+  return std::min(dynamics_->rate(part_at(*program, position - kept.origin)),
+                  group_queue_->highest_rate());
 }
 
 /// Sends an override factor to the group if it differs from the present one, or if a request waits.
@@ -504,7 +506,7 @@ void AxisServer::obey(const command::Override& what, const CommandRequested& req
                       const Request& request) {
   if (!dynamics_) return commands_.send({.what = what, .at = requested.at}, request);
   dynamics_->set(what);
-  set_rate(group_rate(playing()), request, requested.at);
+  set_rate(present_rate(), request, requested.at);
 }
 
 void AxisServer::obey(const command::GroupSetOverride& what, const CommandRequested& requested,
@@ -512,7 +514,7 @@ void AxisServer::obey(const command::GroupSetOverride& what, const CommandReques
   if (!dynamics_) return answer(request, Refusal{.cause = Cause::not_a_group});
   dynamics_->set(what);
   limit_group(false);
-  set_rate(group_rate(playing()), request, requested.at);
+  set_rate(present_rate(), request, requested.at);
 }
 
 /// Queued limits take their place in the order of the commands.

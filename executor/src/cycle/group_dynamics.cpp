@@ -105,10 +105,10 @@ ExecutorGroup GroupDynamics::limited() const {
   return group;
 }
 
-double GroupDynamics::rate(const GroupProgram& program) const {
+double GroupDynamics::rate(const ProgramPart& part) const {
   double rate = override_.velocity;
-  for (std::size_t k = 0; k < program.axes.size() && k < group_.configs.size(); ++k) {
-    const Peaks& peaks = program.axes[k].peaks;
+  for (std::size_t k = 0; k < part.axes.size() && k < group_.configs.size(); ++k) {
+    const Peaks& peaks = part.axes[k];
     const Limits& further = present_.axes[k];
     const Limits limits = effective(group_.configs[k].limits, further);
     if (further.velocity) lower_rate(rate, *limits.velocity, peaks.velocity, 1);
@@ -117,10 +117,10 @@ double GroupDynamics::rate(const GroupProgram& program) const {
     if (limits.jerk && (further.jerk || override_.jerk < 1))
       lower_rate(rate, *limits.jerk, peaks.jerk, 3);
   }
-  lower_rate(rate, present_.path.velocity, program.along.velocity, 1);
+  lower_rate(rate, present_.path.velocity, part.along.velocity, 1);
   lower_rate(rate, std::min(present_.path.acceleration, present_.path.deceleration),
-             program.along.acceleration, 2);
-  lower_rate(rate, present_.path.jerk, program.along.jerk, 3);
+             part.along.acceleration, 2);
+  lower_rate(rate, present_.path.jerk, part.along.jerk, 3);
   return rate;
 }
 

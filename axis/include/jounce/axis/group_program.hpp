@@ -19,15 +19,26 @@ struct GroupAxis {
   Peaks peaks = {};
 };
 
+/// The greatest magnitudes of a program from a rest to its end.
+struct ProgramPart {
+  double start = 0;              ///< length along the path at which it begins
+  Peaks along = {};              ///< along the path; a short ramp does not reach its acceleration
+  std::vector<Peaks> axes = {};  ///< each axis of the group
+};
+
 /// A planned path that was checked against the limits of the axes of a group.
 struct GroupProgram {
   std::shared_ptr<const Plan> plan;  ///< over s, in the units of the axes
   std::vector<GroupAxis> axes;       ///< in the order of the axes of the plan
   /// Place of the first axis of the group among the axes of the plan; not 0 if they are joints.
   std::size_t first = 0;
-  /// Greatest magnitudes along the path: u/s, u/s^2, u/s^3.
-  Peaks along = {};
+  /// The whole program, then the parts from those rests after which a magnitude is lower. Not empty,
+  /// unless the program was read from a record.
+  std::vector<ProgramPart> parts = {};
 };
+
+/// Returns the last part that begins at this length along the path, or before it.
+const ProgramPart& part_at(const GroupProgram& program, double length);
 
 /// Returns the greatest magnitudes of a timing law along its path.
 Peaks peaks_of(const TimingLaw& law);

@@ -70,6 +70,8 @@ struct Peaks {
   double jerk = 0;          ///< u/s^3
   /// Largest sum of the velocity steps within one tick, u/s; 0: no steps.
   double velocity_step = 0;
+
+  friend bool operator==(const Peaks&, const Peaks&) = default;
 };
 
 /// A motion that an axis plays. It is made and checked outside the cyclic thread; the cyclic thread

@@ -79,6 +79,7 @@ class AxisServer {
   struct Kept {
     MadeMovement made;
     Sha256 hash{};
+    double origin = 0;  // position of a group at the start of its program
   };
 
   void handle(const TableReady& ready);
@@ -126,9 +127,9 @@ class AxisServer {
             const Request& request);
   void set_limits(const command::GroupSetLimits& what, const Request& request);
   void limit_group(bool from_rest);
-  [[nodiscard]] const GroupProgram* playing() const;
+  [[nodiscard]] double present_rate() const;
   [[nodiscard]] Cause reason() const;
-  [[nodiscard]] double group_rate(const GroupProgram* program) const;
+  [[nodiscard]] double group_rate(const Kept& kept, double position) const;
   void set_rate(double rate, const std::optional<Request>& request = {}, std::int64_t at = -1);
   void couple(const CommandRequested& requested, const Request& request);
   void couple(MadeMovement made, std::int64_t at, const Request& request);

@@ -16,11 +16,11 @@ namespace jounce {
 ///     GroupDynamics dynamics(group);
 ///     dynamics.set(command::GroupSetOverride{.acceleration = 0.5});
 ///     plan(..., dynamics.limited());                // the next motion from rest
-///     dynamics.rate(program);                       // the speed of the present motion
+///     dynamics.rate(part_at(program, length));      // the speed of the present motion
 ///
 /// The next motion from rest is planned within the lower limits. The present motion keeps its path
-/// and its timing law: only its speed is reduced, until all peaks of the whole motion are within the
-/// lower limits.
+/// and its timing law: only its speed is reduced, until all peaks from its last rest to its end are
+/// within the lower limits.
 class GroupDynamics {
  public:
   explicit GroupDynamics(const ExecutorGroup& group);
@@ -41,8 +41,8 @@ class GroupDynamics {
   [[nodiscard]] const PathLimits& path() const { return planned_.path; }
   /// The group with the limits of its axes for the next motion from rest.
   [[nodiscard]] ExecutorGroup limited() const;
-  /// The factor of the speed, 0 to 2, at which the group plays a program.
-  [[nodiscard]] double rate(const GroupProgram& program) const;
+  /// The factor of the speed, 0 to 2, at which the group plays a part of a program.
+  [[nodiscard]] double rate(const ProgramPart& part) const;
   /// The factor of the speed while the group plays no program.
   [[nodiscard]] double rate() const { return override_.velocity; }
 
