@@ -61,6 +61,13 @@ TEST(Notices, ARejectionNamesThePresentFaultAndTheReasonForNoMaster) {
     EXPECT_THAT(refusal_text({cause}, {}, options),
                 ::testing::StartsWith(std::string(name(cause)) + ": The axis "));
   }
+  ExecutorOptions limited;
+  limited.units.position = "mm";
+  limited.axis.limits.position_max = 300;
+  EXPECT_EQ(refusal_text({Cause::in_error}, {.fault = Cause::positive_soft_limit}, limited),
+            "in_error: the axis has the fault positive_soft_limit. The limit is position_max = 300 "
+            "mm.")
+      << "its meaning and its number together do not fit";
   EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, options), HasSubstr("no [follow]"));
   ExecutorOptions follower;
   follower.follow = {.what = Follow::What::master};

@@ -84,12 +84,14 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
                           (refusal.cause == Cause::in_error ? ": the axis has the fault "
                                                             : ": disabled since the fault ") +
                           name(now.fault);
-  const std::string whole =
-      why + ": " + meaning(now.fault) +
+  const std::string numbers =
       numbers_of(now, options.units.position, options.axis, group_names(options));
-  return whole.size() < wire::reason_bytes
-             ? whole
-             : why + ". See `jounce explain " + name(now.fault) + "`.";
+  const std::string means = why + ": " + meaning(now.fault);
+  // The most complete text that fits into the field of the reason.
+  for (const std::string& reason :
+       {means + numbers, numbers.empty() ? means : why + "." + numbers, means})
+    if (reason.size() < wire::reason_bytes) return reason;
+  return why + ". See `jounce explain " + name(now.fault) + "`.";
 }
 
 std::vector<std::string> notices_of(const Tick& before, const Tick& now, const std::string& unit,
