@@ -654,7 +654,8 @@ TEST_F(Cli, MapSaysHowFastTheLineMayRunForEachCut) {
   EXPECT_THAT(map.out, HasSubstr("# shortest at 20 in/s: 4.5800"));
   EXPECT_EQ(run("map " + knife + " -o map.svg").status, 0);
   EXPECT_THAT(slurp(folder / "map.svg"), HasSubstr("longest without a stop 19.8968"));
-  EXPECT_THAT(run("map " + knife + " --from 5 --to 4").err, HasSubstr("greater than --from = 5 in"));
+  EXPECT_THAT(run("map " + knife + " --from 5 --to 4").err,
+              HasSubstr("greater than --from = 5 in"));
   EXPECT_EQ(run("map " + examples + "pmc600-cam/cam.toml").status, 2);
 }
 
@@ -698,26 +699,21 @@ limits = { slave = { acceleration = 5000 } }
   EXPECT_THAT(fast.out, HasSubstr("lower acceleration in [master] to at most 1000"));
   EXPECT_THAT(fast.out, HasSubstr("fastest acceleration of the master 1000 mm/s^2"));
   EXPECT_THAT(fast.out, Not(HasSubstr("slow the master down")));
-  write("both.toml", R"(jounce = 1
+  const auto passing = [](const std::string& velocity, const std::string& acceleration) {
+    return R"(jounce = 1
 kind = "follow"
 units = { position = "mm", master = "mm" }
 follow = {}
 zone = [{ from = 100, to = 200, ratio = 5, slave = 250 }]
 point = [{ master = 300, slave = 1000 }]
-master = { velocity = 500, distance = 300, acceleration = 2000 }
 limits = { slave = { acceleration = 5000 } }
-)");
+master = { distance = 300, velocity = )" +
+           velocity + ", acceleration = " + acceleration + " }\n";
+  };
+  write("both.toml", passing("500", "2000"));
   EXPECT_THAT(run("check both.toml").out,
               HasSubstr("at most 500 mm/s^2, and velocity to at most 216.345 mm/s"));
-  write("advised.toml", R"(jounce = 1
-kind = "follow"
-units = { position = "mm", master = "mm" }
-follow = {}
-zone = [{ from = 100, to = 200, ratio = 5, slave = 250 }]
-point = [{ master = 300, slave = 1000 }]
-master = { velocity = 216.345, distance = 300, acceleration = 500 }
-limits = { slave = { acceleration = 5000 } }
-)");
+  write("advised.toml", passing("216.345", "500"));
   EXPECT_THAT(run("check advised.toml").out, Not(HasSubstr("BROKEN limit/")));
   write("good.toml", gear + "master = { velocity = 500, distance = 100, acceleration = 1000 }\n");
   EXPECT_EQ(run("check good.toml").status, 0);

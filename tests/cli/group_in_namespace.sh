@@ -14,23 +14,14 @@ patient x.toml y.toml
 executor=$!
 soon "$jounce" order plotter enable || fail "no executor: $(cat said)"
 
-order() { "$jounce" order "$@" > out 2>&1; }
-refused() {  # refused WORDS ARGUMENTS...
-  words=$1
-  shift
-  got=0
-  order "$@" || got=$?
-  [ $got = 1 ] || fail "$*: exit status $got, not 1: $(cat out)"
-  grep -q -- "$words" out || fail "$*: not '$words': $(cat out)"
-}
 
-refused in_group x move --to 10mm
-refused single_axis plotter move --to 10mm
+refused 1 in_group x move --to 10mm
+refused 1 single_axis plotter move --to 10mm
 order plotter override 40% || fail "override: $(cat out)" # the path lasts 10 s, so that each command finds it in motion
 order plotter start || fail "start: $(cat out)"
 soon past plotter 10 || fail "it does not move"
 order plotter hold || fail "hold: $(cat out)"
-refused in_motion plotter start
+refused 1 in_motion plotter start
 wait_for plotter '"held":true'
 order plotter override 200% || fail "override: $(cat out)"
 order plotter resume || fail "resume: $(cat out)"
@@ -42,20 +33,20 @@ tick() {
   sed 's/.*"tick":\([0-9]*\).*/\1/' "$scratch/status"
 }
 order plotter override 100% || fail "override: $(cat out)"
-refused in_group x override 50%
-refused 'to is missing' plotter move-linear --to ,
-refused 'has no length' plotter move-linear --to 0,0
+refused 1 in_group x override 50%
+refused 1 'to is missing' plotter move-linear --to ,
+refused 1 'has no length' plotter move-linear --to 0,0
 got=0
 order x move-linear x=5 || got=$?
 [ $got = 2 ] && grep -q 'must be a group' out || fail "a coordinate of a single axis: $got, $(cat out)"
 got=0
 order plotter move-linear z=5 || got=$?
 [ $got = 2 ] && grep -q 'names z, but the axes of the group are x, y' out || fail "an unknown axis: $got, $(cat out)"
-refused 'to has 3 coordinates, but the group has 2 axes' plotter move-linear --to 0,0,5
-refused 'position_max' plotter move-linear --to 1000000000,0
-refused 'needs a buffer mode that blends' plotter move-linear --to 5,5 --deviation 1
-refused 'via must be given' plotter move-circular --to 5,5
-refused radius plotter move-circular --to 50,0 --radius 2
+refused 1 'to has 3 coordinates, but the group has 2 axes' plotter move-linear --to 0,0,5
+refused 1 'position_max' plotter move-linear --to 1000000000,0
+refused 1 'needs a buffer mode that blends' plotter move-linear --to 5,5 --deviation 1
+refused 1 'via must be given' plotter move-circular --to 5,5
+refused 1 radius plotter move-circular --to 50,0 --radius 2
 got=0
 order plotter move-linear --to nan,1 || got=$?
 [ $got = 2 ] || fail "a coordinate nan: exit status $got: $(cat out)"

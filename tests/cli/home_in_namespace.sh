@@ -14,16 +14,6 @@ sed 's/^name = .*/name = "bare"/; /^\[drive/,$d; /^require_home/d; /^\[homing\]/
 executor=$!
 soon "$jounce" order bare enable || fail "no executor: $(cat said)"
 
-order() { "$jounce" order "$@" > out 2>&1; }
-refused() {  # refused STATUS WORDS ARGUMENTS...
-  status=$1
-  words=$2
-  shift 2
-  got=0
-  order "$@" || got=$?
-  [ $got = "$status" ] || fail "$*: exit status $got, not $status: $(cat out)"
-  grep -q -- "$words" out || fail "$*: not '$words': $(cat out)"
-}
 
 # The remedy of a rejected table names the axis.
 "$jounce" new move -o move.toml

@@ -5,19 +5,13 @@
 Each axis keeps the limits of its spec, repeated here. The label moves by 100 mm in its first clutch of 200 mm, then by
 1 for each mm of the line; the phase shift reaches 2.5 mm and returns to 0; at the end, the label follows the line minus
 half of the corrector. Shares no code with Jounce."""
-import csv
 import sys
+
+from tick_log import rows
 
 DT = 1e-3
 LIMITS = {"line": (800, 4000, 40000), "corrector": (100, 1000, 20000), "label": (1500, 20000, 1e6)}
 STOP = 2  # a stop has twice the acceleration and the jerk
-
-
-def rows(path):
-    with open(path, newline="") as file:
-        reader = csv.reader(file)
-        names = [name.split(" ")[0] for name in next(reader)]
-        return {int(one["tick"]): one for one in (dict(zip(names, row)) for row in reader)}
 
 
 def number(row, name):
@@ -47,7 +41,7 @@ def within_limits(name, log):
 
 
 def main(line_log, corrector_log, label_log):
-    line, corrector, label = rows(line_log), rows(corrector_log), rows(label_log)
+    line, corrector, label = (dict(rows(path)) for path in (line_log, corrector_log, label_log))
     judged = sum(within_limits(*one) for one in (("line", line), ("corrector", corrector), ("label", label)))
     ticks = [t for t in sorted(label) if t in line and t in corrector]
     coupled = [t for t in ticks if label[t]["state"] == "synchronized_motion"]

@@ -8,24 +8,16 @@ While the axes follow the group, they keep the stop limits: velocity 200, accele
 are on the requested path (lines and an arc, below), within the deviation of its corners, and come
 along each line and the arc. Shares no code with Jounce.
 """
-import csv
 import math
 import sys
+
+from tick_log import rows
 
 DT = 1e-3
 VELOCITY, ACCELERATION, JERK = 200, 2000, 50000
 LINES = [((0, 0), (20, 10)), ((20, 10), (40, 10)), ((40, 30), (0, 30)), ((0, 30), (0, 0))]
 ARC = ((40, 20), 10)  # center and radius, from (40, 10) to (40, 30)
 DEVIATION = 1.0
-
-
-def rows(path):
-    with open(path, newline="") as file:
-        reader = csv.reader(file)
-        names = [name.split(" ")[0] for name in next(reader)]
-        for row in reader:
-            one = dict(zip(names, row))
-            yield int(one["tick"]), one
 
 
 def distances(p):

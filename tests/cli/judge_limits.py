@@ -5,9 +5,10 @@
 Each part between two ticks has its own limits of the axis x, and its own line. It has only these
 limits and lines. Shares no code with Jounce.
 """
-import csv
 import math
 import sys
+
+from tick_log import rows
 
 DT = 1e-3
 # velocity, acceleration and jerk of x; from and to, and the least peak of the velocity of x. In the
@@ -16,15 +17,6 @@ PARTS = [((100, 500, 10000), (0, 0), (100, 0), 99),
          ((20, 2000, 50000), (100, 0), (80, 40), 15),
          ((40, 4000, 100000), (80, 40), (200, 40), 30),
          ((200, 2000, 50000), (200, 40), (0, 0), 140)]
-
-
-def rows(path):
-    with open(path, newline="") as file:
-        reader = csv.reader(file)
-        names = [name.split(" ")[0] for name in next(reader)]
-        for row in reader:
-            one = dict(zip(names, row))
-            yield int(one["tick"]), one
 
 
 def main(group_log, x_log, y_log, *ticks):

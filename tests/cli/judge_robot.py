@@ -7,9 +7,10 @@ jerk; with the first word `stops`, acceleration and jerk may be twice as high (t
 tool, by forward kinematics from the joints, is on the requested lines, within the deviation of their
 corners. Shares no code with Jounce.
 """
-import csv
 import math
 import sys
+
+from tick_log import rows
 
 DT = 1e-3
 
@@ -67,15 +68,6 @@ ROBOTS = {
     "delta": (delta_tool, DELTA, None, 3),
     "gantry": (gantry_tool, GANTRY, None, math.inf),
 }
-
-
-def rows(path):
-    with open(path, newline="") as file:
-        reader = csv.reader(file)
-        names = [name.split(" ")[0] for name in next(reader)]
-        for row in reader:
-            one = dict(zip(names, row))
-            yield int(one["tick"]), one
 
 
 def distance(p, corners):

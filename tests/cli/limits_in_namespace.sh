@@ -11,16 +11,6 @@ cd "$scratch"
 cp -r "$examples/plotter" "$examples/scara" .
 patient plotter/?.toml scara/a?.toml scara/z.toml
 
-order() { "$jounce" order "$@" > out 2>&1; }
-refused() {  # refused STATUS WORDS ARGUMENTS...
-  status=$1
-  words=$2
-  shift 2
-  got=0
-  order "$@" || got=$?
-  [ $got = "$status" ] || fail "$*: exit status $got, not $status: $(cat out)"
-  grep -q -- "$words" out || fail "$*: not '$words': $(cat out)"
-}
 run() {  # run FOLDER GROUP
   "$jounce" run "$1/machine.toml" --enable --watchdog 30 --log "$1.csv" --record "$1.lcmlog" --seconds 100 2> said &
   executor=$!
@@ -121,6 +111,10 @@ grep -q 'M6 waits for' said || fail "no notice of M6: $(cat said)"
 refused 1 no_handshake plotter acknowledge --m-word 5
 order plotter acknowledge --m-word 6 || fail "acknowledge: $(cat out)"
 reaches plotter x 5
+order plotter m-word 7 --timeout 6s || fail "m-word: $(cat out)"
+order plotter move-linear --by 5,0 --velocity 50 --buffered || fail "move-linear: $(cat out)"
+wait_for plotter '"state":"standstill".*"reason":"no_acknowledge"'
+grep -q 'M7 was not acknowledged within 6 s: 1 command that follows it was dropped' said || fail "no notice: $(cat said)"
 end plotter
 python3 "$here/judge_limits.py" plotter.plotter.csv plotter.x.csv plotter.y.csv $marks || fail "the judge of the plotter"
 

@@ -52,6 +52,18 @@ compared = any(one["rule"] == "played/table" for one in findings)
 sys.exit(0 if compared and not broken else f"the log was not compared, or: {broken}")
 END
 }
+# order ARGUMENTS...: `jounce order`; it prints to the file out.
+order() { "$jounce" order "$@" > out 2>&1; }
+# refused STATUS WORDS ARGUMENTS...: the order ends with this exit status and prints these words.
+refused() {
+  status=$1
+  words=$2
+  shift 2
+  got=0
+  order "$@" || got=$?
+  [ $got = "$status" ] || fail "$*: exit status $got, not $status: $(cat out)"
+  grep -q -- "$words" out || fail "$*: not '$words': $(cat out)"
+}
 # Ends a test that needs a network of its own where there is none.
 needs_network() {
   case $JOUNCE_BUS in unix:*) echo "skipped: $1 needs a network namespace"; exit 77 ;; esac

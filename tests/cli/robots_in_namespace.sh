@@ -11,15 +11,6 @@ cd "$scratch"
 cp -r "$examples/scara" "$examples/delta" "$examples/gantry" .
 sed -i 's/^cycle.*/&\nlongest_gap = "900 ms"\nsession_timeout = "3 s"/' scara/a?.toml scara/z.toml delta/h?.toml gantry/??.toml
 
-order() { "$jounce" order "$@" > out 2>&1; }
-refused() {  # refused WORDS ARGUMENTS...
-  words=$1
-  shift
-  got=0
-  order "$@" || got=$?
-  [ $got = 1 ] || fail "$*: exit status $got, not 1: $(cat out)"
-  grep -q -- "$words" out || fail "$*: not '$words': $(cat out)"
-}
 await() {  # await GROUP TEXT: until a status of the group has the text
   for i in $(seq 100); do
     "$jounce" monitor "$1" --json --seconds 0.3 > seen || true
@@ -56,13 +47,13 @@ reaches robot 300 250 0
 order robot start || fail "start: $(cat out)"
 await robot '"path_length":[0-9]'
 reaches robot 300 250 0
-refused 'out of reach of the joints' robot move-linear x=540 y=200
+refused 1 'out of reach of the joints' robot move-linear x=540 y=200
 grep -q 'along the path' out || fail "no place in: $(cat out)"
-refused 'singular\|out of reach' robot move-linear x=-300 y=-250 --velocity 100
+refused 1 'singular\|out of reach' robot move-linear x=-300 y=-250 --velocity 100
 got=0
 order robot move-linear u=5 || got=$?
 [ $got = 2 ] && grep -q 'names u, but the axes of the group are x, y, z' out || fail "an unknown name: $got, $(cat out)"
-refused in_group a0 move --to 5
+refused 1 in_group a0 move --to 5
 order robot move-linear z=60 --velocity 200 || fail "move-linear: $(cat out)"
 order robot move-linear x=420 y=-100 --velocity 200 --blend look-ahead --deviation 5 || fail "blend: $(cat out)"
 order robot move-linear z=0 --velocity 200 --blend look-ahead --deviation 5 || fail "blend: $(cat out)"
@@ -79,7 +70,7 @@ for corner in "x=60 y=0" "x=60 y=40 z=10" "x=-40 y=40"; do
   order delta move-linear $corner --velocity 300 --blend look-ahead --deviation 3 || fail "$corner: $(cat out)"
 done
 reaches delta -40 40 10
-refused 'out of reach\|h[123].position\|position_max' delta move-linear x=0 y=0 z=300
+refused 1 'out of reach\|h[123].position\|position_max' delta move-linear x=0 y=0 z=300
 end delta
 python3 "$here/judge_robot.py" delta delta.delta.csv delta.h1.csv delta.h2.csv delta.h3.csv || fail "the judge of the delta"
 
