@@ -154,21 +154,13 @@ void expect_kernel(const pvt_detail::SampleKernels& kernels) {
   }
 }
 
-TEST(Block, WithoutWideVectorsIsTheSameToTheBit) {
+TEST(Block, IsTheSameToTheBitWithEachVectorWidthOfThisProcessor) {
   expect_kernel(pvt_detail::sample_anywhere);
-}
-
 #ifdef __x86_64__
-TEST(Block, WithAvx2IsTheSameToTheBit) {
-  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "this processor has no AVX2";
-  expect_kernel(pvt_detail::sample_avx2);
-}
-
-TEST(Block, WithAvx512IsTheSameToTheBit) {
-  if (!__builtin_cpu_supports("avx512f")) GTEST_SKIP() << "this processor has no AVX-512";
-  expect_kernel(pvt_detail::sample_avx512);
-}
+  if (__builtin_cpu_supports("avx2")) expect_kernel(pvt_detail::sample_avx2);
+  if (__builtin_cpu_supports("avx512f")) expect_kernel(pvt_detail::sample_avx512);
 #endif
+}
 
 /// p, v, a of an interval in long double, and the largest term of each in magnitude.
 struct Reference {

@@ -276,17 +276,16 @@ TEST(Hulls, HoldWhatTheSearchFinds) {
   });
 }
 
+TEST(Hulls, AreTheSameToTheBitWithEachVectorWidthOfThisProcessor) {
+  const auto compare = [](std::uint64_t seed, pvt_detail::HullKernel kernel) {
+    for_tables(seed, [&](const Table& table, Random&) { expect_hulls(kernel, table); });
+  };
+  compare(4, pvt_detail::hull_kernel());
 #ifdef __x86_64__
-TEST(Hulls, WithAvx2AreTheSameToTheBit) {
-  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "this processor has no AVX2";
-  for_tables(5, [](const Table& table, Random&) { expect_hulls(pvt_detail::hulls_avx2, table); });
-}
-
-TEST(Hulls, WithAvx512AreTheSameToTheBit) {
-  if (!__builtin_cpu_supports("avx512f")) GTEST_SKIP() << "this processor has no AVX-512";
-  for_tables(6, [](const Table& table, Random&) { expect_hulls(pvt_detail::hulls_avx512, table); });
-}
+  if (__builtin_cpu_supports("avx2")) compare(5, pvt_detail::hulls_avx2);
+  if (__builtin_cpu_supports("avx512f")) compare(6, pvt_detail::hulls_avx512);
 #endif
+}
 
 }  // namespace
 }  // namespace jounce::check_test
