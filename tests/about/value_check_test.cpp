@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/temporary_folder.hpp"
+
 namespace jounce::value_check_test {
 namespace {
 
@@ -51,7 +53,8 @@ TEST(ValueCheck, ReadsTheEndingAndTheFolderOfAFile) {
   EXPECT_EQ(broken(picture, "a.pdf"), "must end in one of .svg, .png");
   EXPECT_EQ(broken(checks::ends_in({".toml"}), "a.txt"), "must end in .toml");
   const ValueCheck table = checks::output_file({".csv"});
-  const std::string folder = testing::TempDir();
+  const test::TemporaryFolder temporary;
+  const std::string folder = temporary / "";
   EXPECT_EQ(broken(table, "-"), "");
   EXPECT_EQ(broken(table, folder + "a.csv"), "");
   EXPECT_EQ(broken(table, folder + "a.txt"), "must end in .csv");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cams that are made from others, against tests/oracle/cam_then.json.
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -15,6 +14,7 @@
 #include "jounce/design/over_time.hpp"
 
 #include "support/errors.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace jounce::cam_then_test {
 namespace {
@@ -161,14 +161,14 @@ TEST(CamThen, AFitIsPartOfTheErrorOfTheTable) {
 }
 
 TEST(CamThen, ATableIsASourceToo) {
-  const auto path = std::filesystem::temp_directory_path() / "jounce-cam-then.csv";
+  const test::TemporaryFolder temporary;
+  const auto path = temporary / "last-year.csv";
   write_file(path.string(), to_csv(made("last-year").table));
   const std::string text = "jounce = 1\nkind = \"cam\"\nfrom = \"" + path.string() +
                            "\"\nthen = [{ operator = \"shift\", slave = 1 }]\n";
   const Input input = inputs_of(parse_spec(text, "new.toml"), "new.toml").front();
-  std::filesystem::remove(path);
   EXPECT_NEAR(cam_of(input).at(60).position, 21, 1e-7);
-  EXPECT_EQ(input.labels.segments.front(), "jounce-cam-then.csv");
+  EXPECT_EQ(input.labels.segments.front(), "last-year.csv");
 }
 
 TEST(CamThen, TheMasterCountsThePeriodsOfTheResult) {
@@ -218,8 +218,7 @@ TEST(CamThen, ErrorsNameTheOperatorAndWhatToDo) {
 }
 
 TEST(CamThen, FilesThatReferToEachOtherAreRejected) {
-  const auto path = std::filesystem::temp_directory_path() / "jounce-cam-then";
-  std::filesystem::create_directories(path);
+  const test::TemporaryFolder path;
   const auto spec = [](const std::string& from) {
     return "jounce = 1\nkind = \"cam\"\nfrom = \"" + from + "\"\n";
   };
@@ -228,7 +227,6 @@ TEST(CamThen, FilesThatReferToEachOtherAreRejected) {
   write_file((path / "c.toml").string(), spec("a.toml"));
   EXPECT_THAT(test::error_of([&] { (void)read_spec((path / "a.toml").string()); }, "no error"),
               HasSubstr("c.toml:3:8: from = \"a.toml\": refers back to this file"));
-  std::filesystem::remove_all(path);
 }
 
 TEST(CamThen, FreeKnotsBelongToTheirOwnFile) {

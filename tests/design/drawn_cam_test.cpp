@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <string>
 
@@ -17,6 +16,7 @@
 #include "jounce/io/drawing.hpp"
 
 #include "support/errors.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace jounce::drawn_cam_test {
 namespace {
@@ -78,11 +78,11 @@ TEST_P(OwnDrawing, GivesBackTheCam) {
   const Spec spec = read_spec(examples + "valve-cam/valve.toml");
   const Cam cam = std::get<Cam>(*inputs_of(spec, "").front().curve);
   const Disc disc = make_disc(spec, cam);
-  const std::string path = ::testing::TempDir() + "own" + GetParam();
+  const test::TemporaryFolder folder;
+  const std::string path = folder / (std::string("own") + GetParam());
   const std::string file = path.substr(0, path.find('#'));
   write_file(file, contour_file(file, spec, disc));
   const DrawnCam drawn = read_drawn_cam(path, "roller_radius = 8, offset = 3", {"deg", "mm"});
-  std::filesystem::remove(file);
   ASSERT_TRUE(drawn.disc);
   EXPECT_NEAR(drawn.disc->geometry.base_radius, 18, 1e-3);
   const auto slaves = drawn.points.in_unit("slave", "mm");
@@ -96,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(DrawnCam, OwnDrawing, ::testing::Values(".dxf#CAM", ".s
 
 TEST(DrawnCam, AnArmTurnsByAngles) {
   // The eccentric circle of tests/cam/plate_motion_test.cpp, in inches.
-  const std::string path = ::testing::TempDir() + "eccentric.svg";
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "eccentric.svg";
   write_file(
       path,
       "<svg width='10in' height='10in' viewBox='0 0 10 10'><circle cx='5' cy='4.8' r='1'/></svg>");
@@ -106,7 +107,6 @@ TEST(DrawnCam, AnArmTurnsByAngles) {
   const DrawnCam drawn = read_drawn_cam(path, arm, {"rev", "deg"});
   const auto slaves = drawn.points.in_unit("slave", "deg");
   const auto masters = drawn.points.in_unit("master", "rev");
-  std::filesystem::remove(path);
   const auto psi = [&](double master) {
     const double angle = std::numbers::pi * (0.5 + 2 * master);
     const double x = 2.5 - 0.2 * std::cos(angle), y = 0.2 * std::sin(angle), d = std::hypot(x, y);

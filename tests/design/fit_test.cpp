@@ -13,6 +13,8 @@
 #include "jounce/design/cam_check.hpp"
 #include "jounce/design/convert.hpp"
 
+#include "support/temporary_folder.hpp"
+
 namespace jounce::design_fit_test {
 namespace {
 
@@ -23,8 +25,6 @@ const std::string examples = JOUNCE_SOURCE_DIR "/examples/";
 /// A file that the test removes.
 class FitFile : public ::testing::Test {
  protected:
-  void TearDown() override { std::filesystem::remove(path_); }
-
   FittedCam fit(const std::string& content, const FitOptions& options) {
     write_file(path_, content);
     return fitted_cam(path_, options);
@@ -41,12 +41,8 @@ class FitFile : public ::testing::Test {
   }
 
  private:
-  static std::string own_path() {
-    std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::replace(name.begin(), name.end(), '/', '_');
-    return ::testing::TempDir() + "fit_" + name + ".csv";
-  }
-  std::string path_ = own_path();
+  test::TemporaryFolder folder_;
+  std::string path_ = folder_ / "fit.csv";
 };
 
 /// A table of straight lines, as a controller without other rules has it.

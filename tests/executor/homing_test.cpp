@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "jounce/drive/machine_sensors.hpp"
 #include "jounce/stream/sender/client.hpp"
@@ -18,6 +17,7 @@
 #include "axis/tables.hpp"
 #include "executor/log_judge.hpp"
 #include "executor/site.hpp"
+#include "support/temporary_folder.hpp"
 
 // A homing that is ordered over the stream: what its log shows, and what becomes of other orders meanwhile.
 
@@ -64,8 +64,8 @@ std::string read(const std::filesystem::path& path) {
 }
 
 TEST(OrderedHoming, TheLogKeepsTheLimitsAndTheRecordReplays) {
-  const auto csv = std::filesystem::temp_directory_path() /
-                   ("jounce-homing-" + std::to_string(::getpid()) + ".csv");
+  const TemporaryFolder folder;
+  const auto csv = folder / "slide.csv";
   for (const int method : {1, 2, 8, 10, 17, 18, 23, 24, 25, 26, 33, 34})
     for (const double start : {-101.0, -50.0, 20.0, 60.0, 101.0}) {
       if ((method == 33 && start < -100) || (method == 34 && start > 100)) continue;
@@ -109,7 +109,6 @@ TEST(OrderedHoming, TheLogKeepsTheLimitsAndTheRecordReplays) {
       for (const std::string& finding : findings) ADD_FAILURE() << finding;
       if (::testing::Test::HasFailure()) break;
     }
-  std::filesystem::remove(csv);
 }
 
 TEST(OrderedHoming, ItsEndIsInTheStatus) {

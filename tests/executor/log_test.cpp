@@ -10,28 +10,17 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
+
+#include "support/temporary_folder.hpp"
 
 namespace jounce::log_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class TickLogTest : public ::testing::Test {
+class TickLogTest : public test::WithFolder {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
-  [[nodiscard]] std::size_t files() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-  }
-
-  const fs::path folder =
-      fs::temp_directory_path() / ("jounce_tick_log_" + std::to_string(getpid()));
+  const fs::path& folder = folder_;
 };
 
 TEST_F(TickLogTest, WritesShortestDoublesAndAppearsWhenClosed) {

@@ -13,7 +13,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lcm/lcm-cpp.hpp>
-#include <unistd.h>
 
 #include "jounce/executor/recorder.hpp"
 #include "jounce/executor/replay.hpp"
@@ -21,6 +20,7 @@
 
 #include "axis/tables.hpp"
 #include "support/random.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace jounce::record_test {
 namespace {
@@ -41,9 +41,6 @@ Replay replayed(const std::string& bytes) {
 /// A folder of its own, with axes that are recorded while they run.
 class Recorded : public ::testing::Test {
  protected:
-  Recorded() { std::filesystem::create_directories(folder_); }
-  ~Recorded() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path path(const char* name) const { return folder_ / name; }
 
   void start(RecorderOptions options, std::size_t count = 1) {
@@ -96,8 +93,7 @@ class Recorded : public ::testing::Test {
   }
 
   AxisConfig config_{.limits = test::limits(1e4, 1e6), .position = 0};
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("jounce-record-" + std::to_string(getpid()));
+  test::TemporaryFolder folder_;
   std::unique_ptr<RecordBuffer> buffer_ = std::make_unique<RecordBuffer>();
   std::unique_ptr<Recorder> recorder_;
   std::vector<std::unique_ptr<MotionAxis>> motions_;
@@ -287,8 +283,7 @@ TEST_F(Recorded, WhatIsDamagedIsAnErrorOrADifferenceAndNeverACrash) {
       EXPECT_THAT(error.what(), HasSubstr("test.lcmlog"));
     }
   }
-  EXPECT_LT(same, 3000)
-      << "the rest are numbers and time stamps of the events";
+  EXPECT_LT(same, 3000) << "the rest are numbers and time stamps of the events";
 }
 
 TEST_F(Recorded, AChecksumShowsALostEventAndAnOldRecordHasNone) {

@@ -9,6 +9,7 @@
 #include "jounce/base/file.hpp"
 #include "jounce/io/gcode.hpp"
 
+#include "support/temporary_folder.hpp"
 #include "tests/path/paths.hpp"
 
 namespace jounce::cam_program_test {
@@ -17,9 +18,8 @@ namespace {
 constexpr double deviation = 0.02;  // mm, G64 P of the program
 
 GcodeProgram program(Corner corner) {
-  // The tests run at the same time: each has a file of its own.
-  const std::string file = testing::TempDir() + "jounce_cam_program_" +
-                           std::to_string(static_cast<int>(corner)) + ".ngc";
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "part.ngc";
   const std::string make =
       "/usr/bin/python3 " JOUNCE_SOURCE_DIR "/tests/oracle/cam_program.py " + file;
   EXPECT_EQ(std::system(make.c_str()), 0);

@@ -16,6 +16,7 @@
 
 #include "support/errors.hpp"
 #include "support/random.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace jounce::table_file_test {
 namespace {
@@ -212,17 +213,16 @@ TEST(TableFile, NamesLineKeyValueAndRule) {
 
 TEST(WriteFile, LeavesNothingBehindWhenItCannotWrite) {
   EXPECT_THROW(write_file("/nonexistent/folder/t.csv", "x"), std::system_error);
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "jounce_write";
-  std::filesystem::remove_all(folder);
+  const test::TemporaryFolder folder;
   std::filesystem::create_directories(folder / "taken");
   EXPECT_THROW(write_file(folder / "taken", "x"), std::system_error) << "a folder stands there";
   write_file(folder / "t.csv", "old");
   write_file(folder / "t.csv", "new");
   EXPECT_EQ(read_file(folder / "t.csv"), "new");
   std::size_t files = 0;
-  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++files;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    ++files;
   EXPECT_EQ(files, 2U) << "no temporary name is left";
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "jounce/proof/report_page.hpp"
 
 #include "support/errors.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace jounce::proof_test {
 namespace {
@@ -79,7 +80,8 @@ TEST(ReportPage, ShowsThePlateOfADiscAndThePlaneOfAPath) {
 }
 
 TEST(ReportPage, ShowsTheResultOfTheOptimizer) {
-  const std::string file = ::testing::TempDir() + "/optimum.json";
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "optimum.json";
   write_file(file, R"({"status":"converged","reason":"none better","evaluations":9,"objectives":[
     {"objective":"peak geo_jerk","unit":"mm/deg^3","given":2,"reached":1.5,"bound":1.2,"gap":0.2}],
     "active":[{"rule":"limit/geo_velocity","quantity":"geo_velocity","where":12,"value":3,"limit":3}],

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/spec/axis_drive.hpp"
 
-#include <filesystem>
 #include <fstream>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/spec.hpp"
 
 #include "support/errors.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace jounce::axis_drive_test {
 namespace {
@@ -63,9 +62,7 @@ reversed = true
 }
 
 TEST(AxisDriveSpec, TakesAModelFromAFileBesideItsOwn) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("jounce-axis-drive-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
+  const test::TemporaryFolder folder;
   const std::string unit = "jounce = 1\nkind = \"drive\"\nunits = { position = ";
   const std::string rest =
       " }\n[drive]\nposition_per_rev = 10\nmotor = { inertia = 7e-5, torque_limit = 3 }\n"
@@ -78,7 +75,6 @@ TEST(AxisDriveSpec, TakesAModelFromAFileBesideItsOwn) {
   EXPECT_THAT(complaint("[drive]\nspec = \"mm.toml\"\n", name), HasSubstr("has the unit mm"));
   EXPECT_THAT(complaint("[drive]\nspec = \"a.toml\"\n", name), HasSubstr("of kind \"drive\""));
   EXPECT_NE(complaint("[drive]\nspec = \"none.toml\"\n", name), "");
-  std::filesystem::remove_all(folder);
 }
 
 TEST(AxisDriveSpec, RefusesWhatItsTypeDoesNotHave) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -9,19 +8,14 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/spec.hpp"
 
+#include "support/temporary_folder.hpp"
+
 namespace jounce::cam_points_test {
 namespace {
 
 /// A cam spec whose segment reads the points of a file beside it.
-class CamPoints : public ::testing::Test {
+class CamPoints : public test::WithFolder {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   Spec spec(const std::string& body, const std::string& points) {
     write_file((folder_ / "points.csv").string(), points);
     write_file(
@@ -41,9 +35,6 @@ class CamPoints : public ::testing::Test {
     }
     return "";
   }
-
- private:
-  std::filesystem::path folder_;
 };
 
 const std::string spline = "[[segment]]\nlaw = \"quintic_spline\"\npoints = \"points.csv\"\n";

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lists of pieces in the specs of cutters, and cams made from synchronous slaves.
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "support/errors.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace jounce::cut_list_spec_test {
 namespace {
@@ -93,15 +93,12 @@ TEST(CutListSpec, RejectsWrongLists) {
 
 // ---- cams from synchronous slaves ------------------------------------------------------------------
 
-struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "jounce_cut_list_spec_test";
-  Folder() { std::filesystem::create_directories(path); }
-  ~Folder() { std::filesystem::remove_all(path); }
+struct Folder : test::TemporaryFolder {
   void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path / name) << text;
+    std::ofstream(*this / name) << text;
   }
   Made cam(const std::string& keys) const {
-    return make(parse_spec("jounce = 1\nkind = \"cam\"\n" + keys, (path / "cam.toml").string()));
+    return make(parse_spec("jounce = 1\nkind = \"cam\"\n" + keys, (*this / "cam.toml").string()));
   }
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <string>
 
@@ -13,6 +12,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 #include "jounce/spec/spec.hpp"
+
+#include "support/temporary_folder.hpp"
 
 namespace jounce::path_spec_test {
 namespace {
@@ -212,15 +213,8 @@ TEST(PathSpecFile, IsAMachineWithoutCommands) {
 }
 
 /// A spec with a file beside it.
-class PathBesideFile : public ::testing::Test {
+class PathBesideFile : public test::WithFolder {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   PathSpec with(const std::string& top, const std::string& name, const std::string& text) {
     write_file((folder_ / name).string(), text);
     write_file((folder_ / "spec.toml").string(),
@@ -239,9 +233,6 @@ class PathBesideFile : public ::testing::Test {
     }
     return "none";
   }
-
- private:
-  std::filesystem::path folder_;
 };
 
 TEST_F(PathBesideFile, TakesPointsWithTheirFeeds) {

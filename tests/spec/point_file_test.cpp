@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -9,21 +8,16 @@
 #include "jounce/design/make.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/temporary_folder.hpp"
+
 namespace jounce::point_file_test {
 namespace {
 
 using ::testing::ElementsAre;
 
 /// A folder with a spec and the points beside it.
-class PointFile : public ::testing::Test {
+class PointFile : public test::WithFolder {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   Spec spec(const std::string& head, const std::string& points) {
     write_file((folder_ / "points.csv").string(), points);
     write_file((folder_ / "spec.toml").string(), "jounce = 1\n" + head);
@@ -39,9 +33,6 @@ class PointFile : public ::testing::Test {
     }
     return "none";
   }
-
- private:
-  std::filesystem::path folder_;
 };
 
 const std::string pvt =

@@ -6,24 +6,18 @@
 #include <string>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "jounce/profiles/error.hpp"
+
+#include "support/temporary_folder.hpp"
 
 namespace jounce::key_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class KeyFile : public testing::Test {
+class KeyFile : public test::WithFolder {
  protected:
-  void SetUp() override {
-    folder = fs::temp_directory_path() / ("jounce_key_" + std::to_string(getpid()));
-    fs::create_directories(folder);
-    path = folder / "line.key";
-  }
-  void TearDown() override { fs::remove_all(folder); }
-
   void write(const std::string& text, fs::perms mode = fs::perms::owner_read) {
     fs::remove(path);
     std::ofstream(path) << text;
@@ -38,7 +32,7 @@ class KeyFile : public testing::Test {
     return "nothing";
   }
 
-  fs::path folder, path;
+  const fs::path path = folder_ / "line.key";
 };
 
 TEST_F(KeyFile, IsDrawnOnceAndReadBack) {

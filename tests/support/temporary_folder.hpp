@@ -11,18 +11,34 @@
 
 namespace jounce::test {
 
-/// A test with an empty folder of its own, which is removed with the test.
+/// A new empty folder, which its destructor removes with all files in it. ctest runs each test as a process of its own,
+/// several at once: a fixed name would be shared.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "jounce-test-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) std::abort();
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code none;
+    std::filesystem::remove_all(path_, none);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
+    return path_ / name;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A test with a folder of its own.
 class WithFolder : public ::testing::Test {
  protected:
-  WithFolder() {
-    std::string name = "/tmp/jounce-test-XXXXXX";
-    if (mkdtemp(name.data()) == nullptr) std::abort();
-    folder_ = name;
-  }
-  ~WithFolder() override { std::filesystem::remove_all(folder_); }
-  WithFolder(const WithFolder&) = delete;
-  WithFolder& operator=(const WithFolder&) = delete;
-
   [[nodiscard]] std::string folder() const { return folder_.string(); }
   [[nodiscard]] std::string in(const char* name) const { return (folder_ / name).string(); }
 
@@ -32,7 +48,11 @@ class WithFolder : public ::testing::Test {
     return static_cast<std::size_t>(std::distance(begin(all), end(all)));
   }
 
-  std::filesystem::path folder_;
+ private:
+  TemporaryFolder own_;
+
+ protected:
+  const std::filesystem::path& folder_ = own_.path();
 };
 
 }  // namespace jounce::test
