@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <type_traits>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct AnyCommand {
         [&](auto& what) {
           record_fields::each_pair_of_command(what, *this, [](auto& to, const auto& from) {
             using To = std::remove_reference_t<decltype(to)>;
+            if constexpr (std::is_integral_v<To> && std::is_same_v<decltype(from), const double&>)
+              if (std::isnan(from)) return;  // not given: the default stays
             to = static_cast<To>(from);
           });
           if constexpr (requires { what.movement; }) what.movement = movement;

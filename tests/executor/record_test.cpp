@@ -19,6 +19,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "axis/tables.hpp"
+#include "support/errors.hpp"
 #include "support/random.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -518,6 +519,23 @@ TEST(RecordedEvents, EveryCommandComesBack) {
     if (command.kind() == Kind::enable || command.kind() == Kind::none) continue;
     RecordedCycle bare{.command = {*made<AxisCommand>(command.kind())}};
     EXPECT_NE(encoded(bare), bytes) << name(command.kind());
+  }
+}
+
+TEST(RecordedEvents, ACountThatIsNoWholeNumberIsRejected) {
+  const std::string whole =
+      encoded(RecordedCycle{.command = {command::TouchProbe{.input = 2, .count = 7}}});
+  const std::string seven("\x40\x1c\0\0\0\0\0\0", 8);                    // big-endian
+  const std::string wrong[] = {std::string("\x7f\xf8\0\0\0\0\0\0", 8),   // NaN
+                               std::string("\x40\x1e\0\0\0\0\0\0", 8),   // 7.5
+                               std::string("\xbf\xf0\0\0\0\0\0\0", 8),   // -1
+                               std::string("\x41\xe0\0\0\0\0\0\0", 8)};  // 2^31
+  ASSERT_NE(whole.find(seven), std::string::npos);
+  for (const std::string& bytes : wrong) {
+    std::string damaged = whole;
+    damaged.replace(damaged.find(seven), 8, bytes);
+    EXPECT_THAT(test::error_of([&] { (void)decoded("JOUNCE.cycle", damaged); }, "no error"),
+                HasSubstr("must be a whole number from 0 to 2147483647"));
   }
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <type_traits>
 #include <variant>
 
@@ -81,16 +84,28 @@ inline FlatCommand flat(const Command& command) {
   return flat;
 }
 
-/// Returns the command. Throws InputError for a kind that no axis executes.
+/// Sets a field of a command from the number of a record. Throws InputError if the field needs a whole number
+/// and `from` is none.
+struct SetField {
+  template <class To, class From>
+  void operator()(To& to, const From& from) const {
+    if constexpr (!std::is_floating_point_v<To> && std::is_floating_point_v<From>) {
+      constexpr double most = std::numeric_limits<std::int32_t>::max();
+      if (!(from >= 0 && from <= most && std::trunc(from) == from))
+        throw InputError("command", std::to_string(from),
+                         "must be a whole number from 0 to 2147483647");
+    }
+    to = static_cast<To>(from);
+  }
+};
+
+/// Returns the command. Throws InputError for a kind that no axis executes, and for a damaged number.
 inline Command command_of(const FlatCommand& flat) {
   const auto with_defaults = made<AxisCommand>(flat.kind);
   if (!with_defaults) throw InputError("command", name(flat.kind), "is not a command of an axis");
   Command command{.what = *with_defaults, .at = flat.at, .id = flat.id};
-  const auto get = [](auto& to, const auto& from) {
-    to = static_cast<std::remove_reference_t<decltype(to)>>(from);
-  };
   const auto fill = [&](auto& what) {
-    each_pair_of_command(what, flat, get);
+    each_pair_of_command(what, flat, SetField{});
     if constexpr (requires { what.tick; }) command.at = -1;
   };
   std::visit(fill, command.what);
