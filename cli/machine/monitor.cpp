@@ -26,6 +26,7 @@ struct MonitorArguments {
   double seconds = 0;
   double silence = 3;
   bool ascii = false, json = false, events = false;
+  std::string until;
 };
 
 using dashboard::Watch;
@@ -53,10 +54,41 @@ int print_all(Watch& watch, const MonitorArguments& options, KeyedLink& link) {
   return who.empty() ? fine : give_up(who, options.seconds, options.link.url, link);
 }
 
+std::vector<std::string> state_words() {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < states; ++i) words.emplace_back(name(static_cast<State>(i)));
+  return words;
+}
+
+/// Waits until all axes are in the state `until`, and prints their last statuses.
+int wait_for(Watch& watch, const MonitorArguments& options, KeyedLink& link) {
+  const State wanted = *state_of(options.until);
+  const auto print = [&](const std::string& axis, const auto& status) {
+    fmt::print("{}\n", options.json ? status_json(axis, status) : status_text(axis, status));
+  };
+  const dashboard::Watched* other = nullptr;
+  for (const Duration duration(options.seconds); duration.goes_on();) {
+    watch.run(turn);
+    other = watch.outside(wanted);
+    const bool failed = other != nullptr && other->status->state == State::error_stop;
+    if (failed || (other == nullptr && watch.missing().empty())) break;
+    if (const std::string who = watch.silent(nanos(options.silence)); !who.empty())
+      return give_up(who, options.silence, options.link.url, link);
+  }
+  if (const std::string who = watch.missing(); !who.empty())
+    return give_up(who, options.seconds, options.link.url, link);
+  for (const dashboard::Watched& axis : watch.axes()) print(axis.name, *axis.status);
+  if (other == nullptr) return fine;
+  fmt::print(stderr, "jounce: {} is in the state {}, not {}\n", other->name,
+             name(other->status->state), options.until);
+  return finding;
+}
+
 int run_monitor(const MonitorArguments& options) {
   for (const std::string& name : options.executors) require_name_on_bus("NAME", name);
   KeyedLink link = open_link(options.link);
   Watch watch(link.transport(), {.names = options.executors, .key = link.key()});
+  if (!options.until.empty()) return wait_for(watch, options, link);
   if (options.json || options.events || !dashboard::is_screen())
     return print_all(watch, options, link);
   const dashboard::View view{.ascii = options.ascii || !dashboard::is_utf8(),
@@ -77,9 +109,11 @@ void add_monitor(CommandLine& line) {
       "jounce monitor                           all executors\n"
       "jounce monitor feeder knife\n"
       "jounce monitor feeder --seconds 10 --json > feeder.jsonl\n"
+      "jounce monitor feeder --until standstill --seconds 60    wait until it is at rest\n"
       "Keys: up and down choose an axis, h holds, r resumes, s and then y stops it, q quits.\n"
       "Output to a file or a pipe has one line for each status.");
-  verb.option("NAME", options->executors, "Names of executors; default: all that send messages");
+  const Option names = verb.option("NAME", options->executors,
+                                   "Names of executors; default: all that send messages");
   verb.option("--seconds", options->seconds,
               "End after this number of seconds; default: run until q or Ctrl-C")
       .check(seconds());
@@ -88,12 +122,18 @@ void add_monitor(CommandLine& line) {
               "the first message")
       .check(seconds())
       .shown();
+  const Option until = verb.option("--until", options->until,
+                                   "End when the axes NAME are in this state, with exit status 0; "
+                                   "with 1 after --seconds, or if one is "
+                                   "in error_stop")
+                           .check(one_of(state_words()))
+                           .needs(names);
   add_link_options(verb, options->link);
   verb.flag("--ascii", options->ascii,
             "Draw bars and plots in ASCII; default: depends on the locale");
   verb.flag("--json", options->json, "One line of JSON for each status");
-  verb.flag("--events", options->events,
-            "Print events (probes, marks, outputs, ends of cams), not statuses");
+  until.excludes({verb.flag("--events", options->events,
+                            "Print events (probes, marks, outputs, ends of cams), not statuses")});
   verb.work([options] { return run_monitor(*options); });
 }
 

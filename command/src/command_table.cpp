@@ -177,6 +177,12 @@ const char* name(State state) {
   return state_names[static_cast<std::size_t>(state)];
 }
 
+std::optional<State> state_of(std::string_view name) {
+  const auto found = std::find(state_names.begin(), state_names.end(), name);
+  if (found == state_names.end()) return std::nullopt;
+  return static_cast<State>(found - state_names.begin());
+}
+
 std::optional<CommandKind> kind_of_number(int number) {
   const auto* const found = std::find_if(rows.begin(), rows.end(), [&](const CommandInfo& row) {
     return number >= 0 && row.number == number;

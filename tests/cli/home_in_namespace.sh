@@ -26,7 +26,24 @@ order bare enable || fail "enable: $(cat out)"
 # before it is homed
 refused 1 not_homed slide move --to 10mm
 order slide move --by 1mm || fail "a move by a distance: $(cat out)"
-wait_for slide standstill
+
+# monitor --until: the state of all axes, without it in time, with a fault, wrongly
+"$jounce" monitor slide bare --until standstill --seconds 60 > out || fail "not at rest: $(cat out)"
+grep -q '^bare .*standstill' out && grep -q '^slide .*standstill' out || fail "a status of each axis: $(cat out)"
+# until STATUS WORDS ARGUMENTS...: the monitor ends with this exit status and prints these words.
+until_() {
+  wanted=$1
+  words=$2
+  shift 2
+  got=0
+  "$jounce" monitor "$@" > out 2>&1 || got=$?
+  [ $got = "$wanted" ] && grep -q -- "$words" out || fail "monitor $*: exit status $got, not $wanted, or not '$words': $(cat out)"
+}
+until_ 1 'slide is in the state standstill, not homing' slide --until homing --seconds 0.5
+until_ 2 'until requires NAME' --until standstill
+until_ 2 'did you mean standstill' slide --until standstil
+until_ 2 'until cannot be combined with --events' slide --until standstill --events
+until_ 3 'nobody has sent no message' nobody --until standstill --seconds 0.5
 refused 2 'method = 99.*must be 1 to 14' slide home --method 99
 refused 1 no_such_method slide home --method 15
 refused 2 'search-velocity = 0.*must be greater than 0' slide home --search-velocity 0

@@ -125,6 +125,16 @@ std::string Watch::missing() const {
   return has_received() ? "" : any_executor;
 }
 
+const Watched* Watch::outside(State state) const {
+  const Watched* found = nullptr;
+  for (const Watched& axis : axes_) {
+    if (!axis.status || axis.status->state == state) continue;
+    if (axis.status->state == State::error_stop) return &axis;
+    if (found == nullptr) found = &axis;
+  }
+  return found;
+}
+
 bool Watch::has_received() const {
   return std::any_of(axes_.begin(), axes_.end(),
                      [](const Watched& axis) { return axis.status.has_value(); });

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace jounce {
 
@@ -21,5 +23,7 @@ enum class State : std::uint8_t {
 inline constexpr std::size_t states = 8;  ///< number of states
 /// Returns the name of a state: "standstill", ...
 const char* name(State state);
+/// Returns the state with this name; nullopt if there is none.
+std::optional<State> state_of(std::string_view name);
 
 }  // namespace jounce

@@ -96,6 +96,9 @@ class Watch {
   /// Returns the name of an axis in the options that has sent no status at all. Without names in
   /// the options, returns any_executor if no status has arrived. Otherwise returns "".
   [[nodiscard]] std::string missing() const;
+  /// Returns an axis whose newest status has another state than `state`, first one in error_stop; nullptr if there is
+  /// none. Axes without a status are not compared: see missing().
+  [[nodiscard]] const Watched* outside(State state) const;
   /// True if a status of an axis has arrived.
   [[nodiscard]] bool has_received() const;
   /// The axes, sorted by name.
