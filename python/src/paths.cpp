@@ -59,7 +59,7 @@ FileCheck check_of(const PathMotion& path, std::vector<Input>& axes) {
 }
 
 /// The motion of all axes: the shape of t, and one more axis for those of the machine.
-py::object motion_at(const PathMotion& path, const Column& t) {
+py::object path_motion_at(const PathMotion& path, const Column& t) {
   Broadcast all({&t});
   const Reader times = all.read(t);
   Broadcast::Shape shape = all.shape();
@@ -78,7 +78,7 @@ py::tuple sampled_path(const PathMotion& path, double step) {
   const py::array_t<double> t = taken(instants(0, path.duration(), step));
   Column column;
   column.array = Doubles(t);
-  return py::make_tuple(t, motion_at(path, column));
+  return py::make_tuple(t, path_motion_at(path, column));
 }
 
 std::vector<std::string> names_of(const PathMotion& path) {
@@ -100,7 +100,7 @@ Make one with plan_path() or parse_path(). In each array, the last axis is that 
       .def_property_readonly("duration", &PathMotion::duration,
                              "Duration, in the unit of time of the spec: s by default.")
       .def(
-          "at", motion_at, "t"_a,
+          "at", path_motion_at, "t"_a,
           R"(Returns the motion of all axes at t (s), as a Motion of arrays of the shape of t and (axes,).
 
 u, u/s, u/s^2, u/s^3, each in the unit of its axis. Outside [0, duration], the axes rest at the nearer end.)")

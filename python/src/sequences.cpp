@@ -177,7 +177,7 @@ const char* command_name(const MotionCommand& what) {
   return names[what.index()];
 }
 
-py::tuple members_of(const QueuedCommand& c) {
+py::tuple members_of_command(const QueuedCommand& c) {
   const double number = std::visit(
       [](const auto& what) -> double {
         using What = std::decay_t<decltype(what)>;
@@ -211,7 +211,7 @@ void bind_commands(py::module_& m) {
 velocity (u/s) and acceleration (u/s^2) are > 0; deceleration 0: the same as the acceleration; jerk (u/s^3) 0: not
 limited. `mode` is "aborting", "buffered", "blending_low", "blending_previous", "blending_next" or "blending_high".
 `issued` (s) is the time of an aborting command.)");
-  add_value(bound, members_of, command_of);
+  add_value(bound, members_of_command, command_of);
   bound
       .def_static("move_absolute", moving<MoveAbsolute>(), "position"_a, py::kw_only(),
                   "velocity"_a, "acceleration"_a, "deceleration"_a = 0.0, "jerk"_a = 0.0,
