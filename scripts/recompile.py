@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The commands of build/release for clang++: scripts/sanitize and scripts/tidy compile some of its sources again, where
-the headers that the build generates are. A source includes the headers that gcc has precompiled."""
+"""The commands of build/release, with other flags or for clang++: scripts/sanitize and scripts/tidy compile some of its
+sources again, where the headers that the build generates are. A source includes the headers that gcc has precompiled."""
 import json
 import os
 import re
@@ -16,17 +16,20 @@ def run(*command, **more):
 
 
 def included(match):
-    """The headers that a precompiled header includes, one by one: clang does not read what gcc has precompiled."""
+    """The headers that a precompiled header includes, one by one: it fits neither clang nor other flags."""
     with open(match[1], encoding="utf-8") as file:
         return " ".join(f"-include {header}" for header in re.findall(r'#include [<"](.*)[>"]', file.read()))
 
 
+def for_clang(command):
+    return re.sub(OF_GCC, "", command.replace("/usr/bin/c++ ", "clang++ "))
+
+
 def commands():
-    """Output of build/release -> its command with clang."""
+    """Output of build/release -> its command."""
     run("cmake", "--preset", "release", stdout=subprocess.DEVNULL)
     text = run("ninja", "-C", "build/release", "-t", "compdb", stdout=subprocess.PIPE, text=True).stdout
-    return {edge["output"]: re.sub(r"-include (\S+/cmake_pch\.hxx)", included, re.sub(
-        OF_GCC, "", edge["command"].replace("/usr/bin/c++ ", "clang++ "))) for edge in json.loads(text)}
+    return {edge["output"]: re.sub(r"-include (\S+/cmake_pch\.hxx)", included, edge["command"]) for edge in json.loads(text)}
 
 
 def modules():
