@@ -451,6 +451,7 @@ std::vector<double> TomlReader::numbers(const char* key, std::span<const std::st
                                         const std::string& each) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
+  if (!units.empty()) document_->units.emplace(path(key), units.front());
   return or_else(key, std::vector<double>(units.size(), 1.0), [&] {
     const toml::array* array = node->as_array();
     if (array == nullptr || array->size() != units.size())
@@ -528,7 +529,8 @@ void TomlReader::finish() {
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
     if (const std::string hint = nearest(key.str(), known); !hint.empty()) {
-      report(unknown(key, node, "here: did you mean " + hint + "?"));
+      const std::string header = header_of(node, path(hint));
+      report(unknown(key, node, "here: did you mean " + (header.empty() ? hint : header) + "?"));
       continue;
     }
     report(unknown(key, node,
