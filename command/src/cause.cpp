@@ -347,6 +347,43 @@ constexpr std::array entries{
           "Disable the axis, send the command, and enable the axis again."},
 };
 
+/// The remedy of a cause for one kind of order.
+struct OrderRemedy {
+  Cause cause;
+  CommandKind kind;
+  const char* remedy;
+};
+
+constexpr const char* other_way = "Give a shorter distance, or the other direction.";
+constexpr const char* inside_or_wider =
+    "Give a position inside the range, or widen position_min and position_max in the spec of the "
+    "axis.";
+constexpr const char* longer_clutch = "Give a longer --clutch, or slow the master down.";
+constexpr const char* longer_start = "Give a longer --start-distance, or slow the master down.";
+constexpr const char* smaller_ratio = "Give a smaller ratio, or slow the master down.";
+constexpr const char* engage_first =
+    "First engage the axis with its master: `jounce order NAME gear-in`, or `jounce stream "
+    "--live`.";
+
+constexpr std::array order_remedies{
+    OrderRemedy{Cause::position_limit, CommandKind::move_velocity, "Jog in the other direction."},
+    OrderRemedy{Cause::position_limit, CommandKind::move_relative, other_way},
+    OrderRemedy{Cause::position_limit, CommandKind::move_additive, other_way},
+    OrderRemedy{Cause::position_limit, CommandKind::move_superimposed, other_way},
+    OrderRemedy{Cause::position_limit, CommandKind::home, inside_or_wider},
+    OrderRemedy{Cause::position_limit, CommandKind::set_position, inside_or_wider},
+    OrderRemedy{Cause::velocity_limit, CommandKind::gear_in, smaller_ratio},
+    OrderRemedy{Cause::velocity_limit, CommandKind::gear_in_pos, smaller_ratio},
+    OrderRemedy{Cause::acceleration_limit, CommandKind::gear_in, longer_clutch},
+    OrderRemedy{Cause::acceleration_limit, CommandKind::gear_in_pos, longer_start},
+    OrderRemedy{Cause::jerk_limit, CommandKind::gear_in, longer_clutch},
+    OrderRemedy{Cause::jerk_limit, CommandKind::gear_in_pos, longer_start},
+    OrderRemedy{Cause::not_synchronized, CommandKind::gear_out,
+                "Nothing: the axis is not in gear."},
+    OrderRemedy{Cause::not_synchronized, CommandKind::cam_out, "Nothing: the axis follows no cam."},
+    OrderRemedy{Cause::not_synchronized, CommandKind::phasing_absolute, engage_first},
+    OrderRemedy{Cause::not_synchronized, CommandKind::phasing_relative, engage_first}};
+
 /// True for the rejections with a measured value and a limit.
 bool is_measured(Cause cause) {
   return cause >= Cause::start_position && cause <= Cause::acceleration_step;
@@ -470,34 +507,8 @@ std::span<const CauseInfo> all_causes() {
 }
 
 std::string remedy_of_order(Cause cause, CommandKind kind) {
-  if (cause == Cause::position_limit) switch (kind) {
-      case CommandKind::move_velocity:
-        return "Jog in the other direction.";
-      case CommandKind::home:
-      case CommandKind::set_position:
-        return "Give a position inside the range, or widen position_min and position_max in the "
-               "spec of the axis.";
-      case CommandKind::move_relative:
-      case CommandKind::move_additive:
-      case CommandKind::move_superimposed:
-        return "Give a shorter distance, or the other direction.";
-      case CommandKind::move_repetitive:
-        return "Give positions of both strokes inside the range.";
-      default:
-        break;
-    }
-  const bool gears = kind == CommandKind::gear_in || kind == CommandKind::gear_in_pos;
-  if (gears && cause == Cause::velocity_limit)
-    return "Give a smaller ratio, or slow the master down.";
-  if (gears && cause == Cause::acceleration_limit)
-    return kind == CommandKind::gear_in
-               ? "Give a longer --clutch, or a ratio nearer to the present one, or slow the master "
-                 "down."
-               : "Give a longer --start-distance, or slow the master down.";
-  if (gears && cause == Cause::jerk_limit)
-    return kind == CommandKind::gear_in
-               ? "Give a longer --clutch, or slow the master down."
-               : "Give a longer --start-distance, or slow the master down.";
+  for (const OrderRemedy& one : order_remedies)
+    if (one.cause == cause && one.kind == kind) return one.remedy;
   const Entry& found = entry(cause);
   return found.of_order != nullptr ? found.of_order : found.remedy;
 }

@@ -83,7 +83,7 @@ std::vector<Message> all_messages() {
   }
   for (const HimcError& one : himc_errors)
     all.push_back({"Errors of HIMC that messages of Jounce name (aa: the axis)", one.code, "",
-                   one.meaning, one.remedy, true});
+                   one.meaning, one.remedy});
   return all;
 }
 

@@ -51,7 +51,7 @@ std::string velocity_before(const MotionState& to, const Bounds& b) {
 }
 
 /// The position limits: "stay above position -20".
-std::string kept(const Bounds& b) {
+std::string limits_text(const Bounds& b) {
   const bool below = std::isfinite(b.position_min);
   const bool above = std::isfinite(b.position_max);
   return (below ? "stay above position " + number(b.position_min) : std::string()) +
@@ -92,7 +92,7 @@ std::string explain(MoveStatus status, const MotionState& from, const MotionStat
       return with(sentence, "it begins at position " + number(from.position) + " with velocity " +
                                 number(from.velocity) + ", ends at position " +
                                 number(to.position) + " with velocity " + number(to.velocity) +
-                                ", and must " + kept(bounds));
+                                ", and must " + limits_text(bounds));
     default:
       return sentence;
   }
