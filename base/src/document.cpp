@@ -58,8 +58,8 @@ std::size_t number_at(const std::string& text, std::size_t at, double& value) {
 bool ends_here(std::string_view rest) {
   constexpr std::string_view marks = ",:;)";
   if (rest.empty() || marks.find(rest.front()) != std::string_view::npos) return true;
-  constexpr std::array<std::string_view, 9> words{" at ",   " and ", " (",     " to ",   " from ",
-                                                  " with ", " for ", " there", " along "};
+  constexpr std::array<std::string_view, 10> words{
+      " are ", " at ", " and ", " (", " to ", " from ", " with ", " for ", " there", " along "};
   return std::any_of(words.begin(), words.end(),
                      [&](std::string_view word) { return rest.starts_with(word); });
 }

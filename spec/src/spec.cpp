@@ -79,7 +79,8 @@ void name_quantities(TomlReader& top, const Spec& spec, const Kind& kind) {
   if (kind.name == std::string_view("axes")) return;  // each axis has units of its own
   const Units& units = spec.units;
   if (kind.runs == Kind::over_master) {
-    for (const char* noun : {"master", "length from"}) top.name_quantity(noun, units.x);
+    for (const char* noun : {"master", "length from", "the master travels"})
+      top.name_quantity(noun, units.x);
     for (const char* noun : {"slave", "the slave travels", "travel at least", "stroke from"})
       top.name_quantity(noun, units.position);
     for (const char* noun : {"slope", "ratio", "ratio steps from"})
