@@ -58,8 +58,15 @@ std::size_t number_at(const std::string& text, std::size_t at, double& value) {
 bool ends_here(std::string_view rest) {
   constexpr std::string_view marks = ",:;)";
   if (rest.empty() || marks.find(rest.front()) != std::string_view::npos) return true;
-  constexpr std::array<std::string_view, 10> words{
-      " are ", " at ", " and ", " (", " to ", " from ", " with ", " for ", " there", " along "};
+  constexpr std::string_view to = " to ";
+  if (rest.starts_with(to)) {  // of a range; "1 to 1e6 cycles" counts cycles
+    double value = 0;
+    const std::string end(rest.substr(to.size()));
+    const std::size_t length = end.empty() ? 0 : number_at(end, 0, value);
+    return length > 0 && ends_here(std::string_view(end).substr(length));
+  }
+  constexpr std::array<std::string_view, 9> words{" are ",  " at ",  " and ",  " (",     " from ",
+                                                  " with ", " for ", " there", " along "};
   return std::any_of(words.begin(), words.end(),
                      [&](std::string_view word) { return rest.starts_with(word); });
 }
