@@ -59,7 +59,7 @@ bool ends_here(std::string_view rest) {
   constexpr std::string_view marks = ",:;)";
   if (rest.empty() || marks.find(rest.front()) != std::string_view::npos) return true;
   constexpr std::string_view to = " to ";
-  if (rest.starts_with(to)) {  // of a range; "1 to 1e6 cycles" counts cycles
+  if (rest.starts_with(to)) {  // a range; "1 to 1e6 cycles" counts cycles
     double value = 0;
     const std::string end(rest.substr(to.size()));
     const std::size_t length = end.empty() ? 0 : number_at(end, 0, value);
