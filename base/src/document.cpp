@@ -24,8 +24,14 @@ struct Measure {
 };
 
 std::optional<Measure> measure_of(const Document& document, const std::string& key) {
-  const auto unit = document.units.find(key);
-  if (unit == document.units.end() || is_pure(unit->second)) return std::nullopt;
+  if (const auto noun = document.nouns.find(key); noun != document.nouns.end())
+    return is_pure(noun->second) ? std::nullopt : std::optional(Measure{noun->second});
+  auto unit = document.units.find(key);
+  if (unit == document.units.end()) {
+    unit = document.known.find(key);
+    if (unit == document.known.end()) return std::nullopt;
+  }
+  if (is_pure(unit->second)) return std::nullopt;
   std::string given = document.given_unit(key, unit->second);
   if (!is_convertible(unit->second, given)) given = unit->second;
   return Measure{given, given == unit->second ? 1 : conversion(unit->second, given)};
@@ -51,8 +57,23 @@ std::size_t number_at(const std::string& text, std::size_t at, double& value) {
 /// True if no unit and no other word of the same quantity follows a number.
 bool ends_here(std::string_view rest) {
   constexpr std::string_view marks = ",:;)";
-  return rest.empty() || marks.find(rest.front()) != std::string_view::npos ||
-         rest.starts_with(" at ") || rest.starts_with(" and ") || rest.starts_with(" (");
+  if (rest.empty() || marks.find(rest.front()) != std::string_view::npos) return true;
+  constexpr std::string_view to = " to ";
+  if (rest.starts_with(to)) {  // a range; "1 to 1e6 cycles" counts cycles
+    double value = 0;
+    const std::string end(rest.substr(to.size()));
+    const std::size_t length = end.empty() ? 0 : number_at(end, 0, value);
+    return length > 0 && ends_here(std::string_view(end).substr(length));
+  }
+  constexpr std::array<std::string_view, 9> words{" are ",  " at ",  " and ",  " (",     " from ",
+                                                  " with ", " for ", " there", " along "};
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return rest.starts_with(word); });
+}
+
+/// True if the text between two numbers joins them to one list or range.
+bool joins(std::string_view between) {
+  return between == " to " || between == ", ";
 }
 
 std::string_view last_word(std::string_view text) {
@@ -79,15 +100,18 @@ std::string subject(std::string_view before, const std::string& own, const Docum
                                                                                          : own;
   }
   if (without(" take")) return own;
-  constexpr std::array<std::string_view, 7> comparisons{
-      " at least", " at most", " greater than", " less than", " longer than", " below", " above"};
+  for (const auto& [noun, unit] : document.nouns)
+    if (before.ends_with(noun) &&
+        (before.size() == noun.size() || before[before.size() - noun.size() - 1] == ' '))
+      return noun;
+  constexpr std::array<std::string_view, 10> comparisons{
+      " at least", " at most", " greater than", " less than", " longer than",
+      " below",    " above",   " beyond",       " from",      " before"};
   if (before.ends_with(','))  // "must be at most position_max, 300"
-    return is_first && std::any_of(comparisons.begin(), comparisons.end(),
-                                   [&](std::string_view one) {
-                                     return before.starts_with("must be" + std::string(one));
-                                   })
-               ? own
-               : "";
+    return is_first && (before.starts_with("must ") || before.starts_with("exceeds ")) ? own : "";
+  if (is_first &&
+      (before == "is" || before == "is past" || (before.starts_with("is ") && without(" and"))))
+    return own;
   for (const std::string_view comparison : comparisons) {
     if (!without(comparison)) continue;
     without(must_be);
@@ -102,6 +126,8 @@ std::string subject(std::string_view before, const std::string& own, const Docum
 std::string with_units(const std::string& rule, const std::string& own, double factor,
                        const Document& document) {
   std::string all;
+  std::string last;  // key of the number before
+  std::size_t last_end = 0;
   for (std::size_t at = 0; at < rule.size();) {
     double value = 0;
     const bool begins = at > 0 && rule[at - 1] == ' ';
@@ -112,10 +138,14 @@ std::string with_units(const std::string& rule, const std::string& own, double f
     }
     const std::string text = rule.substr(at, length);
     at += length;
-    const std::string key =
-        ends_here(std::string_view(rule).substr(at))
-            ? subject(std::string_view(rule).substr(0, at - length - 1), own, document)
-            : "";
+    const std::string_view whole = rule;
+    const std::size_t begin = at - length;
+    const bool continues = !last.empty() && joins(whole.substr(last_end, begin - last_end));
+    const std::string key = !ends_here(whole.substr(at)) ? ""
+                            : continues                  ? last
+                                        : subject(whole.substr(0, begin - 1), own, document);
+    last = key;
+    last_end = at;
     const auto measure = key.empty() || value == 0 ? std::nullopt : measure_of(document, key);
     const double scale = measure ? measure->factor * (key == own ? factor : 1) : 1;
     all += scale == 1 ? text : converted_text(value * scale);
@@ -124,12 +154,27 @@ std::string with_units(const std::string& rule, const std::string& own, double f
   return all;
 }
 
+/// True for several numbers: "10, 20".
+bool is_list(const std::string& text) {
+  std::size_t at = 0;
+  for (std::size_t count = 1;; ++count) {
+    double value = 0;
+    const std::size_t length = at < text.size() ? number_at(text, at, value) : 0;
+    at += length;
+    if (length == 0 || at == text.size()) return length > 0 && count > 1;
+    if (text.compare(at, 2, ", ") != 0) return false;
+    at += 2;
+  }
+}
+
 /// The error with the units of its numbers, in the units of the text. `factor`: see with_units().
 InputError with_unit(const InputError& error, double factor, const Document& document) {
   const std::string rule = with_units(error.rule(), error.key(), factor, document);
   const auto measure = measure_of(document, error.key());
   double value = 0;
   const std::string& text = error.value();
+  if (measure && measure->factor == 1 && is_list(text))
+    return InputError(error.key(), text + " " + measure->unit, rule);
   if (!measure || text.empty() || number_at(text, 0, value) != text.size())
     return InputError(error.key(), text, rule);
   const std::string shown = measure->factor == 1 ? InputError("", value, "").value()
@@ -174,6 +219,12 @@ InputError Document::located(const InputError& unplaced) const {
 std::string Document::given_unit(const std::string& key, const std::string& otherwise) const {
   const auto unit = given.find(key);
   return unit == given.end() ? otherwise : unit->second;
+}
+
+std::string with_units(const std::string& text, const std::map<std::string, std::string>& nouns) {
+  Document document;
+  document.nouns = nouns;
+  return with_units(text, "", 1, document);
 }
 
 InputError Document::naming(const std::string& key, const std::string& file,

@@ -44,6 +44,9 @@ void warn_of_new_folder(const std::string& url) {
   if (!url.starts_with(scheme) || url.size() == scheme.size() ||
       std::filesystem::exists(url.substr(scheme.size()), none) || none)
     return;
+  const std::filesystem::path above =
+      std::filesystem::path(url.substr(scheme.size())).parent_path();
+  if (!above.empty() && !std::filesystem::exists(above, none)) return;  // the link reports it
   fmt::print(stderr,
              "jounce: warning: --url {}: the folder did not exist, so no executor uses it yet: "
              "check the --url of `jounce run`\n",

@@ -45,8 +45,15 @@ int print_all(Watch& watch, const MonitorArguments& options, KeyedLink& link) {
     fmt::print("{}\n", options.json ? status_json(axis, status) : status_text(axis, status));
     std::fflush(stdout);
   };
+  const auto print_group = [&](const std::string& group, const wire::GroupStatus& status) {
+    const std::string text = options.json ? status_json(group, status)
+                                          : status_text(group, status, watch.unit_of(group));
+    fmt::print("{}\n", text);
+    std::fflush(stdout);
+  };
   for (const Duration duration(options.seconds); duration.goes_on();) {
-    options.events ? watch.run(turn, {}, {}, print) : watch.run(turn, print, print, {}, print);
+    options.events ? watch.run(turn, {}, {}, print)
+                   : watch.run(turn, print, print, {}, print_group);
     if (const std::string who = watch.silent(nanos(options.silence)); !who.empty())
       return give_up(who, options.silence, options.link.url, link);
   }
@@ -111,7 +118,8 @@ void add_monitor(CommandLine& line) {
       "jounce monitor feeder --seconds 10 --json > feeder.jsonl\n"
       "jounce monitor feeder --until standstill --seconds 60    wait until it is at rest\n"
       "Keys: up and down choose an axis, h holds, r resumes, s and then y stops it, q quits.\n"
-      "Output to a file or a pipe has one line for each status.");
+      "Output to a file or a pipe has one line for each status. late cycles: number of cycles that "
+      "began a whole period late or more, since the executor started.");
   const Option names = verb.option("NAME", options->executors,
                                    "Names of executors; default: all that send messages");
   verb.option("--seconds", options->seconds,

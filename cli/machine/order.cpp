@@ -83,7 +83,8 @@ int report(const OrderArguments& options, const CallOutcome& outcome, const wire
   else if (outcome.ok())
     fmt::print("{}: {}\n", axis, accepted_text(options.words.what, before, axis));
   else
-    fmt::print(stderr, "jounce: {}: {}\n", axis, reason_text(outcome, axis));
+    fmt::print(stderr, "jounce: {}: {}\n", axis,
+               reason_text(outcome, axis, kind_of(options.words)));
   return status_of(outcome, {StreamError::refused});
 }
 

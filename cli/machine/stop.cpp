@@ -27,7 +27,7 @@ int run_stop(const StopArguments& options) {
   const StopResult result =
       stop_axis(link.transport(), options.executor, mode, nanos(options.patience), link.key());
   if (result.rest)
-    fmt::print("{} is at rest: {}\n", options.executor, name(*result.rest));
+    fmt::print("{}\n", stopped_text(options.executor, *result.rest));
   else if (result.confirmed)
     fmt::print(stderr, "jounce: {} confirms the stop, but is not at rest after {} s\n",
                options.executor, options.patience);

@@ -126,6 +126,15 @@ int report(const std::vector<std::string>& names, const std::vector<StreamOutcom
   return status;
 }
 
+/// Event for which the start waits: "until its master passes 90 deg"; "": none.
+std::string awaited_by(const StreamPlan& plan, const StreamArguments& options) {
+  if (options.at_next_cut) return "for its next cut";
+  if (!options.start_at.empty())
+    return fmt::format("until its master passes {:.6g} {}", plan.position,
+                       plan.tables.front().units.x);
+  return plan.start_tick < 0 ? "" : fmt::format("for tick {}", plan.start_tick);
+}
+
 /// A path for a group: all of its axes.
 std::optional<StreamPlan> group_plan(const StreamArguments& options,
                                      const std::vector<Input>& axes) {
@@ -159,10 +168,14 @@ int stream_table(const StreamArguments& options) {
   const Interrupt interrupt;
   StreamOptions stream = stream_options(options, link, interrupt);
   ProgressLine progress("streaming to " + options.to);
+  std::string awaited = awaited_by(plan, options);
   stream.progress = [&](const StreamProgress& p) {
     progress.show(
         p.chunks == 0 ? 0 : static_cast<double>(p.arrived) / static_cast<double>(p.chunks),
         name(p.stage));
+    if (p.stage != StreamStage::waiting || options.json || awaited.empty()) return;
+    fmt::print(stderr, "jounce: {} waits {}; Ctrl-C cancels the start\n", options.to,
+               std::exchange(awaited, ""));
   };
   const StreamOutcome outcome = stream_tables(link.transport(), plan, stream);
   const bool waits = options.no_wait &&

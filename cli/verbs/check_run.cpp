@@ -64,7 +64,7 @@ int check_files(const std::string& verb, const CheckRun& run, const Examine& exa
     ProgressLine line(verb);
     all = lint_run(verb, run.files, examine,
                    {.machine = machine,
-                    .examine_axis = require_axis,
+                    .executor = {.axis = require_axis, .machine = require_machine},
                     .baseline = run.baseline,
                     .accepted = {.tolerance =
                                      [&](const Labels& labels) {

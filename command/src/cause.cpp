@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "jounce/command/causes.hpp"
+#include "jounce/command/commands.hpp"
 #include "jounce/command/refusal_text.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -166,17 +168,25 @@ constexpr std::array entries{
           "\"advance\"."},
     Entry{Cause::position_limit, "position_limit", "A position is outside the position range.",
           "Give a position inside the range, shift or shorten the motion, or widen position_min "
-          "and position_max."},
+          "and position_max in the spec of the axis.",
+          "Give a position inside the range.",
+          "Shift or shorten the motion, or widen position_min and position_max in the spec of the "
+          "axis."},
     Entry{Cause::velocity_limit, "velocity_limit",
           "The motion exceeds the velocity limit of the axis.",
           "Give a lower velocity. For a table: give it more time, or a law with a lower peak "
-          "velocity."},
+          "velocity.",
+          "Give a lower velocity.",
+          "Give the motion more time, or a law with a lower peak velocity."},
     Entry{Cause::acceleration_limit, "acceleration_limit",
           "The motion exceeds the acceleration limit of the axis.",
           "Give a lower acceleration. For a table: give it more time, or a law with a lower "
-          "peak acceleration."},
+          "peak acceleration.",
+          "Give a lower acceleration.",
+          "Give the motion more time, or a law with a lower peak acceleration."},
     Entry{Cause::jerk_limit, "jerk_limit", "The motion exceeds the jerk limit of the axis.",
-          "Give a lower jerk. For a table: give it more time, or a law with a lower peak jerk."},
+          "Give a lower jerk. For a table: give it more time, or a law with a lower peak jerk.",
+          "Give a lower jerk.", "Give the motion more time, or a law with a lower peak jerk."},
     Entry{Cause::position_step, "position_step", "The position of the table jumps.",
           "A cam that wraps must end where it begins. For a cam that gains a distance in each "
           "period, use outside = \"advance\"."},
@@ -240,18 +250,24 @@ constexpr std::array entries{
         Cause::single_axis, "single_axis", "The command moves a single axis, not a group.",
         "Send the command to an axis of the group, while the group is disabled. A group moves with "
         "`move-linear`, and jogs with `jog --along`. For a table: stream it to an axis while the "
-        "group is disabled; a group plays a path."},
-    Entry{Cause::axis_not_ready, "axis_not_ready",
-          "An axis of the group is disabled, not homed, has a fault, or moves.",
-          "Enable, home or reset this axis, or wait for its standstill; then repeat the command."},
+        "group is disabled; a group plays a path.",
+        "Send the command to an axis of the group, while the group is disabled. A group moves with "
+        "`move-linear`, and jogs with `jog --along`.",
+        "Stream the table to an axis of the group, while the group is disabled. A group plays a "
+        "path: a spec of kind \"path\", or a G-code program."},
+    Entry{Cause::axis_not_ready, "axis_not_ready", "An axis of the group is not ready.",
+          "Enable, home or reset the axis, or wait for its standstill; then repeat the command."},
     Entry{Cause::axis_away, "axis_away",
-          "An axis of the group does not stand where the path begins or continues.",
+          "An axis of the group is not where the path begins or continues.",
           "Unless the group has a fault, disable it first. Move the axis there, enable the group, "
           "and repeat the command."},
     Entry{
         Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
         "Use `jounce order NAME move --to POSITION`. For a table: choose one axis of the path with "
-        "--axis."},
+        "--axis.",
+        "Send the command to a group. An axis moves with `jounce order NAME move --to POSITION`, "
+        "and jogs with `jounce order NAME jog VELOCITY`.",
+        "Choose one axis of the path with --axis, or send the path to a group."},
     Entry{Cause::no_trigger_input, "no_trigger_input",
           "The drive of the axis does not have this trigger input.",
           "Choose an input that the drive has: 1 to 4, home or index. For a simulated drive, add "
@@ -331,6 +347,43 @@ constexpr std::array entries{
           "Disable the axis, send the command, and enable the axis again."},
 };
 
+/// The remedy of a cause for one kind of order.
+struct OrderRemedy {
+  Cause cause;
+  CommandKind kind;
+  const char* remedy;
+};
+
+constexpr const char* other_way = "Give a shorter distance, or the other direction.";
+constexpr const char* inside_or_wider =
+    "Give a position inside the range, or widen position_min and position_max in the spec of the "
+    "axis.";
+constexpr const char* longer_clutch = "Give a longer --clutch, or slow the master down.";
+constexpr const char* longer_start = "Give a longer --start-distance, or slow the master down.";
+constexpr const char* smaller_ratio = "Give a smaller ratio, or slow the master down.";
+constexpr const char* engage_first =
+    "First engage the axis with its master: `jounce order NAME gear-in`, or `jounce stream "
+    "--live`.";
+
+constexpr std::array order_remedies{
+    OrderRemedy{Cause::position_limit, CommandKind::move_velocity, "Jog in the other direction."},
+    OrderRemedy{Cause::position_limit, CommandKind::move_relative, other_way},
+    OrderRemedy{Cause::position_limit, CommandKind::move_additive, other_way},
+    OrderRemedy{Cause::position_limit, CommandKind::move_superimposed, other_way},
+    OrderRemedy{Cause::position_limit, CommandKind::home, inside_or_wider},
+    OrderRemedy{Cause::position_limit, CommandKind::set_position, inside_or_wider},
+    OrderRemedy{Cause::velocity_limit, CommandKind::gear_in, smaller_ratio},
+    OrderRemedy{Cause::velocity_limit, CommandKind::gear_in_pos, smaller_ratio},
+    OrderRemedy{Cause::acceleration_limit, CommandKind::gear_in, longer_clutch},
+    OrderRemedy{Cause::acceleration_limit, CommandKind::gear_in_pos, longer_start},
+    OrderRemedy{Cause::jerk_limit, CommandKind::gear_in, longer_clutch},
+    OrderRemedy{Cause::jerk_limit, CommandKind::gear_in_pos, longer_start},
+    OrderRemedy{Cause::not_synchronized, CommandKind::gear_out,
+                "Nothing: the axis is not in gear."},
+    OrderRemedy{Cause::not_synchronized, CommandKind::cam_out, "Nothing: the axis follows no cam."},
+    OrderRemedy{Cause::not_synchronized, CommandKind::phasing_absolute, engage_first},
+    OrderRemedy{Cause::not_synchronized, CommandKind::phasing_relative, engage_first}};
+
 /// True for the rejections with a measured value and a limit.
 bool is_measured(Cause cause) {
   return cause >= Cause::start_position && cause <= Cause::acceleration_step;
@@ -380,16 +433,40 @@ std::string tick_text(double tick) {
 const char* unready(double cause) {
   switch (static_cast<Cause>(cause)) {
     case Cause::not_enabled:
-      return " is disabled";
+      return " is disabled (`jounce order NAME enable`)";
     case Cause::in_error:
-      return " has a fault";
+      return " has a fault (`jounce order NAME reset`)";
     case Cause::not_homed:
-      return " is not homed";
+      return " is not homed (`jounce order NAME home`)";
     case Cause::stopping:
       return " is stopping";
     default:
       return " is moving";
   }
+}
+
+/// The text with the name of the axis; without the part in parentheses if the name is not known.
+std::string named(std::string text, const std::string& axis, bool known) {
+  constexpr std::string_view placeholder = "NAME";
+  const auto at = text.find(placeholder);
+  if (at == std::string::npos) return text;
+  if (!known) return text.substr(0, text.find(" ("));
+  return text.replace(at, placeholder.size(), axis);
+}
+
+/// "; y and z are not ready either", from the bits in Refusal::limit; "" for no other axis.
+std::string also_unready(const Refusal& refusal, std::size_t first,
+                         std::span<const std::string> axes) {
+  const auto bits = static_cast<unsigned long>(refusal.limit);
+  std::string others;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    if (k == first || (bits >> k & 1U) == 0) continue;
+    others += (others.empty() ? "" : ", ") + axes[k];
+    ++count;
+  }
+  if (count == 0) return "";
+  return "; " + others + (count == 1 ? " is" : " are") + " not ready either";
 }
 
 /// The axis of a group that prevents a motion; Refusal::where is its number.
@@ -399,7 +476,9 @@ std::string of_group_axis(const Refusal& refusal, const std::string& unit,
   const auto index = static_cast<std::size_t>(refusal.where) - 1;
   const std::string axis =
       index < axes.size() ? axes[index] : "Axis " + six_digits(refusal.where) + " of the group";
-  if (refusal.cause == Cause::axis_not_ready) return " " + axis + unready(refusal.value) + ".";
+  if (refusal.cause == Cause::axis_not_ready)
+    return " " + axis + named(unready(refusal.value), axis, index < axes.size()) +
+           also_unready(refusal, index, axes) + ".";
   return " " + axis + " is at " + six_digits(refusal.value) + unit_of(refusal.cause, unit) +
          " instead of " + six_digits(refusal.limit) + unit_of(refusal.cause, unit) + ".";
 }
@@ -427,6 +506,18 @@ std::span<const CauseInfo> all_causes() {
   return entries;
 }
 
+std::string remedy_of_order(Cause cause, CommandKind kind) {
+  for (const OrderRemedy& one : order_remedies)
+    if (one.cause == cause && one.kind == kind) return one.remedy;
+  const Entry& found = entry(cause);
+  return found.of_order != nullptr ? found.of_order : found.remedy;
+}
+
+std::string remedy_of_table(Cause cause) {
+  const Entry& found = entry(cause);
+  return found.of_table != nullptr ? found.of_table : found.remedy;
+}
+
 const char* name(Cause cause) {
   return entry(cause).name;
 }
@@ -452,7 +543,12 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
            ".";
   if (is_cut(cause)) return words + ": " + cut_text(refusal, master_unit) + ".";
   if (!is_measured(cause) && cause != Cause::cutter_away) return words + ".";
-  const auto shown = [&](double number) { return six_digits(number) + unit_of(cause, unit); };
+  // A table may begin at 1e-32: rounding.
+  constexpr double rounding = 1e-12;
+  const double scale = std::max(1.0, std::abs(refusal.limit));
+  const auto shown = [&](double number) {
+    return six_digits(std::abs(number) < rounding * scale ? 0 : number) + unit_of(cause, unit);
+  };
   if (cause == Cause::position_limit && refusal.value == refusal.limit)  // of a jog
     return std::string(name(cause)) + ": The axis is at the end of its position range, " +
            shown(refusal.limit) + ", and cannot move further in this direction.";

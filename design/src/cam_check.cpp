@@ -45,6 +45,8 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
                   [](const Finding& f) { return f.broken && f.rule == "knife/reversal"; });
   if (reported)  // knife/reversal has an advice of its own
     std::erase_if(odd.findings, [](const Finding& f) { return f.rule == "warning/reversal"; });
+  if (input.spec)
+    for (Finding& f : odd.findings) f.advice = with_units(f.advice, input.spec->document.nouns);
   take(report, std::move(odd));
   if (has_designed_rises(input)) take(report, certificates(cam));
   if (input.spec && has_slave_limits(*input.spec) && input.spec->master) {

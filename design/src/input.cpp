@@ -398,11 +398,34 @@ std::vector<Input> inputs_of(const Spec& spec, const std::string& path) {
   return all;
 }
 
-std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine) {
+namespace {
+
+/// Reads the spec of the machine of a G-code program: axes, limits and corners, but no motion.
+Spec read_gcode_machine(const std::string& machine, const std::string& program) {
+  if (const std::string kind = spec_kind(read_file(machine)); kind == "machine" || kind == "axis")
+    throw InputError(
+        "--machine", machine,
+        "is of kind \"" + kind +
+            "\", for `jounce run`. A G-code program needs a spec of kind \"path\" with "
+            "the axes, their limits and the corners: see `jounce new path`");
   Spec spec = read_spec(machine);
-  auto* const of = std::get_if<PathSpec>(&spec.subject);
-  if (of == nullptr)
+  const auto* const path = std::get_if<PathSpec>(&spec.subject);
+  if (path == nullptr)
     throw InputError("--machine", machine, "must be a spec of kind \"path\" without commands");
+  if (const auto commands = path->program.commands(); !commands.empty())
+    throw InputError("--machine", machine,
+                     "has a motion of its own, " + path->source + ":" +
+                         std::to_string(commands.front().line) + ": remove it from " + machine +
+                         " to use that spec for " + program + ", or give " + machine +
+                         " instead of " + program + ", without --machine");
+  return spec;
+}
+
+}  // namespace
+
+std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine) {
+  Spec spec = read_gcode_machine(machine, path);
+  auto* const of = std::get_if<PathSpec>(&spec.subject);
   const std::string name = path == "-" ? "standard input" : path;
   std::string program = read_file(path);
   if (!spec_kind(program).empty())

@@ -13,6 +13,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "design/src/file_name.hpp"
 #include "design/src/table_of.hpp"
 
 namespace jounce {
@@ -24,7 +25,8 @@ constexpr double fit_share = 1e-9;  ///< default tolerance, as a share of the le
 
 const Cam& cam_in(const Input& input) {
   if (const auto* cam = std::get_if<Cam>(&*input.curve)) return *cam;
-  throw InputError("FILE", input.name, "is over time: only a cam has an inverse");
+  throw InputError("FILE", design_detail::file_name(input),
+                   "is over time: only a cam has an inverse");
 }
 
 std::optional<double> given(const char* key, const std::string& text, const std::string& unit) {
@@ -56,11 +58,11 @@ const Inverse& chosen(const Input& input, const Inversion& all, const std::optio
   const std::string unit = input.labels.units.x.empty() ? "" : " " + input.labels.units.x;
   if (at) {
     if (const Inverse* branch = all.branch_at(*at)) return *branch;
-    throw InputError(
-        "at", rounded(*at) + unit,
-        "is not in a rise or fall of the slave, which are " + all.ranges_text() + unit);
+    throw InputError("at", rounded(*at) + unit,
+                     "must lie in a rise or fall of the slave, " + all.ranges_text() + unit);
   }
-  if (all.branches.empty()) throw InputError("FILE", input.name, "has a slave that never moves");
+  if (all.branches.empty())
+    throw InputError("FILE", design_detail::file_name(input), "has a slave that never moves");
   if (all.branches.size() > 1)
     throw InputError(
         "at", "",

@@ -10,6 +10,7 @@
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "design/src/file_name.hpp"
 #include "design/src/master_check.hpp"
 #include "design/src/slave_motion.hpp"
 #include "design/src/table_of.hpp"
@@ -84,8 +85,10 @@ void set_table(Input& slave, const Fitted<OverTime>& motion) {
 
 Input over_time(const Input& input) {
   const auto* cam = std::get_if<Cam>(&*input.curve);
-  if (cam == nullptr) throw InputError("FILE", input.name, "is over time already");
-  if (!input.spec) throw InputError("FILE", input.name, "is a table without a master");
+  if (cam == nullptr)
+    throw InputError("FILE", design_detail::file_name(input), "is over time already");
+  if (!input.spec)
+    throw InputError("FILE", design_detail::file_name(input), "is a table without a master");
   const Trajectory master = scaled(master_of(input), 1, 1 / seconds_per_unit(*input.spec));
   const Fitted<OverTime> fitted = design_detail::slave_motion(input);
   const Trajectory& motion = fitted.curve;

@@ -33,6 +33,11 @@ void require_name(const std::string& name) {
 
 }  // namespace
 
+void require_shared_drive(const std::string& name, const Cia402Config& config) {
+  require_name(name);
+  (void)Cia402Axis(config);
+}
+
 SharedMemory::SharedMemory(const std::string& name, Side side)
     : path_("/jounce-drive-" + name), side_(side) {
   require_name(name);

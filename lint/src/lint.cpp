@@ -26,8 +26,8 @@ bool is_key_file(const std::string& path) {
   return path.ends_with(".key") && is_jounce_file(path);
 }
 
-/// Reads the specs of the axes of a machine.
-void require_axes(const MachineSpec& machine, const ExamineAxis& examine_axis) {
+/// Reads the specs of the axes of a machine; if they are right, examines the whole machine.
+void require_axes(const MachineSpec& machine, const ExamineMachine& executor) {
   std::vector<InputError> errors;
   for (const MachineSpec::Axis& axis : machine.axes) {
     const std::string key = axis.key + ".spec";
@@ -39,12 +39,13 @@ void require_axes(const MachineSpec& machine, const ExamineAxis& examine_axis) {
       if (!std::holds_alternative<AxisSpec>(spec.subject))
         throw machine.document.located(
             InputError(key, axis.spec, "must be a spec of kind \"axis\""));
-      if (examine_axis) examine_axis(spec);
+      if (executor.axis) executor.axis(spec);
     } catch (const InputError& error) {
       for (const InputError& one : all_errors(error)) errors.push_back(located(one));
     }
   }
   if (!errors.empty()) throw InputErrors(std::move(errors));
+  if (executor.machine) executor.machine(machine);
 }
 
 bool has_no_commands(const Spec& spec) {
@@ -53,10 +54,10 @@ bool has_no_commands(const Spec& spec) {
 }
 
 /// Checks a spec that describes no motion; false if it describes one.
-bool lint_without_motion(const Spec& spec, const ExamineAxis& examine_axis, FileResult& result) {
+bool lint_without_motion(const Spec& spec, const ExamineMachine& executor, FileResult& result) {
   if (std::holds_alternative<AxisSpec>(spec.subject)) {
     (void)axis_drive(spec);
-    if (examine_axis) examine_axis(spec);
+    if (executor.axis) executor.axis(spec);
     return true;
   }
   if (!std::holds_alternative<DriveAlone>(spec.subject)) return has_no_commands(spec);
@@ -82,7 +83,7 @@ void examine_motions(std::vector<Input> inputs, const Examine& examine, FileResu
 }
 
 void lint_text_into(FileResult& result, std::string text, const Examine& examine,
-                    const ExamineAxis& examine_axis) {
+                    const ExamineMachine& executor) {
   const std::string& path = result.file;
   if (is_finished_table(text, path)) {
     result.kind = "table";
@@ -93,17 +94,17 @@ void lint_text_into(FileResult& result, std::string text, const Examine& examine
   if (result.kind == "sweep") {
     (void)parse_sweep(std::move(text), path);
   } else if (const auto axes = parse_machine(text, name)) {
-    require_axes(*axes, examine_axis);
+    require_axes(*axes, executor);
   } else {
     (void)parse_spec(std::move(text), name, [&](const Spec& spec) {
-      if (!lint_without_motion(spec, examine_axis, result))
+      if (!lint_without_motion(spec, executor, result))
         examine_motions(inputs_of(spec, path), examine, result);
     });
   }
 }
 
 void lint_into(FileResult& result, const Examine& examine, const std::string& machine,
-               const ExamineAxis& examine_axis) {
+               const ExamineMachine& executor) {
   const std::string& path = result.file;
   if (!machine.empty() && !is_jounce_file(path)) {
     result.kind = "G-code";
@@ -114,7 +115,7 @@ void lint_into(FileResult& result, const Examine& examine, const std::string& ma
     (void)read_key(path);
     return;
   }
-  lint_text_into(result, read_file(path), examine, examine_axis);
+  lint_text_into(result, read_file(path), examine, executor);
 }
 
 /// The result of `lint`, which adds the findings of a file to it.
@@ -133,9 +134,9 @@ FileResult result_of(const std::string& path, const Lint& lint) {
 }  // namespace
 
 FileResult lint_file(const std::string& path, const Examine& examine, const std::string& machine,
-                     const ExamineAxis& examine_axis) {
+                     const ExamineMachine& executor) {
   return result_of(path,
-                   [&](FileResult& result) { lint_into(result, examine, machine, examine_axis); });
+                   [&](FileResult& result) { lint_into(result, examine, machine, executor); });
 }
 
 FileResult lint_text(const std::string& path, std::string text, const Examine& examine) {
@@ -146,11 +147,11 @@ FileResult lint_text(const std::string& path, std::string text, const Examine& e
 std::vector<FileResult> lint_files(const std::vector<std::string>& paths, const Examine& examine,
                                    const std::string& machine,
                                    const std::function<void(double)>& progress,
-                                   const ExamineAxis& examine_axis) {
+                                   const ExamineMachine& executor) {
   std::vector<FileResult> results(paths.size());
   on_all_cores(
       paths.size(),
-      [&](std::size_t i) { results[i] = lint_file(paths[i], examine, machine, examine_axis); },
+      [&](std::size_t i) { results[i] = lint_file(paths[i], examine, machine, executor); },
       progress);
   return results;
 }

@@ -52,7 +52,7 @@ LintedFiles lint_run(const std::string& verb, const std::vector<std::string>& na
                      const Examine& examine, const LintOptions& options) {
   const std::vector<std::string> files = files_of(names, options.baseline);
   LintedFiles all{
-      {verb, lint_files(files, examine, options.machine, options.progress, options.examine_axis)}};
+      {verb, lint_files(files, examine, options.machine, options.progress, options.executor)}};
   if (options.baseline.empty()) return all;
   const AcceptedVersions accepted(options.baseline);
   all.changes = compare_with(accepted, files, names, options.accepted);

@@ -203,7 +203,10 @@ A check raises no exception for a broken limit. A report is true if no finding i
           },
           "index"_a, "Returns one Finding, or a list for a slice.")
       .def("__bool__", [](const NamedReport& r) { return r.report.ok(); })
-      .def("__str__", [](const NamedReport& r) { return full_text(r.report, r.labels); })
+      .def("__str__",
+           [](const NamedReport& r) {
+             return full_text(r.report, r.labels, r.report.findings.size());
+           })
       .def("__repr__", [](const NamedReport& r) {
         return shown("Report", {{"ok", r.report.ok() ? "True" : "False"},
                                 {"findings", std::to_string(r.report.findings.size())},

@@ -180,14 +180,36 @@ std::string not_limited_text(const Report& report, const Labels& labels) {
   return text;
 }
 
+namespace {
+
+/// "  ... and 6 more findings, all of them ok: --json prints them"; "" if there are none.
+std::string left_out_text(const std::vector<const Finding*>& left) {
+  if (left.empty()) return "";
+  const auto count = [&](const auto& is) {
+    return static_cast<std::size_t>(std::count_if(left.begin(), left.end(), is));
+  };
+  const std::size_t broken = count([](const Finding* f) { return f->broken; });
+  const std::size_t warnings =
+      count([](const Finding* f) { return !f->broken && f->severity == Severity::warning; });
+  std::string kinds;
+  for (const auto& [number, word] :
+       {std::pair{broken, "BROKEN"}, {warnings, "warn"}, {left.size() - broken - warnings, "ok"}})
+    if (number > 0) kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", number, word);
+  return fmt::format("  ... and {} ({}): --json prints all of them\n",
+                     jounce::counted(left.size(), "more finding"), kinds);
+}
+
+}  // namespace
+
 std::string full_text(const Report& report, const Labels& labels, std::size_t most) {
   const auto is_note = [](const Finding& f) { return !f.broken && f.severity == Severity::note; };
   std::string text;
   std::size_t shown = 0;
-  std::size_t left = 0;
+  std::vector<const Finding*> left;
   for (const Finding& finding : report.findings) {
-    if (is_note(finding) || shown >= most) {
-      left += is_note(finding) ? 0 : 1;
+    if (is_note(finding)) continue;
+    if (shown >= most) {
+      left.push_back(&finding);
       continue;
     }
     ++shown;
@@ -197,8 +219,7 @@ std::string full_text(const Report& report, const Labels& labels, std::size_t mo
     if (!finding.advice.empty())
       text += fmt::format("  {:<6} {:<26} -> {}\n", "", "", finding.advice);
   }
-  if (left > 0) text += fmt::format("  ... and {}\n", counted(left, "more finding"));
-  return text;
+  return text + left_out_text(left);
 }
 
 std::string to_json(const Report& report, const Labels& labels) {

@@ -74,6 +74,23 @@ void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
                                          top, "from");
 }
 
+/// Gives the quantities that rules name by a word their units.
+void name_quantities(TomlReader& top, const Spec& spec, const Kind& kind) {
+  if (kind.name == std::string_view("axes")) return;  // each axis has units of its own
+  const Units& units = spec.units;
+  if (kind.runs == Kind::over_master) {
+    for (const char* noun : {"master", "length from", "the master travels"})
+      top.name_quantity(noun, units.x);
+    for (const char* noun : {"slave", "the slave travels", "travel at least", "stroke from"})
+      top.name_quantity(noun, units.position);
+    for (const char* noun : {"slope", "ratio", "ratio steps from"})
+      top.name_quantity(noun, rate_unit(units.position, units.x, 1));
+    return;
+  }
+  top.name_quantity("position", units.position);
+  top.name_quantity("velocity", rate_unit(units.position, spec.time_unit, 1));
+}
+
 /// The travel of the master through the motion of the slave once.
 struct MasterRun {
   std::optional<double> length;
@@ -293,6 +310,7 @@ void read_body(TomlReader& top, Spec& spec) {
   const Kind& kind = kinds.at(top.variant("kind", names));
   spec.name = top.optional_text("name").value_or("");
   read_units(top, spec, kind);
+  name_quantities(top, spec, kind);
   const bool several =
       kind.name == std::string_view("axes") || kind.name == std::string_view("path");
   if (!several) read_one_axis(top, spec, kind);

@@ -38,12 +38,37 @@ TEST(Document, NumbersOfARuleHaveTheUnitsOfTheirKeys) {
             "s.toml:4:10: shear.stroke = 5 mm: must be at most position_max, 3 mm");
 }
 
+TEST(Document, RangesListsAndNamedQuantitiesHaveUnits) {
+  EXPECT_EQ(
+      located("stroke", 5, "must ascend inside the segment, from 140 to 260"),
+      "s.toml:4:10: shear.stroke = 5 mm: must ascend inside the segment, from 140 mm to 260 mm");
+  EXPECT_EQ(
+      located("stroke", 5, "must lie in a rise or fall of the slave, 0 to 120, 180 to 300"),
+      "s.toml:4:10: shear.stroke = 5 mm: must lie in a rise or fall of the slave, 0 to 120 mm, "
+      "180 mm to 300 mm");
+  EXPECT_EQ(
+      located("stroke", 5, "is 20 from the start and 40 from the end; may differ by at most 2"),
+      "s.toml:4:10: shear.stroke = 5 mm: is 20 mm from the start and 40 mm from the end; may "
+      "differ by at most 2");
+  Document document = shear();
+  document.nouns = {{"master", "deg"}, {"slope", "mm/deg"}};
+  EXPECT_EQ(
+      std::string(document
+                      .located(InputError("shear.stroke", "1, 2",
+                                          "ends at master 100 with the slope 0.25, but the "
+                                          "adjacent segment 3 (line) has the slope 1 there"))
+                      .what()),
+      "s.toml:4:10: shear.stroke = 1, 2 mm: ends at master 100 deg with the slope 0.25 mm/deg, "
+      "but the adjacent segment 3 (line) has the slope 1 mm/deg there");
+}
+
 TEST(Document, OtherNumbersOfARuleStayAsTheyAre) {
   for (const char* rule :
        {"must be greater than 0", "must be at least 5 mm", "must be a list of 3 numbers",
-        "must be 1 to 32", "lies between two blades: at most 7", "must be at least twice 4"})
+        "lies between two blades: at most 7", "must be at least twice 4"})
     EXPECT_EQ(located("stroke", 1, rule), std::string("s.toml:4:10: shear.stroke = 1 mm: ") + rule);
-  EXPECT_EQ(located("count", 1, "must be at least 2"), "s.toml: shear.count = 1: must be at least 2");
+  EXPECT_EQ(located("count", 1, "must be at least 2"),
+            "s.toml: shear.count = 1: must be at least 2");
 }
 
 TEST(Document, ANumberUnderAnotherKeyIsConvertedWithItsRule) {

@@ -245,8 +245,9 @@ TEST(Design, NamesWhatContradictsItself) {
 
   spec.segments = {{Law::line, {100, 50, {}, {}}, ""}, {Law::dwell, {200, 50, {}, {}}, ""}};
   EXPECT_EQ(complaint(spec),
-            "segment[1].law = \"line\": ends at master 100 with the velocity 0.5, but the adjacent "
-            "segment 2 (dwell) has 0 there: use a law from rest to rest, such as modified_sine");
+            "segment[1].law = \"line\": ends at master 100 with the slope 0.5, but the adjacent "
+            "segment 2 (dwell) has the slope 0 there: use a law from rest to rest, such as "
+            "modified_sine");
   spec.segments = {{Law::dwell, {100, 0, {}, {}}, ""}, {Law::line, {200, 50, {}, {}}, ""}};
   EXPECT_THAT(complaint(spec),
               testing::HasSubstr("segment[2].law = \"line\": begins at master 100"));
@@ -265,9 +266,10 @@ TEST(Design, NamesWhatContradictsItself) {
             "another law");
 
   spec.segments = {{Law::harmonic_combination, {100, 50}}, {Law::dwell, {200, 50}}};
-  EXPECT_EQ(complaint(spec),
-            "segment[1].law = harmonic_combination: reverses at master 100, where the adjacent law "
-            "`dwell` has no acceleration: use a law from rest to rest");
+  EXPECT_EQ(
+      complaint(spec),
+      "segment[1].law = \"harmonic_combination\": reverses at master 100, where the adjacent law "
+      "`dwell` has no acceleration: use a law from rest to rest");
 
   spec.segments = {{Law::harmonic_combination, {100, 50, {}, -0.001}}};
   EXPECT_EQ(complaint(spec).substr(0, 66),

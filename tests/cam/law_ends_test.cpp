@@ -212,7 +212,7 @@ TEST(LawEnds, ABSplineHasTheSlopesOfItsControlValues) {
   spec.segments[0].control = {{0, 5, 20}, {130}};
   EXPECT_EQ(test::key_of([&] { (void)design(spec); }), "segment[1].knots[1]");
   spec.segments[0].control = {{0, 0, 0, 10, 12, 20}, {}};
-  EXPECT_NE(error().find("velocity"), std::string::npos) << "0.4 beside a line of 0.25";
+  EXPECT_NE(error().find("slope"), std::string::npos) << "0.4 beside a line of 0.25";
 }
 
 }  // namespace

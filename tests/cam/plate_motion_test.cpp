@@ -147,7 +147,7 @@ TEST(PlateMotion, RejectsAPlateThatTheFollowerDoesNotMeet) {
   };
   EXPECT_EQ(error({{1, 0}}, {.base_radius = 1}), "profile = 1 vertices: must be at least 2");
   EXPECT_EQ(error(circle(0, 0, 10), {.offset = 12}),
-            "profile: is not met by the follower at the master position 0: check the place of the "
+            "profile: is not met by the follower at master 0: check the place of the "
             "center and the lengths of the follower");
 }
 

@@ -47,10 +47,10 @@ TEST(Warnings, TheDefaultCamOfCodesysOvershootsItsVelocity) {
   // rho = 1: f'' = 12 z (1 - z)(3 - 5 z) is 0 at 3/5, f' = z^2 (18 - 32 z + 15 z^2) = 1.512 there.
   EXPECT_NEAR(first.value, 1.512, 1e-12);
   EXPECT_NEAR(first.where, 72, 1e-9);
-  EXPECT_EQ(first.advice,
-            "rho = slope * length / stroke = 1 is not within 5/3 to 5/2: use a master length from "
-            "200 to 300, or a stroke "
-            "from 48 to 72");
+  EXPECT_EQ(
+      first.advice,
+      "the slope of its moving end, times its length, divided by its stroke is 1, but must be "
+      "5/3 to 5/2: use a length from 200 to 300, or a stroke from 48 to 72");
 }
 
 TEST(Warnings, TheWindowOfRhoHasItsEdgesAt5Over3And5Over2) {

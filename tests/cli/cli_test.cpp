@@ -1652,7 +1652,7 @@ geo_velocity = 2
   EXPECT_THAT(result.out, HasSubstr("(2 warnings)"));
   EXPECT_THAT(result.out,
               HasSubstr("warn   warning/velocity_overshoot geo_velocity 1.512 deg/deg"));
-  EXPECT_THAT(result.out, HasSubstr("use a master length from 200 to 300"));
+  EXPECT_THAT(result.out, HasSubstr("use a length from 200 deg to 300 deg"));
 }
 
 // A terminal obeys an escape sequence wherever it comes from.

@@ -15,7 +15,7 @@ executor=$!
 soon "$jounce" order plotter enable || fail "no executor: $(cat said)"
 
 
-refused 1 in_group x move --to 10mm
+refused 1 'the enabled group plotter alone moves this axis' x move --to 10mm
 refused 1 single_axis plotter move --to 10mm
 order plotter override 40% || fail "override: $(cat out)" # the path lasts 10 s, so that each command finds it in motion
 order plotter start || fail "start: $(cat out)"
@@ -33,7 +33,7 @@ tick() {
   sed 's/.*"tick":\([0-9]*\).*/\1/' "$scratch/status"
 }
 order plotter override 100% || fail "override: $(cat out)"
-refused 1 in_group x override 50%
+refused 1 'the enabled group plotter alone moves this axis' x override 50%
 refused 1 'to is missing' plotter move-linear --to ,
 refused 1 'has no length' plotter move-linear --to 0,0
 got=0
@@ -42,10 +42,10 @@ order x move-linear x=5 || got=$?
 got=0
 order plotter move-linear z=5 || got=$?
 [ $got = 2 ] && grep -q 'names z, but the axes of the group are x, y' out || fail "an unknown axis: $got, $(cat out)"
-refused 1 'to has 3 coordinates, but the group has 2 axes' plotter move-linear --to 0,0,5
+refused 1 'has 3 coordinates, but the group has 2 axes' plotter move-linear --to 0,0,5
 refused 1 'position_max' plotter move-linear --to 1000000000,0
 refused 1 'needs a buffer mode that blends' plotter move-linear --to 5,5 --deviation 1
-refused 1 'via must be given' plotter move-circular --to 5,5
+refused 1 'one of three ways to define an arc' plotter move-circular --to 5,5
 refused 1 radius plotter move-circular --to 50,0 --radius 2
 got=0
 order plotter move-linear --to nan,1 || got=$?

@@ -53,7 +53,7 @@ refused 1 'singular\|out of reach' robot move-linear x=-300 y=-250 --velocity 10
 got=0
 order robot move-linear u=5 || got=$?
 [ $got = 2 ] && grep -q 'names u, but the axes of the group are x, y, z' out || fail "an unknown name: $got, $(cat out)"
-refused 1 in_group a0 move --to 5
+refused 1 'alone moves this axis' a0 move --to 5
 order robot move-linear z=60 --velocity 200 || fail "move-linear: $(cat out)"
 order robot move-linear x=420 y=-100 --velocity 200 --blend look-ahead --deviation 5 || fail "blend: $(cat out)"
 order robot move-linear z=0 --velocity 200 --blend look-ahead --deviation 5 || fail "blend: $(cat out)"

@@ -9,6 +9,7 @@
 
 #include <gmock/gmock.h>
 
+#include "jounce/command/commands.hpp"
 #include "jounce/command/refusal_text.hpp"
 
 namespace jounce::causes_test {
@@ -43,6 +44,23 @@ TEST(Causes, EachHasASentenceAndARemedy) {
     EXPECT_THAT(one.meaning, EndsWith(".")) << one.name;
     EXPECT_THAT(one.remedy, EndsWith(".")) << one.name;
     EXPECT_STREQ(meaning(one.cause), one.meaning);
+  }
+}
+
+TEST(Causes, ARemedyOfAnOrderSuitsItsKind) {
+  EXPECT_EQ(remedy_of_order(Cause::position_limit, CommandKind::move_velocity),
+            "Jog in the other direction.");
+  EXPECT_EQ(remedy_of_order(Cause::position_limit, CommandKind::move_absolute),
+            "Give a position inside the range.");
+  EXPECT_EQ(remedy_of_order(Cause::acceleration_limit, CommandKind::gear_in),
+            "Give a longer --clutch, or slow the master down.");
+  EXPECT_EQ(remedy_of_order(Cause::not_enabled, CommandKind::home),
+            "Enable it: `jounce order NAME enable`.");
+  for (const CauseInfo& one : all_causes()) {
+    EXPECT_EQ(remedy_of_order(one.cause, CommandKind::move_absolute).find("For a table"),
+              std::string::npos)
+        << one.name;
+    EXPECT_FALSE(remedy_of_table(one.cause).empty()) << one.name;
   }
 }
 

@@ -333,17 +333,17 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
     EXPECT_FALSE(outcome.ok());
     return outcome.reason;
   };
-  EXPECT_THAT(reason(command::MoveLinearAbsolute{}), HasSubstr("to is missing"));
+  EXPECT_THAT(reason(command::MoveLinearAbsolute{}), HasSubstr("--to: is missing"));
   EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(0, 0)}), HasSubstr("has no length"));
   EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(1e9, 0)}),
-              HasSubstr("x = 1000000000 must be at most position_max, 500"));
+              HasSubstr("x = 1000000000: must be at most position_max, 500"));
   command::MoveLinearAbsolute third{.to = at(1, 1)};
   third.to[2] = 5;
   EXPECT_THAT(reason(third), HasSubstr("3 coordinates, but the group has 2 axes"));
   EXPECT_THAT(reason(command::MoveLinearAbsolute{at(5, 5), {.deviation = 0.1}}),
               HasSubstr("needs a buffer mode that blends"));
   EXPECT_THAT(reason(command::MoveCircularAbsolute{.to = at(10, 0)}),
-              HasSubstr("via must be given, or center, or radius: exactly one of the three"));
+              HasSubstr("--via: is one of three ways to define an arc"));
   command::MoveCircularAbsolute far{.to = at(10, 0)};
   far.radius = 2;
   EXPECT_THAT(reason(far), HasSubstr("radius"));
@@ -353,7 +353,7 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
   command::MoveCircularRelative turns{.to = at(0, 10)};
   turns.radius = 5;
   turns.turns = command::most_extra_turns + 1;
-  EXPECT_THAT(reason(turns), HasSubstr("turns 1001 must be at most 1000"));
+  EXPECT_THAT(reason(turns), HasSubstr("--turns = 1001: must be at most 1000"));
   EXPECT_THROW(site.order("plotter", command::MoveLinearAbsolute{.to = at(INFINITY, 0)}),
                InputError);
   EXPECT_THROW(

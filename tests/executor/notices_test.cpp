@@ -50,7 +50,10 @@ TEST(Notices, ReportTheNumbersOfAFault) {
   now.fault = Cause::axis_fault;
   now.failed_axis = Refusal{Cause::axis_not_ready, static_cast<double>(Cause::not_enabled), 0, 2};
   const std::vector<std::string> axes{"x", "y"};
-  EXPECT_THAT(fault_text(now, "mm", config, axes), HasSubstr("y is disabled."));
+  EXPECT_THAT(fault_text(now, "mm", config, axes),
+              HasSubstr("y is disabled (`jounce order y enable`)."));
+  now.failed_axis->limit = 3;  // the bits of x and y
+  EXPECT_THAT(fault_text(now, "mm", config, axes), HasSubstr("; x is not ready either."));
 }
 
 TEST(Notices, ARejectionNamesThePresentFaultAndTheReasonForNoMaster) {

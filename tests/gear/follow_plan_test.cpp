@@ -115,7 +115,7 @@ TEST(FollowPlan, WhatMustRunBackwardsIsNamed) {
   const Report report = check(plan);
   const Finding* f = found(report, "follow/backwards");
   ASSERT_NE(f, nullptr);
-  EXPECT_THAT(f->advice, HasSubstr("between master 100 and 900 the slave travels -100"));
+  EXPECT_THAT(f->advice, HasSubstr("between master 100 and master 900, the slave travels -100"));
   EXPECT_LT(f->value, 0);
 }
 

@@ -166,8 +166,10 @@ TEST(Follow, Example79MisprintIsNamed) {
   EXPECT_EQ(f->segment, 5U) << "the third segment of table 2";
   EXPECT_EQ(f->where, 60000 + 260000);
   EXPECT_NEAR(f->value, -0.85454545454545, 1e-12);
-  EXPECT_THAT(f->advice,
-              HasSubstr("220000, is 11 times that of the other segments, 20000: check it"));
+  EXPECT_THAT(
+      f->advice,
+      HasSubstr("the master travels 220000, 11 times as far as in the other segments, where the "
+                "master travels 20000: check it"));
   EXPECT_TRUE(f->advice.ends_with("end at the ratio 0.6")) << "the advice omits the consequence";
 }
 

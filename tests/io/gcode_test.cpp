@@ -207,9 +207,11 @@ TEST(Gcode, RefusesEverythingElseWithItsPlace) {
               HasSubstr("part.ngc:1:14: R1: cannot be combined with I, J, K"));
   EXPECT_THAT(
       complaint("F60 G2 X10 R1\n"),
-      HasSubstr(
-          "part.ngc:1:12: radius = 1: must be at least half the distance from start to end, 5"));
-  EXPECT_THAT(complaint("F60 G2 X10 I2\n"), HasSubstr("part.ngc:1:12: center"));
+      HasSubstr("part.ngc:1:12: R1: must be at least half the distance from start to end, 5 mm"));
+  EXPECT_THAT(complaint("F60 G2 X10 I2\n"),
+              HasSubstr("part.ngc:1:12: I2: is 2 mm from the start and 8 mm from the end"));
+  EXPECT_THAT(complaint("G20\nF60 G2 X10 I2\n"),
+              HasSubstr("part.ngc:2:12: I2: is 2 in from the start and 8 in from the end"));
   EXPECT_THAT(complaint("G1 X1e5 F60\n"), HasSubstr("part.ngc:1:6: \"E\": follows a number"));
   EXPECT_THAT(complaint("WHILE\n"), HasSubstr("part.ngc:1:1: \"WHILE\": is not a G-code word"));
   EXPECT_THAT(complaint("#1 = 3\n"), HasSubstr("part.ngc:1:1: \"#\": variables (#1) and"));

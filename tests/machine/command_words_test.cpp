@@ -131,11 +131,11 @@ TEST(CommandWords, CoordinatesHaveTheNamesOfTheAxes) {
     return test::error_of([&] { (void)command_of(words(what, values, options), mm, axes); });
   };
   EXPECT_EQ(wrong("move-linear", {"u=1"}),
-            "--to = u=1: names u, but the axes of the group are x, y, z");
-  EXPECT_EQ(wrong("move-linear", {"x=1", "x=2"}), "--to = x=1,x=2: names an axis twice");
+            "VALUE = u=1: names u, but the axes of the group are x, y, z");
+  EXPECT_EQ(wrong("move-linear", {"x=1", "x=2"}), "VALUE = x=1,x=2: names an axis twice");
   EXPECT_EQ(wrong("move-linear", {"=2"}),
-            "--to = =2: names no axis, but the axes of the group are x, y, z");
-  EXPECT_EQ(wrong("move-linear", {"x="}), "--to = x=: has a name without a coordinate");
+            "VALUE = =2: names no axis, but the axes of the group are x, y, z");
+  EXPECT_EQ(wrong("move-linear", {"x="}), "VALUE = x=: has a name without a coordinate");
   EXPECT_EQ(wrong("move-linear", {}, {{"to", "x=1,2"}}),
             "--to = x=1,2: has coordinates with and without a name: name all of them, or none");
   EXPECT_EQ(wrong("move-linear", {"x=1"}, {{"to", "5"}}),

@@ -35,6 +35,16 @@ class MachineParts : public testing::Test {
     return path;
   }
 
+  /// A machine with these axes; `more` follows the last of them.
+  std::string machine_of(const std::vector<std::string>& axes, const std::string& more) {
+    const std::string path = (folder_ / "line.toml").string();
+    std::ofstream file(path);
+    file << "jounce = 1\nkind = \"machine\"\n";
+    for (const std::string& name : axes) file << "[[axis]]\nspec = \"" << name << ".toml\"\n";
+    file << more;
+    return path;
+  }
+
   std::filesystem::path folder_;
 };
 
@@ -63,6 +73,22 @@ TEST_F(MachineParts, TheCheckOfASpecRejectsWhatTheRunRejects) {
     EXPECT_EQ(test::error_of([&] { require_axis(read_spec(file)); }), run);
   }
   EXPECT_NO_THROW(require_axis(read_spec(axis("feeder"))));
+}
+
+TEST_F(MachineParts, TheCheckOfAMachineRejectsWhatTheRunRejects) {
+  (void)axis("feeder");
+  (void)axis("knife");
+  for (const auto& [more, key] :
+       {std::pair{"follow = { axis = \"feder\" }\n", "did you mean feeder?"},
+        {"follow = { master = \"line\" }\n", "is not a master of this machine"},
+        {"[[group]]\nname = \"pair\"\naxes = [\"feeder\", \"knifee\"]\n", "did you mean knife?"},
+        {"[[group]]\nname = \"knife\"\naxes = [\"feeder\"]\n", "also the name of an axis"}}) {
+    const std::string file = machine_of({"feeder", "knife"}, more);
+    const std::string run = test::error_of([&] { machine_parts({.files = {file}}); });
+    EXPECT_THAT(run, testing::HasSubstr(key));
+    EXPECT_EQ(test::error_of([&] { require_machine(*read_machine(file)); }), run);
+  }
+  EXPECT_NO_THROW(require_machine(*read_machine(machine_of({"feeder", "knife"}, ""))));
 }
 
 TEST_F(MachineParts, RejectAHomingThatNoDriveCanDo) {
@@ -200,9 +226,9 @@ TEST_F(MachineGroups, RejectWhatTheyCannotPlayWithItsPlace) {
                     HasSubstr("is not an axis of this machine")));
   EXPECT_THAT(
       error("axes = [\"y\", \"x\"]\nprogram = \"part.toml\"\n"),
-      AllOf(HasSubstr("machine.toml:9"), HasSubstr("use the same names in the same order")));
+      AllOf(HasSubstr("machine.toml:9"), HasSubstr("in the same order")));
   EXPECT_THAT(error(good, part("u")),
-              HasSubstr("x: is axis 1 of the group, but u is that of the path"));
+              HasSubstr("x: is axis 1 of the group, but axis 1 of the path is u"));
   EXPECT_THAT(error("axes = [\"x\"]\nprogram = \"part.toml\"\n"),
               HasSubstr("has 2 axes, but the group has 1"));
   std::string turned = part();

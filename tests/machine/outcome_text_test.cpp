@@ -33,7 +33,8 @@ TEST(OutcomeText, AddsTheRemedyOfTheAxis) {
 TEST(OutcomeText, ARemedyFitsTheReason) {
   CallOutcome faulty = rejected();
   faulty.reason = "not_enabled: disabled since the fault following_error: it was too great.";
-  EXPECT_THAT(reason_text(faulty, "feeder"), HasSubstr("feeder reset` and `jounce order feeder enable`"));
+  EXPECT_THAT(reason_text(faulty, "feeder"),
+              HasSubstr("feeder reset` and `jounce order feeder enable`"));
   CallOutcome alone = rejected();
   alone.cause = static_cast<std::int32_t>(Cause::no_master_input);
   alone.reason = "no_master_input: The axis has no live master: its spec has no [follow].";

@@ -55,8 +55,11 @@ TEST(Explain, NamesThePositionLimits) {
   inside.position_max = 5;
   EXPECT_THAT(rejected({}, {.position = 6}, inside),
               EndsWith("target 6 is above the highest permitted value 5"));
-  EXPECT_THAT(rejected({.position = 4.99, .velocity = 9}, {.position = 3}, inside),
-              EndsWith("from 4.99 at velocity 9 to 3 at velocity 0, position 0 to 5"));
+  EXPECT_THAT(
+      rejected({.position = 4.99, .velocity = 9}, {.position = 3}, inside),
+      EndsWith(
+          "it begins at position 4.99 with velocity 9, ends at position 3 with velocity 0, and "
+          "must stay above position 0 and below position 5"));
 }
 
 TEST(Explain, NamesWhatIsNotFiniteAndWhatIsNoBound) {

@@ -118,7 +118,7 @@ TEST(SpecCompensation, NamesWhatIsWrong) {
   };
   EXPECT_THAT(complaint("reference = [{ base = 0, interval = 10, count = 4 }]\n"
                         "values = [0, 0.1, -0.1, 0.2]\nmost = 0.15\n"),
-              ::testing::HasSubstr("= 0.2 mm: exceeds the greatest correction, 0.15"));
+              ::testing::HasSubstr("= 0.2 mm: exceeds the greatest correction, 0.15 mm"));
   EXPECT_THAT(complaint("reference = [{ base = 0, interval = 10, count = 4 }]\nvalues = [0, 1]\n"),
               ::testing::HasSubstr("then[1].values"));
   EXPECT_THAT(complaint("reference = [{ axis = \"y\", base = 0, interval = 10, count = 2 }]\n"

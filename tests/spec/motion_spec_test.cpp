@@ -752,7 +752,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec("profile = \"velocity\"\nto_velocity = 20\nacceleration = 100",
                             "[[then]]\noperator = \"moving_average\"\nwindow = 1"),
                   "a.toml:9:12: then[1].operator: needs a motion from rest to rest; this one has "
-                  "the velocity 20 at an end"},
+                  "the velocity 20 mm/s at an end"},
         BadMotion{std::string(axes_spec) +
                       "[[then]]\noperator = \"new_target\"\ntime = 0\nto = 3\nvelocity = 1\n"
                       "acceleration = 1",
@@ -810,10 +810,10 @@ TEST(Then, FiltersKeepToWhatHimcTakes) {
   };
   const std::string zv = "operator = \"shaper\"\nkind = \"zv\"\n";
   EXPECT_EQ(filter(zv + "frequency = 2\ncontroller = \"himc\"\n"), "");
-  EXPECT_EQ(
-      filter(zv + "frequency = 2\ncontroller = \"himc_group\"\n"),
-      "a.toml:12:13: then[1].frequency = 2 Hz: must be from 3 to 300 for a group's InShape (HIMC "
-      "error 0x82gg0118)");
+  EXPECT_EQ(filter(zv + "frequency = 2\ncontroller = \"himc_group\"\n"),
+            "a.toml:12:13: then[1].frequency = 2 Hz: must be from 3 Hz to 300 Hz for a group's "
+            "InShape (HIMC "
+            "error 0x82gg0118)");
   EXPECT_EQ(
       filter(zv + "frequency = 5\ndamping = 0.31\ncontroller = \"himc\"\n"),
       "a.toml:13:11: then[1].damping = 0.31: must be from 0 to 0.3 for an axis's InShape (HIMC "

@@ -208,7 +208,7 @@ INSTANTIATE_TEST_SUITE_P(
             "rule "
             "at the top, such as velocities = \"clamped\""},
         Bad{pvt, "[[knot]]\ntime = 0", "[[knots]]\ntime = 0",
-            "a.toml:6:3: [[knots]]: is not a section here: did you mean knot?"}));
+            "a.toml:6:3: [[knots]]: is not a section here: did you mean [[knot]]?"}));
 
 TEST(BadSpecs, EmptyFilesSaySo) {
   EXPECT_EQ(complaint(""), "a.toml:1: the file is empty: `jounce new` writes a spec to start with");

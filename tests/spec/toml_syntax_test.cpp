@@ -124,7 +124,7 @@ TEST(TomlSyntax, ASectionThatCanOccurSeveralTimesNeedsDoubleBrackets) {
 
 TEST(TomlSyntax, NamesTheSectionThatIsUnknown) {
   EXPECT_EQ(error_in("path", "[[axis]]\nname = \"x\"\n[paths]\n"),
-            "a.toml:6:2: [paths]: is not a section here: did you mean path?");
+            "a.toml:6:2: [paths]: is not a section here: did you mean [path]?");
 }
 
 TEST(TomlSyntax, TellsAForeignFileFromASpec) {

@@ -308,7 +308,10 @@ TEST(Identify, SaysThatTheModelMissesSomething) {
   const Identification found = identify(run, move, {truth, {"mass[1].inertia"}});
   EXPECT_EQ(found.status, Status::misfit);
   EXPECT_TRUE(found.usable());
-  EXPECT_THAT(found.reason, HasSubstr("the residuals of torque are not white (Ljung-Box Q"));
+  EXPECT_THAT(
+      found.reason,
+      HasSubstr("the recorded and the computed torque are not random, but correlated over time "
+                "(Ljung-Box Q"));
   EXPECT_THAT(found.notes, ::testing::Contains(found.reason));
 }
 

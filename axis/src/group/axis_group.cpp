@@ -102,10 +102,12 @@ MotionAxis::Rejection MotionAxis::act(const command::Extend& what) {
   return std::nullopt;
 }
 
-/// The refusal names the axis of Inputs::master (Peers::away, Peers::failed).
+/// The refusal names the axis of Inputs::master (Peers::away, Peers::failed), whose second number is
+/// its place, or the bits of all axes that are not ready.
 Refusal MotionAxis::axis_refusal(Cause cause) const {
   const auto [position, place, number, reason] = inputs_.master;
-  if (cause == Cause::axis_not_ready) return {.cause = cause, .value = reason, .where = number};
+  if (cause == Cause::axis_not_ready)
+    return {.cause = cause, .value = reason, .limit = place, .where = number};
   return {.cause = cause, .value = position, .limit = place, .where = number};
 }
 

@@ -259,10 +259,10 @@ void require_order(std::span<const std::string> path, std::span<const std::strin
   if (std::none_of(path.begin(), path.end(), known)) return;
   for (std::size_t k = 0; k < path.size() && k < group.size(); ++k)
     if (path[k] != group[k])
-      throw InputError(
-          "axes", group[k],
-          "is axis " + std::to_string(k + 1) + " of the group, but " + path[k] +
-              " is that of the path: use the same names in the same order, or other names for all");
+      throw InputError("axes", group[k],
+                       "is axis " + std::to_string(k + 1) + " of the group, but axis " +
+                           std::to_string(k + 1) + " of the path is " + path[k] +
+                           ": name the axes of the path as those of the group, in the same order");
 }
 
 AxisConfig group_config(std::span<const AxisConfig> axes) {

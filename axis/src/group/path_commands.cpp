@@ -164,7 +164,9 @@ void PathCommands::append(const command::MoveCircular<relative>& arc) {
   const bool around = is_given(arc.center);
   const bool by_radius = !std::isnan(arc.radius);
   if (static_cast<int>(through) + static_cast<int>(around) + static_cast<int>(by_radius) != 1)
-    throw InputError("via", "", "must be given, or center, or radius: exactly one of the three");
+    throw InputError(
+        "via", "",
+        "is one of three ways to define an arc: give exactly one of via, center and radius");
   if (arc.turns > command::most_extra_turns)
     throw InputError("turns", std::to_string(arc.turns),
                      "must be at most " + std::to_string(command::most_extra_turns) +

@@ -83,8 +83,9 @@ void require_references(const std::vector<MachineAxis>& axes) {
       if (references[j] >= axes.size() || axes[references[j]].group)
         throw InputError(key, static_cast<double>(references[j]), "the machine has no such axis");
       if ((references[j] == i) != (compensation->own == j))
-        throw InputError(key, axes[references[j]].name,
-                         "must be the corrected axis at the index own of the table, and only there");
+        throw InputError(
+            key, axes[references[j]].name,
+            "must be the corrected axis at the index own of the table, and only there");
     }
   }
 }
@@ -298,12 +299,14 @@ void Machine::gather(std::size_t group, std::span<AxisImage> images) const {
   inputs.peers = places.size() == of.axes.size() ? Peers::together : Peers::away;
   inputs.master = no_master;
   inputs.group_broken = false;
+  unsigned failing = 0;  // bit k: axis k
   for (std::size_t k = 0; k < of.axes.size(); ++k) {
     const AxisImage& axis = images[of.axes[k]];
     const double place = places.size() == of.axes.size() ? places[k][0] : axis.tick.position;
     const bool lost_home = axes_[of.axes[k]].config.require_home && !axis.tick.homed;
     const bool fails = axis.tick.state != expected || axis.tick.waiting || lost_home;
     const bool away = !(std::abs(axis.tick.position - place) <= of.tolerance);
+    if (fails) failing |= 1U << k;
     if (moved_[group] && axis.command.kind() == CommandKind::stop) inputs.group_broken = true;
     if (inputs.peers == Peers::failed || (!fails && (!away || inputs.peers == Peers::away)))
       continue;
@@ -311,6 +314,7 @@ void Machine::gather(std::size_t group, std::span<AxisImage> images) const {
     inputs.master = {axis.tick.position, place, static_cast<double>(k + 1),
                      static_cast<double>(unready(axis.tick.state, lost_home))};
   }
+  if (inputs.peers == Peers::failed) inputs.master[1] = failing;
 }
 
 /// The inputs of an axis of a group that was stepped in this tick. The last setpoint of a motion is

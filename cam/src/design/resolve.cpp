@@ -151,10 +151,12 @@ void Resolver::require_whole_turns() const {
   const double turns = std::round(advance / period);
   const double scale = std::max(std::abs(knots_.back().slave), std::abs(knots_.front().slave));
   if (std::abs(advance - turns * period) > rounded_sum * std::max(scale, period))
-    throw InputError(key_of(spec_.segments.size(), "slave"), knots_.back().slave,
-                     "must be a whole number of slave periods (" + number(period) +
-                         ") from the start, as " + number(knots_.front().slave + turns * period) +
-                         " is");
+    throw InputError(
+        key_of(spec_.segments.size(), "slave"), knots_.back().slave,
+        "must differ from the start of the cam by a whole number of turns, slave_period "
+        "= " +
+            number(period) + ": the nearest is slave " +
+            number(knots_.front().slave + turns * period));
 }
 
 void Resolver::require_form_and_points(std::size_t i) const {
@@ -214,9 +216,9 @@ void Resolver::fail_step(std::size_t knot, double before, double demanded,
   throw InputError("segment[" + std::to_string(line + 1) + "].law",
                    std::string("\"") + name(law(line)) + '"',
                    std::string(line_after ? "begins" : "ends") + " at master " +
-                       number(knots_[knot].master) + " with the velocity " + six_digits(own) +
+                       number(knots_[knot].master) + " with the slope " + six_digits(own) +
                        ", but the adjacent segment " + std::to_string(other + 1) + " (" +
-                       name(law(other)) + ") has " + six_digits(others) + " there: " +
+                       name(law(other)) + ") has the slope " + six_digits(others) + " there: " +
                        (others == 0 ? "use a law from rest to rest, such as modified_sine"
                                     : "put a segment with the law quintic between the two, or, for "
                                       "a controller that joins positions by straight lines, give "
@@ -285,10 +287,10 @@ void Resolver::require_no_rest(std::size_t i, bool reversal_first) const {
   const std::size_t knot = reversal_first ? i : i + 1;
   const auto neighbor = beside(i, reversal_first ? -1 : 1);
   if (!neighbor || !rests(*neighbor)) return;
-  throw InputError("segment[" + std::to_string(i + 1) + "].law", name(law(i)),
-                   "reverses at master " + number(knots_[knot].master) +
-                       ", where the adjacent law `" + name(law(*neighbor)) +
-                       "` has no acceleration: use a law from rest to rest");
+  throw InputError(
+      "segment[" + std::to_string(i + 1) + "].law", std::string("\"") + name(law(i)) + '"',
+      "reverses at master " + number(knots_[knot].master) + ", where the adjacent law `" +
+          name(law(*neighbor)) + "` has no acceleration: use a law from rest to rest");
 }
 
 /// Computes the inflection if the knot of the reversal gives an acceleration that the law can have.

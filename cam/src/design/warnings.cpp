@@ -155,8 +155,8 @@ class Inspection {
     const auto from_to = [](double a, double b) {
       return rounded(std::min(a, b)) + " to " + rounded(std::max(a, b));
     };
-    return "rho = slope * length / stroke = " + rounded(*k * g.length / h) +
-           " is not within 5/3 to 5/2: use a master length from " +
+    return "the slope of its moving end, times its length, divided by its stroke is " +
+           rounded(*k * g.length / h) + ", but must be 5/3 to 5/2: use a length from " +
            from_to(rho_least * h / *k, rho_most * h / *k) + ", or a stroke from " +
            from_to(*k * g.length / rho_most, *k * g.length / rho_least);
   }

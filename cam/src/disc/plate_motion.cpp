@@ -158,7 +158,7 @@ PlateMotion plate_motion(const Contour& profile, const DiscSpec& spec,
                                               Arm{spec.arm_length, spec.center_distance});
     if (!std::isfinite(position))
       throw InputError("profile", "",
-                       "is not met by the follower at the master position " + six_digits(master) +
+                       "is not met by the follower at master " + six_digits(master) +
                            ": check the place of the center and the lengths of the follower");
     least = std::min(least, position);
     positions.push_back(position);

@@ -13,6 +13,7 @@
 #include "jounce/io/points.hpp"
 #include "jounce/spec/drawn_cam.hpp"
 
+#include "design/src/file_name.hpp"
 #include "design/src/fit/fit_spec.hpp"
 
 namespace jounce {
@@ -111,7 +112,8 @@ Measurement from_table(const Input& input, const FitOptions& options) {
   constexpr std::size_t places = 720;  // points of a table with velocities, at least
   const Table& table = input.table.table;
   if (table.axis() != Domain::master)
-    throw InputError("FILE", input.name, "is a table over time: fit reads cams, over a master");
+    throw InputError("FILE", design_detail::file_name(input),
+                     "is a table over time: fit reads cams, over a master");
   if (options.tolerance.empty())
     throw InputError("tolerance", "", "is missing: give the greatest distance from the table");
   Measurement m;

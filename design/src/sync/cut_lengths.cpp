@@ -97,7 +97,7 @@ CutLengths cut_lengths(const Spec& spec) {
     if (sync != nullptr)
       if (auto found = std::visit([](const auto& kind) { return lengths_of(kind); }, *sync))
         return std::move(*found);
-    throw InputError("kind", "",
+    throw InputError("kind", '"' + spec_kind(spec.document.text) + '"',
                      "must be \"knife\" or \"shear\": other kinds have no map of cut lengths");
   } catch (const InputError& error) {
     throw spec.document.located(error);

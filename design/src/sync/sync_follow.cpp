@@ -31,8 +31,9 @@ Finding beginning(const FollowStart& start, const Spec& spec) {
   f.margin = t ? 1 : -1;
   f.broken = !t;
   if (!t)
-    f.advice = "it moves from 0 to " + number(spec.master->distance) + " and never passes " +
-               number(start.position) + (start.direction > 0 ? " forwards" : " backwards") +
+    f.advice = "it moves from 0 to master " + number(spec.master->distance) +
+               " and never passes master " + number(start.position) +
+               (start.direction > 0 ? " forwards" : " backwards") +
                ": the slave would wait forever; the position is absolute, not a distance";
   return f;
 }
@@ -63,7 +64,9 @@ Report check_follow(const Spec& spec) {
   const auto* part = sync != nullptr ? std::get_if<FollowPart>(sync) : nullptr;
   if (part == nullptr) return {};
   try {
-    return checked(*part, spec);
+    Report report = checked(*part, spec);
+    for (Finding& f : report.findings) f.advice = with_units(f.advice, spec.document.nouns);
+    return report;
   } catch (const InputError& error) {
     throw spec.document.located(error);
   }

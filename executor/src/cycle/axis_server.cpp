@@ -666,7 +666,7 @@ void AxisServer::take_ticks() {
   for (Tick tick; exchange_.ticks.pop(tick);) {
     if (log_) write(tick);
     if (options_.trace != nullptr) options_.trace->add(axis_, trace_tick(tick));
-    const bool with_group = options_.in_group && tick.finished > last_.finished &&
+    const bool with_group = !options_.groups.empty() && tick.finished > last_.finished &&
                             last_.state == State::synchronized_motion;
     if (with_group) ++ended_with_group_;
     Tick reported = last_;

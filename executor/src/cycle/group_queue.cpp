@@ -8,6 +8,7 @@
 
 #include "jounce/axis/group_program.hpp"
 #include "jounce/axis/path_clock.hpp"
+#include "jounce/base/document.hpp"
 #include "jounce/command/command_table.hpp"
 #include "jounce/executor/group_plan.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
@@ -40,13 +41,26 @@ double highest_rate_of(const GroupProgram& program) {
   return rate;
 }
 
-/// The sentence of an error. A coordinate, such as "to[1]", has the name of its axis.
-std::string reason_of(const InputError& error, const std::vector<std::string>& axes) {
-  std::string key = error.key();
+/// The unit of the coordinates of commands.
+const std::string& unit_of(const ExecutorGroup& group) {
+  return group.kinematics ? group.kinematics->unit : group.unit;
+}
+
+/// The sentence of an error, with units. A coordinate, such as "to[1]", has the name of its axis.
+std::string reason_of(const InputError& plain, const std::vector<std::string>& axes,
+                      const std::string& unit) {
+  Document document;
+  const bool is_length = plain.key() == "center" || plain.key() == "radius";
+  if (is_length || plain.key().starts_with("to[")) document.units[plain.key()] = unit;
+  const InputError error = document.located(plain);
+  const auto sentence = [&](const std::string& name) {
+    return name + (error.value().empty() ? "" : " = " + error.value()) + ": " + error.rule();
+  };
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (key == "to[" + std::to_string(i + 1) + "]") key = axes[i] + " =";
-  if (key == "to" || key == "by") key = "--" + key;
-  return key + (error.value().empty() ? "" : " " + error.value()) + " " + error.rule();
+    if (error.key() == "to[" + std::to_string(i + 1) + "]") return sentence(axes[i]);
+  for (const char* option : {"to", "by", "center", "radius", "via", "plane", "turns"})
+    if (error.key() == option) return sentence("--" + error.key());
+  return error.key() + (error.value().empty() ? "" : " " + error.value()) + " " + error.rule();
 }
 
 bool aborts(const ClientCommand& command) {
@@ -295,7 +309,7 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
     if (auto step = joined(group)) return step;
     return proceed(group);
   } catch (const InputError& error) {
-    return finish(Cause::no_value, reason_of(error, group_->coordinates()));
+    return finish(Cause::no_value, reason_of(error, group_->coordinates(), unit_of(*group_)));
   }
 }
 
@@ -486,7 +500,7 @@ GroupQueue::Planned GroupQueue::planned(const Task& task, const ExecutorGroup& g
   } catch (const PlanCanceled&) {
     return {};
   } catch (const InputError& error) {
-    return {.reason = reason_of(error, group.coordinates())};
+    return {.reason = reason_of(error, group.coordinates(), unit_of(group))};
   } catch (const std::bad_alloc&) {
     return {.reason = "the path does not fit into the memory of the executor"};
   }

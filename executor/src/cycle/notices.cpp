@@ -58,6 +58,20 @@ std::string fault_text(const Tick& now, const std::string& unit, const AxisConfi
          numbers_of(now, unit, config, axes);
 }
 
+namespace {
+
+/// A reason with its remedy, for an axis of these groups.
+std::string in_group_text(const std::vector<std::string>& groups) {
+  std::string names;
+  for (const std::string& group : groups) names += (names.empty() ? "" : " or ") + group;
+  return "the enabled group " + names +
+         " alone moves this axis: command the group, or send `jounce "
+         "order " +
+         groups.front() + " disable` first";
+}
+
+}  // namespace
+
 std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options) {
   const bool of_joints = options.group && options.group->kinematics;
   std::string words = text(refusal, of_joints ? options.group->unit : options.units.position,
@@ -65,11 +79,21 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
   constexpr std::string_view either = "The axis or group ";
   if (const std::size_t at = words.find(either); at != std::string::npos)
     words.replace(at, either.size(), options.group ? "The group " : "The axis ");
+  if (refusal.cause == Cause::axis_away && options.group)
+    words += " The tolerance is " + six_digits(options.group->of.tolerance) +
+             (options.group->unit.empty() ? "" : " " + options.group->unit) + ".";
+  if (refusal.cause == Cause::in_group && !options.groups.empty())
+    return in_group_text(options.groups);
   if (refusal.cause == Cause::no_master_input)
     return std::string(name(refusal.cause)) + ": The axis has no live master: " +
            (options.follow.what == Follow::What::nothing
                 ? "its spec has no [follow]."
                 : "the master of its [follow] sends no valid position.");
+  if (refusal.cause == Cause::start_position && now.fault != Cause::none)
+    return "the axis has the fault " + std::string(name(now.fault)) +
+           ": first send `jounce order " + options.receiver.executor +
+           " reset`, and move the axis to the start of the table, " + six_digits(refusal.value) +
+           (options.units.position.empty() ? "" : " " + options.units.position);
   if (refusal.cause == Cause::start_position && in_motion(now) && !std::isnan(refusal.value)) {
     const auto at = [&](double number) {
       return six_digits(number) +
@@ -80,10 +104,11 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
   }
   const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;
   if (!fault || now.fault == Cause::none) return words;
-  const std::string why = std::string(name(refusal.cause)) +
-                          (refusal.cause == Cause::in_error ? ": the axis has the fault "
-                                                            : ": disabled since the fault ") +
-                          name(now.fault);
+  const std::string who = options.group ? ": the group " : ": the axis ";
+  const std::string why =
+      std::string(name(refusal.cause)) +
+      (refusal.cause == Cause::in_error ? who + "has the fault " : ": disabled since the fault ") +
+      name(now.fault);
   const std::string numbers =
       numbers_of(now, options.units.position, options.axis, group_names(options));
   const std::string means = why + ": " + meaning(now.fault);

@@ -54,19 +54,19 @@ bool is_odd(double travel, std::optional<double> usual) {
 std::string advice(const FollowSpec& spec, std::size_t table, std::size_t i, double start) {
   const auto [master, slave] = travel_of(spec.tables[table], i);
   const auto misprint = [&](const char* whose, double is, double would_be, double end) {
-    return std::string("the ") + whose + " travel of this segment, " + rounded(is) + ", is " +
-           rounded(std::abs(is) / would_be) + " times that of the other segments, " +
-           rounded(would_be) + ": check it. With " + rounded(would_be) +
-           ", the segment would end at the ratio " + rounded(end);
+    return std::string("in this segment, the ") + whose + " travels " + rounded(is) + ", " +
+           rounded(std::abs(is) / would_be) + " times as far as in the other segments, where the " +
+           whose + " travels " + rounded(would_be) +
+           ": check it. With that travel, the segment would end at the ratio " + rounded(end);
   };
   const auto m = usual(spec, table, i, &Travel::master);
   if (is_odd(master, m)) return misprint("master", master, *m, 2 * slave / *m - start);
   const auto s = usual(spec, table, i, &Travel::slave);
   if (is_odd(slave, s))
     return misprint("slave", slave, *s, std::copysign(2 * *s, slave) / master - start);
-  return "from the ratio " + rounded(start) + " the slave goes " + rounded(start * master / 2) +
-         " until it stands, and has " + rounded(slave) +
-         " to go: move the point, or put one where it stands";
+  return "from the ratio " + rounded(start) + ", the slave travels " + rounded(start * master / 2) +
+         " until it stands, and then " + rounded(slave - start * master / 2) + " to the point" +
+         ": move the point, or put one where it stands";
 }
 
 class Inspection {

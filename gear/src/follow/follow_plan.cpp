@@ -154,8 +154,8 @@ std::string away_from_zero(double travel) {
 }
 
 std::string travel_advice(const FollowGap& g, const FollowPlan& plan, double from, double to) {
-  const std::string where = "between master " + rounded(from) + " and " + rounded(to) +
-                            " the slave travels " + rounded(g.travel);
+  const std::string where = "between master " + rounded(from) + " and master " + rounded(to) +
+                            ", the slave travels " + rounded(g.travel);
   const double least = least_travel(g, plan);
   if (plan.form == FollowForm::table || gear_detail::way(g) * g.travel <= 0)
     return where +

@@ -53,6 +53,7 @@ double positive_word(const GcodeBlock& block, const GcodeWord& word) {
 }  // namespace
 
 void GcodeInterpreter::set_units(const std::string& length) {
+  length_ = length;
   for (std::size_t i = 0; i < letters_.size(); ++i) {
     const std::string& unit = machine_.axes[i].unit;
     const bool turns = letters_[i] >= 'A' && letters_[i] <= 'C';

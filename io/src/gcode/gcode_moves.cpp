@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "jounce/base/document.hpp"
 #include "jounce/path/arc.hpp"
 #include "jounce/path/rotary.hpp"
 #include "jounce/profiles/six_digits.hpp"
@@ -145,8 +146,21 @@ void GcodeInterpreter::turn(const GcodeBlock& block, const Target& target, const
     add(arc_about(from, center(block, from, plane), to, plane, rotation, 0, tolerance));
   } catch (const InputError& error) {
     if (error.column() != 0) throw;
-    throw InputError(error.key(), error.value(), error.rule()).at({}, block.line, given.column);
+    throw in_program(block, plane, error).at({}, block.line, given.column);
   }
+}
+
+InputError GcodeInterpreter::in_program(const GcodeBlock& block, Plane plane,
+                                        const InputError& error) const {
+  Document document;
+  document.units[error.key()] = machine_.axes[plane.first].unit;
+  if (!length_.empty()) document.given[error.key()] = length_;
+  const InputError with_units = document.located(error);
+  std::string words;
+  for (const GcodeWord& word : block.words)
+    if (word.letters == "R" || center_letters.find(word.letters) != std::string_view::npos)
+      words += (words.empty() ? "" : " ") + word.letters + word.text;
+  return {words.empty() ? error.key() : words, "", with_units.rule()};
 }
 
 Point GcodeInterpreter::center(const GcodeBlock& block, const Point& from, Plane plane) const {

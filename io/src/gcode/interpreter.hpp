@@ -63,6 +63,9 @@ class GcodeInterpreter {
   /// their unit.
   [[nodiscard]] PathSettings settings(const GcodeBlock& block, const Point& to) const;
   void turn(const GcodeBlock& block, const Target& to, const GcodeWord& given);
+  /// Returns the error of an arc with its words, and with numbers in the unit of the program.
+  [[nodiscard]] InputError in_program(const GcodeBlock& block, Plane plane,
+                                      const InputError& error) const;
   /// Returns the center of an arc from I, J and K. A word outside the plane is an error. If these
   /// words are relative, a missing one is 0.
   [[nodiscard]] Point center(const GcodeBlock& block, const Point& from, Plane plane) const;
@@ -70,6 +73,7 @@ class GcodeInterpreter {
   const GcodeMachine& machine_;
   GcodeProgram made_;
   std::string letters_;                   ///< letters of the axes
+  std::string length_ = {};               ///< unit of the lengths in the program; "": of the axis
   std::array<double, max_axes> scale_{};  ///< unit of the axis divided by the unit of its word
   Frame frame_{};
   Point part_{};     ///< position in the frame

@@ -271,7 +271,8 @@ class Reader {
          "has " + std::to_string(cells) + (cells == 1 ? " value" : " values") +
              ", but the header has " + std::to_string(wanted) +
              (wanted == 1 ? " column" : " columns") +
-             (commas ? ": decimal commas need semicolons between columns"
+             (wanted == 1 ? ": the first line must name the columns, such as master,slave"
+              : commas    ? ": decimal commas need semicolons between columns"
               : separator_ == ',' && std::find(begin_, line_end_, '"') != line_end_
                   ? ": a comma separates columns, also between quotes"
                   : ""));

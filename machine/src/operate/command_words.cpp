@@ -229,6 +229,13 @@ double direction_of(const std::string& text) {
   return text == "positive" ? 1 : text == "negative" ? -1 : 0;
 }
 
+/// The name of a coordinate in messages: "x", "--to", "--to: x".
+std::string coordinate_name(const CommandWords& words, const std::string& option, std::size_t index,
+                            const std::vector<std::string>& axes) {
+  if (index >= axes.size()) return option;
+  return words.typed_coordinates ? axes[index] : option + ": " + axes[index];
+}
+
 /// The coordinate with this index in a list such as "10,5mm,,2"; NaN: not given.
 double coordinate_of(const std::string& name, const std::string& text, std::size_t index,
                      const std::string& unit) {
@@ -372,7 +379,7 @@ InputError value_missing(const std::string& word, const Field& field, const std:
 
 /// The value of a field, from its option. `index`: number of fields of the same option before it.
 double value_of(const CommandWords& words, const Form& form, const Field& field, std::size_t index,
-                const Units& units) {
+                const Units& units, const std::vector<std::string>& axes) {
   const std::string option = form.option(field);
   const std::string name = dashed(option);
   const std::string text = text_of(words, option);
@@ -412,7 +419,7 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
     case FieldRange::trigger_edge:
       return edge_of(text);
     case FieldRange::coordinate:
-      return coordinate_of(name, text, index, unit);
+      return coordinate_of(coordinate_name(words, name, index, axes), text, index, unit);
     case FieldRange::finite:
       if (text.empty()) throw InputError(name, "", "is missing: " + words.what + " needs it");
       return number_of(name, text, unit);
@@ -504,6 +511,10 @@ void require_taken(const CommandWords& words) {
   require_applies(words, form);
 }
 
+CommandKind kind_of(const CommandWords& words) {
+  return form_of(words).command->kind;
+}
+
 void require_held(const CommandWords& words, const std::string& seconds) {
   if (flag_of(words, "hold-to-run")) return;
   throw InputError("--seconds", seconds,
@@ -534,12 +545,12 @@ std::string coordinate_option(const std::string& word) {
   return "";
 }
 
-/// The index of an axis among the axes of the group.
-std::size_t axis_index(const std::string& name, const std::string& option, const std::string& text,
+/// The index of an axis among the axes of the group. `one`: the coordinate as given.
+std::size_t axis_index(const std::string& name, const std::string& option, const std::string& one,
                        const std::vector<std::string>& axes) {
   const auto found = std::find(axes.begin(), axes.end(), name);
   if (found == axes.end())
-    throw InputError(option, text,
+    throw InputError(option, one,
                      "names " + (name.empty() ? "no axis" : name) +
                          ", but the axes of the group are " + listed(axes));
   return static_cast<std::size_t>(found - axes.begin());
@@ -560,7 +571,7 @@ std::string in_order(const std::string& option, const std::string& text,
     const std::size_t first = std::min(one.find_first_not_of(' '), equals);
     const std::size_t last = one.find_last_not_of(' ', equals == 0 ? 0 : equals - 1);
     std::string& place = given[axis_index(equals == 0 ? "" : one.substr(first, last + 1 - first),
-                                          option, text, axes)];
+                                          option, one, axes)];
     if (!place.empty()) throw InputError(option, text, "names an axis twice");
     place = one.substr(equals + 1);
     if (place.empty()) throw InputError(option, text, "has a name without a coordinate");
@@ -574,12 +585,15 @@ std::string in_order(const std::string& option, const std::string& text,
 
 /// The words with all coordinates in the order of the axes.
 CommandWords without_names(CommandWords words, const std::vector<std::string>& axes) {
+  const auto named = [&](const std::string& option) {
+    return words.typed_coordinates ? std::string("VALUE") : dashed(option);
+  };
   for (const Form& form : forms_of(words.what))
     for (const Field& field : form.command->fields) {
       if (field.range != FieldRange::coordinate) continue;
       const auto given = words.options.find(field.option);
       if (given != words.options.end())
-        given->second = in_order(dashed(field.option), given->second, axes);
+        given->second = in_order(named(field.option), given->second, axes);
     }
   return words;
 }
@@ -606,6 +620,7 @@ void set_values(CommandWords& words, const std::vector<std::string>& values) {
   if (option == "to" && !text_of(words, "by").empty())
     throw InputError(value_word, list, "cannot be combined with --by: use --by " + list);
   words.options[option] = list;
+  words.typed_coordinates = true;
 }
 
 bool names_axes(const CommandWords& words) {
@@ -625,7 +640,7 @@ ClientCommand command_of(const CommandWords& given, const Units& units,
   for (std::size_t i = 0; i < form.command->fields.size(); ++i) {
     const Field& field = form.command->fields[i];
     if (form.takes(field))
-      values[i] = value_of(words, form, field, seen[form.option(field)]++, units);
+      values[i] = value_of(words, form, field, seen[form.option(field)]++, units, axes);
     if (field.range == FieldRange::coordinate)
       require_coordinates(dashed(form.option(field)), text_of(words, form.option(field)),
                           coordinates(form, form.option(field)));

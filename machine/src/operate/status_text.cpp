@@ -36,8 +36,9 @@ std::string end_of_jog(std::int32_t reason) {
 
 std::string status_text(const std::string& axis, const wire::Status& s) {
   return fmt::format(
-      "{:<12} {:<9} tick {:<10} {:<19} position {:<14} velocity {:<16} late {}{}{}{}{}{}{}{}", axis,
-      name(s.state), s.tick,
+      "{:<12} {:<9} tick {:<10} {:<19} position {:<14} velocity {:<16} late cycles "
+      "{}{}{}{}{}{}{}{}",
+      axis, name(s.state), s.tick,
       std::isnan(s.master_position) ? "no master"
                                     : "master " + number_text(s.master_position, s.units.x),
       number_text(s.slave_position, s.units.position),
@@ -88,9 +89,11 @@ std::string status_json(const std::string& axis, const wire::MasterStatus& m) {
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string status_text(const std::string& group, const wire::GroupStatus& g) {
-  return fmt::format("{:<12} path      tick {:<10} {}, feed {:.6g}, remaining {}", group, g.tick,
-                     place_text(g, ""), g.feed, remaining_text(g, ""));
+std::string status_text(const std::string& group, const wire::GroupStatus& g,
+                        const std::string& unit) {
+  return fmt::format("{:<12} path      tick {:<10} {}, feed {}, remaining {}", group, g.tick,
+                     place_text(g, unit), number_text(g.feed, rate_unit(unit, "s", 1)),
+                     remaining_text(g, unit));
 }
 
 std::string status_json(const std::string& group, const wire::GroupStatus& g) {
@@ -123,7 +126,7 @@ std::string remaining_text(const wire::GroupStatus& group, const std::string& un
   std::string text =
       std::isnan(group.remaining_s) ? "not known" : six_digits(group.remaining_s) + " s";
   if (group.estimated && !std::isnan(group.remaining_s)) text += " (estimate)";
-  text += fmt::format(", {} commands", group.commands);
+  text += ", " + counted(group.commands, "command");
   if (!std::isnan(group.look_ahead)) text += ", look-ahead " + number_text(group.look_ahead, unit);
   return text;
 }

@@ -140,6 +140,12 @@ bool Watch::has_received() const {
                      [](const Watched& axis) { return axis.status.has_value(); });
 }
 
+std::string Watch::unit_of(const std::string& name) const {
+  for (const Watched& axis : axes_)
+    if (axis.name == name && axis.status) return axis.status->units.position;
+  return "";
+}
+
 bool Watch::is_wanted(const std::string& name) const {
   const auto& names = options_.names;
   return names.empty() || std::binary_search(names.begin(), names.end(), name);

@@ -11,7 +11,7 @@
 namespace jounce {
 namespace {
 
-std::shared_ptr<AxisDrive> make(const AxisDriveSpec& spec, const AxisConfig& axis) {
+std::shared_ptr<AxisDrive> make(const AxisDriveSpec& spec, const AxisConfig& axis, bool opens) {
   switch (spec.type) {
     case AxisDriveSpec::Type::null:
       return std::make_shared<NullDrive>(axis.position);
@@ -22,20 +22,22 @@ std::shared_ptr<AxisDrive> make(const AxisDriveSpec& spec, const AxisConfig& axi
       break;
   }
   const AxisDriveSpec::Shared& shared = *spec.shared;
-  return std::make_shared<SharedDrive>(shared.name,
-                                       Cia402Config{.increments_per_rev = shared.increments_per_rev,
-                                                    .position_per_rev = shared.position_per_rev,
-                                                    .reversed = shared.reversed,
-                                                    .window = shared.window,
-                                                    .touch_probes = shared.touch_probes},
-                                       shared.silent_cycles);
+  const Cia402Config config{.increments_per_rev = shared.increments_per_rev,
+                            .position_per_rev = shared.position_per_rev,
+                            .reversed = shared.reversed,
+                            .window = shared.window,
+                            .touch_probes = shared.touch_probes};
+  if (opens) return std::make_shared<SharedDrive>(shared.name, config, shared.silent_cycles);
+  require_shared_drive(shared.name, config);
+  return std::make_shared<NullDrive>(axis.position);
 }
 
 }  // namespace
 
-std::shared_ptr<AxisDrive> make_drive(const AxisDriveSpec& spec, const AxisConfig& axis) {
+std::shared_ptr<AxisDrive> make_drive(const AxisDriveSpec& spec, const AxisConfig& axis,
+                                      bool opens) {
   try {
-    auto drive = make(spec, axis);
+    auto drive = make(spec, axis, opens);
     if (!spec.machine) return drive;
     return std::make_shared<DriveOnMachine>(std::move(drive), *spec.machine,
                                             static_cast<double>(axis.period) * 1e-9);

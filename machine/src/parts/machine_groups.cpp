@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "jounce/axis/group_program.hpp"
+#include "jounce/base/file.hpp"
 #include "jounce/base/listed.hpp"
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/units.hpp"
@@ -33,6 +34,9 @@ std::size_t index_of(const std::string& name, const MachineParts& parts) {
 /// The motions of the axes of a path over s; the file has one for each axis.
 std::vector<Input> path_of(const std::string& file, const ExecutorGroup& group) {
   const std::size_t axes = group.coordinates().size();
+  if (const std::string kind = spec_kind(read_file(file)); !kind.empty() && kind != "path")
+    throw InputError("program", file,
+                     "is of kind \"" + kind + "\", but must be a spec of kind \"path\"");
   std::vector<Input> inputs = read_inputs(file);
   if (!inputs.front().plan)
     throw InputError("program", file,
@@ -209,7 +213,7 @@ void add_machine_group(const MachineSpec::Group& spec, const Document& document,
   try {
     parts.axes.push_back(made(spec, options, parts));
     for (const std::size_t axis : parts.axes.back().group->of.axes)
-      parts.axes[axis].in_group = true;
+      parts.axes[axis].groups.push_back(spec.name);
   } catch (const InputError& error) {
     if (!error.document().empty())  // an error of the program, or a missing file
       throw document.naming(spec.key + ".program", spec.program, error);

@@ -36,12 +36,13 @@ ExecutorOptions* axis_named(const std::string& name, MachineParts& parts) {
 
 /// Returns the reader of an encoder, which is called once in every cycle.
 std::function<double()> reader_of(const MachineMasterSpec& spec,
-                                  const MachineMasterSpec::Encoder& encoder, MachineParts& parts) {
+                                  const MachineMasterSpec::Encoder& encoder, bool opens,
+                                  MachineParts& parts) {
   const EncoderErrors errors{encoder.resolution, encoder.noise, encoder.seed};
   const auto reading = std::make_shared<EncoderReading>(errors);
   if (encoder.drive) {
     AxisDriveSpec alone{.type = AxisDriveSpec::Type::shared_memory, .shared = encoder.drive};
-    const std::shared_ptr<AxisDrive> drive = make_drive(alone, {});
+    const std::shared_ptr<AxisDrive> drive = make_drive(alone, {}, opens);
     return [drive, reading] { return (*reading)(reported_position(drive->feedback())); };
   }
   ExecutorOptions* const axis = axis_named(encoder.axis, parts);
@@ -69,11 +70,12 @@ Follow make(const MachineMasterSpec::External& external, const MachineMasterSpec
 }
 
 Follow make(const MachineMasterSpec::Encoder& encoder, const MachineMasterSpec& spec,
-            const MachineOptions& /*options*/, MachineParts& parts) {
+            const MachineOptions& options, MachineParts& parts) {
   const TrackerSpec tracker = tracker_of(encoder.tracking);
   require_valid(tracker);
-  return add(std::make_shared<EncoderMaster>(tracker, reader_of(spec, encoder, parts)), spec,
-             parts);
+  return add(std::make_shared<EncoderMaster>(
+                 tracker, reader_of(spec, encoder, !options.without_drives, parts)),
+             spec, parts);
 }
 
 /// The file's motion in s, in the master's unit.

@@ -144,7 +144,7 @@ AxisConfig axis_of(const Spec& spec) {
         "name", "",
         "is missing: add name = \"NAME\", by which streams and commands address the axis");
   if (!wire::is_executor_name(spec.name))
-    throw InputError("name", spec.name, wire::executor_name_rule);
+    throw InputError("name", '"' + spec.name + '"', wire::executor_name_rule);
   (void)resolved(config);
   if (std::get<AxisSpec>(spec.subject).homing) require_home_inside(config.homing, config.limits);
   const auto drive = axis_drive(spec);
@@ -181,7 +181,7 @@ ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std
   const auto drive = axis_drive(spec);
   executor.logs_probes = drive && ((drive->machine && !drive->machine->marks.empty()) ||
                                    (drive->shared && drive->shared->touch_probes > 0));
-  if (drive) executor.drive = make_drive(*drive, executor.axis);
+  if (drive) executor.drive = make_drive(*drive, executor.axis, !options.without_drives);
   return executor;
 }
 
@@ -321,26 +321,8 @@ std::size_t virtual_axes(const std::optional<MachineSpec>& machine) {
   return machine->groups.size() + static_cast<std::size_t>(tables);
 }
 
-}  // namespace
-
-std::string log_of(const std::string& log, const std::string& axis, std::size_t axes) {
-  if (axes == 1) return log;
-  std::filesystem::path path(log);
-  const std::string extension = path.extension().string();
-  return path.replace_extension("." + axis + extension).string();
-}
-
-void require_axis(const Spec& spec) {
-  try {
-    (void)machine_detail::machine_cutter(spec, axis_of(spec));
-  } catch (const InputError& error) {
-    throw in_axis_spec(spec, error);
-  }
-}
-
-MachineParts machine_parts(const MachineOptions& options) {
-  std::optional<MachineSpec> machine;
-  if (options.files.size() == 1) machine = read_machine(options.files.front());
+/// The axes and masters of a machine, or of the axes in the files of the options.
+MachineParts parts_of(const MachineOptions& options, const std::optional<MachineSpec>& machine) {
   const std::vector<Read> read = read_axes(options, machine);
   MachineParts parts;
   std::vector<Leader> axes;
@@ -386,6 +368,33 @@ MachineParts machine_parts(const MachineOptions& options) {
     throw machine ? machine_detail::in_group(*machine, placed) : placed;
   }
   return parts;
+}
+
+}  // namespace
+
+std::string log_of(const std::string& log, const std::string& axis, std::size_t axes) {
+  if (axes == 1) return log;
+  std::filesystem::path path(log);
+  const std::string extension = path.extension().string();
+  return path.replace_extension("." + axis + extension).string();
+}
+
+void require_axis(const Spec& spec) {
+  try {
+    (void)executor_of({.without_drives = true}, spec, 1);
+  } catch (const InputError& error) {
+    throw in_axis_spec(spec, error);
+  }
+}
+
+void require_machine(const MachineSpec& spec) {
+  (void)parts_of({.without_drives = true}, spec);
+}
+
+MachineParts machine_parts(const MachineOptions& options) {
+  std::optional<MachineSpec> machine;
+  if (options.files.size() == 1) machine = read_machine(options.files.front());
+  return parts_of(options, machine);
 }
 
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/machine/outcome_text.hpp"
 
-#include <cctype>
 #include <optional>
 #include <string_view>
 
@@ -9,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/command/causes.hpp"
+#include "jounce/command/commands.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
@@ -37,13 +37,18 @@ std::optional<std::string> start_remedy(const std::string& reason) {
          "start = \"ramp_in\" in [coupling].";
 }
 
+/// The kind of the rejected order; nullopt: a table was rejected.
+using Rejected = std::optional<CommandKind>;
+
 /// The remedy of a cause for this axis. "" if the cause has none, or if the executor wrote the
 /// reason itself, with a remedy.
-std::string remedy_of(std::int32_t cause, const std::string& reason, const std::string& executor) {
+std::string remedy_of(std::int32_t cause, const std::string& reason, const std::string& executor,
+                      Rejected rejected) {
   for (const CauseInfo& one : all_causes()) {
     if (cause == 0 || static_cast<std::int32_t>(one.cause) != cause) continue;
     if (!reason.starts_with(one.name)) return "";
-    std::string remedy = one.remedy;
+    std::string remedy =
+        rejected ? remedy_of_order(one.cause, *rejected) : remedy_of_table(one.cause);
     if (one.cause == Cause::not_enabled && reason.find("the fault") != std::string::npos)
       remedy =
           "Remove its cause, then send `jounce order NAME reset` and `jounce order NAME enable`.";
@@ -65,30 +70,19 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
   return "";
 }
 
-/// A remedy may have one half for a command and one for a table: "Give a lower velocity. For a table: more time."
-std::string one_half(const std::string& remedy, bool of_table) {
-  constexpr std::string_view mark = " For a table: ";
-  const std::size_t at = remedy.find(mark);
-  if (at == std::string::npos) return remedy;
-  if (!of_table) return remedy.substr(0, at);
-  std::string half = remedy.substr(at + mark.size());
-  half.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(half.front())));
-  return half;
-}
-
 std::string reason_and_remedy(const CallOutcome& outcome, const std::string& executor,
-                              bool of_table) {
+                              Rejected rejected) {
   constexpr std::string_view homing = "not homed: ";
   if (outcome.reason.starts_with(homing)) {
     const std::string remedy =
-        remedy_of(outcome.cause, outcome.reason.substr(homing.size()), executor);
+        remedy_of(outcome.cause, outcome.reason.substr(homing.size()), executor, rejected);
     return remedy.empty() ? outcome.reason : outcome.reason + " " + remedy;
   }
   if (outcome.refusal != wire::Refusal::axis) return outcome.reason;
   std::string reason = outcome.reason;
   constexpr std::string_view who = "axis: ";
   if (reason.starts_with(who)) reason.erase(0, who.size());
-  const std::string remedy = one_half(remedy_of(outcome.cause, reason, executor), of_table);
+  const std::string remedy = remedy_of(outcome.cause, reason, executor, rejected);
   return remedy.empty() ? reason : reason + " " + remedy;
 }
 
@@ -99,8 +93,9 @@ const char* last_state(const StreamOutcome& outcome, bool waits) {
 
 }  // namespace
 
-std::string reason_text(const CallOutcome& outcome, const std::string& executor) {
-  return reason_and_remedy(outcome, executor, false);
+std::string reason_text(const CallOutcome& outcome, const std::string& executor,
+                        CommandKind order) {
+  return reason_and_remedy(outcome, executor, order);
 }
 
 std::string accepted_text(const std::string& word, const wire::Status& before,
@@ -111,9 +106,17 @@ std::string accepted_text(const std::string& word, const wire::Status& before,
                      name(static_cast<Cause>(before.last_error)), executor);
 }
 
+std::string stopped_text(const std::string& executor, State rest) {
+  const std::string text = executor + " is at rest: " + name(rest);
+  if (rest != State::error_stop) return text;
+  return fmt::format(
+      "{0}. `jounce monitor {1}` shows the fault, `jounce order {1} reset` clears it", text,
+      executor);
+}
+
 std::string error_text(const CallOutcome& outcome, const std::string& executor,
                        const std::string& hint) {
-  const std::string reason = reason_and_remedy(outcome, executor, true);
+  const std::string reason = reason_and_remedy(outcome, executor, std::nullopt);
   if (outcome.error == StreamError::no_answer) return reason + ": " + hint;
   const bool rejected = outcome.error == StreamError::refused;
   return fmt::format("{}: {}", rejected ? "rejected" : name(outcome.error), reason);

@@ -132,12 +132,14 @@ Arc arc_about(const Point& from, const Point& center, const Point& to, Plane pla
   const double r0 = vec::norm(in_plane(vec::difference(from, center), plane));
   const double r1 = vec::norm(in_plane(vec::difference(to, center), plane));
   if (!(std::min(r0, r1) > 0))
-    throw InputError("center", number(std::min(r0, r1)), "must not be an end of the arc");
+    throw InputError("center", "",
+                     std::string("is the ") + (r0 > 0 ? "end" : "start") +
+                         " of the arc, which has no radius then: correct one of the two points");
   if (std::abs(r0 - r1) > tolerance)
     throw InputError("center", "",
-                     "is " + six_digits(r0) + " from the start of the arc and " + six_digits(r1) +
-                         " from its end; these radii may differ by at most " +
-                         six_digits(tolerance) + ": correct the center or an end point");
+                     "is " + six_digits(r0) + " from the start and " + six_digits(r1) +
+                         " from the end, but these radii may differ by at most " +
+                         six_digits(tolerance) + ": correct one of the three points");
   if (c <= coincident * r0) return planar(from, center, to, plane, rotation, extra_turns);
   // Moves the center onto the bisector of the chord, by the shortest distance.
   const Point along = vec::scaled(chord, 1 / c);
@@ -185,7 +187,10 @@ Arc arc_by_angle(const Point& from, const Point& center, double degrees, const P
   Point end = to;
   const double angle = degrees * (std::numbers::pi / 180);
   const Point spoke = in_plane(vec::difference(from, center), plane);
-  if (!(vec::norm(spoke) > 0)) throw InputError("center", 0.0, "must not be an end of the arc");
+  if (!(vec::norm(spoke) > 0))
+    throw InputError("center", "",
+                     "is the start of the arc, which has no radius then: correct one of the two "
+                     "points");
   const Point across = turned(spoke, plane, 1);
   for (const std::size_t i : {plane.first, plane.second})
     end[i] = center[i] + spoke[i] * std::cos(angle) + across[i] * std::sin(angle);

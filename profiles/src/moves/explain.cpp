@@ -28,6 +28,7 @@ std::string numbers_of(const MotionState& s) {
 std::string numbers_of(const Bounds& b) {
   std::string text;
   const auto add = [&](const char* name, double min, double max) {
+    if (std::isinf(min) && std::isinf(max)) return;
     text +=
         (text.empty() ? "" : ", ") + std::string(name) + " " + number(min) + " to " + number(max);
   };
@@ -35,7 +36,7 @@ std::string numbers_of(const Bounds& b) {
   add("acceleration", b.acceleration_min, b.acceleration_max);
   add("jerk", b.jerk_min, b.jerk_max);
   add("position", b.position_min, b.position_max);
-  return text;
+  return text.empty() ? "none of them is limited" : text;
 }
 
 /// The velocity from which the acceleration increases from 0 to that of the target with the
@@ -47,6 +48,16 @@ std::string velocity_before(const MotionState& to, const Bounds& b) {
   if (beyond.empty()) return numbers_of(to);
   return beyond + " before acceleration " + number(to.acceleration) + " at velocity " +
          number(to.velocity);
+}
+
+/// The position limits: "stay above position -20".
+std::string limits_text(const Bounds& b) {
+  const bool below = std::isfinite(b.position_min);
+  const bool above = std::isfinite(b.position_max);
+  return (below ? "stay above position " + number(b.position_min) : std::string()) +
+         (below && above ? " and " : "") +
+         (above ? std::string(below ? "" : "stay ") + "below position " + number(b.position_max)
+                : std::string());
 }
 
 std::string with(const char* sentence, const std::string& numbers) {
@@ -78,10 +89,10 @@ std::string explain(MoveStatus status, const MotionState& from, const MotionStat
               outside("target", to.position, bounds.position_min, bounds.position_max);
           !beyond.empty())
         return with(sentence, beyond);
-      return with(sentence, "from " + number(from.position) + " at velocity " +
-                                number(from.velocity) + " to " + number(to.position) +
-                                " at velocity " + number(to.velocity) + ", position " +
-                                number(bounds.position_min) + " to " + number(bounds.position_max));
+      return with(sentence, "it begins at position " + number(from.position) + " with velocity " +
+                                number(from.velocity) + ", ends at position " +
+                                number(to.position) + " with velocity " + number(to.velocity) +
+                                ", and must " + limits_text(bounds));
     default:
       return sentence;
   }

@@ -23,7 +23,9 @@ std::string without_motion(const RunResult& run) {
   const std::string& kind = run.files.front().kind;
   for (const char* each : {"axis", "drive", "machine", "sweep"})
     if (kind == each)
-      return "1 file: 1 good: its keys are valid; the kind " + kind + " has no motion to examine";
+      return "1 file: 1 good: " +
+             std::string(kind == "machine" ? "`jounce run` accepts it" : "its keys are valid") +
+             "; the kind " + kind + " has no motion to examine";
   return "";
 }
 

@@ -192,8 +192,7 @@ NamedCam compose(TomlReader& then, const NamedCam& f, Units& units) {
 const Inverse& branch_of(TomlReader& then, const Inversion& all, const std::optional<double>& at) {
   if (at) {
     if (const Inverse* branch = all.branch_at(*at)) return *branch;
-    then.fail("at", number(*at),
-              "is not in a rise or fall of the slave, which are " + all.ranges_text());
+    then.fail("at", number(*at), "must lie in a rise or fall of the slave, " + all.ranges_text());
   }
   if (all.branches.size() == 1) return all.branches.front();
   if (all.branches.empty()) then.fail("operator", "\"inverse\"", "needs a slave that moves");
@@ -269,7 +268,7 @@ NamedCam applied(TomlReader& then, const NamedCam& f, Units& units) {
     const std::string key = then.has(error.key().c_str()) ? error.key() : "operator";
     then.fail(key.c_str(),
               key == "operator" ? std::string("\"") + chosen.name + '"' : error.value(),
-              (key == "operator" ? error.key() + " " + error.value() + " " : "") + error.rule());
+              (key == "operator" ? error.key() + " = " + error.value() + " " : "") + error.rule());
   }
 }
 
@@ -310,7 +309,8 @@ NamedCam read_cam_then(TomlReader& top, NamedCam cam, const Units& units) {
 
 NamedCam read_cam_from(TomlReader& top, const NamedCam& source, const Units& units) {
   for (const char* key : {"start", "segment", "boundaries", "slave_period"})
-    top.refuse_here(key, "cannot be combined with from, which names the cam that this file changes");
+    top.refuse_here(key,
+                    "cannot be combined with from, which names the cam that this file changes");
   NamedCam cam = read_cam_then(top, source, units);
   if (const auto periodic = top.optional_flag("periodic")) set_periodic(cam.cam, *periodic);
   return cam;

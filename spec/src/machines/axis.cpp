@@ -70,16 +70,18 @@ TableOptions read_table_options(TomlReader& owner, const Units& units, bool fini
 
 namespace {
 
-/// Reads the three rates under these keys, in units per `x`.
+/// Reads the three rates under these keys, in units per `x`. The first `required` of them cannot be
+/// left out.
 void read_rates(TomlReader& table, Limits& limits, const std::array<const char*, 4>& names,
-                const std::string& position, const std::string& x) {
+                const std::string& position, const std::string& x, std::size_t required = 0) {
   const std::array rates{&limits.velocity, &limits.acceleration, &limits.jerk};
   for (std::size_t k = 0; k < rates.size(); ++k) {
     *rates[k] =
         table.optional_number(names[k + 1], rate_unit(position, x, static_cast<int>(k) + 1));
     if (*rates[k] && !(**rates[k] > 0))
       table.fail(names[k + 1], number(**rates[k]),
-                 "must be greater than 0; leave it out for no limit");
+                 k < required ? "must be greater than 0"
+                              : "must be greater than 0; leave it out for no limit");
   }
 }
 
@@ -100,7 +102,9 @@ Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
     for (std::size_t k = 1; k < OverTime::names.size(); ++k)
       if (table->optional_quantity(OverTime::names[k]))
         table->fail(OverTime::names[k], "", "is a limit over time: give it in [limits.slave]");
-  read_rates(*table, limits, slave ? OverMaster::names : OverTime::names, units.position, units.x);
+  constexpr std::size_t of_axis = 2;  // velocity and acceleration
+  read_rates(*table, limits, slave ? OverMaster::names : OverTime::names, units.position, units.x,
+             owner.is_table("axis") ? of_axis : 0);
   if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
     table->fail(
         "position_min", number(*limits.position_min),

@@ -62,6 +62,12 @@ std::string header_of(const toml::node& node, const std::string& name) {
   return array ? "[[" + name + "]]" : "[" + name + "]";
 }
 
+/// header_of() a section, or the key of a value.
+std::string bracketed(const toml::node& node, const std::string& name, const std::string& key) {
+  const std::string header = header_of(node, name);
+  return header.empty() ? key : header;
+}
+
 /// "; `jounce new cam` writes an example", for the section that a kind of spec requires.
 std::string example_of(const toml::table& top, const std::string& section) {
   const auto kind = top["kind"].value<std::string>();
@@ -184,7 +190,8 @@ void TomlReader::refuse_misspelt(const char* key) const {
   for (const auto& [other, node] : *table_)
     if (!known_.contains(std::string(other.str())) &&
         !nearest(other.str(), std::span(&wanted, 1)).empty())
-      throw unknown(other, node, "here: did you mean " + wanted + "?");
+      throw unknown(other, node,
+                    "here: did you mean " + bracketed(node, path(wanted), wanted) + "?");
 }
 
 InputError TomlReader::unknown(const toml::key& key, const toml::node& node,
@@ -451,6 +458,7 @@ std::vector<double> TomlReader::numbers(const char* key, std::span<const std::st
                                         const std::string& each) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
+  if (!units.empty()) document_->units.emplace(path(key), units.front());
   return or_else(key, std::vector<double>(units.size(), 1.0), [&] {
     const toml::array* array = node->as_array();
     if (array == nullptr || array->size() != units.size())
@@ -528,7 +536,7 @@ void TomlReader::finish() {
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
     if (const std::string hint = nearest(key.str(), known); !hint.empty()) {
-      report(unknown(key, node, "here: did you mean " + hint + "?"));
+      report(unknown(key, node, "here: did you mean " + bracketed(node, path(hint), hint) + "?"));
       continue;
     }
     report(unknown(key, node,

@@ -31,7 +31,8 @@ Labels cam_labels(const Spec& spec) {
 
 std::string active_sentence(const Finding& finding, const Labels& labels) {
   if (finding.rule.family() == RuleFamily::bound)
-    return fmt::format("{} is at its bound {}", finding.quantity, rounded(finding.limit));
+    return fmt::format("{} is at the end of its range, {}", finding.quantity,
+                       rounded(finding.limit));
   const std::string where =
       fmt::format("{} {} (segment {})", rounded(finding.where), labels.units.x,
                   labels.segments[finding.segment.value_or(0)]);

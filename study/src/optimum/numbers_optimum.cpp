@@ -52,7 +52,8 @@ std::string tune_text(const TuneOutcome& outcome, const Spec& spec) {
                           full_text(outcome.report, labels));
     return text;
   }
-  if (outcome.active.empty()) text += fmt::format("  - no limit and no bound is reached\n");
+  if (outcome.active.empty())
+    text += fmt::format("  - no limit and no end of a range is reached\n");
   return text;
 }
 

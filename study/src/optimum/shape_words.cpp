@@ -20,11 +20,10 @@ std::vector<PrintedFigure> printed_figures(const CamRunOutcome& run, const Shape
     PrintedFigure t{
         spec, shown(spec, figure.given, length), shown(spec, figure.reached, length), {}, {}};
     std::optional<double> bound = figure.bound;
-    if (bound && *bound > 0) t.bound = shown(spec, *bound, length);  // 0 is no news
     if (i == 0 && alone && run.shape.bound && run.shape.value > 0)
       bound = std::max(bound.value_or(0), figure.reached * *run.shape.bound / run.shape.value);
-    if (bound && *bound > 0 && t.reached > 0)
-      t.could_save = std::max(0.0, 1 - shown(spec, *bound, length) / t.reached);
+    if (bound && *bound > 0) t.bound = shown(spec, *bound, length);  // 0 is no news
+    if (t.bound && t.reached > 0) t.could_save = std::max(0.0, 1 - *t.bound / t.reached);
     all.push_back(t);
   }
   return all;

@@ -51,6 +51,7 @@ std::string heading(const SweepSpec& spec, const SweepSummary& s) {
     text += fmt::format(" ({})", percent(s.yield->value));
   if (s.broken > 0) text += fmt::format(", {} beyond a limit", s.broken);
   if (s.impossible > 0) text += fmt::format(", {} impossible", s.impossible);
+  if (s.impossible == s.cases) text += ": no case has a motion. Change the values of the sweep";
   return text + "\n";
 }
 

@@ -213,7 +213,7 @@ std::vector<std::string> active_of(const Tuned& tuned, const TuneOutcome& outcom
   }
   for (const TunedNumber& n : outcome.numbers)
     if (n.at_bound)
-      all.push_back(n.key + " is at its bound " + number(n.reached) +
+      all.push_back(n.key + " is at the end of its range, " + number(n.reached) +
                     (n.unit == "1" ? "" : " " + n.unit));
   if (!outcome.search.beyond.empty())
     all.push_back("a step beyond is rejected: " + outcome.search.beyond);

@@ -85,14 +85,15 @@ std::vector<std::string> doubts(const Explained& e) {
   std::vector<std::string> all;
   const auto doubt = [&](const ResidualTest& test, const char* what, const char* statistic) {
     if (test.failed())
-      all.push_back(
-          fmt::format("the residuals of {} {} ({} {:.4g}, limit {:.4g} at 0.1 %): the model is "
-                      "incomplete, and the intervals are too narrow",
-                      e.quantity, what, statistic, test.value, test.limit));
+      all.push_back(fmt::format(
+          "the differences between the recorded and the computed {} {} ({} = {:.4g}, "
+          "limit {:.4g}; a complete model is above it in 0.1 % of all cases). The model "
+          "lacks an effect of the machine, and the intervals are too narrow",
+          e.quantity, what, statistic, test.value, test.limit));
   };
-  doubt(e.white, "are not white", "Ljung-Box Q");
+  doubt(e.white, "are not random, but correlated over time", "Ljung-Box Q");
   doubt(e.growth, "grow along the recording", "Goldfeld-Quandt F");
-  doubt(e.worsening, "are greater than those of the start", "F");
+  doubt(e.worsening, "are greater than with the given drive", "F");
   return all;
 }
 

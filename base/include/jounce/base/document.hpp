@@ -27,6 +27,9 @@ struct Document {
   std::map<std::string, std::string> given = {};  ///< unit of each number whose text has a unit
   /// Unit of each number that a reader has looked for, by key, even if the text does not have it.
   std::map<std::string, std::string> known = {};
+  /// Unit of each quantity that rules name by words in front of its number: "master", "slope",
+  /// "the slave travels".
+  std::map<std::string, std::string> nouns = {};
 
   /// A number that the text gives under another key, in another unit.
   struct Given {
@@ -52,5 +55,9 @@ struct Document {
   [[nodiscard]] InputError naming(const std::string& key, const std::string& file,
                                   const InputError& error) const;
 };
+
+/// Returns a text with a unit after each number that follows one of these words; see
+/// Document::nouns.
+std::string with_units(const std::string& text, const std::map<std::string, std::string>& nouns);
 
 }  // namespace jounce

@@ -150,8 +150,8 @@ struct Refusal {
   double value = 0;           ///< the number that breaks the rule
   double limit = 0;           ///< the bound that it exceeds
   /// Time of the movement at which the value exceeds the bound, s; NaN: no particular time.
-  /// axis_not_ready, axis_away: number of the axis in the group, from 1. no_reserve: order of the
-  /// derivative.
+  /// axis_not_ready, axis_away: number of the axis in the group, from 1; axis_not_ready has the bits
+  /// of all axes that are not ready in `limit`. no_reserve: order of the derivative.
   double where = std::numeric_limits<double>::quiet_NaN();
 
   /// Returns a sentence: "velocity_limit: The motion exceeds the velocity limit of the axis: 678.45

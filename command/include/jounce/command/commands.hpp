@@ -208,8 +208,8 @@ struct Home {
 template <Of<Home> C, class F>
 constexpr void each_field(C& c, F f) {
   f(Field{"offset", Quantity::position, FieldRange::given, "offset",
-          "home: position value of the home position. This option and the other home options "
-          "default to [homing] in the spec of the axis"},
+          "home: position that the axis has at its home position. Default of all options of home: "
+          "[homing] in the spec of the axis"},
     c.offset);
   f(Field{"method", Quantity::none, FieldRange::count, "method", "home: method of CiA 402"},
     c.method);
@@ -355,7 +355,8 @@ constexpr void each_field(C& c, F f) {
           "repeat: rest between two strokes, s; default: 0"},
     c.wait);
   f(Field{"strokes", Quantity::none, FieldRange::count, "strokes",
-          "repeat: end after this number of strokes; default: strokes until finish or halt"},
+          "repeat: end after this number of strokes; default: go on until the order finish or "
+          "halt"},
     c.strokes);
 }
 

@@ -57,6 +57,9 @@ class SharedMemory {
   SharedProcessData* data_ = nullptr;
 };
 
+/// Throws InputError for a name or a configuration that SharedDrive rejects. Opens no memory.
+void require_shared_drive(const std::string& name, const Cia402Config& config);
+
 /// A CiA 402 drive behind shared memory, and an example of an adapter. `examples/drive-shm` is the
 /// other process. An adapter for a field bus has the same structure, with the process image of the
 /// bus in place of the shared memory.

@@ -89,7 +89,8 @@ struct ExecutorOptions {
       false;  ///< true: the log has a column for the events of cams and follow tables
   std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
   Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: no record
-  bool in_group = false;   ///< true: an axis of a group, which reports the motions of its axes
+  /// Names of the groups that move this axis, and that report the motions of their axes.
+  std::vector<std::string> groups = {};
   Trace* trace = nullptr;  ///< receives the ticks and tables of the axis; null: no trace
 };
 

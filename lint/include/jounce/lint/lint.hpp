@@ -7,6 +7,7 @@
 
 #include "jounce/design/input.hpp"
 #include "jounce/report/diagnostic.hpp"
+#include "jounce/spec/machine_spec.hpp"
 
 namespace jounce {
 
@@ -15,8 +16,12 @@ namespace jounce {
 /// function at the same time.
 using Examine = std::function<std::vector<Report>(std::vector<Input>& axes)>;
 
-/// Examines the spec of an axis; throws InputError for one that the executor would reject.
-using ExamineAxis = std::function<void(const Spec& axis)>;
+/// Examines the specs of what an executor runs, and throws InputError for one that it would reject.
+/// Both functions may be empty.
+struct ExamineMachine {
+  std::function<void(const Spec& axis)> axis = {};
+  std::function<void(const MachineSpec& machine)> machine = {};
+};
 
 /// Reads a file of any kind, examines its motions, and returns all findings and errors, each with
 /// its place in the file. Does not throw InputError: an error in the input is part of the result.
@@ -27,12 +32,12 @@ using ExamineAxis = std::function<void(const Spec& axis)>;
 ///       return reports;
 ///     });
 ///
-/// A file without a motion is checked as follows: an axis with its drive and by `examine_axis`, a
-/// machine with the specs of its axes, a drive with the stability of its loop, a sweep with its
+/// A file without a motion is checked as follows: an axis with its drive and by `executor`, a
+/// machine with the specs of its axes and by `executor`, a drive with the stability of its loop, a sweep with its
 /// spec, a path without commands, a key file with its access rights. `machine` is the path spec for
 /// a G-code program.
 FileResult lint_file(const std::string& path, const Examine& examine,
-                     const std::string& machine = "", const ExamineAxis& examine_axis = {});
+                     const std::string& machine = "", const ExamineMachine& executor = {});
 
 /// Like lint_file(), for a text that is not, or not yet, in the file `path`. Other files that the
 /// text names are read from the disk.
@@ -43,7 +48,7 @@ FileResult lint_text(const std::string& path, std::string text, const Examine& e
 std::vector<FileResult> lint_files(const std::vector<std::string>& paths, const Examine& examine,
                                    const std::string& machine = "",
                                    const std::function<void(double)>& progress = {},
-                                   const ExamineAxis& examine_axis = {});
+                                   const ExamineMachine& executor = {});
 
 /// True for a file of Jounce that has no motion to examine. False for a file that cannot be read.
 bool is_without_motion(const std::string& path);

@@ -13,9 +13,9 @@ namespace jounce {
 
 /// Options of lint_run().
 struct LintOptions {
-  std::string machine = {};       ///< path spec for G-code programs
-  ExamineAxis examine_axis = {};  ///< see lint_file(); may be empty
-  std::string baseline = {};      ///< AcceptedVersions to compare with; empty: none
+  std::string machine = {};      ///< path spec for G-code programs
+  ExamineMachine executor = {};  ///< see lint_file()
+  std::string baseline = {};     ///< AcceptedVersions to compare with; empty: none
   AcceptedOptions accepted = {};
   std::function<void(double share)> progress = {};  ///< may be empty
 };

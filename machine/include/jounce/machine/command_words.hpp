@@ -24,6 +24,9 @@ struct CommandWords {
   /// Options with a value, by their name without dashes; "": not given.
   std::map<std::string, std::string> options = {};
   std::map<std::string, bool> flags = {};  ///< options without a value, by name without dashes
+  /// True: set_values() made the coordinates from arguments such as "x=10mm", so messages must not
+  /// name their option.
+  bool typed_coordinates = false;
 };
 
 /// Returns the words of all commands: "enable", "move", ...
@@ -54,6 +57,9 @@ std::vector<CommandOption> command_options();
 /// exclude each other, and if all of those are missing of which the command needs one. The key of
 /// the error is "VALUE", or the option with its dashes ("--to").
 void require_taken(const CommandWords& words);
+
+/// Returns the kind of the command; `words` must satisfy require_taken().
+CommandKind kind_of(const CommandWords& words);
 
 /// Throws InputError if `seconds` (the duration of a jog) is given for a command other than `jog
 /// --hold-to-run`, which would ignore it.

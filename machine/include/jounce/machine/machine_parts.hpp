@@ -9,6 +9,7 @@
 #include "jounce/executor/axis_server.hpp"
 #include "jounce/executor/masters.hpp"
 #include "jounce/executor/recorder.hpp"
+#include "jounce/spec/machine_spec.hpp"
 #include "jounce/spec/spec.hpp"
 
 namespace jounce {
@@ -23,6 +24,8 @@ struct MachineOptions {
   /// ExecutorOptions::stop_when_silent).
   bool finish_when_silent = false;
   bool enable = false;  ///< see ExecutorOptions::enable
+  /// True: opens no drive in shared memory; an ideal drive takes its place.
+  bool without_drives = false;
   /// Receives the notices of all axes, with the name of the axis if there are several.
   std::function<void(const std::string& notice)> notify = {};
 };
@@ -53,6 +56,8 @@ MachineParts machine_parts(const MachineOptions& options);
 /// Throws InputError, with file, line and key, for a spec of kind "axis" that machine_parts()
 /// rejects alone: its limits, homing, sensors and drive. Opens no drive.
 void require_axis(const Spec& spec);
+/// Throws InputError for a machine that machine_parts() rejects. Opens no drive.
+void require_machine(const MachineSpec& spec);
 
 /// Throws InputError (key "log", "record" or "black_box") if a file that the run would write is one
 /// of its specs.

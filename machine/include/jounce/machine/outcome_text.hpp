@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/command/state.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/sender/row_sender.hpp"
 #include "jounce/stream/sender/sender.hpp"
@@ -12,13 +13,18 @@
 namespace jounce {
 
 /// Returns the reason of a failed call. If the axis has rejected the call, the text includes the
-/// remedy. `executor` is the name of the axis.
-std::string reason_text(const CallOutcome& outcome, const std::string& executor);
+/// remedy for an order of this kind. `executor` is the name of the axis.
+std::string reason_text(const CallOutcome& outcome, const std::string& executor,
+                        CommandKind order = {});
 
 /// Returns the answer to an accepted command: "move accepted". `before`: status of the axis before
 /// the command. If the axis stays in a fault after `enable`, the text includes the remedy.
 std::string accepted_text(const std::string& word, const wire::Status& before,
                           const std::string& executor);
+
+/// Returns the state of an axis after a stop: "feeder is at rest: standstill". In error_stop, the text
+/// states how to reset the axis.
+std::string stopped_text(const std::string& executor, State rest);
 
 /// Hint for an executor that sends no message.
 inline constexpr const char* unheard_hint =

@@ -19,7 +19,8 @@ std::string status_text(const std::string& axis, const wire::MasterStatus& maste
 std::string status_json(const std::string& axis, const wire::MasterStatus& master);
 
 /// Returns the place of a group on its path, in one line of text.
-std::string status_text(const std::string& group, const wire::GroupStatus& status);
+std::string status_text(const std::string& group, const wire::GroupStatus& status,
+                        const std::string& unit);
 /// Returns the place of a group on its path as JSON in one line.
 std::string status_json(const std::string& group, const wire::GroupStatus& status);
 /// Returns the place of a group in a few words: "x 10 y 2.5; path 12.5 mm of 400 mm, line 7", with

@@ -101,6 +101,8 @@ class Watch {
   [[nodiscard]] const Watched* outside(State state) const;
   /// True if a status of an axis has arrived.
   [[nodiscard]] bool has_received() const;
+  /// Returns the unit of the positions of an axis or group; "" before its first message.
+  [[nodiscard]] std::string unit_of(const std::string& name) const;
   /// The axes, sorted by name.
   [[nodiscard]] const std::vector<Watched>& axes() const { return axes_; }
 

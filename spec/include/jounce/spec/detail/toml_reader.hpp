@@ -201,6 +201,8 @@ class TomlReader {
       throw document_->naming(path(key), file, error);
     }
   }
+  /// Records the unit of a quantity that rules name by this word: Document::nouns.
+  void name_quantity(const char* noun, const std::string& unit) { document_->nouns[noun] = unit; }
   /// Names a key that is possible here, whether or not it is read: finish() lists it.
   void may_have(const char* key) { known_.insert(key); }
   [[nodiscard]] bool is_text(const char* key) const;
