@@ -180,7 +180,7 @@ class AxisServer {
   double rate_ = 1;                        // override factor that it has
   std::uint64_t group_movement_ = 0;       // id of its last movement
   GroupReport group_report_;
-  PassedMWords m_words_;                        // of the program that the group plays
+  PassedMWords m_words_;                        // M words of the program that the group plays
   std::shared_ptr<const GroupProgram> traced_;  // the last program whose path is in the trace
   std::uint64_t numbers_ = 0;                   // numbers of movements
   bool retired_ = false;
