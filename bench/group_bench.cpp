@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -92,5 +94,41 @@ void group_cycle(benchmark::State& state) {
   state.counters["p99.9_us"] = share(us, 0.999);
 }
 BENCHMARK(group_cycle)->ArgName("axes")->Arg(2)->Arg(6)->Arg(9);
+
+/// Plans a program of 20000 lines in one thread, with or without the check against the limits of the
+/// axes. Another thread evaluates the path of a group with the same number of axes every millisecond.
+/// `segments_per_s` counts the lines.
+void group_planning(benchmark::State& state) {
+  constexpr int count = 20'000;
+  const auto axes = static_cast<std::size_t>(state.range(0));
+  const std::vector<AxisConfig> configs(axes, AxisConfig{.limits = limits});
+  const std::vector<std::string> names(axes, "axis");
+  const Program program = lines(axes, count);
+  const GroupLimits group_limits{.axes = std::vector<Limits>(axes, limits)};
+  GroupPath path(
+      1, group_program(std::make_shared<const Plan>(plan(lines(axes, 2000), group_limits)), configs,
+                       names));
+  std::jthread cycle([&](const std::stop_token& leave) {
+    auto due = std::chrono::steady_clock::now();
+    for (double t = 0; !leave.stop_requested(); t += 1e-3) {
+      std::this_thread::sleep_until(due += std::chrono::milliseconds(1));
+      benchmark::DoNotOptimize(path.at({.t = std::fmod(t, path.known()), .dt = 1e-3}));
+    }
+  });
+  const bool checked = state.range(1) != 0;
+  for (auto _ : state) {
+    auto planned = std::make_shared<const Plan>(plan(program, group_limits));
+    if (checked)
+      benchmark::DoNotOptimize(group_program(std::move(planned), configs, names));
+    else
+      benchmark::DoNotOptimize(planned);
+  }
+  state.counters["segments_per_s"] =
+      benchmark::Counter(count, benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(group_planning)
+    ->ArgNames({"axes", "checked"})
+    ->ArgsProduct({{2, 6}, {0, 1}})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "executor/judged_plotter.hpp"
+#include "executor/sent_plotter.hpp"
 
 namespace jounce::group_handshake_test {
 namespace {
@@ -20,27 +20,7 @@ constexpr std::size_t group = Plotter::group;
 
 const command::PathDynamics buffered{.along = {.velocity = 100}, .buffer = PathBuffer::buffered};
 
-struct GroupHandshake : ::testing::Test {
-  void accepts(const ClientCommand& command) {
-    const CallOutcome outcome = site.order("plotter", command);
-    ASSERT_TRUE(outcome.ok()) << outcome.reason;
-  }
-  [[nodiscard]] std::string refused(const ClientCommand& command) {
-    const CallOutcome outcome = site.order("plotter", command);
-    EXPECT_FALSE(outcome.ok());
-    return outcome.reason;
-  }
-  [[nodiscard]] Cause reason() {
-    return static_cast<Cause>(site.dispatcher.server(group).status().reason);
-  }
-  /// Until the group has ended this number of motions.
-  void ends(std::uint64_t motions) {
-    for (int k = 0; k < 500 && site.last(group).finished < motions; ++k) site.advance(10ms);
-    ASSERT_EQ(site.last(group).finished, motions);
-    site.advance(20ms);
-  }
-  Judged site{true};
-};
+struct GroupHandshake : SentPlotter {};
 
 TEST_F(GroupHandshake, AnMWordRestsUntilItIsAcknowledged) {
   ASSERT_TRUE(site.line(20, 0, {.along = {.velocity = 10}}).ok());

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/executor/sent_program.hpp"
 #include "jounce/stream/sender/client.hpp"
 
 #include "axis/group_rig.hpp"
@@ -29,9 +30,8 @@ inline std::vector<ExecutorOptions> plotter(const Limits& axis) {
   all.group = ExecutorGroup{.of = {{x, y}}, .names = names, .configs = configs};
   Limits planned = axis;
   planned.position_min = planned.position_max = std::nullopt;
-  all.group->program = std::make_shared<const GroupProgram>(group_program(
-      std::make_shared<const Plan>(plan(contour(150), {.axes = std::vector<Limits>(2, planned)})),
-      configs, names));
+  all.group->sent = sent_program(
+      {.program = contour(150), .limits = {.axes = std::vector<Limits>(2, planned)}}, *all.group);
   axes.push_back(std::move(all));
   return axes;
 }

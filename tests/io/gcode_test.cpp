@@ -162,6 +162,18 @@ TEST(Gcode, KeepsOtherWordsAsEvents) {
   EXPECT_EQ(made.program.commands()[1].kind, Program::Kind::dwell);  // M1 rests
 }
 
+TEST(Gcode, EventsHaveTheirPlaceAmongTheCommands) {
+  const GcodeProgram made = parsed("M6\nG0 X1 H3\nX2 M0 H-3\nM8\nX3 M1\nM30\n");
+  std::vector<std::string> places;
+  for (const GcodeEvent& event : made.events)
+    places.push_back(event.word + " " + std::to_string(event.command));
+  // M0 and M1 apply at the end of their block, after their rest: a command of its own.
+  EXPECT_THAT(places, ElementsAre("M6 0", "H3 0", "H-3 1", "M0 3", "M8 3", "M1 5", "M30 5"));
+  EXPECT_EQ(made.events[2].number, -3);
+  EXPECT_THAT(complaint("G1 X1 F60 H0\n"), HasSubstr("H0: must be the number of an output"));
+  EXPECT_THAT(complaint("G1 X1 F60 M-1\n"), HasSubstr("M-1: must be a whole number"));
+}
+
 TEST(Gcode, LeavesOutMovesThatMoveNothing) {
   EXPECT_EQ(parsed("G0 X0 Y0\nG1 X1 F60\nX1\n").program.commands().size(), 1U);
 }

@@ -206,7 +206,7 @@ TEST_F(MachineGroups, AreVirtualAxesAfterTheOthers) {
   EXPECT_DOUBLE_EQ(group.group->of.tolerance, 0.002);
   EXPECT_FALSE(group.enable) << "its axes are enabled first";
   EXPECT_EQ(group.build_apart, 0U) << "the thread that receives a stop never plans a path";
-  EXPECT_EQ(group.group->program->plan->path().length(), 50);
+  EXPECT_EQ(group.group->sent->stages.front().program->plan->path().length(), 50);
 }
 
 TEST_F(MachineGroups, TakeAProgramWithOtherNamesInItsOrder) {
@@ -239,6 +239,10 @@ TEST_F(MachineGroups, RejectWhatTheyCannotPlayWithItsPlace) {
   EXPECT_THAT(error(good + "tolerance = 1\n"),
               AllOf(HasSubstr("machine.toml:11"), HasSubstr("must be at most 0.04")));
   EXPECT_THAT(error(good + "speed = 1\n"), HasSubstr("group[1].speed"));
+  EXPECT_THAT(error(good + "m_words = [0, 0.5]\n"),
+              AllOf(HasSubstr("machine.toml:11"), HasSubstr("a list of M words")));
+  EXPECT_THAT(error(good + "m_words = \"some\"\n"), HasSubstr("must be \"all\""));
+  EXPECT_THAT(error(good + "m_word_timeout = \"0 s\"\n"), HasSubstr("m_word_timeout"));
   EXPECT_THAT(error(good, part("x", "10", "deg")), HasSubstr("has the unit deg"));
   EXPECT_THAT(error(good, "jounce = 1\nkind = \"path\"\n"), HasSubstr("part.toml"));
   EXPECT_THAT(error(good, "x = 1\n"), HasSubstr("part.toml"));
@@ -255,12 +259,12 @@ TEST_F(MachineGroups, OfJointsHaveTheCoordinatesOfTheirTool) {
   EXPECT_EQ(scara.group->names, (std::vector<std::string>{"a0", "a1", "z_joint"}));
   EXPECT_EQ(scara.units.position, "mm");
   EXPECT_EQ(scara.group->unit, "") << "deg and mm";
-  EXPECT_EQ(scara.group->program->first, 3U);
-  EXPECT_EQ(scara.group->program->axes.size(), 3U);
+  EXPECT_EQ(scara.group->sent->stages.front().program->first, 3U);
+  EXPECT_EQ(scara.group->sent->stages.front().program->axes.size(), 3U);
   const auto gantry = machine_parts({.files = {examples + "gantry/machine.toml"}}).axes[4];
   EXPECT_EQ(gantry.group->coordinates().size(), 3U);
-  EXPECT_EQ(gantry.group->program->first, 3U);
-  EXPECT_EQ(gantry.group->program->axes.size(), 4U);
+  EXPECT_EQ(gantry.group->sent->stages.front().program->first, 3U);
+  EXPECT_EQ(gantry.group->sent->stages.front().program->axes.size(), 4U);
 }
 
 TEST_F(MachineGroups, RejectAKinematicsOfOtherJoints) {

@@ -44,7 +44,11 @@ LimitedProgram everything() {
   return {.program = program,
           .limits = {.axes = {axis, axis, {.velocity = 90, .acceleration = 800, .jerk = 9000}},
                      .path = {.velocity = 120, .normal_acceleration = 700}},
-          .names = {"x", "y", "feed"}};
+          .names = {"x", "y", "feed"},
+          .words = {{.number = 6, .line = 10},
+                    {.kind = ProgramWord::Kind::output, .number = -32, .line = 13, .command = 2},
+                    {.number = 0, .line = 13, .command = 2},
+                    {.number = 30, .line = 16, .command = 5}}};
 }
 
 TEST(ProgramNumbers, AreTheSameProgramAgain) {
@@ -52,6 +56,7 @@ TEST(ProgramNumbers, AreTheSameProgramAgain) {
   const std::vector<double> numbers = numbers_of(given);
   const LimitedProgram same = program_of(numbers);
   EXPECT_EQ(same.names, given.names);
+  EXPECT_EQ(same.words, given.words);
   EXPECT_EQ(numbers_of(same), numbers) << "bit for bit";
   EXPECT_EQ(same.program.commands().size(), given.program.commands().size());
   EXPECT_EQ(same.program.commands()[3].line, 14);
@@ -81,7 +86,7 @@ TEST(ProgramNumbers, ListsThatAreNoProgramAreRejected) {
   EXPECT_THAT(error([](auto& list) { list[1] = 10; }), HasSubstr("from 1 to 9"));
   EXPECT_THAT(error([](auto& list) { list[2] = 4; }), HasSubstr("from 1 to 3"));
   EXPECT_THAT(error([](auto& list) { list.pop_back(); }), HasSubstr("ends within a command"));
-  EXPECT_THAT(error([](auto& list) { list.push_back(7); }), HasSubstr("from 0 to 4"));
+  EXPECT_THAT(error([](auto& list) { list.push_back(7); }), HasSubstr("from 0 to 5"));
   EXPECT_THAT(error([](auto& list) { list[3] = std::nan(""); }), HasSubstr("must be finite"));
 }
 

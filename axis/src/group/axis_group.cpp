@@ -99,6 +99,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Extend& what) {
   }
   hand_back(path_.path());
   path_.take_over(*movement, now_.tick, what.shift);
+  path_outputs_.continue_as(*movement, what.shift);
   return std::nullopt;
 }
 

@@ -47,6 +47,18 @@ Setpoint GroupPath::at(const Moment& now) noexcept {
   return next;
 }
 
+std::span<const PathSwitch> GroupPath::switches(double from, double to) const noexcept {
+  const std::span<const PathSwitch> all = program_.switches;
+  if (all.empty()) return all;
+  const auto since = [&](double time) {
+    return std::lower_bound(all.begin(), all.end(), time,
+                            [](const PathSwitch& one, double at) { return one.time < at; });
+  };
+  const auto end = to >= program_.plan->duration() ? all.end() : since(to);
+  const auto first = since(from);
+  return first < end ? std::span(first, end) : std::span<const PathSwitch>();
+}
+
 double GroupPath::highest_rate() const noexcept {
   double rate = 2;
   for (const GroupAxis& axis : program_.axes)

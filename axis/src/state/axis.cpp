@@ -42,6 +42,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
   now_.frozen = false;
   if (base_ != Base::live) now_.profile.clear();
   joint_ = false;
+  path_outputs_.step();
   const bool rested = !moving();
   if (state_ == State::homing && !moving()) state_ = State::standstill;
   for (Movement* const movement : {active(), armed_.movement(), movement_of(command.what)})
@@ -236,6 +237,7 @@ void MotionAxis::give_out(const Setpoint& next) {
   const auto& [p, v, a, j] = next.slave;
   path_.put_out(now_.tick);
   keep_parts();
+  if (is_group() && on_path()) path_outputs_.pass(*path_.path(), path_.time(now_.tick), dt());
   now_.master = next.master;
   now_.master_velocity = next.master_velocity;
   now_.position = p;
@@ -252,6 +254,8 @@ void MotionAxis::operate_outputs() {
     places.plane[k] = {parts_[plane_axes_[k]][0], parts_[plane_axes_[k]][1]};
   outputs_.step(places, dt());
   now_.switches = outputs_.switches();
+  if (is_group() && state_ == State::disabled) path_outputs_.off();
+  path_outputs_.add_to(now_.switches);
   now_.compare = outputs_.compare();
 }
 

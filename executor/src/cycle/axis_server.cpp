@@ -104,6 +104,8 @@ std::optional<Refusal> AxisServer::unfit(const ArmRequested& arm) const {
   const bool path = arm.mode == wire::ArmMode::path;
   if (path != options_.group.has_value())
     return Refusal{.cause = path ? Cause::not_a_group : Cause::single_axis};
+  if (path && group_queue_->has_stages())
+    return Refusal{.cause = moving() ? Cause::in_motion : Cause::awaits_acknowledge};
   const bool live = arm.mode == wire::ArmMode::follow_input;
   if (live && options_.follow.what == Follow::What::nothing)
     return Refusal{.cause = Cause::no_master_input};
@@ -156,7 +158,8 @@ ArmRequested AxisServer::on_axis(ArmRequested arm) const {
 }
 
 void AxisServer::build(const ArmRequested& arm) {
-  auto built = builder_.build(on_axis(arm), ++numbers_, options_.axis.period, next_rest());
+  auto built = builder_.build(on_axis(arm), ++numbers_, options_.axis.period, next_rest(),
+                              group_queue_ && group_queue_->single_step());
   if (built) this->arm(std::move(*built));
 }
 
@@ -205,6 +208,10 @@ void AxisServer::arm(const Request& request, MadeMovement made, const Sha256& ha
 /// Called before the arm is sent to the axis.
 void AxisServer::record(const MadeMovement& made) {
   if (options_.recorder == nullptr) return;
+  if (made.program)
+    for (const RecordedPathSwitches& part :
+         recorded_switches(*made.program, axis_, made.movement->id()))
+      options_.recorder->note(part);
   if (made.program)
     for (const RecordedProgram& part : recorded(*made.program, axis_, made.movement->id()))
       options_.recorder->note(part);
@@ -255,12 +262,14 @@ void AxisServer::handle(const SessionEnded& ended) {
   if (!stops && !armed) return;
   Command command{command::Disarm{}};
   if (stops) command.what = command::Stop{};
+  if (stops && group_queue_) group_queue_->clear();  // also the commands after an M word
   if (commands_.last() != command.kind()) commands_.send(command);
 }
 
 void AxisServer::handle(const CommandRequested& requested) {
   const CommandKind kind = kind_of(requested.what);
   if (kind == Kind::disable) clear_commands();  // ends more than a stop
+  if (kind == Kind::halt && group_queue_ && group_queue_->has_stages()) group_queue_->clear();
   if (crowded(requested.session, requested.command)) return;
   const Request request{requested.session, requested.command, kind};
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
@@ -365,20 +374,21 @@ void AxisServer::obey(const command::StartTable& /*it*/, const CommandRequested&
 
 /// Arms and starts the program of a group. The start decides whether its axes stand where it begins.
 void AxisServer::play_program(const CommandRequested& requested, const Request& request) {
-  const auto& program = options_.group->program;
-  if (!program)
+  const auto& sent = options_.group->sent;
+  if (!sent)
     return decline(requested,
                    "the group has no program of its own: send a path with `jounce stream`, or add "
                    "program to its [[group]]");
   if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
+  if (group_queue_->has_stages())
+    return answer(request, Refusal{.cause = Cause::awaits_acknowledge});
   motion_session_ = requested.session;
-  play(program, request, requested.at);
+  play(movement_of(sent, ++numbers_, *options_.group, group_queue_->single_step()), request,
+       requested.at);
 }
 
-/// Arms and starts a program of a group.
-void AxisServer::play(std::shared_ptr<const GroupProgram> program, const Request& request,
-                      std::int64_t at) {
-  MadeMovement path = movement_of(std::move(program), ++numbers_);
+/// Arms and starts the newest movement of a group.
+void AxisServer::play(MadeMovement path, const Request& request, std::int64_t at) {
   record(path);
   const Kept& kept = movements_[numbers_] = {std::move(path), {}};
   dynamics_->begin();
@@ -406,7 +416,7 @@ void AxisServer::take_step(const GroupQueue::Halt& /*halt*/) {
 }
 
 void AxisServer::take_step(const GroupQueue::Play& step) {
-  play(step.program, step.request, -1);
+  play(movement_of(step.program, ++numbers_), step.request, -1);
   group_movement_ = numbers_;
   if (!step.notice.empty()) notify(step.notice);
 }
@@ -441,13 +451,17 @@ void AxisServer::take_step(const GroupQueue::Announce& step) {
                      .position = last_.position});
 }
 
+void AxisServer::take_step(const GroupQueue::Note& step) {
+  notify(step.text);
+}
+
 void AxisServer::obey(const command::GroupAcknowledge& what, const CommandRequested& requested,
                       const Request& request) {
   if (!group_queue_) return answer(request, Refusal{.cause = Cause::not_a_group});
   if (!untimed(requested)) return;
-  const GroupQueue::Announce passes{group_queue_->m_word(), false};
+  const auto m_word = group_queue_->m_word();
   const Cause no = group_queue_->acknowledge(what.m_word);
-  if (no == Cause::none && passes.m_word > 0) take_step(passes);
+  if (no == Cause::none && m_word) take_step(GroupQueue::Announce{*m_word, false});
   answer(request, no == Cause::none ? std::nullopt : std::optional(Refusal{.cause = no}));
 }
 
@@ -682,7 +696,30 @@ void AxisServer::take_ticks() {
       events_.push_back(event);
     }
     start_.follow(last_, tick);
+    if (group_queue_) follow_program(tick);
     last_ = tick;
+  }
+}
+
+/// A tick of a group: the M words that it passes, and the begin of a motion. This may be the first
+/// motion of a program that was sent as a whole.
+void AxisServer::follow_program(const Tick& tick) {
+  const bool extended = last_.job != 0 && tick.job != 0 && tick.finished == last_.finished;
+  if (tick.job != last_.job && tick.job == 0)
+    pass_m_words(tick);
+  else if (tick.job != last_.job) {
+    const auto kept = movements_.find(tick.job);
+    const MadeMovement made = kept == movements_.end() ? MadeMovement{} : kept->second.made;
+    m_words_.begin(made.program, extended ? last_.path_time : 0);
+    if (made.sent) group_queue_->begins(tick.job, made.program, made.sent, made.sent_last, tick);
+  }
+  if (tick.job != 0) pass_m_words(tick);
+}
+
+void AxisServer::pass_m_words(const Tick& tick) {
+  for (wire::Event& event : m_words_.passed(last_, tick, options_.axis.period)) {
+    event.count = ++event_count_;
+    events_.push_back(event);
   }
 }
 
@@ -696,7 +733,7 @@ void AxisServer::write(const Tick& tick) {
 
 wire::Status AxisServer::status() const {
   auto [waiting, capacity] = queues_.fill(last_.job != 0 ? last_.job : last_.armed);
-  if (const std::size_t commands = group_queue_ ? group_queue_->size(last_) : 0; commands > 0) {
+  if (const std::size_t commands = group_queue_ ? group_queue_->taken(last_) : 0; commands > 0) {
     waiting = static_cast<std::uint32_t>(commands);
     capacity = GroupQueue::most_commands;
   }

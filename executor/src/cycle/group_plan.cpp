@@ -81,7 +81,8 @@ GroupLimits of_axes(const GroupLimits& sent, const ExecutorGroup& group) {
   return all;
 }
 
-/// The positions of the axes of a group at these coordinates.
+}  // namespace
+
 Point axes_at(const Point& coordinates, const ExecutorGroup& group) {
   if (!group.kinematics) return coordinates;
   const AxisMap& map = *group.kinematics->joints.map;
@@ -98,8 +99,6 @@ Point axes_at(const Point& coordinates, const ExecutorGroup& group) {
   for (std::size_t k = 0; k < map.joints(); ++k) axes[k] = joints[k][0];
   return axes;
 }
-
-}  // namespace
 
 std::shared_ptr<const GroupProgram> planned_program(const Program& program,
                                                     const GroupLimits& limits,

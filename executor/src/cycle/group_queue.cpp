@@ -102,6 +102,7 @@ bool rests(const Tick& group) {
 GroupQueue::GroupQueue(const ExecutorGroup& group, Worker& worker, std::size_t most_at_once,
                        std::function<Point()> places, ProgramOf program_of)
     : group_(std::make_shared<const ExecutorGroup>(group)),
+      base_(group_),
       worker_(worker),
       most_at_once_(most_at_once),
       places_(std::move(places)),
@@ -144,6 +145,8 @@ std::optional<GroupQueue::Step> GroupQueue::next(const Tick& group) {
   finished_ = group.finished;
   if (starts_stage_) return std::nullopt;
   if (auto step = begin_stage(group)) return step;
+  if (!dropped_because_.empty()) return Note{std::exchange(dropped_because_, {})};
+  if (auto step = cut(group)) return step;
   if (waiting_.empty()) return std::nullopt;
   if (attempt_ && attempt_->program) return std::nullopt;
   return attempt_ ? proceed(group) : begin(group);
@@ -161,9 +164,10 @@ std::optional<GroupQueue::Step> GroupQueue::begin_stage(const Tick& group) {
   // A command that is being planned belongs to the last stage.
   const bool grows = attempt_ && attempt_->way == Way::after && !attempt_->adds_stage;
   if (grows && stages_.size() == 1) return std::nullopt;
-  if (stage.program) {
+  if (stage.sent && !prepare()) return std::nullopt;
+  if (stages_.front().program) {
     starts_stage_ = true;
-    return Play{stage.program, {.kind = CommandKind::move_linear_absolute}};
+    return Play{stages_.front().program, {.kind = CommandKind::move_linear_absolute}};
   }
   end_stage({});
   return begin_stage(group);
@@ -180,7 +184,7 @@ std::optional<GroupQueue::Step> GroupQueue::pass_gate(const Tick& group) {
   if (!(gate.timeout > 0 && waited >= gate.timeout)) return std::nullopt;
   unacknowledged_ = true;
   std::size_t dropped = 0;
-  for (const Stage& stage : stages_) dropped += stage.commands.size() + (stage.gate ? 1 : 0);
+  for (const Stage& stage : stages_) dropped += stage.size();
   drop_stages();
   return Announce{gate.m_word, false, gate.timeout, dropped - 1};  // without the gate itself
 }
@@ -190,6 +194,7 @@ void GroupQueue::drop_stages() {
   stages_.erase(stages_.begin() + (starts_stage_ ? 1 : 0), stages_.end());
   gate_since_ = -1;
   acknowledged_ = false;
+  preparing_ = {};
 }
 
 /// The first stage has begun, or has no motion.
@@ -200,8 +205,10 @@ void GroupQueue::end_stage(std::optional<std::uint64_t> finished) {
   if (!stages_.empty()) stages_.front().finished = finished;
 }
 
-std::int32_t GroupQueue::m_word() const {
-  return gate_since_ >= 0 && !acknowledged_ && !stages_.empty() ? stages_.front().gate->m_word : 0;
+std::optional<std::int32_t> GroupQueue::m_word() const {
+  const bool waits = gate_since_ >= 0 && !acknowledged_ && !stages_.empty();
+  return waits && !stages_.front().gate->is_step ? std::optional(stages_.front().gate->m_word)
+                                                 : std::nullopt;
 }
 
 Cause GroupQueue::acknowledge(std::int32_t number) {
@@ -213,9 +220,12 @@ Cause GroupQueue::acknowledge(std::int32_t number) {
 
 void GroupQueue::answered(bool accepted, std::uint64_t movement) {
   unacknowledged_ = false;
+  if (cut_ && cut_->program) return cut_answered(accepted, movement);
   if (std::exchange(starts_stage_, false)) {
     Stage& stage = stages_.front();
-    if (accepted)
+    if (accepted && stage.sent)
+      sent_ = PlayingSent{movement, stage.program, *stage.sent};
+    else if (accepted)
       playing_ = Playing{.movement = movement,
                          .commands = std::move(stage.commands),
                          .program = stage.program,
@@ -254,10 +264,20 @@ void GroupQueue::fail() {
 }
 
 std::size_t GroupQueue::size(const Tick& group) const {
+  std::size_t all = taken(group);
+  for (const Stage& stage : stages_)
+    if (stage.sent && stage.sent->first < stage.sent->last)
+      all += stage.sent->last - stage.sent->first - 1;
+  return all;
+}
+
+std::size_t GroupQueue::taken(const Tick& group) const {
   const auto played =
       plays(group) ? static_cast<std::size_t>(playing_->commands.last() - current(group) + 1) : 0;
   std::size_t after = 0;
-  for (const Stage& stage : stages_) after += stage.commands.size() + (stage.gate ? 1 : 0);
+  for (const Stage& stage : stages_)
+    after += stage.sent ? (stage.sent->first < stage.sent->last ? 1 : 0) + (stage.gate ? 1 : 0)
+                        : stage.size();
   return played + after + waiting_.size() + idle_.size();
 }
 
@@ -410,6 +430,8 @@ Point GroupQueue::end_of(const Tick& group) const {
   if (!stages_.empty()) return stages_.back().commands.position();
   if (rests(group)) return coordinates_of(places_(), *group_);
   if (plays(group)) return playing_->commands.position();
+  if (sent_ && group.job == sent_->movement)
+    return sent_->part.of->sent.program.place_before(sent_->part.last);
   const auto program = program_of_ ? program_of_(group.job) : nullptr;
   if (!program) throw InputError("command", "", "cannot follow the present motion: send it again");
   const Path& path = program->plan->path();
@@ -418,11 +440,11 @@ Point GroupQueue::end_of(const Tick& group) const {
 
 /// The command follows the end of the last command, at rest.
 std::optional<GroupQueue::Step> GroupQueue::follow(const Tick& group) {
-  if (size(group) >= most_commands)
-    return finish(Cause::buffer_full, std::to_string(size(group)) + " commands wait (limit " +
+  if (taken(group) >= most_commands)
+    return finish(Cause::buffer_full, std::to_string(taken(group)) + " commands wait (limit " +
                                           std::to_string(most_commands) +
                                           "): send this one again later");
-  const bool adds = stages_.empty() || single_step_;
+  const bool adds = stages_.empty() || single_step_ || stages_.back().sent.has_value();
   PathCommands commands = adds ? commands_from(end_of(group)) : stages_.back().commands;
   commands.set_frame(frame_);
   commands.set_limits(limits_);

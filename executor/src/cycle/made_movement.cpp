@@ -66,13 +66,22 @@ MadeMovement movement_of(std::shared_ptr<const GroupProgram> program, std::uint6
   return {.movement = std::move(movement), .program = std::move(program)};
 }
 
+MadeMovement movement_of(std::shared_ptr<const SentProgram> sent, std::uint64_t id,
+                         const ExecutorGroup& group, bool single_step) {
+  std::size_t last = 0;
+  MadeMovement made = movement_of(first_motion(*sent, single_step, group, last), id);
+  made.sent = std::move(sent);
+  made.sent_last = last;
+  return made;
+}
+
 MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const ExecutorGroup& group,
-                         const std::atomic<bool>& canceled) {
+                         bool single_step, const std::atomic<bool>& canceled) {
   try {
     if (canceled) return {};
-    const LimitedProgram sent = program_of(arm.slave.table->columns().p);
+    LimitedProgram sent = program_of(arm.slave.table->columns().p);
     require_coordinates(sent.names, group);
-    return movement_of(planned_program(sent.program, sent.limits, group, &canceled), id);
+    return movement_of(sent_program(std::move(sent), group, &canceled), id, group, single_step);
   } catch (const PlanCanceled&) {
     return {};
   } catch (const InputError& error) {

@@ -7,12 +7,13 @@ namespace jounce {
 
 std::optional<MovementBuilder::Built> MovementBuilder::build(const ArmRequested& arm,
                                                              std::uint64_t id, std::int64_t period,
-                                                             double position) {
+                                                             double position, bool single_step) {
   const std::size_t knots =
       arm.slave.table->size() + (arm.master ? arm.master->table->size() : std::size_t{0});
   const auto canceled = std::make_shared<std::atomic<bool>>(false);
-  auto now = [arm, id, period, position, group = group_, canceled] {
-    return group ? movement_of(arm, id, *group, *canceled) : movement_of(arm, id, period, position);
+  auto now = [arm, id, period, position, single_step, group = group_, canceled] {
+    return group ? movement_of(arm, id, *group, single_step, *canceled)
+                 : movement_of(arm, id, period, position);
   };
   if (knots <= most_knots_) return Built{arm, now()};
   building_.emplace(Building{arm, worker_.ask(std::move(now)), canceled});

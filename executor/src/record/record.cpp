@@ -16,11 +16,11 @@ namespace {
 using namespace record_wire;
 
 constexpr std::array<std::string_view, std::variant_size_v<RecordEvent>> channels{
-    "JOUNCE.axis",         "JOUNCE.table",        "JOUNCE.job",      "JOUNCE.cycle",
-    "JOUNCE.lost",         "JOUNCE.queue",        "JOUNCE.rows",     "JOUNCE.gear",
-    "JOUNCE.master",       "JOUNCE.sight",        "JOUNCE.output",   "JOUNCE.sample",
-    "JOUNCE.program",      "JOUNCE.registration", "JOUNCE.triggers", "JOUNCE.check",
-    "JOUNCE.compensation", "JOUNCE.references"};
+    "JOUNCE.axis",         "JOUNCE.table",        "JOUNCE.job",          "JOUNCE.cycle",
+    "JOUNCE.lost",         "JOUNCE.queue",        "JOUNCE.rows",         "JOUNCE.gear",
+    "JOUNCE.master",       "JOUNCE.sight",        "JOUNCE.output",       "JOUNCE.sample",
+    "JOUNCE.program",      "JOUNCE.registration", "JOUNCE.triggers",     "JOUNCE.check",
+    "JOUNCE.compensation", "JOUNCE.references",   "JOUNCE.path_switches"};
 
 template <class Wire>
 std::string bytes_of(const Wire& w) {
@@ -74,11 +74,13 @@ std::optional<RecordEvent> decoded(std::string_view channel, std::string_view by
   if (it == channels.end()) return std::nullopt;
   using Decode = RecordEvent (*)(std::string_view, std::string_view);
   constexpr std::array<Decode, channels.size()> decoders{
-      event_of<axis_t>,         event_of<table_t>,        event_of<job_t>,      event_of<cycle_t>,
-      event_of<lost_t>,         event_of<queue_t>,        event_of<rows_t>,     event_of<gear_t>,
-      event_of<master_t>,       event_of<sight_t>,        event_of<output_t>,   event_of<sample_t>,
-      event_of<program_t>,      event_of<registration_t>, event_of<triggers_t>, event_of<check_t>,
-      event_of<compensation_t>, event_of<references_t>};
+      event_of<axis_t>,         event_of<table_t>,        event_of<job_t>,
+      event_of<cycle_t>,        event_of<lost_t>,         event_of<queue_t>,
+      event_of<rows_t>,         event_of<gear_t>,         event_of<master_t>,
+      event_of<sight_t>,        event_of<output_t>,       event_of<sample_t>,
+      event_of<program_t>,      event_of<registration_t>, event_of<triggers_t>,
+      event_of<check_t>,        event_of<compensation_t>, event_of<references_t>,
+      event_of<path_switches_t>};
   RecordEvent event = decoders[static_cast<std::size_t>(it - channels.begin())](channel, bytes);
   if (number_of(event) < 0)
     throw InputError("axis or master", std::to_string(number_of(event)), "must not be negative");

@@ -33,13 +33,25 @@ std::vector<RecordedProgram> recorded(const GroupProgram& program, std::size_t a
   return parts;
 }
 
+std::vector<RecordedPathSwitches> recorded_switches(const GroupProgram& program, std::size_t axis,
+                                                    std::uint64_t id) {
+  constexpr std::size_t most = RecordedPathSwitches::most;
+  const std::span<const PathSwitch> all = program.switches;
+  std::vector<RecordedPathSwitches> parts;
+  for (std::size_t first = 0; first < all.size(); first += most) {
+    const auto some = all.subspan(first, std::min(most, all.size() - first));
+    parts.push_back({.axis = axis, .id = id, .some = {some.begin(), some.end()}});
+  }
+  return parts;
+}
+
 GroupProgram remade(const std::vector<LawInterval>& law, std::vector<GroupAxis> axes) {
   if (law.empty() || axes.empty()) throw InputError("program", "", "has no law or no axes");
   const std::size_t n = axes.size();
   const double length = law.back().start + law.back().length;
   std::vector<double> line(2 * n, 0.0);  // from 0 by the length along the first axis
   line[n] = length;
-  const PathPiece piece{.length = length};
+  const PathPiece piece{.length = length > 0 ? length : 1};  // 0: the group rests
   Plan plan(Path(n, {piece}, std::move(line)), TimingLaw(law), {}, 0,
             {.limits = {}, .settings = {}});
   return {std::make_shared<const Plan>(std::move(plan)), std::move(axes)};
@@ -118,6 +130,32 @@ RecordedProgram ours(const program_t& w) {
     p.axes.push_back(axis);
   }
   return p;
+}
+
+path_switches_t on_wire(const RecordedPathSwitches& s) {
+  path_switches_t w{};
+  w.axis = static_cast<std::int16_t>(s.axis);
+  w.id = static_cast<std::int64_t>(s.id);
+  w.count = static_cast<std::int32_t>(s.some.size());
+  for (std::size_t k = 0; k < s.some.size(); ++k) {
+    w.time[k] = s.some[k].time;
+    w.output[k] = static_cast<std::int8_t>(s.some[k].output);
+    w.on[k] = s.some[k].on ? 1 : 0;
+  }
+  return w;
+}
+
+RecordedPathSwitches ours(const path_switches_t& w) {
+  if (w.count < 1 || w.count > static_cast<int>(RecordedPathSwitches::most))
+    throw InputError("count", std::to_string(w.count), "must be from 1 to 32");
+  RecordedPathSwitches s{.axis = static_cast<std::size_t>(w.axis),
+                         .id = static_cast<std::uint64_t>(w.id)};
+  for (int k = 0; k < w.count; ++k) {
+    if (w.output[k] < 1 || w.output[k] > 32)
+      throw InputError("output", std::to_string(w.output[k]), "must be from 1 to 32");
+    s.some.push_back({w.time[k], w.output[k], w.on[k] != 0});
+  }
+  return s;
 }
 
 }  // namespace record_wire

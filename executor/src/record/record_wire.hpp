@@ -18,6 +18,7 @@
 #include "jounce_record/lost_t.hpp"
 #include "jounce_record/master_t.hpp"
 #include "jounce_record/output_t.hpp"
+#include "jounce_record/path_switches_t.hpp"
 #include "jounce_record/program_t.hpp"
 #include "jounce_record/queue_t.hpp"
 #include "jounce_record/references_t.hpp"
@@ -68,6 +69,7 @@ triggers_t on_wire(const RecordedTriggers& ours);
 check_t on_wire(const RecordedCheck& ours);
 compensation_t on_wire(const RecordedCompensation& ours);
 references_t on_wire(const RecordedReferences& ours);
+path_switches_t on_wire(const RecordedPathSwitches& ours);
 
 RecordedAxis ours(const axis_t& w);
 RecordedTable ours(const table_t& w);
@@ -87,5 +89,6 @@ RecordedTriggers ours(const triggers_t& w);
 RecordedCheck ours(const check_t& w);
 RecordedCompensation ours(const compensation_t& w);
 RecordedReferences ours(const references_t& w);
+RecordedPathSwitches ours(const path_switches_t& w);
 
 }  // namespace jounce::record_wire

@@ -130,8 +130,16 @@ class Replayer {
                        "must be " + std::to_string(law.size()) + ", the next stretch of its law");
     law.insert(law.end(), part.law.begin(), part.law.end());
     if (law.size() < part.total) return;
-    keep(part.axis, std::make_shared<GroupPath>(part.id, remade(law, part.axes)));
+    GroupProgram program = remade(law, part.axes);
+    program.switches = std::move(switches_[{part.axis, part.id}]);
+    keep(part.axis, std::make_shared<GroupPath>(part.id, std::move(program)));
     laws_.erase({part.axis, part.id});
+    switches_.erase({part.axis, part.id});
+  }
+
+  void take(const RecordedPathSwitches& part) {
+    std::vector<PathSwitch>& all = switches_[{part.axis, part.id}];
+    all.insert(all.end(), part.some.begin(), part.some.end());
   }
 
   void take(const RecordedQueue& opened) {
@@ -346,7 +354,8 @@ class Replayer {
   std::map<Sha256, Growing> growing_;
   std::map<Sha256, std::shared_ptr<const Table>> tables_;
   std::map<Key, std::shared_ptr<Movement>> movements_;
-  std::map<Key, std::vector<LawInterval>> laws_;  // programs whose parts arrive
+  std::map<Key, std::vector<LawInterval>> laws_;     // programs whose parts arrive
+  std::map<Key, std::vector<PathSwitch>> switches_;  // their outputs
   std::map<Key, QueueMovement> queues_;
   std::map<std::size_t, std::deque<HandedOver>> handed_over_;  // not yet seen, by axis
   bool ended_ = false;

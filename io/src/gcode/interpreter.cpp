@@ -12,6 +12,14 @@
 #include "io/src/gcode/gcode_words.hpp"
 
 namespace jounce::io_detail {
+namespace {
+
+/// M words that take effect after the motion of their block (RS-274).
+bool is_at_end_of_block(const GcodeEvent& event) {
+  return event.word.front() == 'M' && (event.number <= 2 || event.number == 30);  // M0, M1, M2, M30
+}
+
+}  // namespace
 
 GcodeInterpreter::GcodeInterpreter(const GcodeMachine& machine)
     : machine_(machine),
@@ -40,12 +48,19 @@ bool GcodeInterpreter::execute(const GcodeBlock& block) {
   require_known(block);
   const bool dwell = set_modes(block);
   set_rates(block);
+  const std::size_t first = made_.events.size();
   add_events(block);
   if (dwell)
     rest(block);
   else
     move(block);
-  return !stops(block);
+  const bool ends = stops(block);
+  const auto events = made_.events.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto at_end = std::stable_partition(
+      events, made_.events.end(), [](const auto& event) { return !is_at_end_of_block(event); });
+  for (auto event = at_end; event != made_.events.end(); ++event)
+    event->command = made_.program.commands().size();
+  return !ends;
 }
 
 GcodeProgram GcodeInterpreter::take() {
@@ -77,9 +92,12 @@ void GcodeInterpreter::add_events(const GcodeBlock& block) {
   for (const GcodeWord& word : block.words) {
     const std::string& letters = word.letters;
     if (letters != "M" && letters != "H" && letters != "S" && letters != "T") continue;
-    const bool whole = letters == "S" || (word.value >= 0 && word.value == std::floor(word.value));
-    if (!whole) fail_at(block, word, "must be a whole number of at least 0");
-    made_.events.push_back({letters + word.text, block.line});
+    const bool whole = word.value == std::floor(word.value) && (letters == "H" || word.value >= 0);
+    if (letters == "H" && !(whole && word.value != 0))
+      fail_at(block, word, "must be the number of an output, or this number with a minus sign");
+    if (letters != "S" && !whole) fail_at(block, word, "must be a whole number of at least 0");
+    made_.events.push_back(
+        {letters + word.text, block.line, made_.program.commands().size(), word.value});
   }
 }
 

@@ -158,7 +158,7 @@ std::string event_text(const wire::Event& event) {
     case wire::EventKind::table_begin:
       return fmt::format("follow table {} begins, master{}", event.number, at);
     case wire::EventKind::m_word:
-      return fmt::format("M{} {}", event.number, event.on ? "waits" : "ends");
+      return fmt::format("M{} {}", event.number, event.on ? "waits" : "passes");
     case wire::EventKind::compare:
     case wire::EventKind::track:
     case wire::EventKind::tappet:

@@ -74,9 +74,24 @@ double tolerance_of(const std::string& text, const std::string& unit) {
   }
 }
 
-std::shared_ptr<const GroupProgram> program_of(const MachineSpec::Group& spec,
-                                               const ExecutorGroup& group, const Units& units) {
-  const std::size_t joints = group.kinematics ? group.names.size() : 0;
+/// The commands of a program. If no M word waits, the group plays the plan of the spec.
+std::shared_ptr<const SentProgram> sent_of(const Input& motion, const ExecutorGroup& group) {
+  const auto& path = std::get<PathSpec>(motion.spec->subject);
+  LimitedProgram program = limited_program(path);
+  const bool waits = std::any_of(program.words.begin(), program.words.end(),
+                                 [&](const auto& word) { return group.m_words.waits_at(word); });
+  if (waits && path.refine)
+    throw InputError(
+        "refine", "true",
+        "is not possible for a program with M words that wait: leave it out, or change "
+        "m_words of the [[group]]");
+  if (waits || group.kinematics) return sent_program(std::move(program), group);
+  return sent_program(std::move(program),
+                      group_program(motion.plan, group.configs, group.names, group.unit));
+}
+
+std::shared_ptr<const SentProgram> program_of(const MachineSpec::Group& spec,
+                                              const ExecutorGroup& group, const Units& units) {
   std::vector<Input> path = path_of(spec.program, group);
   std::vector<std::string> names;
   for (const Input& axis : path) {
@@ -85,12 +100,7 @@ std::shared_ptr<const GroupProgram> program_of(const MachineSpec::Group& spec,
   }
   require_coordinates(names, group);
   try {
-    if (joints > 0) {
-      const auto& own = std::get<PathSpec>(path.front().spec->subject);
-      return planned_program(own.program, own.limits, group);
-    }
-    return std::make_shared<const GroupProgram>(
-        group_program(path.front().plan, group.configs, group.names, group.unit));
+    return sent_of(path.front(), group);
   } catch (const InputError& error) {
     throw InputError("program", spec.program,
                      (error.line() > 0 ? "line " + std::to_string(error.line()) + ": " : "") +
@@ -181,7 +191,10 @@ ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& optio
   const ExecutorOptions& first = parts.axes[group.of.axes.front()];
   made.units = {"", group.kinematics ? group.kinematics->unit : first.units.position};
   if (spec.tolerance) group.of.tolerance = tolerance_of(*spec.tolerance, group.unit);
-  if (!spec.program.empty()) group.program = program_of(spec, group, made.units);
+  group.m_words = {.all = !spec.m_words,
+                   .numbers = spec.m_words.value_or(std::vector<std::int32_t>{}),
+                   .timeout = spec.m_word_timeout};
+  if (!spec.program.empty()) group.sent = program_of(spec, group, made.units);
   if (!spec.program.empty()) made.compare = compare_of(read_spec(spec.program));
   if (made.compare.plane && group.kinematics)
     throw InputError("program", spec.program,

@@ -22,7 +22,7 @@ StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes) {
     refuse("override", "is a command for a group: `jounce order GROUP override`");
   const Units& units = axes.front().table.units;
   if (units.x != "s") throw InputError("units.time", units.x, "must be s for a group");
-  LimitedProgram sent{.program = path.program, .limits = path.limits, .names = {}};
+  LimitedProgram sent = limited_program(path);
   for (const Input& axis : axes) {
     const bool has_length = sent.names.size() < path.program.path_axes() || !path.joints;
     if (has_length && axis.table.units.position != units.position)

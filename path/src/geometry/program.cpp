@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/path/program.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "jounce/profiles/detail/tolerances.hpp"
@@ -102,6 +103,32 @@ void Program::dwell(double seconds, int line) {
   commands_.push_back(
       {numbers_.size(), line, static_cast<std::uint32_t>(settings_.size() - 1), Kind::dwell});
   numbers_.push_back(seconds);
+}
+
+Point Program::place_before(std::size_t command) const {
+  while (command-- > 0) {
+    const Command& one = commands_[command];
+    if (one.kind == Kind::arc) return arcs_[one.data].to;
+    if (one.kind == Kind::curve) return curves_[one.data].to;
+    if (one.kind == Kind::dwell) continue;
+    Point place{};
+    std::copy_n(numbers_.begin() + static_cast<std::ptrdiff_t>(one.data), axes_, place.begin());
+    return place;
+  }
+  return start_;
+}
+
+Program Program::part(std::size_t first, std::size_t last) const {
+  Program some(axes_, place_before(first), path_axes_);
+  for (std::size_t k = first; k < last; ++k) {
+    const Command& one = commands_[k];
+    some.set(settings_[one.settings]);
+    if (one.kind == Kind::line) some.line(place_before(k + 1), one.line);
+    if (one.kind == Kind::arc) some.arc(arcs_[one.data], one.line);
+    if (one.kind == Kind::curve) some.curve(curves_[one.data], one.line);
+    if (one.kind == Kind::dwell) some.dwell(numbers_[one.data], one.line);
+  }
+  return some;
 }
 
 }  // namespace jounce

@@ -27,8 +27,8 @@ constexpr double omitted = -1;
 constexpr double most_characters = 64;  ///< for the name of an axis
 
 /// The first number of a command.
-enum class Word : std::uint8_t { settings, line, arc, curve, dwell };
-constexpr int words = 5;
+enum class Word : std::uint8_t { settings, line, arc, curve, dwell, event };
+constexpr int words = 6;
 
 /// Appends numbers to a list.
 class Writer {
@@ -75,6 +75,13 @@ void write(const PathCurve& curve, std::size_t n, Writer& to) {
     to.number(s.degree);
     for (int k = 0; k <= s.degree; ++k) to.number(s.c[static_cast<std::size_t>(k)]);
   }
+}
+
+void write(const ProgramWord& word, Writer& to) {
+  to.word(Word::event);
+  to.number(word.line);
+  to.word(word.kind);
+  to.number(word.number);
 }
 
 /// Reads numbers from a list, each within its range.
@@ -193,6 +200,18 @@ PathCurve curve_of(Reader& from, const Point& start, std::size_t n) {
   return curve;
 }
 
+ProgramWord word_of(Reader& from, std::size_t command) {
+  ProgramWord word{.line = from.line(), .command = command};
+  word.kind =
+      static_cast<ProgramWord::Kind>(from.whole(0, static_cast<double>(ProgramWord::Kind::output)));
+  const bool output = word.kind == ProgramWord::Kind::output;
+  word.number = static_cast<std::int32_t>(
+      from.whole(output ? -ProgramWord::most_outputs : 0,
+                 output ? ProgramWord::most_outputs : ProgramWord::most_m_word));
+  if (output && word.number == 0) from.fail("0", "must be the number of an output, from 1 on");
+  return word;
+}
+
 }  // namespace
 
 std::vector<double> numbers_of(const LimitedProgram& all) {
@@ -216,7 +235,13 @@ std::vector<double> numbers_of(const LimitedProgram& all) {
   if (joints > 0) to.number(static_cast<double>(joints));
   for (std::size_t k = n; k < n + joints; ++k) to.name(all.names[k]);
   std::optional<std::uint32_t> settings;  // settings of the command before
+  std::size_t written = 0;                // words that are in the list
+  const auto write_words = [&](std::size_t command) {
+    for (; written < all.words.size() && all.words[written].command <= command; ++written)
+      write(all.words[written], to);
+  };
   for (const Program::Command& command : program.commands()) {
+    write_words(static_cast<std::size_t>(&command - program.commands().data()));
     if (settings != command.settings) write(program.settings()[command.settings], to);
     settings = command.settings;
     const auto word = command.kind == Program::Kind::line    ? Word::line
@@ -231,6 +256,7 @@ std::vector<double> numbers_of(const LimitedProgram& all) {
       for (std::size_t i = 0; i < n; ++i) to.number(program.numbers()[command.data + i]);
     if (word == Word::dwell) to.number(program.numbers()[command.data]);
   }
+  write_words(program.commands().size());
   return to.list;
 }
 
@@ -259,6 +285,10 @@ LimitedProgram program_of(std::span<const double> numbers) {
     const auto word = static_cast<Word>(from.whole(0, words - 1));
     if (word == Word::settings) {
       all.program.set(settings_of(from));
+      continue;
+    }
+    if (word == Word::event) {
+      all.words.push_back(word_of(from, all.program.commands().size()));
       continue;
     }
     const int line = from.line();

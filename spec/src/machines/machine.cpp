@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "jounce/base/file.hpp"
+#include "jounce/path/program_numbers.hpp"
 #include "jounce/spec/machine_spec.hpp"
 #include "jounce/spec/spec.hpp"
 
@@ -33,6 +35,25 @@ std::string beside(const std::filesystem::path& folder, const std::string& file)
   return !file.empty() && given.is_relative() ? (folder / given).string() : file;
 }
 
+/// Reads m_words = "all", or the numbers of the M words.
+void read_m_words(TomlReader& reader, MachineSpec::Group& group) {
+  reader.may_have("m_words");
+  if (!reader.has("m_words")) return;
+  if (reader.is_text("m_words")) {
+    static const std::vector<std::string> words{"all"};
+    (void)reader.choice("m_words", words);
+    group.m_words.reset();
+    return;
+  }
+  group.m_words->clear();
+  for (const double number : reader.number_list("m_words", "1")) {
+    if (!(number >= 0 && number <= ProgramWord::most_m_word && number == std::floor(number)))
+      reader.fail("m_words", jounce::number(number),
+                  "must be \"all\", or a list of M words, such as [0, 6]");
+    group.m_words->push_back(static_cast<std::int32_t>(number));
+  }
+}
+
 MachineSpec::Group read_group(TomlReader& reader, const std::filesystem::path& folder) {
   MachineSpec::Group group{.name = reader.text("name"), .key = reader.path("name")};
   group.key.erase(group.key.rfind('.'));
@@ -42,6 +63,8 @@ MachineSpec::Group read_group(TomlReader& reader, const std::filesystem::path& f
   group.program = beside(folder, reader.optional_text("program").value_or(""));
   group.kinematics = beside(folder, reader.optional_text("kinematics").value_or(""));
   group.tolerance = reader.optional_quantity("tolerance");
+  read_m_words(reader, group);
+  group.m_word_timeout = reader.optional_positive("m_word_timeout", "s").value_or(0);
   reader.finish();
   return group;
 }

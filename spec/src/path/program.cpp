@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -177,6 +178,35 @@ void set_gcode(PathSpec& path, std::string_view text, const std::string& documen
   path.program = std::move(made.program);
   path.events = std::move(made.events);
   path.source = document;
+}
+
+namespace {
+
+/// The M and H words of a G-code program; T and S words, and the end of the program, have no effect.
+std::vector<ProgramWord> words_of(const PathSpec& path) {
+  std::vector<ProgramWord> words;
+  for (const GcodeEvent& event : path.events) {
+    const char letter = event.word.front();
+    if (letter != 'M' && letter != 'H') continue;
+    const bool output = letter == 'H';
+    const double most = output ? ProgramWord::most_outputs : ProgramWord::most_m_word;
+    if (std::abs(event.number) > most)
+      throw InputError(event.word, "",
+                       "has a number above " + std::to_string(static_cast<int>(most)) +
+                           ", the greatest of " + (output ? "an output" : "an M word"))
+          .at(path.source, event.line);
+    words.push_back({.kind = output ? ProgramWord::Kind::output : ProgramWord::Kind::m_word,
+                     .number = static_cast<std::int32_t>(event.number),
+                     .line = event.line,
+                     .command = event.command});
+  }
+  return words;
+}
+
+}  // namespace
+
+LimitedProgram limited_program(const PathSpec& path) {
+  return {.program = path.program, .limits = path.limits, .names = {}, .words = words_of(path)};
 }
 
 }  // namespace jounce

@@ -117,8 +117,8 @@ bool get(const jounce_lcm::event_t& from, Event& to) {
   to.offset_s = from.offset_s;
   to.position = from.position;
   return to.boot >= 1 && to.count >= 1 && get_enum(from.kind, to.kind) &&
-         get_count(from.number, to.number) && to.number >= 1 && get_flag(from.on, to.on) &&
-         to.tick >= 0 && to.offset_s >= 0 && std::isfinite(to.offset_s);
+         get_count(from.number, to.number) && (to.number >= 1 || to.kind == EventKind::m_word) &&
+         get_flag(from.on, to.on) && to.tick >= 0 && to.offset_s >= 0 && std::isfinite(to.offset_s);
 }
 
 void put(const Master& from, jounce_lcm::master_t& to) {

@@ -17,6 +17,7 @@
 #include "jounce/axis/move_goal.hpp"
 #include "jounce/axis/move_player.hpp"
 #include "jounce/axis/outputs.hpp"
+#include "jounce/axis/path_outputs.hpp"
 #include "jounce/axis/path_player.hpp"
 #include "jounce/axis/position_history.hpp"
 #include "jounce/axis/repetition.hpp"
@@ -428,6 +429,7 @@ class MotionAxis {
   bool has_master_ = false;  // true from the start of a cam to the next table without a cam
   std::array<std::size_t, 2> plane_axes_;
   Outputs outputs_;
+  PathOutputs path_outputs_;  // outputs of the path of a group
   Tick now_;
 };
 

@@ -46,6 +46,8 @@ class GroupPath final : public Movement {
   [[nodiscard]] std::span<const Jet> parts() const noexcept override {
     return std::span(parts_).first(program_.axes.size());
   }
+  [[nodiscard]] std::span<const PathSwitch> switches(double from,
+                                                     double to) const noexcept override;
   [[nodiscard]] double highest_rate() const noexcept override;
   [[nodiscard]] double rate_slope(double highest) const noexcept override;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -26,6 +27,12 @@ struct ProgramPart {
   std::vector<Peaks> axes = {};  ///< each axis of the group
 };
 
+/// An M word that the path of a group passes.
+struct PathMWord {
+  double time = 0;          ///< s of path time
+  std::int32_t number = 0;  ///< its number
+};
+
 /// A planned path that was checked against the limits of the axes of a group.
 struct GroupProgram {
   std::shared_ptr<const Plan> plan;  ///< over s, in the units of the axes
@@ -35,6 +42,8 @@ struct GroupProgram {
   /// The whole program, then the parts from those rests after which a magnitude is lower. Not empty,
   /// unless the program was read from a record.
   std::vector<ProgramPart> parts = {};
+  std::vector<PathSwitch> switches = {};  ///< outputs that it switches, in ascending order of time
+  std::vector<PathMWord> m_words = {};    ///< M words that it passes, in ascending order of time
 };
 
 /// Returns the last part that begins at this length along the path, or before it.

@@ -74,6 +74,13 @@ struct Peaks {
   friend bool operator==(const Peaks&, const Peaks&) = default;
 };
 
+/// An output that a path switches at a time of the path.
+struct PathSwitch {
+  double time = 0;  ///< s of path time
+  int output = 1;   ///< 1 to 32
+  bool on = false;  ///< true: the output goes on
+};
+
 /// A motion that an axis plays. It is made and checked outside the cyclic thread; the cyclic thread
 /// steps it:
 ///
@@ -177,6 +184,12 @@ class Movement {
   /// For the path of a group: the setpoints of its axes at the last at(), or at its start, at the
   /// original speed. Empty for any other movement.
   [[nodiscard]] virtual std::span<const Jet> parts() const noexcept { return {}; }
+  /// For the path of a group: the outputs that it switches from the path time `from` to before `to`, s,
+  /// in ascending order of time; up to its end, if `to` is its end or later.
+  [[nodiscard]] virtual std::span<const PathSwitch> switches(double /*from*/,
+                                                             double /*to*/) const noexcept {
+    return {};
+  }
   /// For the path of a group: the greatest rate, from 1 to 2, that its axes permit.
   [[nodiscard]] virtual double highest_rate() const noexcept { return 2; }
   /// For the path of a group: the greatest slope of the rate, 1/s, that its axes permit for rates

@@ -20,6 +20,7 @@
 #include "jounce/executor/log.hpp"
 #include "jounce/executor/made_movement.hpp"
 #include "jounce/executor/movement_builder.hpp"
+#include "jounce/executor/passed_m_words.hpp"
 #include "jounce/executor/queues.hpp"
 #include "jounce/executor/worker.hpp"
 #include "jounce/stream/receiver/receiver.hpp"
@@ -107,13 +108,16 @@ class AxisServer {
   void obey(const command::StartTable& it, const CommandRequested& requested,
             const Request& request);
   void play_program(const CommandRequested& requested, const Request& request);
-  void play(std::shared_ptr<const GroupProgram> program, const Request& request, std::int64_t at);
+  void play(MadeMovement path, const Request& request, std::int64_t at);
+  void follow_program(const Tick& tick);
+  void pass_m_words(const Tick& tick);
   void turn_group();
   void take_step(const GroupQueue::Halt& halt);
   void take_step(const GroupQueue::Play& step);
   void take_step(const GroupQueue::Extend& step);
   void take_step(const GroupQueue::SetLimits& step);
   void take_step(const GroupQueue::Announce& step);
+  void take_step(const GroupQueue::Note& step);
   void take_step(const GroupQueue::Reply& reply);
   void obey(const command::GroupAcknowledge& what, const CommandRequested& requested,
             const Request& request);
@@ -176,8 +180,9 @@ class AxisServer {
   double rate_ = 1;                        // override factor that it has
   std::uint64_t group_movement_ = 0;       // id of its last movement
   GroupReport group_report_;
+  PassedMWords m_words_;                        // M words of the program that the group plays
   std::shared_ptr<const GroupProgram> traced_;  // the last program whose path is in the trace
-  std::uint64_t numbers_ = 0;  // numbers of movements
+  std::uint64_t numbers_ = 0;                   // numbers of movements
   bool retired_ = false;
   bool log_truncated_ = false;
   std::uint64_t ended_with_group_ = 0;

@@ -13,6 +13,7 @@
 #include "jounce/axis/group_program.hpp"
 #include "jounce/axis/machine.hpp"
 #include "jounce/executor/cycle.hpp"
+#include "jounce/executor/sent_program.hpp"
 #include "jounce/gear/cut_plan.hpp"
 #include "jounce/stream/receiver/receiver.hpp"
 
@@ -35,12 +36,13 @@ struct GroupKinematics {
 
 /// A group of an executor (docs/executor/groups.md).
 struct ExecutorGroup {
-  AxisGroup of;                                      ///< its axes in the machine
-  std::vector<std::string> names;                    ///< names of these axes
-  std::vector<AxisConfig> configs;                   ///< configurations of these axes
-  std::string unit = {};                             ///< unit of these axes; "": not known
-  std::shared_ptr<const GroupProgram> program = {};  ///< path that StartTable plays; null: none
-  std::optional<GroupKinematics> kinematics = {};    ///< nullopt: commands address the axes
+  AxisGroup of;                                    ///< its axes in the machine
+  std::vector<std::string> names;                  ///< names of these axes
+  std::vector<AxisConfig> configs;                 ///< configurations of these axes
+  std::string unit = {};                           ///< unit of these axes; "": not known
+  std::shared_ptr<const SentProgram> sent = {};    ///< path that StartTable plays; null: none
+  std::optional<GroupKinematics> kinematics = {};  ///< nullopt: commands address the axes
+  MWordHandshake m_words = {};                     ///< M words of programs that wait
 
   /// Names of the coordinates of commands: the axes of the tool, or of the group.
   [[nodiscard]] const std::vector<std::string>& coordinates() const {

@@ -38,6 +38,10 @@ std::shared_ptr<const GroupProgram> fast_program(const Point& from, const Point&
 /// joints.
 GroupSpace space_of(const ExecutorGroup& group);
 
+/// Returns the positions of the axes of a group at these coordinates: the inverse kinematics. Throws
+/// InputError "to" if they are out of reach, or singular.
+Point axes_at(const Point& coordinates, const ExecutorGroup& group);
+
 /// Returns the coordinates of a group from the positions of its axes: the forward kinematics. Returns
 /// nullopt if the joints do not fit together.
 std::optional<Point> tool_of(const Point& axes, const ExecutorGroup& group);

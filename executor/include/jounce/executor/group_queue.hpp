@@ -33,6 +33,9 @@ namespace jounce {
 /// move, are planned from the end of this motion, and begin there at rest. So do commands after an M
 /// word, when it is acknowledged, and in single step.
 ///
+/// A program that was sent as a whole also waits at its M words and in single step: begins() adds
+/// what follows its first motion.
+///
 ///     queue.take(command, request);
 ///     while (const auto step = queue.next(tick)) ...    // often; the server executes the step
 ///     queue.answered(true, movement);                   // the group has accepted a Play or Extend
@@ -78,7 +81,11 @@ class GroupQueue {
     Cause cause = Cause::none;
     std::string reason = {};  ///< empty: the cause suffices
   };
-  using Step = std::variant<Halt, Play, Extend, SetLimits, Announce, Reply>;
+  /// The server must show this text to the operator.
+  struct Note {
+    std::string text;
+  };
+  using Step = std::variant<Halt, Play, Extend, SetLimits, Announce, Note, Reply>;
 
   /// `worker` must outlive the queue. `most_at_once`: the greatest number of commands that the
   /// calling thread plans itself; the worker plans longer programs. `places`: returns the present
@@ -98,6 +105,13 @@ class GroupQueue {
   /// Reports whether the group has accepted the last Play or Extend. `movement`: id of the movement
   /// that the group then plays.
   void answered(bool accepted, std::uint64_t movement);
+  /// Reports that the group has begun the first motion of a program that was sent as a whole.
+  /// `movement`: id of this motion. `last`: number of the command after it. `group`: the first tick of
+  /// the motion.
+  void begins(std::uint64_t movement, std::shared_ptr<const GroupProgram> motion,
+              std::shared_ptr<const SentProgram> sent, std::size_t last, const Tick& group);
+  /// True if commands wait for the end of the present motion, or for an acknowledgment.
+  [[nodiscard]] bool has_stages() const { return !stages_.empty(); }
   /// Drops the commands that are not yet planned, because their session has ended.
   void cancel();
   /// Drops all commands that the group does not play, including waits before the first motion.
@@ -121,10 +135,12 @@ class GroupQueue {
   /// Acknowledges the M word at which the group waits, or begins the next command in single step.
   /// `number`: its number; 0: any. Returns none, or no_handshake if the group does not wait for it.
   [[nodiscard]] Cause acknowledge(std::int32_t number);
-  /// Number of the M word at which the group waits; 0: none.
-  [[nodiscard]] std::int32_t m_word() const;
+  /// Number of the M word at which the group waits; nullopt: none.
+  [[nodiscard]] std::optional<std::int32_t> m_word() const;
   /// True: each of the commands that follow begins at rest, after an acknowledgment.
+  /// A program that was sent as a whole comes to rest at the end of a command, as soon as it can.
   void single_step(bool on) { single_step_ = on; }
+  [[nodiscard]] bool single_step() const { return single_step_; }
 
   /// Present positions of the axes of the group.
   [[nodiscard]] Point places() const { return places_(); }
@@ -133,8 +149,11 @@ class GroupQueue {
 
   /// True if so many commands wait to be planned that the caller must reject further ones.
   [[nodiscard]] bool full() const { return waiting_.size() >= most_waiting; }
-  /// Number of commands that have not ended.
+  /// Number of commands that have not ended, with the present one. The commands of a program that was
+  /// sent as a whole count only if they do not belong to the present motion.
   [[nodiscard]] std::size_t size(const Tick& group) const;
+  /// The same number, in which the commands up to the next M word of such a program count as one.
+  [[nodiscard]] std::size_t taken(const Tick& group) const;
   /// Number of the command that the group plays, from 1; nullopt: it plays no single command.
   [[nodiscard]] std::optional<std::int32_t> command(const Tick& group) const;
 
@@ -152,11 +171,37 @@ class GroupQueue {
     bool fast = false;
     std::uint64_t finished = 0;  // motions of the group before this one ends
   };
+  struct Planned {
+    std::shared_ptr<const GroupProgram> program = {};
+    std::optional<Agreement> agreement = {};
+    std::string reason = {};
+  };
   /// A condition for the commands after it: an M word, or a single step.
   struct Gate {
     std::int32_t m_word = 0;
     double timeout = 0;  // s; 0: none
     bool is_step = false;
+  };
+  /// Commands of a program that was sent as a whole.
+  struct SentPart {
+    std::shared_ptr<const SentProgram> of;
+    std::size_t stage = 0;  // index of the stage to which they belong
+    std::size_t first = 0;  // the first one
+    std::size_t last = 0;   // the command after the last one
+  };
+  /// The part of such a program that the group plays.
+  struct PlayingSent {
+    std::uint64_t movement = 0;
+    std::shared_ptr<const GroupProgram> program;
+    SentPart part;
+    bool is_step =
+        false;  // it cannot come to rest earlier, or it is the last command before a rest
+  };
+  /// A shorter plan of this part, which ends earlier: for single step.
+  struct Cut {
+    std::size_t last = 0;  // the command after its last one
+    std::future<Planned> planned;
+    std::shared_ptr<const GroupProgram> program = {};  // set: the group has the step
   };
   /// Commands that begin at rest when the motion before them has ended, and their gate is open.
   struct Stage {
@@ -166,11 +211,10 @@ class GroupQueue {
     /// Motions of the group before the motion before this stage ends; nullopt: it rests already.
     std::optional<std::uint64_t> finished = {};
     std::optional<Gate> gate = {};
-  };
-  struct Planned {
-    std::shared_ptr<const GroupProgram> program = {};
-    std::optional<Agreement> agreement = {};
-    std::string reason = {};
+    std::optional<SentPart> sent = {};  // set: `commands` has only the end of the stage
+    [[nodiscard]] std::size_t size() const {
+      return (sent ? sent->last - sent->first : commands.size()) + (gate ? 1 : 0);
+    }
   };
   /// Ways to plan a new command together with the present ones, in the order in which they are
   /// tried: the next way is tried if a way fails.
@@ -222,6 +266,13 @@ class GroupQueue {
   void drop_stages();
   void end_stage(std::optional<std::uint64_t> finished);
   void add_stage(const Tick& group, std::optional<Gate> gate);
+  [[nodiscard]] Stage stage_of(SentPart part, std::optional<Gate> gate) const;
+  [[nodiscard]] bool prepare();
+  [[nodiscard]] std::optional<Step> cut(const Tick& group);
+  [[nodiscard]] bool begin_cut(const Tick& group);
+  void cut_answered(bool accepted, std::uint64_t movement);
+  [[nodiscard]] std::future<Planned> part_planned(const SentPart& part,
+                                                  std::shared_ptr<const GroupProgram> before);
   [[nodiscard]] std::optional<Step> follow(const Tick& group);
   [[nodiscard]] Point end_of(const Tick& group) const;
   [[nodiscard]] PathCommands commands_from(const Point& place) const;
@@ -233,7 +284,8 @@ class GroupQueue {
   [[nodiscard]] std::int32_t current(const Tick& group) const;
 
   std::shared_ptr<const ExecutorGroup>
-      group_;  // group with the limits of its next motion from rest
+      group_;                                  // group with the limits of its next motion from rest
+  std::shared_ptr<const ExecutorGroup> base_;  // the group with its own limits only
   Worker& worker_;
   std::size_t most_at_once_;
   std::function<Point()> places_;
@@ -253,6 +305,13 @@ class GroupQueue {
   bool acknowledged_ = false;     // the gate is open
   bool unacknowledged_ = false;   // the last gate was not acknowledged in time
   bool single_step_ = false;
+  std::optional<PlayingSent> sent_;
+  std::optional<Cut> cut_;
+  std::size_t cut_skips_ =
+      0;  // ends of commands that the next cut leaves out: it comes too late there
+  std::future<Planned> preparing_;        // valid: the next part of a program is being planned
+  std::size_t prepared_last_ = 0;         // the command after this part
+  std::string dropped_because_;           // text for the operator; empty: none
   std::vector<command::GroupWait> idle_;  // waits before the first motion
   Frame frame_;                           // frame of the commands that follow
   PathLimits limits_;                     // further limits of the commands that follow

@@ -28,6 +28,9 @@ struct MadeMovement {
   std::optional<double> last = {};          ///< end position, u, if known
   std::optional<MadeFrom> source = {};      ///< parts of the movement
   std::shared_ptr<const GroupProgram> program = {};  ///< program of a group
+  /// program that was sent as a whole, and whose first motion this is; null: none
+  std::shared_ptr<const SentProgram> sent = {};
+  std::size_t sent_last = 0;  ///< number of the command of `sent` after this motion
   /// sentence that states why no movement was made, if the reason is known
   std::string reason = {};
 };
@@ -48,8 +51,13 @@ MadeMovement movement_of(std::shared_ptr<const GroupProgram> program, std::uint6
 /// Plans the path of an arm request within the limits of the axes of the group, and makes its
 /// movement. The result has a reason instead if the numbers are not a program, or the path does not
 /// suit the group. The duration of the call is proportional to the length of the program. If
-/// `canceled` becomes true, the call ends early, without a movement.
+/// `canceled` becomes true, the call ends early, without a movement. `single_step`: the movement is
+/// the first command of the program.
 MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const ExecutorGroup& group,
-                         const std::atomic<bool>& canceled);
+                         bool single_step, const std::atomic<bool>& canceled);
+
+/// Makes the first movement of a program that was sent as a whole.
+MadeMovement movement_of(std::shared_ptr<const SentProgram> sent, std::uint64_t id,
+                         const ExecutorGroup& group, bool single_step);
 
 }  // namespace jounce

@@ -48,9 +48,10 @@ class MovementBuilder {
   /// True if a build is in progress.
   [[nodiscard]] bool busy() const { return building_.has_value(); }
   /// Builds the movement of a request; see movement_of(). Returns nullopt if the worker builds the
-  /// movement. Requires a builder that is not busy.
+  /// movement. `single_step`: a group plays the commands of a program one by one. Requires a builder that is not busy.
   [[nodiscard]] std::optional<Built> build(const ArmRequested& arm, std::uint64_t id,
-                                           std::int64_t period, double position);
+                                           std::int64_t period, double position,
+                                           bool single_step = false);
   /// Keeps a request until the present build ends.
   void wait(const ArmRequested& arm) { next_ = arm; }
   /// Returns the result of a build that has ended; nullopt: none.

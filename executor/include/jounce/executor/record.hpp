@@ -97,6 +97,17 @@ struct RecordedProgram {
 /// Returns the parts of a program.
 std::vector<RecordedProgram> recorded(const GroupProgram& program, std::size_t axis,
                                       std::uint64_t id);
+/// A part of the outputs that the path of a group switches. These events precede its program.
+struct RecordedPathSwitches {
+  static constexpr std::size_t most = 32;  ///< greatest number of switches in a part
+  std::size_t axis = 0;                    ///< index of the group
+  std::uint64_t id = 0;                    ///< id of the movement
+  std::vector<PathSwitch> some = {};       ///< 1 to `most`
+};
+/// Returns the parts of the outputs of a program.
+std::vector<RecordedPathSwitches> recorded_switches(const GroupProgram& program, std::size_t axis,
+                                                    std::uint64_t id);
+
 /// Returns the program of a group with a straight path of the same length, for a replay of its ticks.
 GroupProgram remade(const std::vector<LawInterval>& law, std::vector<GroupAxis> axes);
 
@@ -196,7 +207,8 @@ using RecordEvent =
     std::variant<RecordedAxis, RecordedTable, RecordedJob, RecordedCycle, RecordedLoss,
                  RecordedQueue, RecordedRows, RecordedGear, RecordedMaster, RecordedSight,
                  RecordedOutput, RecordedSample, RecordedProgram, RecordedRegistration,
-                 RecordedTriggers, RecordedCheck, RecordedCompensation, RecordedReferences>;
+                 RecordedTriggers, RecordedCheck, RecordedCompensation, RecordedReferences,
+                 RecordedPathSwitches>;
 
 /// Returns the channel of an event: "JOUNCE.cycle", ...
 std::string_view channel_of(const RecordEvent& event);

@@ -42,8 +42,10 @@ struct GcodeMachine {
 
 /// A word of the program that moves no axis: M, H, S or T.
 struct GcodeEvent {
-  std::string word;  ///< the word: "M8", "H3"
-  int line = 0;      ///< line of the word in the G-code
+  std::string word;         ///< the word: "M8", "H3"
+  int line = 0;             ///< line of the word in the G-code
+  std::size_t command = 0;  ///< number of commands of the program before it
+  double number = 0;        ///< number after the letter
 };
 
 /// Result of parse_gcode().
@@ -71,7 +73,8 @@ bool begins_as_gcode(std::string_view text);
 ///   Corner::average; otherwise, P is the deviation at corners.
 /// - X Y Z A B C U V W: positions. F, E: feed and acceleration of G1 to G3. FF, EF: feed and
 ///   acceleration of G0.
-/// - M, H, S, T: events. M0 and M1 come to rest; M2 and M30 end the program.
+/// - M, H, S, T: events at the start of the block. M0 and M1 come to rest at the end of the block;
+///   M2 and M30 end the program. H may be negative: it switches its output off.
 /// - N: line number. G40, G49, G94 switch off functions that are not supported, and are accepted.
 ///   G80 ends G0 to G3: the next motion must name one of them. Comments are in ( ) or after a
 ///   semicolon.

@@ -95,6 +95,11 @@ class Program {
   /// End of the last command; start() if the program has no command.
   [[nodiscard]] const Point& position() const { return position_; }
 
+  /// Place at the start of a command, or at the end of the program for the number of its commands.
+  [[nodiscard]] Point place_before(std::size_t command) const;
+  /// The commands from `first` to before `last` as a program, from the place where they begin.
+  [[nodiscard]] Program part(std::size_t first, std::size_t last) const;
+
   enum class Kind : std::uint8_t { line, arc, curve, dwell };
   /// A command, for the reader of a program.
   struct Command {

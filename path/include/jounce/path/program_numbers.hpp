@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +12,21 @@
 
 namespace jounce {
 
+/// A word of a program that moves no axis: an M word, or the switching of an output (an H word).
+struct ProgramWord {
+  static constexpr std::int32_t most_outputs = 32;     ///< greatest number of an output
+  static constexpr std::int32_t most_m_word = 999999;  ///< greatest number of an M word
+
+  enum class Kind : std::uint8_t { m_word, output };
+  Kind kind = Kind::m_word;
+  /// M word: its number, 0 or more. Output: its number from 1 on; negative: it is switched off.
+  std::int32_t number = 0;
+  std::int32_t line = 0;    ///< source line
+  std::size_t command = 0;  ///< number of commands before it
+
+  bool operator==(const ProgramWord&) const = default;
+};
+
 /// A program and the limits within which it is planned.
 struct LimitedProgram {
   Program program{1};
@@ -17,6 +34,7 @@ struct LimitedProgram {
   /// Names of the axes, printable characters; or empty texts. If the path is for a machine with joints,
   /// the names of its joints follow.
   std::vector<std::string> names = {};
+  std::vector<ProgramWord> words = {};  ///< in the order of the commands
 };
 
 /// Returns a program as a list of finite numbers, for a message or a file. program_of() returns the

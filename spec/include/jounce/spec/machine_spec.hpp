@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ struct FollowWhom {
 ///     name = "plotter"
 ///     axes = ["x", "y"]
 ///     program = "part.toml"             # a spec of kind "path"
+///     m_words = [0, 6]                  # wait for an acknowledgment
 struct MachineSpec {
   struct Axis {
     std::string spec = {};                  ///< file of the axis; relative to the machine's file
@@ -51,7 +53,10 @@ struct MachineSpec {
     std::string kinematics = {};
     /// Greatest distance of an axis from its place at a start, in the unit of the axes.
     std::optional<std::string> tolerance = {};
-    std::string key = {};  ///< full key for messages: "group[1]"
+    /// M words of a program that wait for their acknowledgment; nullopt: all.
+    std::optional<std::vector<std::int32_t>> m_words = std::vector<std::int32_t>{0};
+    double m_word_timeout = 0;  ///< greatest time of this wait, s; 0: no limit
+    std::string key = {};       ///< full key for messages: "group[1]"
   };
   Document document;
   std::vector<Axis> axes;

@@ -12,6 +12,7 @@
 #include "jounce/path/overlap.hpp"
 #include "jounce/path/override.hpp"
 #include "jounce/path/program.hpp"
+#include "jounce/path/program_numbers.hpp"
 
 namespace jounce {
 
@@ -37,5 +38,9 @@ struct PathSpec {
 /// Adds the commands of a G-code program to a path spec without commands (a machine). Throws
 /// InputError, with the place, like parse_gcode(), and if the path already has commands.
 void set_gcode(PathSpec& path, std::string_view text, const std::string& document);
+
+/// Returns the program of a path with its limits and its M and H words, without names. S and T words
+/// have no effect. Throws InputError, with the place, for a number that a ProgramWord cannot have.
+LimitedProgram limited_program(const PathSpec& path);
 
 }  // namespace jounce
