@@ -12,7 +12,7 @@ struct Bounded {
 };
 
 /// Proves |f^(order)| <= limit over a whole segment, without code of the program: Bernstein coefficients enclose a
-/// polynomial, and halving the segment narrows them; a sine has its extremes where its phase says. Not for a sine
+/// polynomial, and halving the segment narrows them; a sine has its extremes at quarter turns. Does not accept a sine
 /// with a polynomial above degree 1.
 Bounded bounded(const Segment& f, int order, double limit);
 

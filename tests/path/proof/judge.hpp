@@ -14,10 +14,10 @@ struct Worst {
   double wide = 0;     ///< deviation, as a share of the permitted one
 };
 
-/// What a motion must do.
+/// Requirements of a motion.
 struct Demand {
   Point from{}, to{};
-  double size = 0;      ///< of coordinates and path: rounding is a share of it
+  double size = 0;      ///< greatest coordinate or length: rounding is a share of it
   double duration = 0;  ///< s
   double velocity =
       0;  ///< greatest velocity along the path: directions differ by rounding at a joint

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double permitted = 1e-9;          ///< share of a deviation
 constexpr double rounded_position = 1e-11;  ///< share of the size
-constexpr int places = 12;                  ///< of a corner
+constexpr int places = 12;                  ///< evaluated places of a corner
 
 double from_line(const Point& p, const Point& a, const Point& b, std::size_t axes) {
   double along = 0;

@@ -12,8 +12,8 @@ namespace jounce::path_proof {
 
 /// Result of one case.
 struct Outcome {
-  std::string why;   ///< what is wrong, or ""
-  std::string spec;  ///< of a failure: the spec that repeats it
+  std::string why;   ///< the fault, or ""
+  std::string spec;  ///< spec that repeats a failure
   /// True if the failure is only that rounding decided between two shapes of a corner, or between two places of
   /// stations, which makes another plan within all limits.
   bool tie = false;
