@@ -17,8 +17,8 @@ struct Leg {
 
   Shape shape = Shape::line;
   Point to{};
-  Point via{};                 ///< of an arc
-  std::vector<Point> through;  ///< of a spline: its points before `to`
+  Point via{};                 ///< point on an arc
+  std::vector<Point> through;  ///< points of a spline before `to`
   PathSettings settings;
   double dwell = 0;  ///< s, before the command
 };

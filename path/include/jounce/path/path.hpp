@@ -32,7 +32,7 @@ struct PathPiece {
   std::int32_t line = 0;
   std::uint32_t settings = 0;  ///< index into the settings of the program
   PieceKind kind = PieceKind::line;
-  /// Of a corner: index of the settings of the command before it.
+  /// For a corner: index of the settings of the command before it.
   std::uint32_t settings_before = 0;
 };
 
