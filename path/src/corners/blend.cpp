@@ -66,7 +66,11 @@ Blend blend_of(const Path& route, std::size_t k, double trim) {
 
 double least_distance(std::span<const Segment> axes, const Point& p, std::size_t n) {
   const auto r = relative(axes.first(n), p);
-  return std::sqrt(std::max(range_of(squares(std::span(r).first(n))).min.value, 0.0));
+  const Range range = range_of(squares(std::span(r).first(n)));
+  // The root of the least square has half of its digits: the distance of the place has all of them.
+  Point at{};
+  for (std::size_t i = 0; i < n; ++i) at[i] = value(r[i], range.min.where / r[i].length);
+  return vec::norm(at, n);
 }
 
 double greatest_speed(std::span<const Segment> axes, std::size_t n) {
@@ -76,6 +80,12 @@ double greatest_speed(std::span<const Segment> axes, std::size_t n) {
     slope[i].length = axes[i].length;
   }
   return std::sqrt(range_of(squares(std::span(slope).first(n))).max.value);
+}
+
+double greatest_bend(std::span<const Segment> axes) {
+  std::array<Segment, max_axes> bend;
+  for (std::size_t i = 0; i < axes.size(); ++i) bend[i] = derivative(derivative(axes[i]));
+  return std::sqrt(std::max(range_of(squares(std::span(bend).first(axes.size()))).max.value, 0.0));
 }
 
 AxisPeaks peaks_of(const Segment& axis) {

@@ -28,6 +28,9 @@ Blend blend_of(const Path& route, std::size_t k, double trim);
 /// a polynomial of degree 10.
 double least_distance(std::span<const Segment> axes, const Point& p, std::size_t n);
 
+/// The greatest |r''| over all given axes. Exact.
+double greatest_bend(std::span<const Segment> axes);
+
 /// The greatest |r'| over the first n axes. Exact.
 double greatest_speed(std::span<const Segment> axes, std::size_t n);
 

@@ -178,7 +178,8 @@ class Rounding {
 
   void append_corner(std::size_t k, const CornerShape& s, PieceKind kind) {
     const PathPiece& next = view_.piece(k);
-    pieces_.push_back({0, 2 * s.trim, numbers_.size(), next.line, next.settings, kind});
+    pieces_.push_back({0, 2 * s.trim, numbers_.size(), next.line, next.settings, kind,
+                       view_.piece(k - 1).settings});
   }
 
   void append_turn(std::size_t k, const CornerShape& s) {

@@ -20,6 +20,7 @@ namespace {
 using profiles_detail::rounded_input;
 using profiles_detail::rounded_sum;
 using profiles_detail::square;
+using profiles_detail::two_roundings;
 
 using path_detail::none;
 
@@ -30,6 +31,7 @@ constexpr double blend_resolution = 1e-12;      ///< relative, of a bisection
 constexpr double deviation_resolution = 1e-13;  ///< relative
 constexpr double tangent =
     1e-9;  ///< a change of direction below this is none: a step of the velocity, relative
+constexpr int most_halvings = 20;    ///< of the room of a blend between pieces of one direction
 constexpr double widest_trim = 1.0;  ///< rad of an arc that a blend may replace
 
 /// Both sides of a joint.
@@ -155,14 +157,20 @@ class Shapes {
     const double shorter = std::min(view_.piece(k - 1).length, view_.piece(k).length);
     if (step <= std::max(tangent * larger, rounded_sum / shorter)) return {};
     CornerShape s;
-    if (view_.settings(k).corner == Corner::stop) {
+    // Without a jerk limit, the acceleration may step, and a blend takes only time.
+    if (view_.settings(k).corner == Corner::stop || !has_jerk_limit()) {
       s.note = JointNote::steps;
     } else if (stop_[k]) {
       s.how = How::rest;
     } else {
-      s = blended(k, room);
+      s = blended(k, room, true);
     }
     return s;
+  }
+
+  [[nodiscard]] bool has_jerk_limit() const {
+    const auto jerks = std::span(view_.rates.jerk).first(view_.axes());
+    return std::ranges::any_of(jerks, [](double jerk) { return jerk < none; });
   }
 
   [[nodiscard]] CornerShape turned(std::size_t k, const Bend& corner, double room) const {
@@ -216,7 +224,7 @@ class Shapes {
   }
 
   /// A blend whose trim is found by bracketing.
-  [[nodiscard]] CornerShape blended(std::size_t k, double room) const {
+  [[nodiscard]] CornerShape blended(std::size_t k, double room, bool is_tangent = false) const {
     const PathSettings& asked = view_.settings(k);
     double trim = room;
     bool fits = true;
@@ -237,10 +245,13 @@ class Shapes {
         fits = asked.value <= room;
         break;
       case Corner::curvature:
-        trim = least(room, [&](double d) {
-          const Blend b = blend_of(view_.route.path, k - 1, d);
-          return greatest_curvature(b.segments(), view_.rates.path_axes) <= asked.value;
-        });
+        // Where both pieces have one direction, no trim is the least.
+        if (is_tangent) {
+          trim = fastest_within(k, room, asked.value);
+          fits = is_within(k, trim, asked.value);
+        } else {
+          trim = least(room, [&](double d) { return is_within(k, d, asked.value); });
+        }
         break;
       case Corner::velocity:
         trim = least(room, [&](double d) {
@@ -251,18 +262,53 @@ class Shapes {
         trim = trim_for(k, asked.value, room);
         fits = trim < room;
     }
+    const double most = trim;
     if (asked.corner != Corner::curvature && asked.corner != Corner::velocity) {
-      const double least_time = fastest_trim(k, trim);
-      if (least_time < trim) fits = true;
-      trim = least_time;
+      trim = fastest_trim(k, most);
+      if (trim < most) fits = true;
     }
+    while (is_rounding(k, trim) && 2 * trim <= most) trim *= 2;
     CornerShape s;
+    if (is_rounding(k, trim)) {
+      s.how = How::rest;
+      s.note = JointNote::slower;
+      return s;
+    }
     s.how = How::blend;
     s.trim = trim;
     s.velocity = blend_velocity(k, blend_of(view_.route.path, k - 1, trim));
     if (asked.corner == Corner::velocity) s.velocity = std::min(s.velocity, asked.value);
     if (!fits) s.note = JointNote::short_sides;
     return s;
+  }
+
+  /// True if a blend is so small beside its coordinates that rounding changes its third derivative
+  /// by more than half of the reserve of its limits.
+  [[nodiscard]] bool is_rounding(std::size_t k, double trim) const {
+    const Blend blend = blend_of(view_.route.path, k - 1, trim);
+    double change = 0;
+    double size = 0;
+    for (const Segment& f : blend.segments()) {
+      change += square(f.c[3]);
+      size = std::max(size, std::abs(f.c[0]));
+    }
+    // The coefficient of the cube is computed from differences of coordinates, times 10.
+    return 10 * two_roundings * size > fit_share / 2 * std::sqrt(change);
+  }
+
+  [[nodiscard]] bool is_within(std::size_t k, double trim, double curvature) const {
+    const Blend blend = blend_of(view_.route.path, k - 1, trim);
+    return greatest_curvature(blend.segments(), view_.rates.path_axes) <= curvature;
+  }
+
+  /// The trim up to `most` whose blend takes the least time, or a half, a quarter ... of it that is
+  /// within a curvature, if there is one.
+  [[nodiscard]] double fastest_within(std::size_t k, double most, double curvature) const {
+    const double fastest = fastest_trim(k, most);
+    double trim = fastest;
+    for (int i = 0; i < most_halvings; ++i, trim /= 2)
+      if (is_within(k, trim, curvature)) return trim;
+    return fastest;
   }
 
   /// The trim, at most `most`, whose blend takes the least time. The time on the blend and on the

@@ -110,16 +110,11 @@ class Player {
     const auto drawn = base_.drawn().pieces();
     const std::vector<std::size_t> drawn_of = drawn_pieces(base_);
     for (std::size_t k = 0; k < path.pieces().size(); ++k) {
-      const std::size_t d = drawn_of[k];
-      const PathPiece& p = drawn[d];
-      double feed = given.settings[p.settings].velocity;
-      const bool corner = p.kind == PieceKind::turn || p.kind == PieceKind::blend;
-      if (corner && d > 0) feed = std::min(feed, given.settings[drawn[d - 1].settings].velocity);
       const Derivatives bounds = derivatives_of(path, k, given.path_axes);
       double limit = rates.path.velocity;
       for (std::size_t i = 0; i < path.axes(); ++i)
         if (bounds.first[i] > 0) limit = std::min(limit, rates.velocity[i] / bounds.first[i]);
-      feeds.push_back(feed);
+      feeds.push_back(feed_of(drawn[drawn_of[k]], given.settings));
       limits.push_back(limit);
     }
     for (const Unit& unit : all_.units) {

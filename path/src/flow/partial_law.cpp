@@ -189,12 +189,9 @@ class Replanned {
   /// The lower feed of both sides of the start of piece k, or of the corner there.
   [[nodiscard]] double feed_before(std::size_t k) const {
     double before = PathSettings::none;
-    if (!is_corner_piece(k)) {
-      if (k > 0) before = settings_[piece(k - 1).settings].velocity;
-    } else if (drawn_[k] > 0) {
-      before = settings_[plan_.drawn().pieces()[drawn_[k] - 1].settings].velocity;
-    }
-    return std::min({before, settings_[piece(k).settings].velocity, rates_.path.velocity});
+    if (!is_corner_piece(k) && k > 0) before = settings_[piece(k - 1).settings].velocity;
+    const PathPiece& drawn = plan_.drawn().pieces()[drawn_[k]];
+    return std::min({before, feed_of(drawn, settings_), rates_.path.velocity});
   }
 
   [[nodiscard]] double corner_velocity(std::size_t k) const {

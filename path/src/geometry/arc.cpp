@@ -90,8 +90,8 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
     throw InputError("axes", std::to_string(axes), "an arc needs 2 to 9 axes");
   require_turns(extra_turns);
   for (const Point* p : {&from, &via, &to}) require_finite_point("via", *p);
-  const Point a = vec::difference(via, from);
-  const Point b = vec::difference(to, from);
+  const Point a = vec::first(vec::difference(via, from), axes);
+  const Point b = vec::first(vec::difference(to, from), axes);
   const double aa = vec::dot(a, a, axes);
   const double bb = vec::dot(b, b, axes);
   const double ab = vec::dot(a, b, axes);
@@ -117,6 +117,8 @@ Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_
   if (to_via > angle_to(arc, vec::difference(to, arc.center))) arc.e2 = vec::scaled(arc.e2, -1);
   arc.sweep =
       angle_to(arc, vec::difference(to, arc.center)) + profiles_detail::two_pi * extra_turns;
+  arc.drift = vec::difference(to, from);
+  for (std::size_t i = 0; i < axes; ++i) arc.drift[i] = 0;
   arc.to = to;
   return arc;
 }

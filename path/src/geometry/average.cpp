@@ -27,6 +27,7 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_input;
 using profiles_detail::rounded_sum;
 
 struct Vertex {
@@ -179,7 +180,9 @@ double window_of(const Run& run, double deviation) {
   for (std::size_t k = 1; k < run.vertices.size(); ++k)
     largest = std::max(
         largest, vec::distance(run.vertices[k].behind, run.vertices[k - 1].behind, run.path_axes));
-  double l = std::min(run.length, largest > 0 ? 12 * deviation / largest : run.length);
+  // A corner alone leaves the polyline by largest l / 12: a little less, so that rounding does not decide.
+  double l = std::min(run.length,
+                      largest > 0 ? 12 * deviation * (1 - rounded_input) / largest : run.length);
   double best = 0;
   double low = 0;
   double high = std::numeric_limits<double>::infinity();

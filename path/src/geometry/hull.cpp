@@ -6,14 +6,15 @@
 
 namespace jounce {
 
-std::pair<double, double> hull_of_squares(std::span<const Segment> axes) {
+std::pair<double, double> hull_of_products(std::span<const Segment> f, std::span<const Segment> g) {
   std::array<double, 2 * Segment::max_degree + 1> b{};
   std::size_t n = 0;
-  for (const Segment& f : axes) {
-    const auto degree = static_cast<std::size_t>(f.degree);
-    n = std::max(n, 2 * degree);
-    for (std::size_t i = 0; i <= degree; ++i)
-      for (std::size_t k = 0; k <= degree; ++k) b[i + k] += f.c[i] * f.c[k];
+  for (std::size_t axis = 0; axis < f.size(); ++axis) {
+    const auto first = static_cast<std::size_t>(f[axis].degree);
+    const auto second = static_cast<std::size_t>(g[axis].degree);
+    n = std::max(n, first + second);
+    for (std::size_t i = 0; i <= first; ++i)
+      for (std::size_t k = 0; k <= second; ++k) b[i + k] += f[axis].c[i] * g[axis].c[k];
   }
   double binomial = 1;
   for (std::size_t k = 0; k <= n; ++k) {
@@ -30,7 +31,8 @@ std::pair<double, double> hull_of_squares(std::span<const Segment> axes) {
 std::pair<double, double> hull_of_speed_squared(std::span<const Segment> axes) {
   std::array<Segment, 9> slope;
   for (std::size_t i = 0; i < axes.size(); ++i) slope[i] = derivative(axes[i]);
-  return hull_of_squares(std::span(slope).first(axes.size()));
+  const auto slopes = std::span<const Segment>(slope).first(axes.size());
+  return hull_of_products(slopes, slopes);
 }
 
 }  // namespace jounce

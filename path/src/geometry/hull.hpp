@@ -8,11 +8,11 @@
 
 namespace jounce {
 
-/// An interval that contains the sum of the squares of polynomials over s in [0, 1]: the range of
-/// its Bernstein coefficients (of twice the degree).
-std::pair<double, double> hull_of_squares(std::span<const Segment> axes);
+/// An interval that contains the scalar product of two vectors of polynomials over s in [0, 1]: the
+/// range of its Bernstein coefficients.
+std::pair<double, double> hull_of_products(std::span<const Segment> f, std::span<const Segment> g);
 
-/// The same for their first derivatives with respect to q.
+/// The same for the square of their first derivatives with respect to q.
 std::pair<double, double> hull_of_speed_squared(std::span<const Segment> axes);
 
 }  // namespace jounce

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "jounce/profiles/detail/large_pages.hpp"
+#include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -19,6 +20,7 @@ using profiles_detail::reserve_large;
 using profiles_detail::rounded_sum;
 
 constexpr double same_vector = 1e-20;  ///< share of the square of a vector that its change may have
+constexpr double same_circle = 1e-20;  ///< share of the square of a radius that its change may have
 /// Length in the path axes; if these do not move, in all axes.
 double measured(const double* from, const double* to, std::size_t axes, std::size_t path_axes) {
   const auto norm = [&](std::size_t n) {
@@ -66,6 +68,41 @@ bool continues(const std::vector<PathPiece>& pieces, const PathPiece& next,
     size += u * u;
   }
   return change <= same_vector * size;
+}
+
+/// True if an arc continues the last piece, and that is an arc of the same circle or helix with the
+/// same settings: both become one arc.
+bool continues_arc(const std::vector<PathPiece>& pieces, const PathPiece& next,
+                   const std::vector<double>& numbers, std::size_t axes) {
+  if (pieces.empty() || pieces.back().kind != PieceKind::arc ||
+      pieces.back().settings != next.settings)
+    return false;
+  const ArcNumbers before(numbers.data() + pieces.back().data, axes);
+  const ArcNumbers behind(numbers.data() + next.data, axes);
+  const double end = before.phase() + before.sweep();
+  double change = 0;
+  double size = 0;
+  for (std::size_t i = 0; i < axes; ++i) {
+    const double radial = before.cosine(i) * std::cos(end) + before.sine(i) * std::sin(end);
+    const double ahead = before.sine(i) * std::cos(end) - before.cosine(i) * std::sin(end);
+    change += profiles_detail::square(behind.cosine(i) - radial) +
+              profiles_detail::square(behind.sine(i) - ahead) +
+              profiles_detail::square(behind.drift(i) / behind.sweep() -
+                                      before.drift(i) / before.sweep());
+    size += radial * radial;
+  }
+  return change <= same_circle * size;
+}
+
+/// Moves the end of an arc by the sweep of the next one to `to`. Rounding goes into the drift.
+void extend_arc(double* arc, double sweep, const double* to, std::size_t axes) {
+  double& whole = arc[4 * axes + 1];
+  whole += sweep;
+  const ArcNumbers now(arc, axes);
+  const double end = now.phase() + whole;
+  for (std::size_t i = 0; i < axes; ++i)
+    arc[3 * axes + i] =
+        to[i] - (now.center(i) + now.cosine(i) * std::cos(end) + now.sine(i) * std::sin(end));
 }
 
 }  // namespace
@@ -144,6 +181,15 @@ Route route_of(const Program& program) {
       piece.length = std::hypot(arc.radius * arc.sweep, vec::norm(arc.drift, program.path_axes()));
       append_arc(arc, at, n, numbers);
       at = arc.to;
+      if (!buffered && !joints.back().rests && continues_arc(pieces, piece, numbers, n)) {
+        PathPiece& whole = pieces.back();
+        const double sweep = ArcNumbers(numbers.data() + piece.data, n).sweep();
+        numbers.resize(piece.data);
+        extend_arc(numbers.data() + whole.data, sweep, at.data(), n);
+        whole.length += piece.length;
+        length = whole.start + whole.length;
+        continue;
+      }
     }
     if (!std::isfinite(piece.length))
       throw InputError("to", piece.length, "is too far away").at({}, command.line);

@@ -25,7 +25,7 @@ struct Route {
 };
 
 /// Makes the route. Successive lines of one direction (to 1e-10) with the same settings become one
-/// piece, with the source line of the first. Throws InputError for a program that covers no
+/// piece, with the source line of the first; so do successive arcs of one circle or helix. Throws InputError for a program that covers no
 /// distance.
 Route route_of(const Program& program);
 

@@ -216,7 +216,7 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
     const auto [c1, s1] = half.series(t0 + sense * sweep * (k + 1) / count, sense, h);
     const std::array unit{profiles_detail::hermite(h * stretch, c0, c1),
                           profiles_detail::hermite(h * stretch, s0, s1)};
-    const auto [low, high] = hull_of_squares(unit);
+    const auto [low, high] = hull_of_products(unit, unit);
     farthest = std::max({farthest, high - 1, 1 - low});
     for (std::size_t i = 0; i < axes; ++i) {
       Segment f = line(h * stretch, from[i] + (to[i] - from[i]) * (gone / whole),

@@ -25,6 +25,13 @@ inline Point scaled(const Point& a, double factor) {
   return c;
 }
 
+/// The first n components; all others are 0.
+inline Point first(const Point& a, std::size_t n) {
+  Point c{};
+  for (std::size_t i = 0; i < n; ++i) c[i] = a[i];
+  return c;
+}
+
 /// Scalar product over the first n axes.
 inline double dot(const Point& a, const Point& b, std::size_t n = max_axes) {
   double s = 0;

@@ -69,7 +69,7 @@ Derivatives bounds_of(std::span<const Segment> axes, std::size_t path_axes) {
     d.second[i] = peak.curvature;
     d.third[i] = peak.rate;
   }
-  d.speed = std::sqrt(std::max(1.0, hull_of_speed_squared(axes.first(path_axes)).second));
+  bound_vectors(axes.first(path_axes), d);
   return d;
 }
 

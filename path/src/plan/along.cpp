@@ -22,9 +22,9 @@
 // acceleration has the components a along the path and k v^2 across it. On a phase of the law, v is
 // quadratic in time, so a^2 + (k v^2)^2 has degree 8: its extrema are exact. A turn is passed at
 // constant v, and its acceleration is at most v^2 |D| / ((1 - b) l), in the middle, across the
-// path. On other pieces, with |r'| <= R, |r'_i| <= f_i, |r''_i| <= s_i:
+// path. On other pieces, with |r'| <= R, |r''| <= S, |r' r''| <= P:
 //
-//   (1)  speed <= R v,   normal <= |s| v^2,   total^2 <= sum of (f_i |a| + s_i v^2)^2
+//   (1)  speed <= R v,   normal <= S v^2,   total^2 <= R^2 a^2 + 2 P |a| v^2 + S^2 v^4
 
 namespace jounce {
 namespace {
@@ -67,10 +67,9 @@ PieceShape shape_of(const Plan& plan, std::size_t piece) {
     std::vector<Segment> axes;
     for (std::size_t i = 0; i < m; ++i) path.segments(piece, i, axes);
     shape.speed = std::max(1.0, greatest_speed(axes, m));
+    shape.bounds.bend = greatest_bend(axes);
   }
-  for (std::size_t i = 0; i < m; ++i)
-    shape.curvature += profiles_detail::square(shape.bounds.second[i]);
-  shape.curvature = std::sqrt(shape.curvature);
+  shape.curvature = shape.bounds.bend;
   return shape;
 }
 
@@ -149,13 +148,10 @@ class Along {
     if (!(p.duration > 0)) return;
     if (piece != shaped_) shape_ = shape_of(plan_, shaped_ = piece);
     const auto drawn = plan_.drawn().pieces();
-    const std::size_t k = drawn_[piece];
-    const PathPiece& of = drawn[k];
+    const PathPiece& of = drawn[drawn_[piece]];
     const PathLimits& limits = plan_.given().limits.path;
     PathSettings own = plan_.given().settings[of.settings];
-    if ((of.kind == PieceKind::turn || of.kind == PieceKind::blend) && k > 0)
-      own.velocity = std::min(own.velocity, plan_.given().settings[drawn[k - 1].settings].velocity);
-    own.velocity *= feed_factor_;
+    own.velocity = feed_of(of, plan_.given().settings) * feed_factor_;
     const double h = p.duration;
     // The fastest place of the phase: an end, or the place where the acceleration changes its sign.
     const auto v_at = [&](double x) { return p.velocity + x * (p.acceleration + x * p.jerk / 2); };
@@ -186,13 +182,8 @@ class Along {
   /// The greatest total acceleration on a phase, and its time after the start of the phase.
   [[nodiscard]] std::pair<double, double> total(const LawPhase& p, double a, double v,
                                                 double fastest) const {
-    if (!shape_.exact) {  // (1)
-      double square = 0;
-      for (std::size_t i = 0; i < plan_.given().path_axes; ++i)
-        square +=
-            profiles_detail::square(shape_.bounds.first[i] * a + shape_.bounds.second[i] * v * v);
-      return {std::sqrt(square), fastest};
-    }
+    if (!shape_.exact)
+      return {std::sqrt(shape_.bounds.acceleration_squared(a, v)), fastest};  // (1)
     const double h = p.duration;
     const double speed[] = {p.velocity, p.acceleration * h, p.jerk * h * h / 2};
     const double rate[] = {p.acceleration, p.jerk * h};

@@ -141,12 +141,7 @@ class Bound {
     const int count = piece.kind == PieceKind::line ? 1 : cells_;
     std::array<std::vector<Segment>, max_axes> axes;
     for (std::size_t i = 0; i < path.axes(); ++i) path.segments(k, i, axes[i]);
-    double feed = std::min(settings.velocity, rates_.path.velocity);
-    if (piece.kind == PieceKind::turn || piece.kind == PieceKind::blend) {
-      // A corner belongs to both commands, so both feeds limit the law there.
-      if (k > 0)
-        feed = std::min(feed, plan_.given().settings[path.pieces()[k - 1].settings].velocity);
-    }
+    const double feed = std::min(feed_of(piece, plan_.given().settings), rates_.path.velocity);
     for (int c = 0; c < count; ++c) {
       Cell cell;
       cell.length = piece.length / count;

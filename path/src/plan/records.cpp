@@ -19,10 +19,6 @@ namespace {
 
 constexpr double smallest_turn = 1e-9;  ///< rad; a smaller angle is rounding
 
-bool is_corner(const PathPiece& piece) {
-  return piece.kind == PieceKind::turn || piece.kind == PieceKind::blend;
-}
-
 class Records {
  public:
   explicit Records(const Plan& plan)
@@ -30,21 +26,24 @@ class Records {
 
   [[nodiscard]] CornerRecord record(const JointMark& mark) const {
     const PathPiece& piece = path_.pieces()[mark.piece];
-    const PathSettings& settings = plan_.given().settings[piece.settings];
+    // A corner may replace the whole piece that begins with a step of the curvature.
+    const bool steps = mark.note == JointNote::steps;
+    const bool corner = is_corner(piece) && !steps;
+    const PathSettings& settings =
+        plan_.given().settings[steps && is_corner(piece) ? piece.settings_before : piece.settings];
     CornerRecord c;
     c.line = mark.line;
     c.stop = mark.rests;
     c.note = mark.note;
     c.asked = settings.corner;
     c.value = settings.value;
-    const bool corner = is_corner(piece);
     if (mark.note != JointNote::no_distance && (corner || mark.piece > 0)) {
-      c.angle = angle(mark.piece);
+      c.angle = steps ? 0 : angle(mark.piece);
       c.where = piece.start + (corner ? piece.length / 2 : 0);
     }
     if (corner) c.trim = piece.length / 2;
-    if (piece.kind == PieceKind::turn) of_turn(mark.piece, c);
-    if (piece.kind == PieceKind::blend) of_blend(mark.piece, c);
+    if (corner && piece.kind == PieceKind::turn) of_turn(mark.piece, c);
+    if (corner && piece.kind == PieceKind::blend) of_blend(mark.piece, c);
     if (!c.stop && mark.note != JointNote::no_distance) c.velocity = velocity(c.where);
     c.text = explain(c);
     return c;
@@ -68,7 +67,10 @@ class Records {
     const double trim = pieces[k].length / 2;
     Point u;
     Point w;
-    if (!is_corner(pieces[k])) {
+    if (pieces[k].kind == PieceKind::turn) {  // begins and ends with the directions of its sides
+      u = direction(k, 0);
+      w = direction(k, pieces[k].length);
+    } else if (!is_corner(pieces[k])) {
       u = direction(k - 1, pieces[k - 1].length);
       w = direction(k, 0);
     } else {
@@ -169,8 +171,9 @@ std::string explain(const CornerRecord& corner, std::string_view length_unit) {
       return "Rounding within " + request(corner, unit) +
              " takes longer than stopping: the plan stops here.";
     case JointNote::steps:
-      return "The curvature steps here, and the acceleration with it; a corner mode rounds the "
-             "step.";
+      return std::string("The curvature steps here, and the acceleration with it; ") +
+             (corner.asked == Corner::stop ? "a corner mode" : "a jerk limit of the axes") +
+             " rounds the step.";
     case JointNote::no_distance:
       return "The command covers no distance: it is left out.";
   }

@@ -252,13 +252,8 @@ class RunProblem {
         next.c[i] = (of_a * a[i] + of_j * j[i] + of_b * b[i]) / limit;
       p.rows.push_back(next);
     };
-    double fastest = std::min(own.velocity, rates_.path.velocity);
-    if ((piece.kind == PieceKind::turn || piece.kind == PieceKind::blend)) {
-      if (own.corner == Corner::velocity) fastest = std::min(fastest, own.value);
-      if (piece_index > 0)
-        fastest = std::min(
-            fastest, plan_.given().settings[path_.pieces()[piece_index - 1].settings].velocity);
-    }
+    double fastest = std::min(feed_of(piece, plan_.given().settings), rates_.path.velocity);
+    if (is_corner(piece) && own.corner == Corner::velocity) fastest = std::min(fastest, own.value);
     fastest /= speeds_[piece_index - run_.piece];
     double bend = 0;
     for (std::size_t i = 0; i < n_; ++i) {

@@ -297,7 +297,9 @@ class ArcSearch {
     if (!(a > 0)) return;
     const double v0 = std::min(v, way_.entry);
     const double v1 = std::min(v, way_.exit);
-    const double cruise = way_.length - ramp_distance(v0, v, a, j) - ramp_distance(v1, v, d, j);
+    double cruise = way_.length - ramp_distance(v0, v, a, j) - ramp_distance(v1, v, d, j);
+    // The velocity that the length just permits has no cruise, also with rounding.
+    if (std::abs(cruise) <= rounded_sum * way_.length) cruise = 0;
     double time = 0;
     if (cruise >= 0) {
       time = ramp_time(v - v0, a, j) + ramp_time(v - v1, d, j) + cruise / v + lost(v0) + lost(v1) +

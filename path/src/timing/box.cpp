@@ -18,11 +18,35 @@ namespace jounce {
 namespace {
 
 using profiles_detail::rounded_digit;
+using profiles_detail::square;
 
 constexpr double last_velocity_step = 1e-16;  ///< share of the velocity
 
+/// What `used` leaves of a limit: 0 if it uses all of it, also with rounding.
+double left_of(double limit, double used) {
+  const double left = limit - used;
+  return left < 0 && left > -rounded_digit * limit ? 0 : left;
+}
+
 double or_none(const std::optional<double>& limit) {
   return limit.value_or(PathSettings::none);
+}
+
+/// The radius of an arc in the path axes.
+double radius_of(const ArcNumbers& arc, std::size_t path_axes) {
+  double cosine = 0;
+  double sine = 0;
+  for (std::size_t i = 0; i < path_axes; ++i) {
+    cosine += square(arc.cosine(i));
+    sine += square(arc.sine(i));
+  }
+  return std::sqrt(std::max(cosine, sine));
+}
+
+/// On a turn, |r'| is at most 1.
+void bound_turn(std::size_t path_axes, Derivatives& bounds) {
+  for (std::size_t i = 0; i < path_axes; ++i) bounds.bend += square(bounds.second[i]);
+  bounds.bend = bounds.along = std::sqrt(bounds.bend);
 }
 
 }  // namespace
@@ -86,6 +110,21 @@ Box line_box(const Rates& rates, const PathSettings& settings, const double* dir
   return box;
 }
 
+void bound_vectors(std::span<const Segment> axes, Derivatives& bounds) {
+  std::array<Segment, max_axes> slope;
+  std::array<Segment, max_axes> bend;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    slope[i] = derivative(axes[i]);
+    bend[i] = derivative(slope[i]);
+  }
+  const auto slopes = std::span<const Segment>(slope).first(axes.size());
+  const auto bends = std::span<const Segment>(bend).first(axes.size());
+  bounds.speed = std::sqrt(std::max(1.0, hull_of_products(slopes, slopes).second));
+  bounds.bend = std::sqrt(std::max(0.0, hull_of_products(bends, bends).second));
+  const auto [low, high] = hull_of_products(slopes, bends);
+  bounds.along = std::max(-low, high);
+}
+
 Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path_axes) {
   Derivatives bounds;
   const std::size_t n = path.axes();
@@ -100,6 +139,7 @@ Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path
       bounds.second[i] = m * k;
       bounds.third[i] = m * k * k;
     }
+    bounds.bend = radius_of(arc, path_axes) * k * k;
     return bounds;
   }
   std::vector<Segment> segments;
@@ -127,29 +167,24 @@ Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path
     }
   }
   if (p.kind == PieceKind::curve || p.kind == PieceKind::blend)
-    bounds.speed =
-        std::sqrt(std::max(1.0, hull_of_speed_squared(std::span(axes).first(path_axes)).second));
+    bound_vectors(std::span(axes).first(path_axes), bounds);
+  else if (p.kind == PieceKind::turn)
+    bound_turn(path_axes, bounds);
   return bounds;
 }
 
 double velocity_with(const Rates& rates, const Derivatives& bounds, double acceleration,
                      double jerk) {
   double v = PathSettings::none;
-  double slopes = 0, bends = 0, both = 0;  // sums of |r'|^2, |r''|^2, |r'| |r''| over the path axes
   for (std::size_t i = 0; i < rates.axes; ++i) {
     const double r1 = bounds.first[i];
     const double r2 = bounds.second[i];
     const double r3 = bounds.third[i];
-    if (i < rates.path_axes) {
-      slopes += r1 * r1;
-      bends += r2 * r2;
-      both += r1 * r2;
-    }
     if (r1 > 0) v = std::min(v, rates.velocity[i] / r1);
-    const double a = rates.acceleration[i] - r1 * acceleration;
+    const double a = left_of(rates.acceleration[i], r1 * acceleration);
     if (a < 0) return -1;
     if (r2 > 0) v = std::min(v, std::sqrt(a / r2));
-    const double j = rates.jerk[i] - r1 * jerk;
+    const double j = left_of(rates.jerk[i], r1 * jerk);
     if (j < 0) return -1;
     // r3 v^3 + 3 r2 a v = j is convex, so Newton's method converges from above.
     const double slope = 3 * r2 * acceleration;
@@ -163,15 +198,16 @@ double velocity_with(const Rates& rates, const Derivatives& bounds, double accel
     }
     v = x * (1 - rounded_digit);
   }
-  if (!(bends > 0)) return v;
-  v = std::min(v, std::sqrt(rates.path.normal_acceleration / std::sqrt(bends)));
+  if (!(bounds.bend > 0)) return v;
+  v = std::min(v, std::sqrt(rates.path.normal_acceleration / bounds.bend));
   const double total = rates.path.total_acceleration;
   if (total == PathSettings::none) return v;
-  // The sum of (r' a + r'' v^2)^2 is at most total^2: a quadratic in v^2.
-  const double left = total * total - slopes * acceleration * acceleration;
+  // acceleration_squared() is at most total^2: a quadratic in v^2.
+  const double left = total * total - square(bounds.speed * acceleration);
   if (left < 0) return -1;
-  const double half = both * acceleration;
-  return std::min(v, std::sqrt(left / (half + std::sqrt(half * half + bends * left))));
+  const double half = bounds.along * acceleration;
+  return std::min(v,
+                  std::sqrt(left / (half + std::sqrt(half * half + square(bounds.bend) * left))));
 }
 
 Box curve_box(const Rates& rates, const PathSettings& settings, const Derivatives& bounds,
@@ -209,17 +245,17 @@ Box curve_box(const Rates& rates, const PathSettings& settings, const Derivative
 Box blend_box(const Rates& rates, std::span<const Segment> axes) {
   Box box;
   box.constant = true;
-  double bend = 0;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const AxisPeaks peak = peaks_of(axes[i]);
     const auto limit = [](double l, double by) { return by > 0 ? l / by : PathSettings::none; };
     box.velocity = std::min({box.velocity, limit(rates.velocity[i], peak.direction),
                              std::sqrt(limit(rates.acceleration[i], peak.curvature)),
                              std::cbrt(limit(rates.jerk[i], peak.rate))});
-    if (i < rates.path_axes) bend += peak.curvature * peak.curvature;
   }
   const double normal = std::min(rates.path.normal_acceleration, rates.path.total_acceleration);
-  if (bend > 0) box.velocity = std::min(box.velocity, std::sqrt(normal / std::sqrt(bend)));
+  if (!(normal < PathSettings::none)) return box;
+  const double bend = greatest_bend(axes.first(rates.path_axes));
+  if (bend > 0) box.velocity = std::min(box.velocity, std::sqrt(normal / bend));
   return box;
 }
 

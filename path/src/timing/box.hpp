@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <span>
@@ -50,6 +51,17 @@ struct Box {
 /// The box of a line with this direction.
 Box line_box(const Rates& rates, const PathSettings& settings, const double* direction);
 
+/// True for a rounded corner.
+inline bool is_corner(const PathPiece& piece) {
+  return piece.kind == PieceKind::turn || piece.kind == PieceKind::blend;
+}
+
+/// The feed on a piece. A corner belongs to two commands: the lower feed of both.
+inline double feed_of(const PathPiece& piece, std::span<const PathSettings> settings) {
+  const double feed = settings[piece.settings].velocity;
+  return is_corner(piece) ? std::min(feed, settings[piece.settings_before].velocity) : feed;
+}
+
 /// The box from the limits of the path and the settings alone.
 Box path_box(const Rates& rates, const PathSettings& settings);
 
@@ -79,11 +91,21 @@ struct ArcZones {
 ArcZones arc_zones(const Rates& rates, const PathSettings& settings, const double* numbers,
                    double whole, double length, double entry, double exit);
 
-/// Bounds of |r'|, |r''| and |r'''| of each axis over a piece (derivatives with respect to q).
+/// Bounds of |r'|, |r''| and |r'''| of each axis over a piece (derivatives with respect to q), and of
+/// the vectors of the path axes. The latter do not depend on the directions of the axes.
 struct Derivatives {
   std::array<double, max_axes> first{}, second{}, third{};
-  double speed = 1;  ///< |r'| over the path axes, at least 1
+  double speed = 1;  ///< |r'|, at least 1
+  double bend = 0;   ///< |r''|
+  double along = 0;  ///< |r' r''|, the scalar product
+
+  /// Bound of the square of the acceleration |r' a + r'' v^2|.
+  [[nodiscard]] double acceleration_squared(double a, double v) const {
+    return speed * speed * a * a + (2 * along * a + bend * bend * v * v) * v * v;
+  }
 };
+/// Bounds the vectors of a piece from the polynomials of its path axes.
+void bound_vectors(std::span<const Segment> axes, Derivatives& bounds);
 Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path_axes);
 
 /// The greatest velocity that stays within the limits on a piece for all |q''| <= acceleration and

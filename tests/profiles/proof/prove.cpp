@@ -5,56 +5,17 @@
 // on any failure, 2 on bad usage. --count is for each workload, --total for all, slow ones getting
 // less; a workload named gets what it would get of all. A failure prints the C++ line that asks it again.
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <exception>
-#include <set>
 #include <string>
 
 #include "profiles/proof/workloads.hpp"
+#include "support/proof_options.hpp"
 
 namespace {
 
 using namespace jounce::proof;
 
-struct Options {
-  std::int64_t count = 100000;
-  double total = 0;  ///< instead of count, if > 0
-  std::uint64_t seed = 1;
-  std::size_t examples = 5;
-  std::set<std::string> names = {};
-  bool list = false;
-  bool ok = true;
-};
-
-Options parsed(int argc, char** argv) {
-  Options o;
-  for (int i = 1; i < argc; ++i) {
-    const std::string key = argv[i];
-    if (key == "--list") {
-      o.list = true;
-      continue;
-    }
-    if (i + 1 == argc) {
-      o.ok = false;
-      break;
-    }
-    const char* value = argv[++i];
-    if (key == "--count")
-      o.count = static_cast<std::int64_t>(std::strtod(value, nullptr));
-    else if (key == "--total")
-      o.total = std::strtod(value, nullptr);
-    else if (key == "--seed")
-      o.seed = std::strtoull(value, nullptr, 10);
-    else if (key == "--examples")
-      o.examples = std::strtoull(value, nullptr, 10);
-    else if (key == "--workload")
-      o.names.insert(value);
-    else
-      o.ok = false;
-  }
-  return o;
-}
+using Options = jounce::test::ProofOptions;
 
 bool report(const Workload& w, const Options& o) {
   const Tally t = run(w, o.total > 0 ? share(w, o.total) : o.count, o.seed, o.examples);
@@ -69,7 +30,7 @@ bool report(const Workload& w, const Options& o) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  const Options o = parsed(argc, argv);
+  const Options o = jounce::test::proof_options(argc, argv);
   bool ok = true;
   std::size_t found = 0;
   for (const Workload& w : workloads()) {

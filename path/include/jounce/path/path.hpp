@@ -32,6 +32,8 @@ struct PathPiece {
   std::int32_t line = 0;
   std::uint32_t settings = 0;  ///< index into the settings of the program
   PieceKind kind = PieceKind::line;
+  /// For a corner: index of the settings of the command before it.
+  std::uint32_t settings_before = 0;
 };
 
 /// The path of a group of axes: one curve for each axis as a function of the path parameter q.
