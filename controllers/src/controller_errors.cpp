@@ -85,7 +85,8 @@ constexpr std::array table{
                     "in a spec; the cam itself is periodic or runs once"},
     ControllerError{"HMPL", 0x1392, "engagement failed, window too small",
                     "CouplingStatus window_missed",
-                    "the master passed the engage position between two cycles, outside the window: widen it, or give 0"},
+                    "the master passed the engage position between two cycles, outside the window: "
+                    "widen it, or give 0"},
     ControllerError{"HMPL", 0x1393, "termination in trajectory mode unsupported", "none",
                     "cam_out() ends any coupling"},
     ControllerError{"HMPL", 0x1394, "cam not enabled", "Cause not_enabled",

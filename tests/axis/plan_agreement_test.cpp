@@ -158,7 +158,8 @@ TEST(PathCommands, AnInvalidCommandIsNamed) {
   EXPECT_THAT(error_of([&] { commands.append(both); }), HasSubstr("cannot be combined"));
   command::MoveCircularAbsolute arc{};
   arc.to[0] = 10;
-  EXPECT_THAT(error_of([&] { commands.append(arc); }), HasSubstr("give exactly one of via, center and radius"));
+  EXPECT_THAT(error_of([&] { commands.append(arc); }),
+              HasSubstr("give exactly one of via, center and radius"));
   arc.via = {7, 0, as_configured};
   EXPECT_THAT(error_of([&] { commands.append(arc); }), HasSubstr("via"));
   EXPECT_TRUE(commands.empty());

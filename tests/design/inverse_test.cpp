@@ -62,9 +62,8 @@ TEST(InverseOfACam, ErrorsNameTheOptionAndWhatToDo) {
       error({}),
       "at: is missing: the inverse has 2 branches. Give a master position inside the one that "
       "you need (0 to 120, 180 to 300 deg), such as 60 deg");
-  EXPECT_EQ(
-      error({.at = "330"}),
-      "at = 330 deg: must lie in a rise or fall of the slave, 0 to 120, 180 to 300 deg");
+  EXPECT_EQ(error({.at = "330"}),
+            "at = 330 deg: must lie in a rise or fall of the slave, 0 to 120, 180 to 300 deg");
   EXPECT_EQ(
       error({.at = "60"}),
       "from = 0: is where the slave is at rest, so the slope of the inverse is infinite: give "

@@ -224,9 +224,8 @@ TEST_F(MachineGroups, RejectWhatTheyCannotPlayWithItsPlace) {
   EXPECT_THAT(error("axes = [\"x\", \"z\"]\nprogram = \"part.toml\"\n"),
               AllOf(HasSubstr("machine.toml:9"), HasSubstr("group[1].axes = z"),
                     HasSubstr("is not an axis of this machine")));
-  EXPECT_THAT(
-      error("axes = [\"y\", \"x\"]\nprogram = \"part.toml\"\n"),
-      AllOf(HasSubstr("machine.toml:9"), HasSubstr("in the same order")));
+  EXPECT_THAT(error("axes = [\"y\", \"x\"]\nprogram = \"part.toml\"\n"),
+              AllOf(HasSubstr("machine.toml:9"), HasSubstr("in the same order")));
   EXPECT_THAT(error(good, part("u")),
               HasSubstr("x: is axis 1 of the group, but axis 1 of the path is u"));
   EXPECT_THAT(error("axes = [\"x\"]\nprogram = \"part.toml\"\n"),

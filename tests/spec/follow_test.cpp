@@ -79,13 +79,13 @@ TEST(FollowSpecFile, SaysWhenItBeginsOrThatItNeverDoes) {
   const Report too_short = check_follow(parse_spec(text("{ position = 50000 }", "2000"), "f"));
   ASSERT_EQ(too_short.findings.size(), 1U);
   EXPECT_TRUE(too_short.findings[0].broken);
-  EXPECT_THAT(too_short.findings[0].advice,
-              HasSubstr("never passes master 50000"));
+  EXPECT_THAT(too_short.findings[0].advice, HasSubstr("never passes master 50000"));
 }
 
 TEST(FollowSpecFile, ErrorsNameTheirPlace) {
-  EXPECT_EQ(error_of("[[segment]]\nmaster = 10\nslave = 1\n[[segment]]\nmaster = 10\nslave = 2\n"),
-            "f.toml:8:10: segment[2].master = 10 deg: must be greater than 10 deg, the previous point");
+  EXPECT_EQ(
+      error_of("[[segment]]\nmaster = 10\nslave = 1\n[[segment]]\nmaster = 10\nslave = 2\n"),
+      "f.toml:8:10: segment[2].master = 10 deg: must be greater than 10 deg, the previous point");
   EXPECT_EQ(error_of("[[follow.table]]\nloops = 0\nsegment = [{ master = 1, slave = 1 }]\n"
                      "[[follow.table]]\nsegment = [{ master = 1, slave = 1 }]\n"),
             "f.toml:5:9: follow.table[1].loops = 0: is endless: only the last table can be. Give "
