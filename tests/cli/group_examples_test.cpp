@@ -211,7 +211,7 @@ TEST(GroupStream, IsRejectedWithItsReason) {
   EXPECT_THAT(site.stream(table).reason, HasSubstr("single_axis"));
   std::vector<Input> turned{path[1], path[0]};
   EXPECT_THAT(site.stream(path_plan("group", turned)).reason,
-              HasSubstr("use the same names in the same order"));
+              HasSubstr("name the axes of the path as those of the group, in the same order"));
   StreamPlan spoiled = path_plan("group", path);
   Columns columns = spoiled.tables.front().table.columns();
   columns.p[1] = 7;

@@ -34,7 +34,7 @@ tick() {
 }
 order plotter override 100% || fail "override: $(cat out)"
 refused 1 'the enabled group plotter alone moves this axis' x override 50%
-refused 1 'to is missing' plotter move-linear --to ,
+refused 1 '--to: is missing' plotter move-linear --to ,
 refused 1 'has no length' plotter move-linear --to 0,0
 got=0
 order x move-linear x=5 || got=$?
