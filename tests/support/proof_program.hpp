@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace jounce::test {
 
@@ -49,6 +53,38 @@ inline ProofOptions proof_options(int argc, char** argv) {
       o.ok = false;
   }
   return o;
+}
+
+/// Number of the `total` cases of all workloads that one of them gets, by its weight.
+template <class Workload>
+std::int64_t share(const std::vector<Workload>& all, const Workload& workload, double total) {
+  double sum = 0;
+  for (const Workload& w : all) sum += w.weight;
+  return static_cast<std::int64_t>(total * workload.weight / sum);
+}
+
+/// The whole program. Calls report(workload, count of its cases, options), which returns whether all cases hold, for
+/// each chosen workload. `numbered`: --first applies. Returns the exit status: 1 on any failure, 2 on bad usage.
+template <class Workload, class Report>
+int prove(int argc, char** argv, const char* usage, const std::vector<Workload>& workloads,
+          Report report, bool numbered = false) try {
+  const ProofOptions o = proof_options(argc, argv);
+  bool ok = true;
+  std::size_t found = 0;
+  for (const Workload& w : workloads) {
+    if (o.list) std::printf("%-14s %s\n", w.name.c_str(), w.what.c_str());
+    if (o.list || !(o.names.empty() || o.names.count(w.name) > 0)) continue;
+    ++found;
+    ok = report(w, o.total > 0 ? share(workloads, w, o.total) : o.count, o) && ok;
+  }
+  if (!o.ok || (!numbered && o.first != 0) || (!o.list && found < o.names.size())) {
+    std::fprintf(stderr, "usage: %s\n", usage);
+    return 2;
+  }
+  return ok ? 0 : 1;
+} catch (const std::exception& e) {
+  std::fprintf(stderr, "%s\n", e.what());
+  return 3;
 }
 
 }  // namespace jounce::test

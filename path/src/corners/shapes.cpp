@@ -31,7 +31,7 @@ constexpr double blend_resolution = 1e-12;      ///< relative, of a bisection
 constexpr double deviation_resolution = 1e-13;  ///< relative
 constexpr double tangent =
     1e-9;  ///< a change of direction below this is none: a step of the velocity, relative
-constexpr int most_halvings = 20;    ///< of the room of a blend between pieces of one direction
+constexpr int most_halvings = 20;  ///< greatest number of times that the trim of a blend is halved
 constexpr double widest_trim = 1.0;  ///< rad of an arc that a blend may replace
 
 /// Both sides of a joint.

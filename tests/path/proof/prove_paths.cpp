@@ -7,14 +7,13 @@
 //
 // A tie is a pair of programs with arcs or averages that must last equally long, and do not, because rounding decides
 // between two plans. At most two programs in a hundred may be ties.
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
 #include <vector>
 
 #include "path/proof/workloads.hpp"
-#include "support/proof_options.hpp"
+#include "support/proof_program.hpp"
 
 namespace {
 
@@ -36,8 +35,7 @@ Outcome attempt(const Workload& w, std::uint64_t seed, std::int64_t number, Wors
   return {std::string("throws: ") + error.what(), ""};
 }
 
-bool report(const Workload& w, const Options& o) {
-  const std::int64_t count = o.total > 0 ? share(w, o.total) : o.count;
+bool report(const Workload& w, std::int64_t count, const Options& o) {
   std::int64_t failures = 0;
   std::int64_t ties = 0;
   std::vector<Failure> kept;
@@ -67,25 +65,10 @@ bool report(const Workload& w, const Options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  const Options o = jounce::test::proof_options(argc, argv);
-  bool ok = true;
-  std::size_t found = 0;
-  for (const Workload& w : workloads()) {
-    if (o.list) std::printf("%-14s %s\n", w.name.c_str(), w.what.c_str());
-    if (o.list || !(o.names.empty() || o.names.count(w.name) > 0)) continue;
-    ++found;
-    ok = report(w, o) && ok;
-  }
-  if (!o.ok || (!o.list && found < std::max<std::size_t>(1, o.names.size()))) {
-    std::fputs(
-        "usage: prove_paths [--count N | --total N] [--seed S] [--first K] [--workload NAME ...] "
-        "[--examples N] [--list]\n",
-        stderr);
-    return 2;
-  }
-  return ok ? 0 : 1;
-} catch (const std::exception& e) {
-  std::fprintf(stderr, "%s\n", e.what());
-  return 3;
+int main(int argc, char** argv) {
+  return jounce::test::prove(
+      argc, argv,
+      "prove_paths [--count N | --total N] [--seed S] [--first K] [--workload NAME ...] "
+      "[--examples N] [--list]",
+      workloads(), report, true);
 }

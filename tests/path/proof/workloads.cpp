@@ -25,12 +25,6 @@ const std::vector<Workload>& workloads() {
   return list;
 }
 
-std::int64_t share(const Workload& workload, double total) {
-  double sum = 0;
-  for (const Workload& w : workloads()) sum += w.weight;
-  return static_cast<std::int64_t>(total * workload.weight / sum);
-}
-
 Outcome run(const Workload& workload, std::uint64_t seed, std::int64_t number, Worst& worst) {
   Random random(Random(seed).next() + static_cast<std::uint64_t>(number) * 0x9e3779b97f4a7c15U);
   random.next();

@@ -28,8 +28,6 @@ struct Workload {
 };
 
 const std::vector<Workload>& workloads();
-/// Number of the `total` cases that a workload gets.
-std::int64_t share(const Workload& workload, double total);
 
 /// Case `number` of a workload. It depends only on the seed and the number.
 Outcome run(const Workload& workload, std::uint64_t seed, std::int64_t number, Worst& worst);

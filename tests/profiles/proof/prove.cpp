@@ -5,11 +5,10 @@
 // on any failure, 2 on bad usage. --count is for each workload, --total for all, slow ones getting
 // less; a workload named gets what it would get of all. A failure prints the C++ line that asks it again.
 #include <cstdio>
-#include <exception>
 #include <string>
 
 #include "profiles/proof/workloads.hpp"
-#include "support/proof_options.hpp"
+#include "support/proof_program.hpp"
 
 namespace {
 
@@ -17,8 +16,8 @@ using namespace jounce::proof;
 
 using Options = jounce::test::ProofOptions;
 
-bool report(const Workload& w, const Options& o) {
-  const Tally t = run(w, o.total > 0 ? share(w, o.total) : o.count, o.seed, o.examples);
+bool report(const Workload& w, std::int64_t count, const Options& o) {
+  const Tally t = run(w, count, o.seed, o.examples);
   std::printf("%-14s %10lld cases %6lld failures %7lld ties   end %.1e  excess %.1e  longer %.1e\n",
               w.name.c_str(), static_cast<long long>(t.cases), static_cast<long long>(t.failures),
               static_cast<long long>(t.ties), t.end_error, t.excess, t.longer);
@@ -29,25 +28,9 @@ bool report(const Workload& w, const Options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  const Options o = jounce::test::proof_options(argc, argv);
-  bool ok = true;
-  std::size_t found = 0;
-  for (const Workload& w : workloads()) {
-    if (o.list) std::printf("%-14s %s\n", w.name.c_str(), w.what.c_str());
-    if (o.list || !(o.names.empty() || o.names.count(w.name) > 0)) continue;
-    ++found;
-    ok = report(w, o) && ok;
-  }
-  if (!o.ok || found < o.names.size()) {
-    std::fputs(
-        "usage: prove [--count N | --total N] [--seed S] [--workload NAME ...] [--examples N] "
-        "[--list]\n",
-        stderr);
-    return 2;
-  }
-  return ok ? 0 : 1;
-} catch (const std::exception& e) {
-  std::fprintf(stderr, "%s\n", e.what());
-  return 3;
+int main(int argc, char** argv) {
+  return jounce::test::prove(
+      argc, argv,
+      "prove [--count N | --total N] [--seed S] [--workload NAME ...] [--examples N] [--list]",
+      workloads(), report);
 }

@@ -47,12 +47,6 @@ const std::vector<Workload>& workloads() {
   return list;
 }
 
-std::int64_t share(const Workload& workload, double total) {
-  double sum = 0;
-  for (const Workload& w : workloads()) sum += w.weight;
-  return static_cast<std::int64_t>(total * workload.weight / sum);
-}
-
 Tally run(const Workload& workload, std::int64_t count, std::uint64_t seed, std::size_t kept) {
   Tally tally;
   tally.kept = kept;

@@ -37,8 +37,6 @@ struct Workload {
 };
 
 const std::vector<Workload>& workloads();
-/// Number of the `total` cases that this workload gets.
-std::int64_t share(const Workload& workload, double total);
 
 Tally run(const Workload& workload, std::int64_t count, std::uint64_t seed, std::size_t kept = 5);
 
