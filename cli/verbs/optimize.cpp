@@ -84,6 +84,9 @@ int run_optimize(const OptimizeArguments& options) {
   if (!options.plot.empty() && spec.parts().size() > 1)
     throw InputError("--plot", options.plot,
                      "compares one axis, but this spec has several: draw them with `jounce plot`");
+  if (!options.against.empty() && !std::holds_alternative<CamSpec>(spec.subject))
+    throw InputError("--against", options.against,
+                     "applies to a cam with a free shape: optimize this spec without it");
   if (!options.against.empty() && (spec.parameters || spec.optimize.shape.shapes.empty()))
     throw spec.document.located(
         InputError("segment", "", "--against needs a free shape: add free = { shape = 60 }"));

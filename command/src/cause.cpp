@@ -119,7 +119,7 @@ constexpr std::array entries{
     Entry{Cause::no_movement, "no_movement",
           "The command changes a motion, but no motion is in progress.", "Start a motion first."},
     Entry{Cause::not_synchronized, "not_synchronized", "The axis is not following a master.",
-          "For phasing: engage the axis with its master first (`jounce order NAME gear-in`, or "
+          "For phasing: engage the axis with its master first (`jounce order NAME gear-in 1:1`, or "
           "`jounce stream --live`). For gear-out and cam-out: nothing, the axis is not engaged."},
     Entry{Cause::direction_blocked, "direction_blocked",
           "The limit switch in the direction of the motion is active.",
@@ -362,8 +362,8 @@ constexpr const char* longer_clutch = "Give a longer --clutch, or slow the maste
 constexpr const char* longer_start = "Give a longer --start-distance, or slow the master down.";
 constexpr const char* smaller_ratio = "Give a smaller ratio, or slow the master down.";
 constexpr const char* engage_first =
-    "First engage the axis with its master: `jounce order NAME gear-in`, or `jounce stream "
-    "--live`.";
+    "First engage the axis with its master: `jounce order NAME gear-in 1:1`, or `jounce "
+    "stream --live`.";
 
 constexpr std::array order_remedies{
     OrderRemedy{Cause::position_limit, CommandKind::move_velocity, "Jog in the other direction."},
@@ -378,6 +378,7 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::acceleration_limit, CommandKind::gear_in_pos, longer_start},
     OrderRemedy{Cause::jerk_limit, CommandKind::gear_in, longer_clutch},
     OrderRemedy{Cause::jerk_limit, CommandKind::gear_in_pos, longer_start},
+    OrderRemedy{Cause::no_movement, CommandKind::resume, "Nothing is held: no resume is needed."},
     OrderRemedy{Cause::not_synchronized, CommandKind::gear_out,
                 "Nothing: the axis is not in gear."},
     OrderRemedy{Cause::not_synchronized, CommandKind::cam_out, "Nothing: the axis follows no cam."},

@@ -111,6 +111,12 @@ grep -q 'M6 waits for' said || fail "no notice of M6: $(cat said)"
 refused 1 no_handshake plotter acknowledge --m-word 5
 order plotter acknowledge --m-word 6 || fail "acknowledge: $(cat out)"
 reaches plotter x 5
+order plotter m-word 8 || fail "m-word: $(cat out)"
+order plotter move-linear --by 5,0 --velocity 50 --buffered || fail "move-linear: $(cat out)"
+wait_for plotter '"state":"standstill".*"reason":"awaits_acknowledge"'
+order plotter move-linear --by -1,0 --velocity 50 || fail "move-linear: $(cat out)"
+reaches plotter x 4
+grep -q 'an aborting command replaces what waits: 2 commands were dropped' said || fail "no notice: $(cat said)"
 order plotter m-word 7 --timeout 6s || fail "m-word: $(cat out)"
 order plotter move-linear --by 5,0 --velocity 50 --buffered || fail "move-linear: $(cat out)"
 wait_for plotter '"state":"standstill".*"reason":"no_acknowledge"'

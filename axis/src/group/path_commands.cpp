@@ -139,7 +139,7 @@ void PathCommands::add_line(const command::Coordinates& to, bool relative,
   const Point end = target(to, relative);
   if (is_at(end))
     throw InputError(relative ? "by" : "to", "",
-                     "has no length: the path already ends at these coordinates");
+                     "has no length: the path already ends at these coordinates: give other ones");
   all_.push_back({within_limits(settings), Line{}, machine(end)});
 }
 

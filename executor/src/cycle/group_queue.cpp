@@ -183,18 +183,19 @@ std::optional<GroupQueue::Step> GroupQueue::pass_gate(const Tick& group) {
       static_cast<double>(group.tick - gate_since_) * seconds(group_->configs.front().period);
   if (!(gate.timeout > 0 && waited >= gate.timeout)) return std::nullopt;
   unacknowledged_ = true;
-  std::size_t dropped = 0;
-  for (const Stage& stage : stages_) dropped += stage.size();
-  drop_stages();
-  return Announce{gate.m_word, false, gate.timeout, dropped - 1};  // without the gate itself
+  return Announce{gate.m_word, false, gate.timeout, drop_stages() - 1};  // without the gate itself
 }
 
-/// Drops all stages but the one whose beginning the group has already.
-void GroupQueue::drop_stages() {
-  stages_.erase(stages_.begin() + (starts_stage_ ? 1 : 0), stages_.end());
+/// Drops all stages but the one whose beginning the group has already. Returns the number of their commands.
+std::size_t GroupQueue::drop_stages() {
+  const auto first = stages_.begin() + (starts_stage_ ? 1 : 0);
+  std::size_t dropped = 0;
+  for (auto stage = first; stage != stages_.end(); ++stage) dropped += stage->size();
+  stages_.erase(first, stages_.end());
   gate_since_ = -1;
   acknowledged_ = false;
   preparing_ = {};
+  return dropped;
 }
 
 /// The first stage has begun, or has no motion.
@@ -231,7 +232,10 @@ void GroupQueue::answered(bool accepted, std::uint64_t movement) {
                          .program = stage.program,
                          .group = stage.group,
                          .finished = finished_};
-    if (!accepted) return drop_stages();
+    if (!accepted) {
+      drop_stages();
+      return;
+    }
     from_rest_ = false;
     end_stage(finished_);
     return;
@@ -316,7 +320,10 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
     }
     if (is_fast(command) && blends(command))
       throw InputError("fast", "", "begins and ends at rest: leave out --blend");
-    if (aborts(command)) drop_stages();
+    if (aborts(command))
+      if (const std::size_t dropped = drop_stages(); dropped > 0)
+        dropped_because_ = "an aborting command replaces what waits: " + std::to_string(dropped) +
+                           (dropped == 1 ? " command was dropped" : " commands were dropped");
     if (rests(group)) halting_ = releasing_ = false;
     if (rests(group) && stages_.empty() && !single_step_) return fresh(group);
     if (is_fast(command) && (!aborts(command) || rests(group)))

@@ -177,10 +177,10 @@ Claim claimed(Transport& link, const std::vector<ExecutorOptions>& axes) {
   for (const auto& axis : axes) names.push_back(axis.receiver.executor);
   Claim claim(std::move(names), random_id());
   if (claim_names(link, claim, axes.front().receiver.key, steady_now)) return claim;
-  throw InputError(
-      "name", *claim.lost(),
-      "another executor on this --url has this name: stop it, or give the axis another "
-      "name");
+  throw InputError("name", *claim.lost(),
+                   "another executor on this --url has this name: end that `jounce run`, or give "
+                   "the axis another "
+                   "name");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "io/src/gcode/gcode_words.hpp"
 #include "io/src/gcode/interpreter.hpp"
@@ -68,20 +69,23 @@ void GcodeInterpreter::require_supported(const GcodeBlock& block) const {
 }
 
 bool GcodeInterpreter::set_modes(const GcodeBlock& block) {
-  std::array<bool, 14> taken{};
+  std::array<const GcodeWord*, 14> taken{};
   for (const GcodeWord& word : block.words) {
     if (word.letters != "G") continue;
     const int code = code_of(word);
-    if (std::exchange(taken[static_cast<std::size_t>(group_of(code))], true))
-      fail_at(block, word, "contradicts another G word of this block: write one of the two");
+    const GcodeWord*& first = taken[static_cast<std::size_t>(group_of(code))];
+    if (first != nullptr)
+      fail_at(block, word,
+              "contradicts G" + six_digits(first->value) + " of this block: write one of the two");
+    first = &word;
     set_mode(block, word, code);
   }
-  if (block.find("P") != nullptr && !taken[0] && !has_tolerance(block))
+  if (block.find("P") != nullptr && taken[0] == nullptr && !has_tolerance(block))
     fail_at(
         block, *block.find("P"),
         "does not apply to this block: P is the time of a dwell (G4), or the greatest deviation "
         "(G64)");
-  if (taken[0] && taken[1])
+  if (taken[0] != nullptr && taken[1] != nullptr)
     fail_at(block, "G4", "must not be in a block with a motion: write it in its own block");
   if (taken[0] && has_tolerance(block))
     fail_at(block, "G64",

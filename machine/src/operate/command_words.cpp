@@ -220,7 +220,8 @@ std::pair<double, double> ratio_of(const std::string& name, const std::string& t
   const auto colon = text.find(':');
   const auto numerator = csv_number(text.substr(0, colon));
   const auto denominator = csv_number(colon == std::string::npos ? "1" : text.substr(colon + 1));
-  if (!numerator || !denominator)
+  const auto is_whole = [](double number) { return std::trunc(number) == number; };
+  if (!numerator || !denominator || !is_whole(*numerator) || !is_whole(*denominator))
     throw InputError(name, text, "must be a ratio of whole numbers, such as 3:2");
   return {*numerator, *denominator};
 }

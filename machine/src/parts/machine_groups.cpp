@@ -27,7 +27,8 @@ std::size_t index_of(const std::string& name, const MachineParts& parts) {
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const std::string near = nearest(name, names);
   throw InputError("axes", name,
-                   near.empty() ? "is not an axis of this machine: add its [[axis]]"
+                   near.empty() ? "is not an axis of this machine, which has " + listed(names) +
+                                      ": correct the name, or add its [[axis]]"
                                 : "is not an axis of this machine: did you mean " + near + "?");
 }
 

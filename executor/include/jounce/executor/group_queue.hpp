@@ -263,7 +263,7 @@ class GroupQueue {
   [[nodiscard]] std::optional<Step> fresh(const Tick& group);
   [[nodiscard]] std::optional<Step> begin_stage(const Tick& group);
   [[nodiscard]] std::optional<Step> pass_gate(const Tick& group);
-  void drop_stages();
+  std::size_t drop_stages();
   void end_stage(std::optional<std::uint64_t> finished);
   void add_stage(const Tick& group, std::optional<Gate> gate);
   [[nodiscard]] Stage stage_of(SentPart part, std::optional<Gate> gate) const;
