@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "jounce/path/along.hpp"
 
@@ -55,15 +56,19 @@ std::string judge_axis(const Trajectory& curve, const Jet& error, const Limits& 
                          rounded_velocity * fastest + 4 * error[1],
                          rounded_acceleration * strongest + 4 * error[2]};
   const char* const names[] = {"position", "velocity", "acceleration"};
+  double shorter = HUGE_VAL;  // time of the segments at a joint
   const auto join = [&](const std::array<double, 3>& next, const std::string& where) {
     for (std::size_t k = 0; k < (demand.steps ? 2U : 3U); ++k)
-      if (!(std::abs(next[k] - before[k]) <= near[k]))
+      if (!(std::abs(next[k] - before[k]) <=
+            near[k] + demand.rounding * demand.size / std::pow(shorter, k)))
         return std::string(names[k]) + " of axis " + std::to_string(axis + 1) + " steps by " +
                text(next[k] - before[k]) + where;
     return std::string();
   };
   double time = 0;
+  double last = HUGE_VAL;
   for (const Segment& f : segments) {
+    shorter = std::min(f.length, std::exchange(last, f.length));
     if (std::string why = limited(f, limits, axis, worst); !why.empty()) return why;
     if (std::string why = join(state(f, 0), " at " + text(time) + " s"); !why.empty()) return why;
     before = state(f, 1);
@@ -185,8 +190,9 @@ double time_with_stops(const Case& c) {
   return time;
 }
 
-std::string judge_plan(const Case& c, const Plan& plan, Worst& worst) {
+std::string judge_plan(const Case& c, const Plan& plan, Worst& worst, double rounding) {
   Demand demand = demand_of(c, plan);
+  demand.rounding = rounding;
   demand.from = c.start;
   demand.to = c.legs.back().to;
   if (std::string why = judge_axes(to_axes(plan), c.limits, demand, worst); !why.empty())

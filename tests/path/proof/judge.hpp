@@ -22,6 +22,9 @@ struct Demand {
   double velocity =
       0;  ///< greatest velocity along the path: directions differ by rounding at a joint
   bool steps = false;  ///< true: the acceleration may step
+  /// Rounding of a position, as a share of `size`. Over a segment of the time T, it changes the velocity by
+  /// rounding size / T and the acceleration by rounding size / T^2.
+  double rounding = 0;
 };
 
 // Each function returns what is wrong, or "".
@@ -31,8 +34,9 @@ struct Demand {
 std::string judge_axes(const PlanAxes& axes, const GroupLimits& limits, const Demand& demand,
                        Worst& worst);
 
-/// A plan of the case: judge_axes(), its deviations, its duration, and the limits along the path.
-std::string judge_plan(const Case& c, const Plan& plan, Worst& worst);
+/// A plan of the case: judge_axes(), its deviations, its duration, and the limits along the path. `rounding`: see
+/// Demand.
+std::string judge_plan(const Case& c, const Plan& plan, Worst& worst, double rounding = 0);
 
 /// A motion along the path of `plan`, such as one held: judge_axes(), and every place of it is one of that path.
 /// It begins at q = `from` and ends at rest.

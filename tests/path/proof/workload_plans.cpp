@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
 #include "jounce/path/overlap.hpp"
 #include "jounce/path/refine.hpp"
 #include "jounce/profiles/error.hpp"
@@ -8,8 +10,11 @@
 namespace jounce::path_proof {
 namespace {
 
-Outcome planned(const Case& c, Worst& worst) try {
-  return outcome(c, judge_plan(c, plan(program_of(c), c.limits), worst));
+/// Positions far from the origin, whose distances are as small as 1e-12, are rounded.
+constexpr double rounding_of_narrow = 8 * std::numeric_limits<double>::epsilon();
+
+Outcome planned(const Case& c, Worst& worst, double rounding = 0) try {
+  return outcome(c, judge_plan(c, plan(program_of(c), c.limits), worst, rounding));
 } catch (const InputError& error) {
   return outcome(c, std::string("rejected: ") + error.what());
 }
@@ -37,7 +42,7 @@ Outcome plans_of_averages(Random& r, Worst& worst) {
 
 /// Rejecting a program is correct only if it does not move.
 Outcome plans_of_narrow(Random& r, Worst& worst) {
-  return planned(narrow(r), worst);
+  return planned(narrow(r), worst, rounding_of_narrow);
 }
 
 Outcome overlaps(Random& r, Worst& worst) {
