@@ -15,7 +15,7 @@ namespace jounce {
 struct ProgramInfo;
 }
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the name of a library
 class App;
 class Option;
 }  // namespace CLI

@@ -49,7 +49,7 @@ Exported exported_table(const std::string& path, const std::string& text,
   const std::vector<std::string> forms = form_names();
   if (std::find(forms.begin(), forms.end(), form) == forms.end())
     throw InputError("form", form, fmt::format("must be one of {}", fmt::join(forms, ", ")));
-  if (request.over != "" && request.over != "master" && request.over != "time")
+  if (!request.over.empty() && request.over != "master" && request.over != "time")
     throw InputError("over", request.over, "must be master or time");
   const Input input = over(request.over, axis_of_text(path, text, request.axis));
   const TableForm to = table_form(form, "");

@@ -73,12 +73,12 @@ std::vector<Segment> through_hermite_points(const Placed& at) {
   for (std::size_t i = first; i < last; ++i) all.push_back(hermite_point(points[i], key(i)));
   all.push_back(hermite_end(at, at.to, at_end ? &points.back() : nullptr, key(last)));
   const bool jerks = std::any_of(all.begin(), all.end(), [](auto& p) { return p.geo_jerk; });
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (jerks && !all[i].geo_jerk)
+  for (const HermitePoint& point : all)
+    if (jerks && !point.geo_jerk)
       throw InputError("points", static_cast<double>(points.size()),
                        "must all have a geo_jerk or none, points at both ends of the segment "
                        "included: at " +
-                           number(all[i].master) + " there is none");
+                           number(point.master) + " there is none");
   return hermite(all);
 }
 

@@ -59,7 +59,6 @@ double fifth_derivative(const Segment& f) {
 ToleranceProgram::ToleranceProgram(const SplineSpec& spec)
     : spec_(spec),
       periodic_(spec.ends == SplineEnds::periodic),
-      rounding_(0),
       determining_(std::min(determining(spec), spec.points.size())) {
   for (const SplinePoint& p : spec.points) rounding_ = std::max(rounding_, std::abs(p.slave));
   rounding_ *= 16 * std::numeric_limits<double>::epsilon();

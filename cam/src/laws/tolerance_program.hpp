@@ -57,7 +57,7 @@ class ToleranceProgram {
 
   const SplineSpec& spec_;
   bool periodic_;
-  double rounding_;          ///< rounding of the slave positions
+  double rounding_ = 0;      ///< rounding of the slave positions
   std::size_t determining_;  ///< points that determine a curve without jerk
 };
 

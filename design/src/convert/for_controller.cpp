@@ -348,7 +348,8 @@ class ForController {
     std::vector<std::size_t> possible;
     const auto counts = whole_travel();
     for (std::size_t n = std::max<std::size_t>(format_.fewest - 1, 1); n <= most; ++n)
-      if (!counts || (*counts % n == 0 && static_cast<double>(*counts / n) <= format_.most_step))
+      if (!counts || (*counts % n == 0 &&
+                      static_cast<double>(*counts) <= format_.most_step * static_cast<double>(n)))
         possible.push_back(n);
     if (possible.empty())
       throw InputError("x_step", steps_.x,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "jounce/profiles/curve/curve.hpp"
@@ -93,8 +94,8 @@ bool starts_without_jerk(const std::vector<Segment>& rise) {
 
 std::vector<Segment> KnifeZone::entering(double pitch) const {
   std::vector<Segment> mirrored;
-  for (auto piece = leaving.rbegin(); piece != leaving.rend(); ++piece)
-    mirrored.push_back(scaled(reversed(*piece), -1, pitch));
+  for (const Segment& piece : std::views::reverse(leaving))
+    mirrored.push_back(scaled(reversed(piece), -1, pitch));
   return mirrored;
 }
 

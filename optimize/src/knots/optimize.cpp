@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "jounce/optimize/bound.hpp"
 #include "jounce/profiles/error.hpp"
@@ -188,9 +189,9 @@ class Search {
 
   [[nodiscard]] bool distinct(const Point& z) const {
     return std::none_of(pool_.begin(), pool_.end(), [&](const Point& other) {
-      double apart = 0;
-      for (std::size_t i = 0; i < z.size(); ++i) apart = std::max(apart, std::abs(z[i] - other[i]));
-      return apart < 1e-4;
+      const auto largest = [](double a, double b) { return std::max(a, b); };
+      const auto apart = [](double a, double b) { return std::abs(a - b); };
+      return std::transform_reduce(z.begin(), z.end(), other.begin(), 0.0, largest, apart) < 1e-4;
     });
   }
 

@@ -227,7 +227,7 @@ class ShapeExchange {
     task.squares_alone = true;
     int order = 1;
     for (const Term& t : model_.terms) {
-      task.level.push_back(t.rows.value(shape) / t.unit * (1 + slack));
+      task.level.emplace_back(t.rows.value(shape) / t.unit * (1 + slack));
       order = std::max(order, t.order + 1);
     }
     const LinearQuantity above = derivative_of_shape(std::min({order, model_.space.degree(), 5}));

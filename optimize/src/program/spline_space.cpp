@@ -50,11 +50,11 @@ Segment quantity_of(const LinearQuantity& q, const Segment& f) {
   sum.length = f.length;
   sum.c[0] = q.constant;
   Segment g = f;
-  for (std::size_t k = 0; k < q.by.size(); ++k) {
-    if (q.by[k] != 0) {
+  for (const double factor : q.by) {
+    if (factor != 0) {
       sum.degree = std::max(sum.degree, g.degree);
       for (std::size_t i = 0; i <= static_cast<std::size_t>(g.degree); ++i)
-        sum.c[i] += q.by[k] * g.c[i];
+        sum.c[i] += factor * g.c[i];
     }
     g = derivative(g);
     if (g.degree == 0 && g.c[0] == 0) break;

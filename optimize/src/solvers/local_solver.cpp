@@ -92,7 +92,8 @@ class NloptRun {
 }  // namespace
 
 std::vector<double> run_local_solver(const LocalProblem& problem, std::vector<double> x) {
-  return NloptRun(problem, x.size()).from(std::move(x));
+  NloptRun run(problem, x.size());
+  return run.from(std::move(x));
 }
 
 }  // namespace jounce::optimizer

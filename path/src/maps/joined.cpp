@@ -155,7 +155,7 @@ Rates Joined::corner_rates(const Route& route) const {
 Jointed Joined::with_fitted(Rounded rounded, const Route& route) const {
   if (!joints_) return {std::move(rounded), {}, {}};
   if (!fitted()) return {std::move(rounded), {}, MapFit{0, true, 0, 0}};
-  Path path = rounded.path ? std::move(*rounded.path) : route.path;
+  Path path = rounded.path ? std::move(*rounded.path) : Path(route.path);
   return fitted_joints(std::move(path), std::move(rounded), *joints_, rates_, program_);
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "jounce/path/plan.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
@@ -195,12 +196,8 @@ class Bound {
       C = std::max(C, bend.max.value);
     }
     if (P < 0) {
-      std::swap(p, P);
-      p = -p;
-      P = -P;
-      std::swap(c, C);
-      c = -c;
-      C = -C;
+      p = -P;
+      c = -std::exchange(C, -c);
     }
     const double least = p > 0 ? p : 0;
     if (least > 0)

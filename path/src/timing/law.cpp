@@ -42,7 +42,7 @@ struct RampParts {
 /// Phases without initial values: to zero them would take a tenth of the time of an evaluation.
 union PhaseBuffer {
   std::array<LawPhase, 7> phases;
-  PhaseBuffer() {}
+  PhaseBuffer() {}  // NOLINT(modernize-use-equals-default): a defaulted one would be deleted
 };
 
 struct Builder {

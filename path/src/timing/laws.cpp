@@ -21,8 +21,7 @@ std::vector<LawInterval> stretches_of(const Path& path, std::size_t first, std::
   std::size_t piece = first;
   const std::size_t last = first + count - 1;
   const double origin = path.pieces()[first].start;
-  for (std::size_t i = 0; i < phases.size(); ++i) {
-    const LawPhase& p = phases[i];
+  for (const LawPhase& p : phases) {
     LawInterval s;
     s.single_phase = true;
     s.time = time;

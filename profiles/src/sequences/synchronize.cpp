@@ -72,8 +72,8 @@ class Tasks {
 
  private:
   static constexpr std::size_t capacity = 16;
-  union Slot {  // std::optional would be cleared first
-    Slot() noexcept {}
+  union Slot {          // std::optional would be cleared first
+    Slot() noexcept {}  // NOLINT(modernize-use-equals-default): a defaulted one would be deleted
     AxisTask task;
   };
 
@@ -92,8 +92,10 @@ MoveStatus alone(const AxisMove& axis, const AxisTask& task, const Timing& timin
   if (status != MoveStatus::ok || (timing.minimum <= 0 && timing.grid <= 0)) return status;
   const double shortest = out.duration();
   double t = on_grid(std::max(shortest, timing.minimum), timing.grid);
-  if (t > shortest * (1 + same_duration))
-    status = lasting(task, t = at_least(task.durations(), t, timing.grid), timing.grid, out);
+  if (t > shortest * (1 + same_duration)) {
+    t = at_least(task.durations(), t, timing.grid);
+    status = lasting(task, t, timing.grid, out);
+  }
   return status;
 }
 

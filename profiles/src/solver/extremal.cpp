@@ -272,7 +272,7 @@ Extremal Extremals::lasting(Branch b, double t) const noexcept {
       if (duration(e) < t) continue;
     }
     if (is_timed(p)) return timed(p, time_lasting(p, t));
-    double x = p.lo;
+    double x = 0;
     switch (p.held) {
       case Stretch::Held::none:
         x = (t + ends) / k_;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double rpm = 30 / std::numbers::pi;  // per rad/s
 
-Series outline(const char* label, std::vector<std::pair<double, double>> corners) {
+Series outline(const char* label, const std::vector<std::pair<double, double>>& corners) {
   Series series{.label = label};
   for (const auto& [x, y] : corners) series.x.push_back(x), series.y.push_back(y);
   return series;

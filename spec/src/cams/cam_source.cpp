@@ -40,7 +40,8 @@ std::string shown_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-CamSource of_table(TableFile file, const std::string& path, TomlReader& owner, const char* key) {
+CamSource of_table(const TableFile& file, const std::string& path, TomlReader& owner,
+                   const char* key) {
   if (file.table.axis() != Domain::master)
     owner.fail(key, '"' + path + '"', "is a table over time: give a cam");
   if (file.units.x.empty() || file.units.position.empty())

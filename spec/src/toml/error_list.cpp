@@ -94,7 +94,7 @@ bool ErrorList::again() {
 }
 
 void ErrorList::throw_any() const {
-  if (best_->errors.size() == 1) throw best_->errors.front();
+  if (best_->errors.size() == 1) throw InputError(best_->errors.front());
   if (best_->errors.size() > 1) throw InputErrors(best_->errors);
 }
 

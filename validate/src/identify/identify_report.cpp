@@ -117,7 +117,7 @@ void explain(const Recording& recording, const IdentifySpec& spec, const Fitted&
 /// A note on the change of the controller.
 void note(const IdentifySpec& spec, Identification& answer) {
   if (spec.drive.controller.cycle > 0)
-    answer.notes.push_back(
+    answer.notes.emplace_back(
         "the model replaces the sampled controller by a continuous one, one cycle later");
   const double before = spec.drive.controller.torque_feed_forward;
   const double after = answer.drive.controller.torque_feed_forward;

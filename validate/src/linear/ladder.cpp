@@ -148,8 +148,9 @@ void Ladder::place(const Segment& f, double u, Eigen::VectorXd& z) const {
   for (int i = 0; i < f.sines; ++i) {
     const SineTerm& sine = f.sine[static_cast<std::size_t>(i)];
     const double angle = sine.angle * s + sine.phase;
-    z(states_ + degree_ + 1 + 2 * i) = sine.amplitude * std::sin(angle);
-    z(states_ + degree_ + 2 + 2 * i) = sine.amplitude * std::cos(angle);
+    const Eigen::Index row = states_ + degree_ + 1 + Eigen::Index{2} * i;
+    z(row) = sine.amplitude * std::sin(angle);
+    z(row + 1) = sine.amplitude * std::cos(angle);
   }
 }
 
@@ -179,7 +180,7 @@ const Eigen::MatrixXd& Ladder::integral(std::size_t j, Eigen::Index a, Eigen::In
   while (known.size() <= j) {
     const Eigen::MatrixXd& w = known.back();
     const Eigen::MatrixXd& p = rung(known.size() - 1);
-    known.push_back(w + product(p.transpose(), product(w, p)));  // (8)
+    known.emplace_back(w + product(p.transpose(), product(w, p)));  // (8)
   }
   return known[j];
 }
