@@ -12,7 +12,6 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-#include "path/src/geometry/digits.hpp"
 #include "path/src/geometry/vector.hpp"
 
 namespace jounce {

@@ -10,9 +10,9 @@
 #include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "path/src/corners/blend.hpp"
-#include "path/src/geometry/digits.hpp"
 #include "path/src/geometry/hull.hpp"
 #include "path/src/geometry/septic.hpp"
 #include "path/src/timing/not_limited.hpp"

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "jounce/path/plan.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "path/src/corners/blend.hpp"
 #include "path/src/corners/turn.hpp"
-#include "path/src/geometry/digits.hpp"
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
 #include "path/src/plan/drawn.hpp"
