@@ -316,6 +316,11 @@ constexpr std::array entries{
     Entry{Cause::no_handshake, "no_handshake", "The group does not wait for this acknowledgment.",
           "Send `acknowledge` after the event of the M word: `jounce monitor NAME --events` shows "
           "it."},
+    Entry{Cause::no_start_tick, "no_start_tick",
+          "The command takes effect at once, not at a given tick.", "Leave out --at."},
+    Entry{Cause::nothing_to_start, "nothing_to_start",
+          "The spec has no table, cutter or program to start.",
+          "Send a table or a path with `jounce stream`."},
     Entry{Cause::no_cut_plan, "no_cut_plan", "The axis does not cut: no plan of cuts is running.",
           "Start the plan of its cutter: `jounce order NAME start`. The spec of the axis names the "
           "cutter (`cutter` in [axis])."},

@@ -137,7 +137,7 @@ double AxisServer::next_rest() const {
 }
 
 void AxisServer::handle(const ArmRequested& arm) {
-  if (crowded(arm.session, arm.command)) return;
+  if (reject_if_full(arm.session, arm.command)) return;
   if (const auto refusal = unfit(arm)) {
     if (refusal->cause == Cause::wrong_unit) return refuse_units(arm);
     return answer({arm.session, arm.command, Kind::arm}, refusal);
@@ -222,7 +222,7 @@ void AxisServer::record(const MadeMovement& made) {
 }
 
 void AxisServer::handle(const StartRequested& start) {
-  if (crowded(start.session, start.command)) return;
+  if (reject_if_full(start.session, start.command)) return;
   if (const auto armed = movements_.find(armed_); dynamics_ && armed != movements_.end()) {
     dynamics_->begin();
     set_rate(group_rate(armed->second, 0));
@@ -270,7 +270,7 @@ void AxisServer::handle(const CommandRequested& requested) {
   const CommandKind kind = kind_of(requested.what);
   if (kind == Kind::disable) clear_commands();  // ends more than a stop
   if (kind == Kind::halt && group_queue_ && group_queue_->has_stages()) group_queue_->clear();
-  if (crowded(requested.session, requested.command)) return;
+  if (reject_if_full(requested.session, requested.command)) return;
   const Request request{requested.session, requested.command, kind};
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
   std::visit([&](const auto& what) { obey(what, requested, request); }, requested.what);
@@ -282,7 +282,7 @@ void AxisServer::obey(const What& what, const CommandRequested& requested, const
   if constexpr (is_path_command<What>) {
     if (!group_queue_) return answer(request, Refusal{.cause = Cause::not_a_group});
     if (requested.at >= 0)
-      return decline(requested,
+      return decline(requested, Cause::no_start_tick,
                      "a command of a group begins after those before it: leave out --at");
     if (group_queue_->full()) return refuse_crowd(requested.session, requested.command);
     motion_session_ = requested.session;
@@ -309,7 +309,7 @@ void AxisServer::obey(const command::CombineAxes& /*gear*/, const CommandRequest
                       const Request& request) {
   if (options_.follow.what != Follow::What::nothing &&
       options_.second.what == Follow::What::nothing)
-    return decline(requested,
+    return decline(requested, Cause::no_master_input,
                    "the axis follows one master only: add second = { axis = \"NAME\" } to [follow] "
                    "in its spec");
   couple(requested, request);
@@ -327,7 +327,7 @@ void AxisServer::couple(const CommandRequested& requested, const Request& reques
       options_.recorder->note(RecordedGear{axis_, id, requested.what, last_.position});
     couple(std::move(gear), requested.at, request);
   } catch (const InputError& error) {
-    decline(requested, error.what());
+    decline(requested, Cause::no_value, error.what());
   }
 }
 
@@ -355,7 +355,7 @@ void AxisServer::obey(const command::StartTable& /*it*/, const CommandRequested&
   if (options_.cutter) return start_cuts(requested, request);
   if (!options_.table)
     return decline(
-        requested,
+        requested, Cause::nothing_to_start,
         "the spec of the axis has no table and no cutter of its own to start: send a table with "
         "`jounce stream`, or add cutter = \"FILE\" to its [axis]");
   const Request armed{requested.session, requested.command, Kind::arm};
@@ -376,7 +376,7 @@ void AxisServer::obey(const command::StartTable& /*it*/, const CommandRequested&
 void AxisServer::play_program(const CommandRequested& requested, const Request& request) {
   const auto& sent = options_.group->sent;
   if (!sent)
-    return decline(requested,
+    return decline(requested, Cause::nothing_to_start,
                    "the group has no program of its own: send a path with `jounce stream`, or add "
                    "program to its [[group]]");
   if (moving()) return answer(request, Refusal{.cause = Cause::in_motion});
@@ -458,7 +458,7 @@ void AxisServer::take_step(const GroupQueue::Note& step) {
 void AxisServer::obey(const command::GroupAcknowledge& what, const CommandRequested& requested,
                       const Request& request) {
   if (!group_queue_) return answer(request, Refusal{.cause = Cause::not_a_group});
-  if (!untimed(requested)) return;
+  if (reject_at_tick(requested)) return;
   const auto m_word = group_queue_->m_word();
   const Cause no = group_queue_->acknowledge(what.m_word);
   if (no == Cause::none && m_word) take_step(GroupQueue::Announce{*m_word, false});
@@ -468,7 +468,7 @@ void AxisServer::obey(const command::GroupAcknowledge& what, const CommandReques
 void AxisServer::obey(const command::GroupSingleStep& what, const CommandRequested& requested,
                       const Request& request) {
   if (!group_queue_) return answer(request, Refusal{.cause = Cause::not_a_group});
-  if (!untimed(requested)) return;
+  if (reject_at_tick(requested)) return;
   group_queue_->single_step(what.on);
   answer(request, std::nullopt);
 }
@@ -536,7 +536,8 @@ void AxisServer::obey(const command::GroupSetLimits& what, const CommandRequeste
                       const Request& request) {
   if (!dynamics_) return answer(request, Refusal{.cause = Cause::not_a_group});
   if (requested.at >= 0)
-    return decline(requested, "further limits of a group apply at once: leave out --at");
+    return decline(requested, Cause::no_start_tick,
+                   "further limits of a group apply at once: leave out --at");
   if (!what.queued) {
     if (const Cause no = permitted(last_.state, request.kind); no != Cause::none)
       return answer(request, Refusal{.cause = no});
@@ -565,29 +566,30 @@ Queues::Record AxisServer::recorded_rows() const {
 
 void AxisServer::obey(const command::QueueSwitch& what, const CommandRequested& requested,
                       const Request& request) {
-  if (untimed(requested)) answer_queue(request, queues_.queue_switch(what.queue));
+  if (!reject_at_tick(requested)) answer_queue(request, queues_.queue_switch(what.queue));
 }
 
 void AxisServer::obey(const command::QueueClear& what, const CommandRequested& requested,
                       const Request& request) {
-  if (untimed(requested)) answer_queue(request, queues_.clear(what.queue, what.bank));
+  if (!reject_at_tick(requested)) answer_queue(request, queues_.clear(what.queue, what.bank));
 }
 
 void AxisServer::obey(const command::QueueEnd& what, const CommandRequested& requested,
                       const Request& request) {
-  if (!untimed(requested)) return;
+  if (reject_at_tick(requested)) return;
   if (!queues_.end(what.queue))
-    return decline(requested,
+    return decline(requested, Cause::not_on_path,
                    "the end of this queue cannot be set: the queue is not dynamic, or none of its "
                    "rows ends at rest");
   answer_queue(request, true);
 }
 
-/// Declines a command about a queue, or about the commands of a group, for a later tick.
-bool AxisServer::untimed(const CommandRequested& requested) {
+/// Rejects a command about a queue, or about the commands of a group, for a later tick.
+bool AxisServer::reject_at_tick(const CommandRequested& requested) {
   if (requested.at >= 0)
-    decline(requested, "a command for a queue takes effect at once: leave out --at");
-  return requested.at < 0;
+    decline(requested, Cause::no_start_tick,
+            "a command for a queue takes effect at once: leave out --at");
+  return requested.at >= 0;
 }
 
 void AxisServer::answer_queue(const Request& request, bool done) {
@@ -595,24 +597,24 @@ void AxisServer::answer_queue(const Request& request, bool done) {
 }
 
 /// Rejects a command if more wait than any streamer needs: the axis takes one command a tick.
-bool AxisServer::crowded(std::int64_t session, std::int32_t command) {
+bool AxisServer::reject_if_full(std::int64_t session, std::int32_t command) {
   if (commands_.full()) refuse_crowd(session, command);
   return commands_.full();
 }
 
 void AxisServer::refuse_crowd(std::int64_t session, std::int32_t command) {
   receiver_.refuse(session, command, "too many commands are waiting: repeat this one later",
-                   static_cast<std::int32_t>(Cause::no_value));
+                   static_cast<std::int32_t>(Cause::buffer_full));
 }
 
-/// Rejects a command that the protocol permits and this executor does not support.
-void AxisServer::decline(const CommandRequested& requested, const std::string& reason) {
-  receiver_.refuse(requested.session, requested.command, reason,
-                   static_cast<std::int32_t>(Cause::no_value));
+/// Rejects a command for a reason that is more precise than the text of its cause.
+void AxisServer::decline(const CommandRequested& requested, Cause cause,
+                         const std::string& reason) {
+  receiver_.refuse(requested.session, requested.command, reason, static_cast<std::int32_t>(cause));
 }
 
 void AxisServer::handle(const QueueArmRequested& arm) {
-  if (crowded(arm.session, arm.command)) return;
+  if (reject_if_full(arm.session, arm.command)) return;
   const Request request{arm.session, arm.command, Kind::arm};
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
   const auto movement = queues_.movement(arm.queue);

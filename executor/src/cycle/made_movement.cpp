@@ -37,8 +37,8 @@ MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, std::int64_t
       made.source->job.position = position;
     }
     return made;
-  } catch (const InputError&) {
-    return {};
+  } catch (const InputError& error) {
+    return {.reason = error.what()};
   } catch (const std::bad_alloc&) {
     return {};
   }

@@ -28,7 +28,7 @@ MasterServer::MasterServer(Options options, ReceiverPump& pump, MachineExchange&
     for (const Follow& follow : options_.follows)
       one.said_by.push_back(follow.what == Follow::What::master && follow.index == m);
     if (std::find(one.said_by.begin(), one.said_by.end(), true) == one.said_by.end())
-      one.said_by.front() = true;
+      one.said_by.assign(1, true);  // without a follower, the first axis publishes it
     if (auto* external = dynamic_cast<ExternalMaster*>(one.master.source.get()))
       subscribe(one, *external);
   }
@@ -128,7 +128,8 @@ wire::MasterStatus MasterServer::status(std::size_t master) const {
 
 void MasterServer::publish(std::size_t axis) {
   for (std::size_t m = 0; m < masters_.size(); ++m)
-    if (masters_[m].said_by[axis]) pump_.publish_master(status(m), axis);
+    if (const auto& by = masters_[m].said_by; axis < by.size() && by[axis])
+      pump_.publish_master(status(m), axis);
 }
 
 }  // namespace jounce

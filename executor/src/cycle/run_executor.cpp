@@ -203,10 +203,10 @@ ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>
   CyclicThread cyclic(machine, cycle_of(axes, run, recording.buffer.get()), exchange, run);
   ExecutorSummary summary;
   summary.realtime = cyclic.realtime();
-  if (axes.front().notify && !summary.realtime.empty()) axes.front().notify(summary.realtime);
-  if (run.up) run.up();
 
   try {
+    if (axes.front().notify && !summary.realtime.empty()) axes.front().notify(summary.realtime);
+    if (run.up) run.up();
     while (!deadline.reached(dispatcher) && dispatcher.lost_name().empty())
       dispatcher.turn(turn_time);
     summary.lost_name = dispatcher.lost_name();

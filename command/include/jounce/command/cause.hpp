@@ -130,6 +130,10 @@ enum class Cause : std::uint8_t {
 
   // Groups: rejected commands.
   no_handshake = 111,
+
+  // Rejected commands of axes and groups.
+  no_start_tick = 114,
+  nothing_to_start = 115,
 };
 
 /// Returns the word for logs, messages and docs/reference/messages.md: "aborted", "not_armed", ...

@@ -138,10 +138,10 @@ class AxisServer {
   void couple(const CommandRequested& requested, const Request& request);
   void couple(MadeMovement made, std::int64_t at, const Request& request);
   void start_cuts(const CommandRequested& requested, const Request& request);
-  [[nodiscard]] bool untimed(const CommandRequested& requested);
+  [[nodiscard]] bool reject_at_tick(const CommandRequested& requested);
   void answer_queue(const Request& request, bool done);
-  void decline(const CommandRequested& requested, const std::string& reason);
-  bool crowded(std::int64_t session, std::int32_t command);
+  void decline(const CommandRequested& requested, Cause cause, const std::string& reason);
+  bool reject_if_full(std::int64_t session, std::int32_t command);
   void refuse_crowd(std::int64_t session, std::int32_t command);
   [[nodiscard]] std::optional<Refusal> unfit(const ArmRequested& arm) const;
   void refuse_units(const ArmRequested& arm);
