@@ -74,8 +74,8 @@ std::int64_t tick_of(const StreamArguments& options, KeyedLink& link, const std:
   if (options.at.empty()) return -1;
   const bool from_now = options.at.front() == '+';
   const auto number = number_in(from_now ? options.at.substr(1) : options.at);
-  const bool good =
-      number && *number >= 0 && *number <= 1e15 && (from_now || *number == std::floor(*number));
+  const bool good = number && *number >= 0 &&
+                    (from_now ? *number <= 1e9 : *number <= 1e15 && *number == std::floor(*number));
   if (!good)
     throw InputError("--at", options.at,
                      "must be a tick, such as 120000, or + and seconds from now, such as +2.5");

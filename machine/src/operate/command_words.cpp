@@ -230,6 +230,14 @@ double direction_of(const std::string& text) {
   return text == "positive" ? 1 : text == "negative" ? -1 : 0;
 }
 
+/// Rejects a word that is not one of the choices of the option.
+void require_choice(const std::string& name, const std::string& text, FieldRange range) {
+  const std::vector<std::string> choices = choices_of(range);
+  if (!text.empty() && !choices.empty() &&
+      std::find(choices.begin(), choices.end(), text) == choices.end())
+    throw InputError(name, text, "must be one of " + listed(choices));
+}
+
 /// The name of a coordinate in messages: "x", "--to", "--to: x".
 std::string coordinate_name(const CommandWords& words, const std::string& option, std::size_t index,
                             const std::vector<std::string>& axes) {
@@ -325,6 +333,7 @@ double buffer_mode_of(const CommandWords& words) {
   if (!blend.empty() && buffered)
     throw InputError("--blend", blend,
                      "cannot be combined with --buffered: a move that blends is buffered");
+  require_choice("--blend", blend, FieldRange::path_buffer);
   return !blend.empty() ? blends.at(blend) : buffered ? 1 : 0;
 }
 
@@ -392,15 +401,16 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
     case FieldRange::flag:
       return flag_of(words, option) ? 1 : 0;
     case FieldRange::direction:
+      require_choice(name, text, field.range);
       return direction_of(text);
     case FieldRange::factor:
       return factor_of(name, text);
     case FieldRange::share:
       return share_of(name, text);
     case FieldRange::buffer_mode:
-      if (text == "look-ahead")
-        throw InputError(name, text, "applies to the moves of a group only");
-      return buffer_mode_of(words);
+      if (text_of(words, "blend") == "look-ahead")
+        throw InputError("--blend", "look-ahead", "applies to the moves of a group only");
+      [[fallthrough]];
     case FieldRange::path_buffer:
       return buffer_mode_of(words);
     case FieldRange::whole:
