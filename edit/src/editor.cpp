@@ -380,13 +380,14 @@ struct Editor::Impl {
   Answer end_optimum(const JsonReader& body) {
     body.require_only({"do", "revision"});
     const std::string what = body.word("do");
+    std::unique_ptr<Job> discarded;  // ends after the lock: its destructor waits for the work
     {
       const std::scoped_lock lock(mutex);
       if (!optimizer) return rejected(404, "no optimization was started");
       if (what == "stop")
         optimizer->stop();
       else if (what == "discard")
-        optimizer.reset();
+        discarded = std::move(optimizer);
       else if (what == "take") {
         if (auto objection = take_optimum(body)) return *objection;
       } else
@@ -414,16 +415,19 @@ struct Editor::Impl {
     body.require_only({});
     {
       const std::scoped_lock lock(mutex);
-      if (proof && proof->state().running)
-        return rejected(409, "a validation is running: stop it first");
+      if (is_proving()) return rejected(409, already_proving);
     }
     std::unique_ptr<Job> made = edit_detail::proof_job(path_of(), text());
     const std::scoped_lock lock(mutex);
-    proof = std::move(made);
+    if (is_proving()) return rejected(409, already_proving);
+    std::swap(proof, made);  // the previous one ends after the lock
     return {200, R"({"ok":true})"};
   }
 
+  static constexpr const char* already_proving = "a validation is running: stop it first";
+
   /// Call with the lock.
+  [[nodiscard]] bool is_proving() const { return proof && proof->state().running; }
   [[nodiscard]] bool is_proof_current() const { return proof->given() == session.text(); }
 
   Answer proof_state() {
@@ -438,12 +442,13 @@ struct Editor::Impl {
   Answer end_proof(const JsonReader& body) {
     body.require_only({"do"});
     const std::string what = body.word("do");
+    std::unique_ptr<Job> discarded;  // ends after the lock
     const std::scoped_lock lock(mutex);
     if (!proof) return rejected(404, "no validation was started");
     if (what == "stop")
       proof->stop();
     else if (what == "discard")
-      proof.reset();
+      discarded = std::move(proof);
     else
       throw InputError("do", what, "must be stop or discard");
     return {200, R"({"ok":true})"};
