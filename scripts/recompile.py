@@ -22,7 +22,8 @@ def included(match):
 
 
 def for_clang(command):
-    return re.sub(OF_GCC, "", command.replace("/usr/bin/c++ ", "clang++ "))
+    """The command of a compilation with clang in place of its compiler."""
+    return re.sub(OF_GCC, "", re.sub(r"^\S+", "clang++", command))
 
 
 def commands():

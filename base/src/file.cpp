@@ -35,6 +35,7 @@ namespace {
 void write_all(int handle, const Output& file) {
   for (std::size_t done = 0; done < file.bytes.size();) {
     const ssize_t written = write(handle, file.bytes.data() + done, file.bytes.size() - done);
+    if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail("cannot write " + file.path);
     done += static_cast<std::size_t>(written);
   }

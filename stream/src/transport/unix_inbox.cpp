@@ -43,7 +43,14 @@ UnixInbox::UnixInbox(const std::filesystem::path& folder)
   sigset_t before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);  // signals belong to the thread that created this
-  thread_ = std::thread([this] { read(); });
+  try {
+    thread_ = std::thread([this] { read(); });
+  } catch (...) {
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    unlink(path_.c_str());
+    close(socket_);
+    throw;
+  }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
