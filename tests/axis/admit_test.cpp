@@ -42,6 +42,25 @@ TEST(Admit, AMasterThatLeavesACamWithASlopeStepsTheSlave) {
   EXPECT_EQ(cause_of(admit(job, {.limits = limits(1e6, 20000)}, 0)), Cause::velocity_step);
 }
 
+// The cam has the third derivative 1 - 3.5 (x - 17/32)^2 over [0, 1], and the master moves at the
+// velocity 1: the jerk has its peak, 1, between the samples at 8/16 and 9/16.
+TEST(Admit, ThePeakOfTheJerkOfACamIsFoundBetweenItsSamples) {
+  const double z = 17.0 / 32;
+  const auto power = [&](double x, int n) { return std::pow(x - z, n); };
+  const double a0 = 3.5 / 3 * power(0, 3);
+  const double v0 = 3.5 / 12 * power(0, 4);
+  const double a = 1 - 3.5 / 3 * power(1, 3) + a0;
+  const double v = 0.5 - 3.5 / 12 * power(1, 4) + a0 + v0;
+  const double p = 1.0 / 6 - 3.5 / 60 * (power(1, 5) - power(0, 5)) + a0 / 2 + v0;
+  const auto cam = table(Domain::master, Interpolation::quintic_hermite, Extrapolation::hold,
+                         {{0, 1}, {0, p}, {0, v}, {0, a}});
+  const auto master = table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
+                            {{0, 1}, {0, 1}, {1, 1}, {}});
+  const Range jerk = Job(1, master, cam).ranges()[3];
+  EXPECT_NEAR(jerk.max.value, 1, 1e-9);
+  EXPECT_NEAR(jerk.max.where, z, 1e-4);
+}
+
 TEST(Admit, RefusesAMotionThatNobodyCouldMake) {
   const auto cam = table(Domain::master, Interpolation::linear, Extrapolation::advance,
                          {{0, 1}, {0, 1}, {}, {}});

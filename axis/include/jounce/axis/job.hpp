@@ -70,9 +70,9 @@ class Job final : public Movement {
   [[nodiscard]] Setpoint at(double t) const;
 
   /// Extreme values over time of position, velocity, acceleration and jerk. For a table over time
-  /// they are exact. For a cam, each interval between two breaks is sampled at 16 points; the peaks
+  /// they are exact. For a cam, each interval between two breaks is sampled at 17 points. The peaks
   /// of position, velocity and acceleration are then refined where the next derivative changes
-  /// sign.
+  /// sign, and the peaks of the jerk around samples that exceed their neighbors.
   [[nodiscard]] const Ranges& ranges() const { return ranges_; }
 
   /// The largest jumps of position, velocity and acceleration during the run and, if the job
