@@ -100,7 +100,7 @@ TEST(CommandValues, OutOfRangeAreNamed) {
   const Wrong all[] = {
       {CommandKind::enable, {1}, "enable takes 0 values at most"},
       {CommandKind::halt, {1, 1, -1}, "halt takes 2 values at most"},
-      {CommandKind::start_table, {0, 0, 0, 0, 0, 0, 0, 1}, "start takes 0 values at most"},
+      {CommandKind::start_table, {0, 0, 0, 0, 0, 0, 0, 1}, "start_table takes 0 values at most"},
       {CommandKind::set_position, {NAN}, "position must be finite"},
       {CommandKind::set_position, {1, 0.5}, "relative must be 0 or 1"},
       {CommandKind::home, {inf}, "offset must be finite"},

@@ -74,7 +74,7 @@ TEST(ObservedDrive, IsAskedOnceACycleAndSaysNothingInAFault) {
   EXPECT_EQ(puppet->told, 7);
   puppet->says.fault = true;
   EXPECT_EQ(drive.feedback().position, 5) << "the axis gets all of it";
-  EXPECT_TRUE(std::isnan(drive.position())) << "who follows it does not believe it";
+  EXPECT_TRUE(std::isnan(drive.position())) << "a follower uses no position of a faulty drive";
 }
 
 }  // namespace

@@ -337,7 +337,7 @@ TEST_F(Recorded, ForeignFilesAreRefusedAndForeignChannelsLeftOut) {
 // Records from before the replay of outputs.
 TEST(RecordedEvents, OfAnAxisOfVersionTwoAreRefusedInOneError) {
   std::string bytes = encoded(RecordedAxis{});
-  ASSERT_EQ(bytes[9], 7) << "the version, big-endian, after eight bytes of the type";
+  ASSERT_EQ(bytes[9], 8) << "the version, big-endian, after eight bytes of the type";
   bytes[9] = 2;
   try {
     decoded("JOUNCE.axis", bytes);
@@ -508,7 +508,7 @@ TEST(RecordedEvents, EveryCommandComesBack) {
                               {.what = command::MoveAdditive{-3, dynamics}, .at = 7},
                               {command::MoveSuperimposed{-3, dynamics}},
                               {command::MoveVelocity{-3, {2.5, 3.5, 4.5}, BufferMode::buffered}},
-                              {command::Halt{{3.5, 4.5}}},
+                              {command::Halt{{.deceleration = 3.5, .jerk = 4.5}}},
                               {command::Couple{.tick = 99}}};
   for (const Command& command : commands) {
     const std::string bytes = encoded(RecordedCycle{.command = command});
@@ -520,6 +520,30 @@ TEST(RecordedEvents, EveryCommandComesBack) {
     RecordedCycle bare{.command = {*made<AxisCommand>(command.kind())}};
     EXPECT_NE(encoded(bare), bytes) << name(command.kind());
   }
+}
+
+// The members that no client sends.
+TEST(RecordedEvents, GroupsTicksAndConditionsComeBack) {
+  const auto back = [](const Command& command) {
+    const std::string bytes = encoded(RecordedCycle{.command = command});
+    return std::get<RecordedCycle>(*decoded("JOUNCE.cycle", bytes)).command.what;
+  };
+  constexpr std::int64_t large = (std::int64_t{1} << 60) + 1;  // a double would round it
+  EXPECT_EQ(std::get<command::Arm>(back({command::Arm{.group = large}})).group, large);
+  const auto start = std::get<command::Start>(
+      back({command::Start{StartAt::master_position, large, 460.5, large + 2}}));
+  EXPECT_EQ(start.when, StartAt::master_position);
+  EXPECT_EQ(start.tick, large);
+  EXPECT_EQ(start.position, 460.5);
+  EXPECT_EQ(start.group, large + 2);
+  const auto extend = std::get<command::Extend>(
+      back({command::Extend{.position = 1.5, .shift = 2.5, .until = 3.5}}));
+  EXPECT_EQ(extend.position, 1.5);
+  EXPECT_EQ(extend.shift, 2.5);
+  EXPECT_EQ(extend.until, 3.5);
+  const auto jog =
+      std::get<command::MoveVelocity>(back({command::MoveVelocity{.hold_to_run = true}}));
+  EXPECT_TRUE(jog.hold_to_run);
 }
 
 TEST(RecordedEvents, ACountThatIsNoWholeNumberIsRejected) {

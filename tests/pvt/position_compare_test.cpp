@@ -41,7 +41,7 @@ PositionCompare pulses_at(const std::vector<double>& positions) {
 TEST(PositionCompare, HoldsItsOutputOnceTheAxisIsBeyond) {
   const PositionCompare compare{.mode = CompareMode::greater, .points = {{10000}}};
   const Compared all = compared(compare, there_and_back(0, 12000));
-  ASSERT_EQ(all.edges.size(), 1U);  // and on it stays, on the way back too
+  ASSERT_EQ(all.edges.size(), 1U);  // stays on, also on the way back
   EXPECT_TRUE(all.edges[0].on);
   EXPECT_NEAR(all.edges[0].time, 0.25 + 10, 1e-12);  // v^2 / 2a = 250 in 0.5 s, then 9750 at 1000
 }

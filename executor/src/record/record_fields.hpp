@@ -2,15 +2,18 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <variant>
 
+#include "jounce/command/command_table.hpp"
 #include "jounce/executor/record.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "executor/src/record/flat_command.hpp"
+#include "executor/src/record/command_fields.hpp"
 
 /// The fields that the types of record.hpp ("ours") and the LCM types in executor/lcm ("theirs")
 /// have in common. There is one list for each type, for all purposes: each_input(ours, theirs,
@@ -33,21 +36,10 @@ template <class Ours, class Theirs, class F>
 void each_command(Ours& c, Theirs& w, F f) {
   f("id", c.id, w.id);
   f("command", c.kind, w.command);
-  f("start_at", c.start_at, w.start_at);
   f("at", c.at, w.at);
-  f("command_position", c.position, w.command_position);
-  f("relative", c.relative, w.relative);
-  f("factor", c.factor, w.factor);
-  f("move_velocity", c.dynamics.velocity, w.move_velocity);
-  f("move_acceleration", c.dynamics.acceleration, w.move_acceleration);
-  f("move_deceleration", c.dynamics.deceleration, w.move_deceleration);
-  f("move_jerk", c.dynamics.jerk, w.move_jerk);
-  f("direction", c.direction, w.direction);
-  f("buffer", c.buffer, w.buffer);
-  f("home_method", c.method, w.home_method);
-  f("index_velocity", c.index_velocity, w.index_velocity);
-  f("home_timeout", c.timeout, w.home_timeout);
-  f("home_distance", c.distance, w.home_distance);
+  f("group", c.group, w.group);
+  for (std::size_t k = 0; k < c.values.size(); ++k)
+    f("command_values", c.values[k], w.command_values[k]);
 }
 
 template <class Ours, class Theirs, class F>
@@ -244,6 +236,8 @@ inline constexpr int count_of<CompareMode> = static_cast<int>(CompareMode::fifo_
 template <>
 inline constexpr int count_of<BufferMode> = static_cast<int>(BufferMode::blending_high) + 1;
 template <>
+inline constexpr int count_of<ProbeEdge> = static_cast<int>(ProbeEdge::both) + 1;
+template <>
 inline constexpr int count_of<Cause> = 256;
 template <>
 inline constexpr int count_of<MarkLoss> = static_cast<int>(MarkLoss::hold) + 1;
@@ -291,5 +285,40 @@ struct Get {
     if (!std::isnan(theirs)) ours = theirs;
   }
 };
+
+/// Sets a member of a command from its number in a record. Throws InputError if the member needs a
+/// whole number, or an enumerator, and the number is none.
+template <class Member>
+void set_member(Member& member, double number) {
+  if constexpr (std::is_floating_point_v<Member>) {
+    member = number;
+  } else {
+    constexpr double most = std::numeric_limits<std::int32_t>::max();
+    constexpr double least = std::is_enum_v<Member> ? -1 : 0;
+    if (!(number >= least && number <= most && std::trunc(number) == number))
+      throw InputError("command_values", std::to_string(number),
+                       "must be a whole number from 0 to 2147483647");
+    Get{}("command_values", member, static_cast<std::int32_t>(number));
+  }
+}
+
+/// Returns the command of a record, without its movement. Throws InputError for a kind that no axis
+/// executes, and for a damaged number.
+inline Command command_of(const CommandFields& fields) {
+  const auto with_defaults = made<AxisCommand>(fields.kind);
+  if (!with_defaults) throw InputError("command", name(fields.kind), "is not a command of an axis");
+  Command command{.what = *with_defaults, .at = fields.at, .id = fields.id};
+  const auto get = [&](auto& what) {
+    std::size_t i = 0;
+    each_value(what, [&](auto& member) { set_member(member, fields.values.at(i++)); });
+    if constexpr (requires { what.group; }) what.group = fields.group;
+    if constexpr (requires { what.tick; }) {
+      what.tick = fields.at;
+      command.at = -1;
+    }
+  };
+  std::visit(get, command.what);
+  return command;
+}
 
 }  // namespace jounce::record_fields

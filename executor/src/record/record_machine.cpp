@@ -71,7 +71,7 @@ cycle_t on_wire(const RecordedCycle& c) {
   cycle_t w{};
   w.axis = static_cast<std::int16_t>(c.axis);
   const Refusals refusals(c.tick);
-  const FlatCommand command = flat(c.command);
+  const CommandFields command = fields_of(c.command);
   each_command(command, w, Put{});
   each_input(c, w, Put{});
   each_output(c.tick, refusals, w, Put{});
@@ -81,7 +81,7 @@ cycle_t on_wire(const RecordedCycle& c) {
 RecordedCycle ours(const cycle_t& w) {
   RecordedCycle c{.axis = static_cast<std::size_t>(w.axis)};
   Refusals refusals;
-  FlatCommand command;
+  CommandFields command;
   each_command(command, w, Get{});
   c.command = command_of(command);
   each_input(c, w, Get{});

@@ -36,7 +36,7 @@ namespace jounce::record_wire {
 using namespace jounce_record;
 using namespace record_fields;
 
-inline constexpr std::int16_t version = 7;           ///< version of the format, in every type
+inline constexpr std::int16_t version = 8;           ///< version of the format, in every type
 inline constexpr std::size_t knots_an_event = 200;   ///< greatest number of knots in an event
 inline constexpr std::size_t values_an_event = 200;  ///< the same of values of a compensation
 

@@ -63,7 +63,7 @@ struct TracePath {
   static constexpr std::size_t most_points = 4096;  ///< greatest number of points
   /// Greatest number of coordinates: the first axes of the group, or of the path of its tool.
   static constexpr std::size_t most_names = 3;
-  static constexpr std::size_t most_name = 24;      ///< greatest length of a name, bytes
+  static constexpr std::size_t most_name = 24;  ///< greatest length of a name, bytes
 
   std::uint64_t number = 0;       ///< number of the path, from 1; 0: none
   std::uint64_t coordinates = 0;  ///< number of coordinates
@@ -86,8 +86,8 @@ std::unique_ptr<TracePath> trace_path(const GroupProgram& program, const Executo
 ///
 ///     Trace trace = Trace::of({1'000'000});               // the executor: one axis at 1 kHz
 ///     trace.add(0, tick);                                 // its communication thread, each tick
-///     Trace seen = Trace::opened(descriptor);             // the page process, which only reads
-///     std::vector<TraceTick> ticks = seen.ticks(0, 100, 200);
+///     std::optional<Trace> seen = Trace::opened(descriptor);  // the page process, which only reads
+///     std::vector<TraceTick> ticks = seen->ticks(0, 100, 200);
 ///
 /// The executor adds each tick that its communication thread receives from the cycle, so the trace
 /// has the rate of the cycle, and costs the cycle nothing. A reader that is slow misses ticks; it
