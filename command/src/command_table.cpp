@@ -94,7 +94,7 @@ constexpr std::array rows{
     sent<command::QueueSwitch>("queue_switch", 18, "", "", own, always),
     sent<command::QueueClear>("queue_clear", 19, "", "", own, always),
     sent<command::QueueEnd>("queue_end", 20, "", "", own, always),
-    sent<command::StartTable>("start", 21, "start", "", own, from_rest, moves),
+    sent<command::StartTable>("start_table", 21, "start", "", own, from_rest, moves),
     inner(Kind::extend, "extend", holds),
     sent<command::MoveLinearAbsolute>("move_linear_absolute", 22, "move-linear",
         "MC_MoveLinearAbsolute", own, begins, moves),

@@ -144,7 +144,7 @@ std::string line_in() {
   return line;
 }
 
-/// Until the other end of standard input is closed, as it is where the executor has ended, however it did.
+/// Waits until the other end of standard input is closed: the executor has ended.
 void wait_for_end_of_input() {
   std::array<char, 256> dropped{};
   while (read(STDIN_FILENO, dropped.data(), dropped.size()) > 0) {

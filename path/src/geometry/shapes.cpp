@@ -12,6 +12,7 @@
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "path/src/geometry/gauss.hpp"
 #include "path/src/geometry/hull.hpp"

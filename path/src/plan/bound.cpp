@@ -214,13 +214,21 @@ class Bound {
     const std::size_t n = rates_.axes;
     plan_.path().jets(k, u, std::span(jet).first(n));
     double most = none;
+    std::size_t fastest = 0;
+    for (std::size_t i = 1; i < n; ++i)
+      if (std::abs(jet[i][1]) > std::abs(jet[fastest][1])) fastest = i;
     for (std::size_t i = 0; i < n; ++i) {
       const double sign = jet[i][1] < 0 ? -1 : 1;
       const double p = sign * jet[i][1];
       const double c = sign * jet[i][2];
       const double A = rates_.acceleration[i];
       if (p > 0) most = std::min(most, rates_.velocity[i] * rates_.velocity[i] / (p * p));
-      if (p <= slow_axis && std::abs(c) > 0) most = std::min(most, (A + p * 1e9 * A) / std::abs(c));
+      if (p <= slow_axis) {  // |p q'' + c v^2| <= A, and (4) of the fastest axis limits q''
+        const double share = p > 0 ? p / std::abs(jet[fastest][1]) : 0;
+        const double slope = std::abs(c) - share * std::abs(jet[fastest][2]);
+        const double rest = share > 0 ? share * rates_.acceleration[fastest] : 0;
+        if (slope > 0) most = std::min(most, (A + rest) / slope);
+      }
       for (std::size_t m = 0; m < n; ++m) {
         const double sign_m = jet[m][1] < 0 ? -1 : 1;
         const double p_m = sign_m * jet[m][1];

@@ -992,8 +992,23 @@ inline bool holds_to_run(const ClientCommand& command) {
 /// True for the kinds of the single commands of a group, which the executor takes one after another
 /// (group_queue.hpp).
 constexpr bool is_path_kind(CommandKind kind) {
-  return (kind >= CommandKind::move_linear_absolute && kind <= CommandKind::group_jog) ||
-         (kind >= CommandKind::set_coordinate_transform && kind <= CommandKind::group_m_word);
+  switch (kind) {
+    case CommandKind::move_linear_absolute:
+    case CommandKind::move_linear_relative:
+    case CommandKind::move_circular_absolute:
+    case CommandKind::move_circular_relative:
+    case CommandKind::move_direct_absolute:
+    case CommandKind::move_direct_relative:
+    case CommandKind::group_wait:
+    case CommandKind::group_jog:
+    case CommandKind::set_coordinate_transform:
+    case CommandKind::group_set_position:
+    case CommandKind::group_set_limits:
+    case CommandKind::group_m_word:
+      return true;
+    default:
+      return false;
+  }
 }
 
 /// True for these commands.

@@ -16,7 +16,7 @@ namespace jounce {
 /// in proportion to the angle: the pitch of a helix, or the motion of axes that follow the path.
 ///
 ///     const Arc half = arc_about(from, {50, 0}, {100, 0}, Plane{0, 1}, ArcRotation::clockwise);
-///     const Arc ball = arc_through(from, via, to);               // through three points, in space
+///     const Arc ball = arc_through(from, via, to, 3);            // through three points, in space
 ///     const Arc screw = arc_about(from, center, {0, 0, 100}, Plane{0, 1},
 ///                                 ArcRotation::counterclockwise, 4);  // four extra turns
 ///
