@@ -200,12 +200,13 @@ TEST(PositionRange, AnExcursionIsOneFinding) {
       if (f.broken && f.rule == "limit/position_max") values.push_back(f.value);
     return values;
   };
+  EXPECT_THAT(broken("jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\nto = "
+                     "200\nvelocity = 400\nacceleration = "
+                     "4000\njerk = 80000\n[limits]\nposition_max = 150\n"),
+              ::testing::ElementsAre(::testing::DoubleNear(200, 1e-9)));
   EXPECT_THAT(
-      broken("jounce = 1\nkind = \"move\"\n[move]\nto = 200\nvelocity = 400\nacceleration = "
-             "4000\njerk = 80000\n[limits]\nposition_max = 150\n"),
-      ::testing::ElementsAre(::testing::DoubleNear(200, 1e-9)));
-  EXPECT_THAT(
-      broken("jounce = 1\nkind = \"cam\"\nstart = { master = 0, slave = 0 }\nsegment = [\n"
+      broken("jounce = 1\nkind = \"cam\"\nunits = { position = \"mm\", master = \"deg\" }\nstart = "
+             "{ master = 0, slave = 0 }\nsegment = [\n"
              "{ law = \"345\", end = { master = 10, slave = 25 } },\n"
              "{ law = \"dwell\", end = { master = 20, slave = 25 } },\n"
              "{ law = \"345\", end = { master = 30, slave = 0 } },\n"

@@ -285,7 +285,7 @@ TEST(GroupCommands, AFrameIsChecked) {
   turned.zyz = {1, 2, 3};
   EXPECT_THAT(reason(turned), HasSubstr("--zyz: cannot be combined with --rotation"));
   turned.rotation = as_configured;
-  EXPECT_THAT(reason(turned), HasSubstr("needs three axes"));
+  EXPECT_THAT(reason(turned), HasSubstr("--zyz: needs a group with three path axes"));
 }
 
 /// The axis x needs 100 / 200 s at its velocity, and y is there long before.
