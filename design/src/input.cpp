@@ -216,9 +216,12 @@ void join_excursions(const Input& input, Report& report) {
   const Finding* worst = beyond.front();
   for (std::size_t i = 1; i < beyond.size(); ++i) {
     const Finding& f = *beyond[i];
-    const double joint = joints[*f.segment];
-    const bool goes_on = f.rule == worst->rule && *f.segment == *beyond[i - 1]->segment + 1 &&
-                         (f.value > f.limit ? joint > f.limit : joint < f.limit);
+    const bool above = f.value > f.limit;
+    const auto first = joints.begin() + static_cast<std::ptrdiff_t>(*beyond[i - 1]->segment) + 1;
+    const bool goes_on =
+        f.rule == worst->rule &&
+        std::all_of(first, joints.begin() + static_cast<std::ptrdiff_t>(*f.segment) + 1,
+                    [&](double joint) { return above ? joint > f.limit : joint < f.limit; });
     if (goes_on) dropped.insert(excess(f) > excess(*worst) ? worst : &f);
     if (!goes_on || excess(f) > excess(*worst)) worst = &f;
   }

@@ -200,7 +200,8 @@ TEST(PositionRange, AnExcursionIsOneFinding) {
       if (f.broken && f.rule == "limit/position_max") values.push_back(f.value);
     return values;
   };
-  EXPECT_THAT(broken("jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\nto = "
+  EXPECT_THAT(broken("jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\nprofile "
+                     "= \"s_curve\"\nto = "
                      "200\nvelocity = 400\nacceleration = "
                      "4000\njerk = 80000\n[limits]\nposition_max = 150\n"),
               ::testing::ElementsAre(::testing::DoubleNear(200, 1e-9)));
