@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 
 #include "jounce/base/nearest.hpp"
+#include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -14,6 +16,18 @@ InputError empty_argument(const std::vector<std::string>& words, std::size_t i) 
   const bool named = i > 0 && looks_like_option(words[i - 1]);
   return {named ? words[i - 1] : "argument " + std::to_string(i) + " of " + words.front(), "",
           "is empty: write a value"};
+}
+
+/// The first number that is followed by a unit as a word of its own; "" for none.
+std::string number_and_unit(std::span<const char* const> given) {
+  for (std::size_t i = 1; i < given.size(); ++i) {
+    const std::string number = given[i - 1];
+    double value = 0;
+    const auto [end, bad] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (bad == std::errc() && end == number.data() + number.size() && is_unit(given[i]))
+      return number + " " + given[i];
+  }
+  return "";
 }
 
 std::string did_you_mean(const std::string& near) {
@@ -49,6 +63,8 @@ std::string wrong_verb(std::span<const char* const> given, const std::vector<std
 std::string wrong_option(std::span<const char* const> given,
                          const std::vector<std::string>& options, bool names_output,
                          const std::string& owner) {
+  if (const std::string pair = number_and_unit(given); !pair.empty())
+    return "`" + pair + "` is one value: write it without a space";
   for (const std::string word : given) {
     if (word == "--") return "`--` is not needed before a negative number: leave it out";
     const std::string name = word.substr(0, word.find('='));

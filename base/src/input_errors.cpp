@@ -19,4 +19,22 @@ std::vector<InputError> all_errors(const InputError& error) {
   return {error};
 }
 
+std::string all_sentences(const InputError& error, const std::string& prefix) {
+  std::string text;
+  for (const InputError& one : all_errors(error))
+    text += (text.empty() ? "" : '\n' + prefix) + one.what();
+  return text;
+}
+
+void throw_renamed(const InputError& error,
+                   const std::function<std::string(const std::string& key)>& renamed) {
+  std::vector<InputError> all;
+  for (const InputError& one : all_errors(error)) {
+    const std::string key = one.document().empty() ? renamed(one.key()) : one.key();
+    all.push_back(key == one.key() ? one : InputError(key, one.value(), one.rule()));
+  }
+  if (all.size() == 1) throw all.front();
+  throw InputErrors(std::move(all));
+}
+
 }  // namespace jounce

@@ -8,8 +8,8 @@
 
 #include "jounce/about/standard_streams.hpp"
 #include "jounce/base/file.hpp"
+#include "jounce/base/input_errors.hpp"
 #include "jounce/base/printable.hpp"
-#include "jounce/profiles/error.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
 #include "cli/common/verb.hpp"
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   try {
     return flushed(run(argc, argv));
   } catch (const jounce::InputError& error) {
-    return complain("", error.what(), bad_input);
+    return complain("", jounce::all_sentences(error, "jounce: ").c_str(), bad_input);
   } catch (const jounce::TransportError& error) {
     return complain("", error.what(), fault);
   } catch (const std::bad_alloc&) {

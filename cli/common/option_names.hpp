@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "jounce/profiles/error.hpp"
+#include "jounce/base/input_errors.hpp"
 
 namespace jounce::cli {
 
@@ -34,9 +34,9 @@ auto with_option_names(std::initializer_list<std::string_view> keys, const Act& 
   try {
     return act();
   } catch (const InputError& error) {
-    const bool of_option = std::find(keys.begin(), keys.end(), error.key()) != keys.end();
-    if (!of_option || !error.document().empty()) throw;
-    throw InputError(option_of(error.key()), error.value(), error.rule());
+    throw_renamed(error, [&](const std::string& key) {
+      return std::find(keys.begin(), keys.end(), key) != keys.end() ? option_of(key) : key;
+    });
   }
 }
 

@@ -81,10 +81,10 @@ int report(const OrderArguments& options, const CallOutcome& outcome, const wire
   if (options.json)
     print_json(command_json(outcome));
   else if (outcome.ok())
-    fmt::print("{}: {}\n", axis, accepted_text(options.words.what, before, axis));
+    fmt::print("{}: {}\n", axis, accepted_text(options.words, before, axis));
   else
     fmt::print(stderr, "jounce: {}: {}\n", axis,
-               reason_text(outcome, axis, kind_of(options.words)));
+               reason_text(outcome, axis, kind_of(options.words), before.last_error));
   return status_of(outcome, {StreamError::refused});
 }
 

@@ -54,10 +54,11 @@ int run_convert(const ConvertArguments& options) {
   const Input input =
       only_one(over(options.over, load_axes(options.input, options.axis, options.decimal_comma)),
                options.input);
-  const Converted made =
-      with_option_names({"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step",
-                         "v_step", "intervals", "format", "master_unit", "position_unit"},
-                        [&] { return converted(input, conversion_of(options, form, input)); });
+  Conversion wanted;
+  const Converted made = with_option_names(
+      {"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step", "v_step",
+       "intervals", "format", "master_unit", "position_unit"},
+      [&] { return converted(input, wanted = conversion_of(options, form, input)); });
   const bool writes = made.within_limit() || options.allow_loss;
   const std::string text = with_option_names({"every", "master_unit", "position_unit"}, [&] {
     return form_text(form, made.file, options.every);
@@ -68,13 +69,8 @@ int run_convert(const ConvertArguments& options) {
   if (options.json)
     fmt::print(out, "{}\n", conversion_json(made, form, writes ? options.output : "", lost));
   else
-    fmt::print(
-        out, "{}{}", conversion_text(input, made, form, lost),
-        writes ? ""
-        : options.intervals > 0
-            ? "nothing was written: give more --intervals, or accept the error with "
-              "--allow-loss\n"
-            : "nothing was written: give --tolerance, or accept the error with --allow-loss\n");
+    fmt::print(out, "{}{}", conversion_text(input, made, form, lost),
+               writes ? "" : unwritten_text(wanted, made) + "\n");
   return writes ? fine : finding;
 }
 

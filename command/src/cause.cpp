@@ -152,7 +152,10 @@ constexpr std::array entries{
           "start "
           "the executor with --adopt-start. A table over time also begins at the position of the "
           "axis with --rolling --relative. With a live master, use --start-at, or start = "
-          "\"ramp_in\" in [coupling]."},
+          "\"ramp_in\" in [coupling].",
+          nullptr,
+          "Or start the executor with --adopt-start. With --live, use --start-at instead, or start "
+          "= \"ramp_in\" in [coupling]."},
     Entry{Cause::start_velocity, "start_velocity", "The table does not begin at rest.",
           "Add a ramp at the start. The permitted step of the velocity is the acceleration limit "
           "times one cycle."},
@@ -201,8 +204,7 @@ constexpr std::array entries{
           "accelerations."},
     Entry{Cause::wrong_unit, "wrong_unit",
           "The unit of the table differs from the unit of the axis.",
-          "Correct units in the spec of the table or of the axis. A length cannot be converted to "
-          "an angle: send the table to an axis with its unit."},
+          "Correct units in the spec of the table or of the axis: both need the same unit."},
     Entry{Cause::no_master_input, "no_master_input",
           "The axis has no live master: its spec has no [follow], or the master sends no "
           "position in the unit that [follow] expects.",
@@ -224,15 +226,20 @@ constexpr std::array entries{
     Entry{Cause::home_timeout, "home_timeout", "The homing took longer than its timeout.",
           "Raise timeout or search_velocity in [homing], and check that the override is not 0."},
     Entry{Cause::home_not_found, "home_not_found",
-          "The search reached the other limit switch, or the distance of [homing], before it found "
-          "the switch of the homing method.",
-          "Check the wiring of the switch, raise the distance of [homing], or choose another "
-          "method."},
-    Entry{Cause::index_not_found, "index_not_found",
-          "The search for the index pulse went further than the distance of [homing].",
-          "Make this distance greater than one turn, and check the index of the encoder."},
+          "The search reached the other limit switch before it found the switch of the homing "
+          "method.",
+          "Check the wiring of the switch, or choose another method."},
+    Entry{
+        Cause::index_not_found, "index_not_found",
+        "The search for the index pulse moved its whole distance without finding it.",
+        "Make this distance (--distance, or distance in [homing]) greater than one turn, and check "
+        "the index of the encoder."},
     Entry{Cause::both_switches, "both_switches", "Both limit switches were on during the homing.",
           "Check the wiring and the supply of both limit switches."},
+    Entry{Cause::search_distance, "search_distance",
+          "The search moved its whole distance without finding the switch of the homing method.",
+          "Check the wiring of the switch, or give a greater distance (--distance, or distance in "
+          "[homing])."},
     Entry{Cause::not_homed, "not_homed", "The axis is not homed, and the command requires it.",
           "Home the axis: `jounce order NAME home`. A move by a distance (--by) is permitted "
           "before the homing."},
@@ -265,16 +272,16 @@ constexpr std::array entries{
         Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
         "Use `jounce order NAME move --to POSITION`. For a table: choose one axis of the path with "
         "--axis.",
-        "Send the command to a group. An axis moves with `jounce order NAME move --to POSITION`, "
-        "and jogs with `jounce order NAME jog VELOCITY`.",
+        "Send the command to a group, or move the axis: `jounce order NAME move --to POSITION`.",
         "Choose one axis of the path with --axis, or send the path to a group."},
-    Entry{Cause::no_trigger_input, "no_trigger_input",
-          "The drive of the axis does not have this trigger input.",
-          "Choose an input that the drive has: 1 to 4, home or index. For a simulated drive, add "
-          "[drive.machine] with [[drive.machine.marks]], home_switch or index to the spec of the "
-          "axis."},
+    Entry{
+        Cause::no_trigger_input, "no_trigger_input",
+        "The drive of the axis does not have this trigger input.",
+        "Choose an input that the drive has, or connect this one. For a simulated drive, add "
+        "[[drive.machine.marks]] (1 to 4), or home_switch or index in [drive.machine], to the spec "
+        "of the axis."},
     Entry{Cause::no_touch_probe, "no_touch_probe", "No touch probe waits at this input.",
-          "Nothing: the touch probe has made its captures, or was never started."},
+          "The touch probe has made its captures, or was never started."},
     Entry{Cause::probe_window, "probe_window",
           "The window of the touch probe contains no position that the axis can reach.",
           "Give a first position below the last position, both within the position range of the "
@@ -322,8 +329,7 @@ constexpr std::array entries{
           "The spec has no table, cutter or program to start.",
           "Send a table or a path with `jounce stream`."},
     Entry{Cause::no_cut_plan, "no_cut_plan", "The axis does not cut: no plan of cuts is running.",
-          "Start the plan of its cutter: `jounce order NAME start`. The spec of the axis names the "
-          "cutter (`cutter` in [axis])."},
+          "Start the plan of its cutter: `jounce order NAME start`."},
     Entry{Cause::cut_length, "cut_length",
           "The cutter cannot make a piece of this length at the speed of its line.",
           "Give a possible length. For shorter pieces, run a slower line: lower the line speed in "
@@ -384,9 +390,8 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::jerk_limit, CommandKind::gear_in, longer_clutch},
     OrderRemedy{Cause::jerk_limit, CommandKind::gear_in_pos, longer_start},
     OrderRemedy{Cause::no_movement, CommandKind::resume, "Nothing is held: no resume is needed."},
-    OrderRemedy{Cause::not_synchronized, CommandKind::gear_out,
-                "Nothing: the axis is not in gear."},
-    OrderRemedy{Cause::not_synchronized, CommandKind::cam_out, "Nothing: the axis follows no cam."},
+    OrderRemedy{Cause::not_synchronized, CommandKind::gear_out, "No gear-out is needed."},
+    OrderRemedy{Cause::not_synchronized, CommandKind::cam_out, "No cam-out is needed."},
     OrderRemedy{Cause::not_synchronized, CommandKind::phasing_absolute, engage_first},
     OrderRemedy{Cause::not_synchronized, CommandKind::phasing_relative, engage_first}};
 
@@ -500,6 +505,21 @@ std::string used_up(const Refusal& refusal, const std::string& unit) {
          unit_of(limits[index], unit) + ".";
 }
 
+std::string input_name(int input) {
+  if (input == home_switch_input) return "home";
+  return input == index_input ? "index" : std::to_string(input);
+}
+
+/// The inputs of the drive, from the bits in Refusal::limit.
+std::string other_inputs(const Refusal& refusal) {
+  std::string inputs;
+  for (int input = 1; input <= probe_inputs; ++input)
+    if ((static_cast<unsigned>(refusal.limit) >> static_cast<unsigned>(input - 1) & 1U) != 0)
+      inputs += (inputs.empty() ? "" : ", ") + input_name(input);
+  return input_name(static_cast<int>(refusal.value)) + "; it has " +
+         (inputs.empty() ? "none" : inputs);
+}
+
 const Entry& entry(Cause cause) {
   const auto* const found = std::find_if(entries.begin(), entries.end(),
                                          [&](const Entry& e) { return e.cause == cause; });
@@ -543,6 +563,8 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
   if (cause == Cause::too_late)
     return words + ": " + tick_text(refusal.value) + "; the axis is at " +
            tick_text(refusal.limit) + ".";
+  if (cause == Cause::no_trigger_input && refusal.value >= 1)
+    return words + ": " + other_inputs(refusal) + ".";
   if (cause == Cause::no_such_move && !std::isnan(refusal.where))
     return words + ": " + six_digits(refusal.value) + unit_of(cause, unit) +
            " is not in this direction from " + six_digits(refusal.limit) + unit_of(cause, unit) +

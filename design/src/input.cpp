@@ -187,6 +187,47 @@ std::string advice_at_edge(const Input& input, const Finding& step) {
   return "";
 }
 
+/// The positions at which the pieces of a curve begin.
+std::vector<double> joints_of(const Input& input) {
+  return of_motion(input, [](const auto& motion) {
+    std::vector<double> all;
+    if constexpr (requires { motion.segments(); })
+      for (const Segment& piece : motion.segments()) all.push_back(value(piece, 0));
+    else
+      all = motion.columns().p;
+    return all;
+  });
+}
+
+/// Keeps the worst finding of each excursion beyond a limit of the position. An excursion may take
+/// several pieces: it goes on where the curve is beyond the limit at their joint.
+void join_excursions(const Input& input, Report& report) {
+  std::vector<const Finding*> beyond;
+  for (const Finding& f : report.findings)
+    if (f.broken && f.segment && (f.rule == "limit/position_max" || f.rule == "limit/position_min"))
+      beyond.push_back(&f);
+  if (beyond.size() < 2) return;
+  std::sort(beyond.begin(), beyond.end(), [](const Finding* a, const Finding* b) {
+    return std::pair(a->rule.text(), *a->segment) < std::pair(b->rule.text(), *b->segment);
+  });
+  const std::vector<double> joints = joints_of(input);
+  const auto excess = [](const Finding& f) { return std::abs(f.value - f.limit); };
+  std::set<const Finding*> dropped;
+  const Finding* worst = beyond.front();
+  for (std::size_t i = 1; i < beyond.size(); ++i) {
+    const Finding& f = *beyond[i];
+    const bool above = f.value > f.limit;
+    const auto first = joints.begin() + static_cast<std::ptrdiff_t>(*beyond[i - 1]->segment) + 1;
+    const bool goes_on =
+        f.rule == worst->rule &&
+        std::all_of(first, joints.begin() + static_cast<std::ptrdiff_t>(*f.segment) + 1,
+                    [&](double joint) { return above ? joint > f.limit : joint < f.limit; });
+    if (goes_on) dropped.insert(excess(f) > excess(*worst) ? worst : &f);
+    if (!goes_on || excess(f) > excess(*worst)) worst = &f;
+  }
+  std::erase_if(report.findings, [&](const Finding& f) { return dropped.contains(&f); });
+}
+
 /// Keeps the worst finding of each limit in each segment of the spec, which may have several pieces.
 void keep_worst(Report& report, const Labels& labels) {
   std::set<std::tuple<std::string, bool, std::string>> seen;
@@ -215,6 +256,7 @@ void name_first_passages(const Input& input, Report& report) {
 Report check_curve(const Input& input, int continuity) {
   const Table& table = input.table.table;
   Report report = of_motion(input, [&](const auto& motion) { return check(motion, input.limits); });
+  join_excursions(input, report);
   keep_worst(report, input.labels);
   advise_on_limits(input, report);
   if (input.plan)
@@ -425,12 +467,12 @@ Spec read_gcode_machine(const std::string& machine, const std::string& program) 
 }  // namespace
 
 std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine) {
-  Spec spec = read_gcode_machine(machine, path);
-  auto* const of = std::get_if<PathSpec>(&spec.subject);
   const std::string name = path == "-" ? "standard input" : path;
   std::string program = read_file(path);
   if (!spec_kind(program).empty())
     throw InputError("", "", "is a spec, not a G-code program: leave out --machine").at(name, 1);
+  Spec spec = read_gcode_machine(machine, path);
+  auto* const of = std::get_if<PathSpec>(&spec.subject);
   set_gcode(*of, std::move(program), name);
   spec.name = path == "-" ? "standard input" : printable(path);
   return inputs_of(spec, machine);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
 #include "report/src/words.hpp"
@@ -51,12 +52,36 @@ Finding tidy(Finding f) {
   return f;
 }
 
+/// True for a limit that a value must not be below.
+bool is_lower(const Finding& f) {
+  if (is_position_limit(f)) return f.rule.name() == "position_min";
+  return is_least(f) || f.rule == "follower/contact" || f.limit < 0;
+}
+
+/// The limit without its unit, rounded so that a motion at this number keeps it.
+std::string limit_number(const Finding& f) {
+  return is_lower(f) ? six_digits_up(f.limit) : six_digits_down(f.limit);
+}
+
+/// The value without its unit; beside a limit that it breaks, with as many digits as show the
+/// difference.
+std::string value_number(const Finding& f) {
+  std::string text = rounded(f.value);
+  for (int digits = 7; f.broken && text == limit_number(f) && digits <= 17; ++digits)
+    text = fmt::format("{:.{}g}", f.value, digits);
+  return text;
+}
+
+std::string in_unit(const std::string& number, const std::string& unit) {
+  return unit.empty() ? number : number + " " + unit;
+}
+
 /// Verdict of a curve against a limit, with its margin.
 std::string verdict(const Finding& finding, const std::string& unit) {
   // The limit of a master is not in the spec: it follows from those of the slave.
   const bool derived = finding.rule.text().starts_with("limit/master_");
   const std::string limit =
-      with_unit(finding.limit, unit) + (derived ? " (from limits.slave)" : "");
+      in_unit(limit_number(finding), unit) + (derived ? " (from limits.slave)" : "");
   if (std::isinf(finding.limit) && !finding.broken) return "has no limit";
   if (derived && finding.broken && finding.limit == 0)
     return "is not possible: the slave exceeds a limit here at any speed of the master";
@@ -220,9 +245,10 @@ std::string of_unstable_loop(const Finding& f, const std::string& where) {
 std::string of_limit(const Finding& f, const Labels& labels, const std::string& where) {
   const bool met = !f.broken && std::abs(f.margin) < just_met;
   const bool of_whole = f.quantity.starts_with("rms ");  // an rms has no place
-  return fmt::format(
-      "{} {} {} {}", f.quantity, with_unit(met ? f.limit : f.value, labels.unit_of(f)),
-      of_whole ? "over the whole motion" : "at " + where, verdict(f, labels.unit_of(f)));
+  return fmt::format("{} {} {} {}", f.quantity,
+                     in_unit(met ? limit_number(f) : value_number(f), labels.unit_of(f)),
+                     of_whole ? "over the whole motion" : "at " + where,
+                     verdict(f, labels.unit_of(f)));
 }
 
 }  // namespace

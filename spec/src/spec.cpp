@@ -380,8 +380,7 @@ void require_spec_text(const Document& document) {
     throw InputError("", "", "is not a text file: it has a zero byte here")
         .at(document.name, line_number(text, at));
   if (is_table(text) || exchange_format_of_text(text) != nullptr)
-    throw InputError("", "", "is a table: give the spec of the motion instead")
-        .at(document.name, 1);
+    throw InputError("", "", "is a table, not a spec: give a spec").at(document.name, 1);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("", "", "the file is empty: `jounce new` writes a spec to start with")
         .at(document.name, 1);

@@ -58,6 +58,9 @@ TEST(CommandWords, NameTheNearestOption) {
             "`-o` is not an option of this verb");
   EXPECT_EQ(wrong_option(Words{"-o", "a.csv"}, options, true),
             "`-o` is not an option of this verb: name the output as the second argument");
+  EXPECT_EQ(wrong_option(Words{"a", "--strict", "-1.5", "mm/s", "b"}, options, false),
+            "`-1.5 mm/s` is one value: write it without a space");
+  EXPECT_EQ(wrong_option(Words{"a", "1.5", "b", "mm"}, options, false), "");
 }
 
 TEST(CommandWords, TranslateTheSentencesOfTheParser) {

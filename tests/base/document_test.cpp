@@ -25,12 +25,13 @@ std::string located(const char* key, double value, const std::string& rule) {
 }
 
 TEST(Document, NumbersOfARuleHaveTheUnitsOfTheirKeys) {
-  EXPECT_EQ(located("stroke", 120,
-                    "must be at least 337.5 at this line_speed; at this stroke, line_speed must be "
-                    "at most 300, or sync_time at most 0.2: run-up and braking alone take 187.5"),
-            "s.toml:4:10: shear.stroke = 120 mm: must be at least 337.5 mm at this line_speed; at "
-            "this stroke, line_speed must be at most 18 m/min, or sync_time at most 0.2 s: run-up "
-            "and braking alone take 187.5 mm");
+  EXPECT_EQ(
+      located("stroke", 120,
+              "must be at least 337.5, of which run-up and braking take 187.5, at line_speed = "
+              "1000; at this stroke, line_speed must be at most 300, or sync_time at most 0.2"),
+      "s.toml:4:10: shear.stroke = 120 mm: must be at least 337.5 mm, of which run-up and "
+      "braking take 187.5 mm, at line_speed = 60 m/min; at this stroke, line_speed must be at "
+      "most 18 m/min, or sync_time at most 0.2 s");
   EXPECT_EQ(located("line_speed", 3000, "must be at most 2000: above limits.slave.velocity = 2000"),
             "s.toml: shear.line_speed = 180 m/min: must be at most 120 m/min: above "
             "limits.slave.velocity = 2000 mm/s");

@@ -1438,8 +1438,15 @@ TEST_F(Cli, ConvertStatesItsLoss) {
   EXPECT_EQ(
       run("convert a.toml c.bas").err,
       "jounce: --position-resolution: is missing: the format trio has the position in counts. "
-      "Give the size of one count, such as 0.001 mm\n");
+      "Give the size of one count, such as 0.001mm\n");
+  const std::string both = run("convert a.toml c.dmc").err;
+  EXPECT_THAT(both, HasSubstr("jounce: --resolution: is missing"));
+  EXPECT_THAT(both, HasSubstr("\njounce: --position-resolution: is missing"));
   EXPECT_EQ(run("convert a.toml c.bas --position-resolution 1um").status, 0);
+  EXPECT_THAT(run("convert a.toml c.csv --tolerance 1 um").err,
+              HasSubstr("`1 um` is one value: write it without a space"));
+  EXPECT_THAT(run("convert a.toml e.csv --most 5 --tolerance 1um").out,
+              HasSubstr("raise --most (5), give a greater --tolerance"));
   EXPECT_EQ(run("convert a.toml b.xyva --tolerance 0.1um").status, 0);
   const Result close = run("diff a.toml b.xyva --tolerance position=0.1um");
   EXPECT_EQ(close.status, 0) << close.out;

@@ -34,8 +34,8 @@ tick() {
 }
 order plotter override 100% || fail "override: $(cat out)"
 refused 1 'the enabled group plotter alone moves this axis' x override 50%
-refused 1 '--to: is missing' plotter move-linear --to ,
-refused 1 'has no length' plotter move-linear --to 0,0
+refused 1 'the command has no coordinate: give at least one' plotter move-linear --to ,
+refused 1 'the path already ends at (0, 0)' plotter move-linear x=0
 got=0
 order x move-linear x=5 || got=$?
 [ $got = 2 ] && grep -q 'must be a group' out || fail "a coordinate of a single axis: $got, $(cat out)"
@@ -45,7 +45,7 @@ order plotter move-linear z=5 || got=$?
 refused 1 'has 3 coordinates, but the group has 2 axes' plotter move-linear --to 0,0,5
 refused 1 'position_max' plotter move-linear --to 1000000000,0
 refused 1 'needs a buffer mode that blends' plotter move-linear --to 5,5 --deviation 1
-refused 1 'one of three ways to define an arc' plotter move-circular --to 5,5
+refused 1 'needs exactly one of --via, --center and --radius' plotter move-circular --to 5,5
 refused 1 radius plotter move-circular --to 50,0 --radius 2
 got=0
 order plotter move-linear --to nan,1 || got=$?

@@ -61,7 +61,7 @@ wait_for slide '"homed":false'
 # orders and faults that end it
 refused 1 'not homed: home_timeout' slide home --timeout 100ms
 order slide reset || fail "reset: $(cat out)"
-refused 1 'not homed: home_not_found' slide home --distance 5mm
+refused 1 'not homed: search_distance: The search moved its whole distance.*--distance' slide home --distance 5mm
 order slide reset || fail "reset: $(cat out)"
 "$jounce" order slide home --search-velocity 2mm/s > slow 2>&1 &
 slow=$!

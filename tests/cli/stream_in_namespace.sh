@@ -116,8 +116,8 @@ stands_at() {  # stands_at AXIS POSITION
 }
 
 # A queue begins at its own place, within the axis's range, or not at all.
-refused "rolling from elsewhere" 'begins at 200 mm; the axis would start it at 0 mm' 200-280.toml --to x --rolling --ahead 2
-refused "banks from elsewhere" 'begins at 200 mm; the axis would start it at 0 mm' 200-280.toml --to x --bank 0-80.toml
+refused "rolling from elsewhere" 'begins at 200 mm, but the axis is at 0 mm: send `jounce order x move --to 200mm`' 200-280.toml --to x --rolling --ahead 2
+refused "banks from elsewhere" 'begins at 200 mm, but the axis is at 0 mm' 200-280.toml --to x --bank 0-80.toml
 stands_at x 0
 stream 0-80.toml --to x --rolling --ahead 2 || fail "rolling from its place: $(cat out.txt)"
 stands_at x 80

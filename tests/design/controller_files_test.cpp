@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/base/input_errors.hpp"
 #include "jounce/design/convert.hpp"
 
 #include "support/errors.hpp"
@@ -485,7 +486,7 @@ TEST(ControllerFiles, WithTooFewKnotsAreNotWithinTheLimit) {
   EXPECT_EQ(made.counts, "master: 1 count is 0.01 deg; position: 1 count is 0.001 mm");
   EXPECT_THAT(conversion_text(cam_e(), made, {"galil", &galil}, {}),
               HasSubstr("the error exceeds the tolerance, 0.004 mm (by default, a ten-thousandth "
-                        "of the travel); the format holds at most 257"));
+                        "of the travel)\n"));
 }
 
 TEST(ControllerFiles, OfFourStepsLoseWhatTheNotesState) {
@@ -504,8 +505,16 @@ TEST(ControllerFiles, NameWhatAFormatNeeds) {
   };
   EXPECT_EQ(rule(cam_e(), "trio"),
             "p_step: is missing: the format trio has the position in counts. Give the size of one "
-            "count, such as 0.001 mm");
-  EXPECT_THAT(rule(cam_e(), "galil"), HasSubstr("x_step: is missing"));
+            "count, such as 0.001mm");
+  const ExchangeFormat& galil = *exchange_format_named("galil");
+  try {
+    (void)converted(cam_e(), {.rule = rule_of(galil), .format = &galil});
+    FAIL();
+  } catch (const InputErrors& errors) {
+    ASSERT_EQ(errors.all().size(), 2U);
+    EXPECT_EQ(errors.all()[0].key(), "x_step");
+    EXPECT_EQ(errors.all()[1].key(), "p_step");
+  }
   EXPECT_THAT(rule(cam_e(), "xps"), HasSubstr("is for motions over time; this table is a cam"));
   EXPECT_THAT(rule(move_p(0.4), "trio"), HasSubstr("is for cams"));
   Input turn = input_of(

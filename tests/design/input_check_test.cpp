@@ -191,6 +191,31 @@ TEST(PositionRange, TheFindingNamesTheFirstPassageOfTheLimit) {
   EXPECT_EQ(advice("", "20000"), "");
 }
 
+/// The excursion above 20000 takes several pieces of the move; that above 20 takes all three
+/// segments of the cam, and its second rise to 30 begins below the limit.
+TEST(PositionRange, AnExcursionIsOneFinding) {
+  const auto broken = [](const std::string& text) {
+    std::vector<double> values;
+    for (const Finding& f : check_all(only(text)).findings)
+      if (f.broken && f.rule == "limit/position_max") values.push_back(f.value);
+    return values;
+  };
+  EXPECT_THAT(broken("jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\nprofile "
+                     "= \"s_curve\"\nto = "
+                     "200\nvelocity = 400\nacceleration = "
+                     "4000\njerk = 80000\n[limits]\nposition_max = 150\n"),
+              ::testing::ElementsAre(::testing::DoubleNear(200, 1e-9)));
+  EXPECT_THAT(
+      broken("jounce = 1\nkind = \"cam\"\nunits = { position = \"mm\", master = \"deg\" }\nstart = "
+             "{ master = 0, slave = 0 }\nsegment = [\n"
+             "{ law = \"345\", end = { master = 10, slave = 25 } },\n"
+             "{ law = \"dwell\", end = { master = 20, slave = 25 } },\n"
+             "{ law = \"345\", end = { master = 30, slave = 0 } },\n"
+             "{ law = \"345\", end = { master = 40, slave = 30 } },\n"
+             "{ law = \"345\", end = { master = 50, slave = 0 } }]\n[limits]\nposition_max = 20\n"),
+      ::testing::UnorderedElementsAre(25, 30));
+}
+
 TEST(TableTolerance, BelowTheRoundingIsRefused) {
   EXPECT_THAT(refusal("tolerance", "1e-30"),
               ::testing::HasSubstr("table.tolerance = 1e-30 mm: must be at least 1.24"));

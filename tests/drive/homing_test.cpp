@@ -324,7 +324,7 @@ TEST(Homing, FailsWhereTheSwitchIsNotBetweenTheLimitSwitches) {
 TEST(Homing, FailsAtItsDistanceAndItsTimeout) {
   Stage far(machine(cam), -50);
   far.home(23, {.distance = 30});
-  expect_failed(far, Cause::home_not_found);
+  expect_failed(far, Cause::search_distance);
   EXPECT_NEAR(far.at(), -20, 4);
 
   Stage no_index(machine(cam), 4);

@@ -280,12 +280,12 @@ TEST(GroupCommands, AFrameIsChecked) {
   };
   command::SetCoordinateTransform third;
   third.offset[2] = 5;
-  EXPECT_THAT(reason(third), HasSubstr("offset has 3 coordinates, but the group has 2 axes"));
+  EXPECT_THAT(reason(third), HasSubstr("the command has 3 coordinates, but the group has 2 axes"));
   command::SetCoordinateTransform turned{.rotation = 30};
   turned.zyz = {1, 2, 3};
-  EXPECT_THAT(reason(turned), HasSubstr("cannot be combined with rotation"));
+  EXPECT_THAT(reason(turned), HasSubstr("--zyz: cannot be combined with --rotation"));
   turned.rotation = as_configured;
-  EXPECT_THAT(reason(turned), HasSubstr("needs three axes"));
+  EXPECT_THAT(reason(turned), HasSubstr("--zyz: needs a group with three path axes"));
 }
 
 /// The axis x needs 100 / 200 s at its velocity, and y is there long before.
@@ -320,7 +320,7 @@ TEST(GroupCommands, AFastMoveTakesTheShortestTimeOfEachAxis) {
   EXPECT_NEAR(site.last(x).position, 10, 1e-12);
   EXPECT_THAT(
       site.order("plotter", command::MoveDirectAbsolute{at(5, 5), blending(50), true}).reason,
-      HasSubstr("fast begins and ends at rest: leave out --blend"));
+      HasSubstr("--fast: begins and ends at rest: leave out --blend"));
 }
 
 TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
@@ -333,8 +333,11 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
     EXPECT_FALSE(outcome.ok());
     return outcome.reason;
   };
-  EXPECT_THAT(reason(command::MoveLinearAbsolute{}), HasSubstr("--to: is missing"));
-  EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(0, 0)}), HasSubstr("has no length"));
+  EXPECT_THAT(reason(command::MoveLinearAbsolute{}),
+              HasSubstr("the command has no coordinate: give at least one"));
+  EXPECT_THAT(
+      reason(command::MoveLinearAbsolute{.to = at(0, 0)}),
+      HasSubstr("the move has no length: the path already ends at (0, 0): give another position"));
   EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(1e9, 0)}),
               HasSubstr("x = 1000000000: must be at most position_max, 500"));
   command::MoveLinearAbsolute third{.to = at(1, 1)};
@@ -343,7 +346,7 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
   EXPECT_THAT(reason(command::MoveLinearAbsolute{at(5, 5), {.deviation = 0.1}}),
               HasSubstr("needs a buffer mode that blends"));
   EXPECT_THAT(reason(command::MoveCircularAbsolute{.to = at(10, 0)}),
-              HasSubstr("--via: is one of three ways to define an arc"));
+              HasSubstr("an arc needs exactly one of --via, --center and --radius"));
   command::MoveCircularAbsolute far{.to = at(10, 0)};
   far.radius = 2;
   EXPECT_THAT(reason(far), HasSubstr("radius"));
@@ -505,7 +508,8 @@ TEST(GroupCommands, AJogRestsAtTheEndOfTheRangeAndReverses) {
   site.advance(5s);
   EXPECT_EQ(site.last(x).position, -150);
   EXPECT_EQ(site.last(group).fault, Cause::none);
-  EXPECT_THAT(site.order("plotter", jog).reason, HasSubstr("leads outward"));
+  EXPECT_THAT(site.order("plotter", jog).reason,
+              HasSubstr("the jog leads outward: an axis stands at the end of its range, -150"));
 }
 
 /// Limits of the path or of an axis; each of them may be omitted.

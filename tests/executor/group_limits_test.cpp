@@ -303,7 +303,8 @@ TEST(GroupSetPosition, InMotionCountsFromTheEndOfTheLastCommand) {
   site.finish();
   EXPECT_NEAR(site.last(x).position, 10, 1e-9);
   EXPECT_NEAR(site.last(Plotter::y).position, 70, 1e-9);
-  EXPECT_THAT(site.refused(command::GroupSetPosition{}), HasSubstr("--to: is missing"));
+  EXPECT_THAT(site.refused(command::GroupSetPosition{}),
+              HasSubstr("the command has no coordinate"));
   command::GroupSetPosition third;
   third.to[2] = 1;
   EXPECT_THAT(site.refused(third), HasSubstr("3 coordinates, but the group has 2 axes"));

@@ -56,7 +56,7 @@ TEST(Notices, ReportTheNumbersOfAFault) {
   EXPECT_THAT(fault_text(now, "mm", config, axes), HasSubstr("; x is not ready either."));
 }
 
-TEST(Notices, ARejectionNamesThePresentFaultAndTheReasonForNoMaster) {
+TEST(Notices, ARejectionNamesThePresentFault) {
   const ExecutorOptions options;
   const Tick now{.fault = Cause::negative_soft_limit};
   for (const Cause cause : {Cause::in_error, Cause::not_enabled}) {
@@ -71,10 +71,31 @@ TEST(Notices, ARejectionNamesThePresentFaultAndTheReasonForNoMaster) {
             "in_error: the axis has the fault positive_soft_limit. The limit is position_max = 300 "
             "mm.")
       << "its meaning and its number together do not fit";
-  EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, options), HasSubstr("no [follow]"));
-  ExecutorOptions follower;
-  follower.follow = {.what = Follow::What::master};
-  EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, follower), HasSubstr("no valid position"));
+  limited.axis.longest_gap = 100;
+  Tick stalled{.fault = Cause::stalled};
+  stalled.skipped = 3;
+  const std::string late = refusal_text({Cause::in_error}, stalled, limited);
+  EXPECT_THAT(late, HasSubstr("longest_gap is 100 cycles"));
+  EXPECT_THAT(late, ::testing::Not(HasSubstr("late by 3"))) << "the delay of a later cycle";
+}
+
+TEST(Notices, ARejectionNamesWhatTheSpecLacks) {
+  ExecutorOptions options;
+  EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, options),
+              HasSubstr("add [follow] to its spec"));
+  EXPECT_THAT(refusal_text({Cause::no_cut_plan}, {}, options),
+              HasSubstr("add cutter = \"FILE\" to [axis]"));
+  const Refusal input{Cause::no_trigger_input, 2, 0b110000};
+  EXPECT_THAT(refusal_text(input, {}, options), HasSubstr("add [drive] to its spec"));
+  options.follow = {.what = Follow::What::master};
+  EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, options), HasSubstr("no valid position"));
+  options.cutter.emplace();
+  EXPECT_THAT(refusal_text({Cause::no_cut_plan}, {}, options), HasSubstr("no_cut_plan: "));
+  EXPECT_EQ(text(input, "mm"),
+            "no_trigger_input: The drive of the axis does not have this trigger "
+            "input: 2; it has home, index.");
+  for (const Cause cause : {Cause::no_master_input, Cause::no_cut_plan, Cause::no_trigger_input})
+    EXPECT_LT(refusal_text({cause}, {}, ExecutorOptions{}).size(), wire::reason_bytes);
 }
 
 // The field of the reason on the wire cuts a longer text.
@@ -95,7 +116,9 @@ TEST(Notices, ARejectionFitsIntoItsField) {
   const Tick moving{.state = State::discrete_motion, .job = 1};
   const std::string text = refusal_text(elsewhere, moving, millimeters);
   EXPECT_LT(text.size(), wire::reason_bytes);
-  EXPECT_THAT(text, HasSubstr("begins at -1234.57 mm, but the present motion ends at -8765.43 mm"));
+  EXPECT_THAT(text,
+              HasSubstr("begins at -1234.57 mm, but the present motion ends at -8765.43 mm: after "
+                        "it, send `jounce order "));
 }
 
 TEST(Notices, ReportAStartThatDidNotBegin) {

@@ -179,11 +179,11 @@ TEST(FlyingShear, RefusesThePower7CaseAndSaysWhatWorks) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.key(), "cut_length");
-    EXPECT_EQ(error.rule(),
-              "must be at least " + six_digits_up(least.value) +
-                  " at this line_speed; at this cut_length, line_speed must be at most " +
-                  six_digits_down(fastest.value) +
-                  ": a shorter return would break limits.acceleration");
+    EXPECT_EQ(error.rule(), "must be at least " + six_digits_up(least.value) +
+                                " at line_speed = " + six_digits(shear.line_speed) +
+                                "; at this cut_length, line_speed must be at most " +
+                                six_digits_down(fastest.value) +
+                                ": a shorter return would break limits.acceleration");
   }
   shear.cut_length = least.value;  // the returned length works, a shorter one does not
   EXPECT_NO_THROW(flying_shear(shear));
@@ -287,8 +287,10 @@ TEST(FlyingShear, NamesWhatBinds) {
                                          "carriage in the sync zone is faster than"));
   shear = case_2();
   shear.stroke = 0.3;
-  EXPECT_THAT(refusal(shear),
-              StartsWith("stroke = 0.3: must be at least 0.3375 at this line_speed"));
+  EXPECT_THAT(
+      refusal(shear),
+      StartsWith("stroke = 0.3: must be at least 0.3375, of which run-up and braking take 0.1875, "
+                 "at line_speed = 1; at this stroke, line_speed must be at most "));
   shear = case_2();
   shear.acceleration_length = 0.1;
   EXPECT_THAT(refusal(shear), StartsWith("acceleration_length = 0.1: must be at least 0.1875"));

@@ -94,6 +94,37 @@ TEST(CommandWords, AMoveOfAGroupHasCoordinates) {
   EXPECT_TRUE(holds_to_run(jog));
 }
 
+TEST(CommandWords, AUnitAfterASpaceIsNamed) {
+  for (const std::vector<std::string>& values :
+       {std::vector<std::string>{"50", "mm/s"}, {"mm/s"}, {"x=10", "mm/s"}}) {
+    CommandWords words{.what = "jog"};
+    EXPECT_THAT(
+        test::error_of([&] { set_values(words, values); }),
+        HasSubstr("VALUE = mm/s: is a unit: write it right after its number, such as 50mm/s"));
+  }
+}
+
+TEST(CommandWords, AValueOfAWordWithoutOneNamesItsOption) {
+  const auto rule = [](const std::string& what) {
+    return test::error_of([&] { require_taken({.what = what, .value = "5"}); });
+  };
+  EXPECT_EQ(rule("acknowledge"),
+            "VALUE = 5: does not apply to acknowledge: did you mean --m-word 5?");
+  EXPECT_EQ(rule("single-step"), "VALUE = 5: does not apply to single-step: did you mean --on?");
+  EXPECT_EQ(rule("move-linear"), "VALUE = 5: needs the name of an axis, such as x=5");
+}
+
+TEST(CommandWords, LimitsTakeTheNameOfAnAxis) {
+  const CommandWords words{.what = "set-limits", .options = {{"axis", "y"}, {"velocity", "5"}}};
+  EXPECT_TRUE(names_axes(words));
+  EXPECT_EQ(std::get<command::GroupSetLimits>(command_of(words, mm, {"x", "y"})).axis, 2);
+  EXPECT_FALSE(names_axes({.what = "set-limits", .options = {{"axis", "2"}}}));
+  EXPECT_THAT(test::error_of([&] {
+                (void)command_of(words, mm, {"x", "z"});
+              }),
+              HasSubstr("--axis = y: names y, but the axes of the group are x, z"));
+}
+
 TEST(CommandWords, CoordinatesHaveTheNamesOfTheAxes) {
   const std::vector<std::string> axes{"x", "y", "z"};
   const auto words = [](const std::string& what, const std::vector<std::string>& values,

@@ -30,6 +30,34 @@ TEST(ReportText, SaysWhereByHowMuchAndInWhichUnit) {
             "2 findings; the worst: " + sentence(report.findings[0], labels));
 }
 
+/// A limit that is typed back is kept, and a value that breaks it is never printed equal to it.
+TEST(ReportText, ALimitIsRoundedToItsPermittedSide) {
+  Finding f;
+  f.rule = "limit/velocity";
+  f.quantity = "velocity";
+  f.value = 900;
+  f.limit = 272.788567;
+  f.margin = -2.3;
+  f.broken = true;
+  const Labels labels{{"s", "mm"}, false, {}};
+  const auto has = [&](const char* text) {
+    return sentence(f, labels).find(text) != std::string::npos;
+  };
+  EXPECT_TRUE(has("exceeds the limit 272.788 mm/s")) << sentence(f, labels);
+  f.value = -900;
+  f.limit = -272.788567;
+  EXPECT_TRUE(has("exceeds the limit -272.788 mm/s")) << sentence(f, labels);
+  f.value = 300.0000004;
+  f.limit = 300;
+  EXPECT_TRUE(has("velocity 300.0000004 mm/s at 0 s exceeds the limit 300 mm/s"))
+      << sentence(f, labels);
+  f.rule = "limit/position_min";
+  f.quantity = "position";
+  f.value = -1;
+  f.limit = 0.1234567;
+  EXPECT_TRUE(has("is below the limit 0.123457 mm")) << sentence(f, labels);
+}
+
 TEST(ReportText, AValueUnderALowerLimitIsBelowIt) {
   Finding f;
   f.rule = "limit/slave";

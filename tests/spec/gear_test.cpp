@@ -131,6 +131,11 @@ TEST(GearSpec, NamesTheEngagementThatAKeyNeeds) {
               testing::HasSubstr("gear.engage_at = 45: needs engage = \"distance\""));
   EXPECT_THAT(refusal(at_once + "change = [{ at = 1, numerator = 2, distance = 1 }]\n"),
               testing::HasSubstr("needs engage = \"distance\""));
+  EXPECT_THAT(refusal(at_once + "master_period = 1\nmaster_end = 9\n"),
+              testing::HasSubstr("gear.master_end = 9: needs engage = \"distance\" or "
+                                 "\"position\", without master_period"));
+  EXPECT_THAT(refusal(at_once + "slave_sync_position = 9\n"),
+              testing::HasSubstr("needs engage = \"position\""));
 }
 
 TEST(GearSpec, RefusesInTheWordsOfTheDocument) {

@@ -180,8 +180,8 @@ TEST(PathSpecFile, PlacesItsErrors) {
   EXPECT_THAT(
       complaint(command("type = \"arc\"\nradius = 3\nto = [100, 0, 0]\nrotation = \"clockwise\"")),
       HasSubstr(
-          "path.toml:19:10: command[1].radius = 3 mm: must be at least half the distance from "
-          "start to end"));
+          "path.toml:19:10: command[1].radius = 3 mm: must be at least 50 mm, half the distance "
+          "from start to end"));
   EXPECT_THAT(complaint(command("type = \"arc\"\ncenter = [60, 0, 0]\nto = [100, 0, 0]\nrotation = "
                                 "\"clockwise\"")),
               HasSubstr("path.toml:19:10: command[1].center"));

@@ -100,8 +100,10 @@ TEST(ShearSpec, ErrorsStandWhereTheUserWroteThem) {
                  "mm/s"));
   EXPECT_THAT(
       refusal(spec("cut_length = 1000\nline_speed = 1000\nsync_time = 0.6\nstroke = 400")),
-      HasSubstr("must be at least 787.5 mm at this line_speed, with cut_length greater "
-                "than 1713.29 mm; at this stroke, line_speed must be at most 566.41 mm/s: "));
+      HasSubstr(
+          "must be at least 787.5 mm, of which run-up and braking take 187.5 mm, at line_speed = "
+          "1000 mm/s, with cut_length greater than 1713.29 mm; at this stroke, line_speed "
+          "must be at most 566.41 mm/s"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1", "deg")),
               HasSubstr("shear.ratio: is missing: the line counts in deg, the carriage in mm"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1\nangle = 90")),

@@ -145,7 +145,7 @@ TEST(TomlSyntax, TellsAForeignFileFromASpec) {
       error("a = \"h\xf6he\"\n", "a.toml").find("save the file in UTF-8") == std::string::npos,
       false);
   EXPECT_EQ(error("# jounce table 1\n# axis: time\n", "t.csv"),
-            "t.csv:1: is a table: give the spec of the motion instead");
+            "t.csv:1: is a table, not a spec: give a spec");
 }
 
 TEST(TomlSyntax, ChecksANumberByItsDigits) {

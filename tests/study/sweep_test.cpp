@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/base/input_errors.hpp"
 #include "jounce/study/sweep_files.hpp"
 #include "jounce/study/sweep_summary.hpp"
 
@@ -400,6 +401,15 @@ TEST_F(Sweeps, AreForNumPyToo) {
 
 TEST_F(Sweeps, RefuseWhatMakesNoSense) {
   const std::string one = "[[parameter]]\nkey = \"move.velocity\"\n";
+  try {
+    (void)parse_sweep("jounce = 1\nkind = \"sweep\"\nbase = \"move.toml\"\n" + one, "s.toml");
+    FAIL();
+  } catch (const InputErrors& errors) {
+    ASSERT_EQ(errors.all().size(), 2U);
+    EXPECT_THAT(errors.all()[0].what(), HasSubstr("spec: is missing: add spec = \"FILE.toml\""));
+    EXPECT_THAT(errors.all()[1].what(),
+                HasSubstr("s.toml:3:1: base = \"move.toml\": is not a key"));
+  }
   EXPECT_EQ(refused(""),
             "sweep.toml: parameter: is missing: add [[parameter]] with key and values for each "
             "number to vary");

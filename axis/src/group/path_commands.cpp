@@ -13,6 +13,7 @@
 #include "jounce/path/reach.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
@@ -54,7 +55,7 @@ PathSettings settings_of(const command::PathDynamics& path) {
   const bool cuts = !std::isnan(path.corner_distance);
   if (deviates && cuts)
     throw InputError("corner_distance", path.corner_distance,
-                     "cannot be combined with deviation: give one of them");
+                     "cannot be combined with --deviation: give one of them");
   if (!deviates && !cuts) return settings;
   settings.corner = deviates ? Corner::deviation : Corner::distance;
   settings.value = deviates ? path.deviation : path.corner_distance;
@@ -63,6 +64,13 @@ PathSettings settings_of(const command::PathDynamics& path) {
       deviates ? "deviation" : "corner_distance", settings.value,
       "needs a buffer mode that blends (--blend), because otherwise the command begins "
       "at rest");
+}
+
+/// "(10, 0)".
+std::string listed_point(const Point& point, std::size_t axes) {
+  std::string text;
+  for (std::size_t i = 0; i < axes; ++i) text += (i == 0 ? "(" : ", ") + six_digits(point[i]);
+  return text + ")";
 }
 
 /// Coordinates that are given replace those of `from`, or are added to them.
@@ -80,14 +88,21 @@ bool is_given(const std::array<double, N>& coordinates) {
                       [](double x) { return std::isnan(x); });
 }
 
-/// Throws for a coordinate that the group does not have.
 template <std::size_t N>
-void require_axes(const char* key, const std::array<double, N>& coordinates, std::size_t axes) {
+void require_given(const std::array<double, N>& coordinates) {
+  if (!is_given(coordinates))
+    throw InputError("the command", "", "has no coordinate: give at least one, such as x=10");
+}
+
+/// Throws for a coordinate that the group does not have. The subject of the sentence is the command:
+/// a sender may give coordinates by names, or by an option.
+template <std::size_t N>
+void require_axes(const std::array<double, N>& coordinates, std::size_t axes) {
   const auto given = std::find_if(coordinates.rbegin(), coordinates.rend(),
                                   [](double x) { return !std::isnan(x); });
   const auto count = static_cast<std::size_t>(coordinates.rend() - given);
   if (count > axes)
-    throw InputError(key, "",
+    throw InputError("the command", "",
                      "has " + std::to_string(count) + " coordinates, but the group has " +
                          std::to_string(axes) + " axes");
 }
@@ -128,9 +143,8 @@ PathSettings PathCommands::within_limits(PathSettings settings) const {
 }
 
 Point PathCommands::target(const command::Coordinates& to, bool relative) const {
-  const char* const key = relative ? "by" : "to";
-  require_axes(key, to, axes_);
-  if (!is_given(to)) throw InputError(key, "", "is missing: give at least one coordinate");
+  require_axes(to, axes_);
+  require_given(to);
   return moved(part(), to, relative);
 }
 
@@ -138,8 +152,9 @@ void PathCommands::add_line(const command::Coordinates& to, bool relative,
                             const PathSettings& settings) {
   const Point end = target(to, relative);
   if (is_at(end))
-    throw InputError(relative ? "by" : "to", "",
-                     "has no length: the path already ends at these coordinates: give other ones");
+    throw InputError("the move", "",
+                     "has no length: the path already ends at " + listed_point(end, axes_) +
+                         ": give another position");
   all_.push_back({within_limits(settings), Line{}, machine(end)});
 }
 
@@ -159,14 +174,12 @@ void PathCommands::append(const command::MoveCircular<relative>& arc) {
   if (axes_ < 2) throw InputError("axes", "1", "must be at least 2 for an arc");
   const Point from = part();
   const Point to = is_given(arc.to) ? target(arc.to, relative) : from;
-  require_axes("via", arc.via, axes_);
+  require_axes(arc.via, axes_);
   const bool through = is_given(arc.via);
   const bool around = is_given(arc.center);
   const bool by_radius = !std::isnan(arc.radius);
   if (static_cast<int>(through) + static_cast<int>(around) + static_cast<int>(by_radius) != 1)
-    throw InputError(
-        "via", "",
-        "is one of three ways to define an arc: give exactly one of via, center and radius");
+    throw InputError("an arc", "", "needs exactly one of --via, --center and --radius");
   if (arc.turns > command::most_extra_turns)
     throw InputError("turns", std::to_string(arc.turns),
                      "must be at most " + std::to_string(command::most_extra_turns) +
@@ -201,15 +214,14 @@ namespace {
 
 /// The direction of a jog, a vector of length 1.
 Point direction_of(const command::GroupJog& jog, std::size_t axes) {
-  require_axes("along", jog.along, axes);
+  require_axes(jog.along, axes);
   double square = 0;
   for (const double component : jog.along)
     if (!std::isnan(component)) square += component * component;
   const double norm = std::sqrt(square);
   if (!(norm > 0) || !std::isfinite(norm))
     throw InputError("the direction of the jog", "",
-                     "has no length: give at least one component that is not 0, and only finite "
-                     "ones, such as x=1");
+                     "has no length: give a component that is not 0, such as x=1");
   Point direction{};
   for (std::size_t i = 0; i < axes; ++i)
     direction[i] = std::isnan(jog.along[i]) ? 0 : jog.along[i] / norm;
@@ -269,17 +281,19 @@ void PathCommands::append(const command::GroupJog& jog, const GroupSpace& space)
   const double velocity = velocity_along(direction, settings.velocity, space);
   if (space.map) line.length = std::min(line.length, velocity * longest_jog);
   if (!std::isfinite(line.length))
-    throw InputError("along", "",
+    throw InputError("the jog", "",
                      "has no end: add position_min and position_max to the limits of the [[axis]] "
                      "in the kinematics of the group, or give the jog a velocity");
   if (space.map && line.length > 0)
     line = line_in_reach(line, position(), direction, velocity, space);
   constexpr double shortest_jog = 1e-8;  // u: the margin of a joint at the end of its range
   if (!(line.length > (space.map ? shortest_jog : 0)))
-    throw InputError("along", std::max(line.length, 0.0),
+    throw InputError("the jog", "",
                      line.end.cause == Cause::range_end
-                         ? "leads outward: an axis stands at the end of its range"
-                         : "leads outward: the group stands at the end of its reach");
+                         ? "leads outward: an axis stands at the end of its range, " +
+                               six_digits(line.end.limit) + ": jog in another direction"
+                         : "leads outward: the group stands at the end of its reach: jog in "
+                           "another direction");
   Point to = position();
   for (std::size_t i = 0; i < axes_; ++i)
     if (direction[i] != 0)
@@ -385,27 +399,27 @@ std::int32_t PathCommands::number_at(std::int32_t number, double u) const {
 
 Frame frame_of(const command::SetCoordinateTransform& what, std::size_t axes,
                std::size_t path_axes) {
-  require_axes("offset", what.offset, axes);
+  require_axes(what.offset, axes);
   Point offset{};
   for (std::size_t i = 0; i < axes; ++i)
     if (!std::isnan(what.offset[i])) offset[i] = what.offset[i];
   const bool turns = !std::isnan(what.rotation);
   if (is_given(what.zyz)) {
-    if (turns) throw InputError("zyz", "", "cannot be combined with rotation: give one of the two");
-    if (path_axes < 3) throw InputError("zyz", "", "needs three axes that are no followers");
+    if (turns) throw InputError("zyz", "", "cannot be combined with --rotation: give one of them");
+    if (path_axes < 3) throw InputError("zyz", "", "needs a group with three path axes");
     std::array<double, 3> angles{};
     for (std::size_t i = 0; i < 3; ++i) angles[i] = std::isnan(what.zyz[i]) ? 0 : what.zyz[i];
     return euler_frame(offset, angles);
   }
   if (turns && path_axes < 2)
-    throw InputError("rotation", what.rotation, "needs two axes that are no followers");
+    throw InputError("rotation", what.rotation, "needs a group with two path axes");
   return turned_frame(offset, turns ? what.rotation : 0);
 }
 
 Frame shifted(Frame frame, const command::GroupSetPosition& what, const Point& machine,
               std::size_t axes) {
-  require_axes("to", what.to, axes);
-  if (!is_given(what.to)) throw InputError("to", "", "is missing: give at least one coordinate");
+  require_axes(what.to, axes);
+  require_given(what.to);
   const Point wanted = placed(frame, moved(within(frame, machine), what.to, what.relative));
   for (std::size_t i = 0; i < axes; ++i) frame.offset[i] += machine[i] - wanted[i];
   return frame;

@@ -101,7 +101,7 @@ Cause Homing::check(const Seen& now) const noexcept {
   if (elapsed_ > spec_.timeout) return Cause::home_timeout;
   if (velocity_ == 0) return Cause::none;
   if (spec_.distance && std::abs(now.position - from_) > *spec_.distance)
-    return phase_ == Phase::index ? Cause::index_not_found : Cause::home_not_found;
+    return phase_ == Phase::index ? Cause::index_not_found : Cause::search_distance;
   const Cause limit = limit_ahead(now.sensors, velocity_);
   if (phase_ != Phase::seek) return limit;
   return limit != Cause::none && turned_ ? Cause::home_not_found : Cause::none;

@@ -13,6 +13,14 @@ bool is_wired(int input, const Feedback& feedback) {
   return (feedback.triggers.wired >> static_cast<unsigned>(input - 1) & 1U) != 0;
 }
 
+/// The wired inputs as bits: bit 0 is input 1.
+double wired(const Feedback& feedback) {
+  unsigned bits = 0;
+  for (int input = 1; input <= probe_inputs; ++input)
+    if (is_wired(input, feedback)) bits |= 1U << static_cast<unsigned>(input - 1);
+  return bits;
+}
+
 bool suits(ProbeEdge edge, bool rising) {
   return edge == ProbeEdge::both || (edge == ProbeEdge::rising) == rising;
 }
@@ -51,7 +59,7 @@ std::optional<Refusal> against(const command::TouchProbe& what, const AxisConfig
 std::optional<Refusal> TouchProbes::start(const command::TouchProbe& what, const Feedback& feedback,
                                           const AxisConfig& config) noexcept {
   if (what.input < 1 || what.input > probe_inputs || !is_wired(what.input, feedback))
-    return Refusal{Cause::no_trigger_input};
+    return Refusal{Cause::no_trigger_input, static_cast<double>(what.input), wired(feedback)};
   if (const auto no = against(what, config)) return no;
   probes_[static_cast<std::size_t>(what.input - 1)] = {.what = what, .waits = true};
   now_.waiting = static_cast<std::uint8_t>(now_.waiting | 1U << (what.input - 1));

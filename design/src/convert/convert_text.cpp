@@ -135,16 +135,25 @@ std::string conversion_text(const Input& input, const Converted& made, const Tab
   if (!made.counts.empty()) text += made.counts + "\n";
   for (const std::string& loss : losses) text += loss + "\n";
   if (!made.within_limit())
-    text += fmt::format(
-        "the error exceeds the tolerance, {} {}{}{}\n", rounded(*made.limit),
-        input.labels.units.position,
-        *made.limit == design_detail::default_tolerance(input)
-            ? " (by default, a ten-thousandth of the travel)"
-            : "",
-        form.format != nullptr && form.format->most < std::numeric_limits<std::size_t>::max()
-            ? fmt::format("; the format holds at most {} knots", form.format->most)
-            : "");
+    text += fmt::format("the error exceeds the tolerance, {} {}{}{}\n", rounded(*made.limit),
+                        input.labels.units.position,
+                        *made.limit == design_detail::default_tolerance(input)
+                            ? " (by default, a ten-thousandth of the travel)"
+                            : "",
+                        form.format != nullptr && made.file.table.size() > form.format->most / 2
+                            ? fmt::format("; the format holds at most {} knots", form.format->most)
+                            : "");
   return text;
+}
+
+std::string unwritten_text(const Conversion& wanted, const Converted& made) {
+  const Target target = wanted.target.value_or(Target{});
+  const std::string tolerance = target.tolerance ? "a greater --tolerance" : "--tolerance";
+  const bool most = target.most && made.file.table.size() >= *target.most;
+  return fmt::format("nothing was written: {}, or accept the error with --allow-loss",
+                     wanted.intervals > 0 ? "give more --intervals"
+                     : most ? fmt::format("raise --most ({}), give {}", *target.most, tolerance)
+                            : "give " + tolerance);
 }
 
 std::string conversion_json(const Converted& made, const TableForm& form, const std::string& path,

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "jounce/base/input_errors.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/points_text.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
@@ -186,22 +187,27 @@ class ForController {
     } else {
       all.x = given.x_step;
     }
+    std::vector<InputError> missing;
     if (format_.x != Numbers::of_unit)
-      all.x = count("x_step", "first column", labels_.x, given.x_step);
+      all.x = count("x_step", "first column", labels_.x, given.x_step, missing);
     if (format_.p != Numbers::of_unit)
-      all.p = count("p_step", "position", labels_.position, given.p_step);
+      all.p = count("p_step", "position", labels_.position, given.p_step, missing);
+    if (missing.size() == 1) throw missing.front();
+    if (!missing.empty()) throw InputErrors(missing);
     return all;
   }
 
-  /// Size of one count, as the user gives it, or by a unit that is a count.
+  /// Size of one count, as the user gives it, or by a unit that is a count. Adds the error of a size
+  /// that is not given to `missing`.
   [[nodiscard]] double count(const char* key, const char* what, const std::string& unit,
-                             double given) const {
+                             double given, std::vector<InputError>& missing) const {
     if (given > 0) return given;
     if (is_convertible("pulse", unit)) return conversion("pulse", unit);
-    throw InputError(key, "",
-                     std::string("is missing: the format ") + format_.name + " has the " + what +
-                         " in counts. Give the size of one count, such as 0.001 " +
-                         (unit.empty() ? "mm" : unit));
+    missing.emplace_back(key, "",
+                         std::string("is missing: the format ") + format_.name + " has the " +
+                             what + " in counts. Give the size of one count, such as 0.001" +
+                             (unit.empty() ? "mm" : unit));
+    return 1;
   }
 
   [[nodiscard]] double default_limit() const {

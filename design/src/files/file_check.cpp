@@ -40,11 +40,19 @@ void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
   }
   std::vector<std::string> known;
   for (const auto& [name, target] : all) known.push_back(name);
+  if (equals == std::string::npos)
+    throw InputError(
+        "limit", text,
+        fmt::format("must be KEY=VALUE with one of the keys {}", fmt::join(known, ", ")));
   const std::string near = nearest(key, known);
+  const bool over_time =
+      labels.over_master &&
+      std::find(OverTime::names.begin(), OverTime::names.end(), key) != OverTime::names.end();
   throw InputError(
       "limit", text,
-      fmt::format("must be KEY=VALUE with one of the keys {}{}", fmt::join(known, ", "),
-                  near.empty() || near == key ? "" : ": did you mean " + near + "?"));
+      fmt::format("{} is not a limit here: use one of {}{}{}", key, fmt::join(known, ", "),
+                  near.empty() ? "" : ": did you mean " + near + "?",
+                  over_time ? "; [limits.slave] of the spec has the limits over time" : ""));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "jounce/executor/group_queue.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <new>
 #include <utility>
@@ -46,11 +47,22 @@ const std::string& unit_of(const ExecutorGroup& group) {
   return group.kinematics ? group.kinematics->unit : group.unit;
 }
 
+/// The option for a field of a command of groups, such as "--corner-distance" for corner_distance;
+/// "" for another key.
+std::string option_of(std::string key) {
+  std::replace(key.begin(), key.end(), '_', '-');
+  for (const CommandInfo* const command : sent_commands())
+    for (const Field& field : command->fields)
+      if (is_path_kind(command->kind) && key == field.option) return "--" + key;
+  return "";
+}
+
 /// The sentence of an error, with units. A coordinate, such as "to[1]", has the name of its axis.
 std::string reason_of(const InputError& plain, const std::vector<std::string>& axes,
                       const std::string& unit) {
   Document document;
-  const bool is_length = plain.key() == "center" || plain.key() == "radius";
+  constexpr std::array lengths{"center", "radius", "deviation", "corner_distance"};
+  const bool is_length = std::find(lengths.begin(), lengths.end(), plain.key()) != lengths.end();
   if (is_length || plain.key().starts_with("to[")) document.units[plain.key()] = unit;
   const InputError error = document.located(plain);
   const auto sentence = [&](const std::string& name) {
@@ -58,8 +70,7 @@ std::string reason_of(const InputError& plain, const std::vector<std::string>& a
   };
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (error.key() == "to[" + std::to_string(i + 1) + "]") return sentence(axes[i]);
-  for (const char* option : {"to", "by", "center", "radius", "via", "plane", "turns"})
-    if (error.key() == option) return sentence("--" + error.key());
+  if (const std::string option = option_of(error.key()); !option.empty()) return sentence(option);
   return error.key() + (error.value().empty() ? "" : " " + error.value()) + " " + error.rule();
 }
 

@@ -11,9 +11,10 @@ namespace jounce {
 namespace {
 
 /// Returns the numbers of a fault, each with its limit: " The following error is 0.31 mm; ...". "" for a
-/// fault without numbers.
+/// fault without numbers. `now`: the tick of the fault, or a later one (`later`), which has the limits
+/// only.
 std::string numbers_of(const Tick& now, const std::string& unit, const AxisConfig& config,
-                       std::span<const std::string> axes) {
+                       std::span<const std::string> axes, bool later) {
   const auto valued = [&](double number, const char* per = "") {
     return six_digits(number) + (unit.empty() ? "" : " " + unit + per);
   };
@@ -23,8 +24,9 @@ std::string numbers_of(const Tick& now, const std::string& unit, const AxisConfi
   };
   switch (now.fault) {
     case Cause::following_error:
-      return " The following error is " + valued(now.following_error) +
-             "; the limits are following_error = " + valued(config.following_error) +
+      return (later ? std::string(" The")
+                    : " The following error is " + valued(now.following_error) + "; the") +
+             " limits are following_error = " + valued(config.following_error) +
              " and following_time = " + six_digits(config.following_time) + " s.";
     case Cause::overspeed:
       return limit("velocity", config.limits.velocity, "/s");
@@ -36,8 +38,9 @@ std::string numbers_of(const Tick& now, const std::string& unit, const AxisConfi
       return limit("position_min", config.limits.position_min) +
              limit("position_max", config.limits.position_max);
     case Cause::stalled:
-      return " It was late by " + std::to_string(now.skipped) + " cycles; longest_gap is " +
-             std::to_string(config.longest_gap) + " cycles.";
+      return (later ? std::string(" The limit")
+                    : " It was late by " + std::to_string(now.skipped) + " cycles;") +
+             " longest_gap is " + std::to_string(config.longest_gap) + " cycles.";
     case Cause::axis_fault:
       return now.failed_axis ? " " + unready_axis_text(*now.failed_axis, axes) : "";
     default:
@@ -55,7 +58,7 @@ std::span<const std::string> group_names(const ExecutorOptions& options) {
 std::string fault_text(const Tick& now, const std::string& unit, const AxisConfig& config,
                        std::span<const std::string> axes) {
   return std::string(name(now.fault)) + ": " + meaning(now.fault) +
-         numbers_of(now, unit, config, axes);
+         numbers_of(now, unit, config, axes, false);
 }
 
 namespace {
@@ -72,7 +75,61 @@ std::string in_group_text(const std::vector<std::string>& groups) {
 
 }  // namespace
 
+namespace {
+
+std::string in_units(double number, const ExecutorOptions& options) {
+  const std::string& unit = options.units.position;
+  return six_digits(number) + (unit.empty() ? "" : " " + unit);
+}
+
+/// The reason and its remedy, for what the spec of the axis lacks; "" for another refusal.
+std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
+  if (options.group)
+    return cause == Cause::no_trigger_input
+               ? "a group has no inputs: send the command to one of its axes"
+               : "";
+  if (cause == Cause::no_cut_plan && !options.cutter)
+    return "the axis has no cutter: add cutter = \"FILE\" to [axis] in its spec";
+  if (cause == Cause::no_trigger_input && !options.drive)
+    return "the axis has no drive that reports inputs: add [drive] to its spec, and the input to "
+           "[drive.machine] if the drive is simulated";
+  if (cause != Cause::no_master_input) return "";
+  if (options.follow.what == Follow::What::nothing)
+    return "the axis has no live master: add [follow] to its spec, or send the motion of the "
+           "master "
+           "as a table over time";
+  return "the master of the axis sends no valid position: start its program, or correct its unit; "
+         "`jounce monitor " +
+         options.receiver.executor + "` shows the master";
+}
+
+/// A table that begins elsewhere than the axis stands, or will stand.
+std::string start_position_text(const Refusal& refusal, const Tick& now,
+                                const ExecutorOptions& options) {
+  const std::string order = "`jounce order " + options.receiver.executor;
+  const std::string start = in_units(refusal.value, options);
+  if (now.fault != Cause::none)
+    return "the axis has the fault " + std::string(name(now.fault)) + ": first send " + order +
+           " reset`, and move the axis to the start of the table, " + start;
+  if (std::isnan(refusal.value))
+    return "the motion does not begin at the position of the axis, " +
+           in_units(refusal.limit, options);
+  std::string place = start;
+  std::erase(place, ' ');
+  return std::string(name(refusal.cause)) + ": The table begins at " + start +
+         (in_motion(now) ? ", but the present motion ends at " : ", but the axis is at ") +
+         in_units(refusal.limit, options) + (in_motion(now) ? ": after it, send " : ": send ") +
+         order + " move --to " + place + "`.";
+}
+
+}  // namespace
+
 std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options) {
+  if (refusal.cause == Cause::in_group && !options.groups.empty())
+    return in_group_text(options.groups);
+  if (const std::string missing = missing_part_text(refusal.cause, options); !missing.empty())
+    return missing;
+  if (refusal.cause == Cause::start_position) return start_position_text(refusal, now, options);
   const bool of_joints = options.group && options.group->kinematics;
   std::string words = text(refusal, of_joints ? options.group->unit : options.units.position,
                            options.units.x, group_names(options));
@@ -82,26 +139,6 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
   if (refusal.cause == Cause::axis_away && options.group)
     words += " The tolerance is " + six_digits(options.group->of.tolerance) +
              (options.group->unit.empty() ? "" : " " + options.group->unit) + ".";
-  if (refusal.cause == Cause::in_group && !options.groups.empty())
-    return in_group_text(options.groups);
-  if (refusal.cause == Cause::no_master_input)
-    return std::string(name(refusal.cause)) + ": The axis has no live master: " +
-           (options.follow.what == Follow::What::nothing
-                ? "its spec has no [follow]."
-                : "the master of its [follow] sends no valid position.");
-  if (refusal.cause == Cause::start_position && now.fault != Cause::none)
-    return "the axis has the fault " + std::string(name(now.fault)) +
-           ": first send `jounce order " + options.receiver.executor +
-           " reset`, and move the axis to the start of the table, " + six_digits(refusal.value) +
-           (options.units.position.empty() ? "" : " " + options.units.position);
-  if (refusal.cause == Cause::start_position && in_motion(now) && !std::isnan(refusal.value)) {
-    const auto at = [&](double number) {
-      return six_digits(number) +
-             (options.units.position.empty() ? "" : " " + options.units.position);
-    };
-    return std::string(name(refusal.cause)) + ": The table begins at " + at(refusal.value) +
-           ", but the present motion ends at " + at(refusal.limit) + ".";
-  }
   const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;
   if (!fault || now.fault == Cause::none) return words;
   const std::string who = options.group ? ": the group " : ": the axis ";
@@ -110,7 +147,7 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
       (refusal.cause == Cause::in_error ? who + "has the fault " : ": disabled since the fault ") +
       name(now.fault);
   const std::string numbers =
-      numbers_of(now, options.units.position, options.axis, group_names(options));
+      numbers_of(now, options.units.position, options.axis, group_names(options), true);
   const std::string means = why + ": " + meaning(now.fault);
   // The most complete text that fits into the field of the reason.
   for (const std::string& reason :

@@ -17,7 +17,7 @@ void require_piece(const std::string& key, double length, const Cutter& cutter) 
   if (!(shear ? length >= cutter.shortest() : length > cutter.shortest()))
     throw InputError(key, length,
                      shear ? "must be at least " + six_digits_up(cutter.shortest()) +
-                                 ", the shortest piece at this line_speed"
+                                 ", the shortest piece at this speed of the line"
                            : "must be longer than the sync zone on the web, " +
                                  six_digits_up(cutter.shortest()));
   if (!(length <= cutter.longest()))

@@ -135,7 +135,7 @@ void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double
   if (spec.sync_angle && !(2 * half < pitch))
     throw InputError(key, given,
                      "must be less than " + six_digits_down(pitch * unit) +
-                         ", the angle between two blades: give a smaller angle or fewer blades");
+                         ", the angle between two blades: give a smaller angle");
   if (!(2 * half < pitch))
     throw InputError(key, given,
                      "makes a sync zone of " + six_digits(2 * half * unit) +

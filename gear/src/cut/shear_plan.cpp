@@ -203,6 +203,10 @@ std::string limit_of(const std::string& quantity) {
   return "limits." + quantity.substr(quantity.find(' ') + 1);
 }
 
+std::string at_this_speed(const FlyingShear& spec) {
+  return " at line_speed = " + six_digits(spec.line_speed);
+}
+
 /// Advice: the fastest possible line with the given value of `key`.
 std::string or_slower(const FlyingShear& spec, const char* key) {
   const double fastest = greatest_line_speed(spec).value;
@@ -243,7 +247,7 @@ std::string and_longer_cut(FlyingShear spec, double stroke) {
   throw InputError(
       "cut_length", spec.cut_length,
       std::string(longest_sync(spec) || !by_limit ? "must be greater than " : "must be at least ") +
-          six_digits_up(least.value) + " at this line_speed" + or_slower(spec, "cut_length") +
+          six_digits_up(least.value) + at_this_speed(spec) + or_slower(spec, "cut_length") +
           (by_limit ? ": a shorter return would break " + limit_of(quantity)
                     : ": no travel of the master is left for the return"));
 }
@@ -267,26 +271,27 @@ std::string and_longer_cut(FlyingShear spec, double stroke) {
     const bool up = cycle.accelerate <= cycle.decelerate;
     throw InputError(up ? "acceleration_length" : "deceleration_length",
                      up ? cycle.accelerate : cycle.decelerate,
-                     "must be at least " + six_digits_up(cycle.ramp.value) + " at this line_speed" +
+                     "must be at least " + six_digits_up(cycle.ramp.value) + at_this_speed(spec) +
                          or_slower(spec, up ? "acceleration_length" : "deceleration_length") +
                          ": a shorter one would break " + limit_of(quantity));
   }
   if (quantity == "stroke") {
     const double ramps = shear.ratio * (cycle.accelerate + cycle.decelerate) / 2;
-    throw InputError("stroke", *spec.stroke,
-                     (longest_sync(spec) ? "must be greater than " + six_digits(ramps)
-                                         : "must be at least " + six_digits_up(cycle.stroke)) +
-                         " at this line_speed" +
-                         (longest_sync(spec) ? "" : and_longer_cut(spec, cycle.stroke)) +
-                         or_slower(spec, "stroke") + or_shorter(shear, cycle) +
-                         ": run-up and braking alone take " + six_digits(ramps));
+    throw InputError(
+        "stroke", *spec.stroke,
+        (longest_sync(spec)
+             ? "must be greater than " + six_digits(ramps) + ", the length of run-up and braking,"
+             : "must be at least " + six_digits_up(cycle.stroke) +
+                   ", of which run-up and braking take " + six_digits(ramps) + ",") +
+            at_this_speed(spec) + (longest_sync(spec) ? "" : and_longer_cut(spec, cycle.stroke)) +
+            or_slower(spec, "stroke") + or_shorter(shear, cycle));
   }
   if (!std::isfinite(cycle.back.value))
     throw InputError("return_law", name(spec.return_law),
                      "breaks " + limit_of(quantity) + " at any speed: the limited quantity steps");
   if (spec.return_length && cycle.back.value > *spec.return_length)
     throw InputError("return_length", *spec.return_length,
-                     "must be at least " + six_digits_up(cycle.back.value) + " at this line_speed" +
+                     "must be at least " + six_digits_up(cycle.back.value) + at_this_speed(spec) +
                          or_slower(spec, "return_length") + ": a shorter one would break " +
                          limit_of(quantity));
   refuse_length(spec, quantity);

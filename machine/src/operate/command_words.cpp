@@ -442,6 +442,21 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
   return text.empty() ? as_configured : positive(words.what, field, name, text, unit);
 }
 
+/// The option of a word that takes coordinates, and that stands for its arguments; "": none.
+std::string coordinate_option(const std::string& word) {
+  for (const Form& form : forms_of(word))
+    for (const Field& field : form.command->fields)
+      if (field.range == FieldRange::coordinate) return field.option;
+  return "";
+}
+
+/// The option of a word, written with this text.
+std::string option_for_value(const std::string& word, const std::string& name,
+                             const std::string& text) {
+  const bool is_flag = option_of(word, name).range == FieldRange::flag;
+  return is_flag ? dashed(name) : dashed(name) + " " + text;
+}
+
 /// The options of a word, with those that are no field of a command.
 std::vector<std::string> with_common(std::vector<std::string> taken) {
   if (std::find(taken.begin(), taken.end(), "blend") != taken.end()) taken.emplace_back("buffered");
@@ -508,6 +523,12 @@ void require_taken(const CommandWords& words) {
       throw InputError(
           dashed(option), text,
           "does not apply to move: did you mean --to " + text + " or --by " + text + "?");
+    if (option == value_word && !coordinate_option(words.what).empty())
+      throw InputError(value_word, text, "needs the name of an axis, such as x=" + text);
+    if (option == value_word && taken.size() == 1)
+      throw InputError(value_word, text,
+                       "does not apply to " + words.what + ": did you mean " +
+                           option_for_value(words.what, taken.front(), text) + "?");
     throw InputError(dashed(option), text,
                      "does not apply to " + words.what +
                          (taken.empty() ? ", which takes no value and no option but --at"
@@ -548,14 +569,6 @@ void require_one(const CommandWords& words, const std::vector<std::string>& opti
   }
 }
 
-/// The option of a word that takes coordinates, and that stands for its arguments; "": none.
-std::string coordinate_option(const std::string& word) {
-  for (const Form& form : forms_of(word))
-    for (const Field& field : form.command->fields)
-      if (field.range == FieldRange::coordinate) return field.option;
-  return "";
-}
-
 /// The index of an axis among the axes of the group. `one`: the coordinate as given.
 std::size_t axis_index(const std::string& name, const std::string& option, const std::string& one,
                        const std::vector<std::string>& axes) {
@@ -594,7 +607,13 @@ std::string in_order(const std::string& option, const std::string& text,
   return list;
 }
 
-/// The words with all coordinates in the order of the axes.
+constexpr const char* axis_option = "axis";
+
+bool is_name(const std::string& text) {
+  return !text.empty() && !csv_number(text);
+}
+
+/// The words with all coordinates in the order of the axes, and the number of a named axis.
 CommandWords without_names(CommandWords words, const std::vector<std::string>& axes) {
   const auto named = [&](const std::string& option) {
     return words.typed_coordinates ? std::string("VALUE") : dashed(option);
@@ -606,6 +625,10 @@ CommandWords without_names(CommandWords words, const std::vector<std::string>& a
       if (given != words.options.end())
         given->second = in_order(named(field.option), given->second, axes);
     }
+  if (const auto axis = words.options.find(axis_option);
+      axis != words.options.end() && is_name(axis->second))
+    axis->second =
+        std::to_string(axis_index(axis->second, dashed(axis_option), axis->second, axes) + 1);
   return words;
 }
 
@@ -613,6 +636,10 @@ CommandWords without_names(CommandWords words, const std::vector<std::string>& a
 
 void set_values(CommandWords& words, const std::vector<std::string>& values) {
   words.value.clear();
+  for (const std::string& value : values)
+    if (is_unit(value))
+      throw InputError(value_word, value,
+                       "is a unit: write it right after its number, such as 50" + value);
   std::string list;
   for (const std::string& value : values) {
     const bool named = value.find('=') != std::string::npos;
@@ -636,7 +663,8 @@ void set_values(CommandWords& words, const std::vector<std::string>& values) {
 
 bool names_axes(const CommandWords& words) {
   return std::any_of(words.options.begin(), words.options.end(), [](const auto& option) {
-    return option.second.find('=') != std::string::npos;
+    return option.second.find('=') != std::string::npos ||
+           (option.first == axis_option && is_name(option.second));
   });
 }
 
@@ -657,7 +685,7 @@ ClientCommand command_of(const CommandWords& given, const Units& units,
                           coordinates(form, form.option(field)));
   }
   if (const std::string rule = contradiction(kind, values); !rule.empty())
-    throw InputError(words.what, words.value, "the " + rule);
+    throw InputError(words.value.empty() ? words.what : value_word, words.value, "the " + rule);
   if (kind == CommandKind::cut) require_one(words, {"length", "position", "waste"});
   if (const std::string direction = text_of(words, "direction");
       kind == CommandKind::change_velocity && !direction.empty() && text_of(words, "past").empty())

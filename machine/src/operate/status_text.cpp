@@ -186,7 +186,8 @@ std::string status_json(const std::string& axis, const wire::Event& event) {
 
 std::string gear_text(const wire::Status& s) {
   const std::string ratio = s.ratio == 0 ? "" : fmt::format(", ratio {:.6g}", s.ratio);
-  return std::string(name(s.gear)) + ratio;
+  const bool waits = s.gear == wire::GearState::engaging && s.progress == wire::Progress::waiting;
+  return (waits ? "waiting for its master" : std::string(name(s.gear))) + ratio;
 }
 
 std::string unwritten_files(std::uint8_t files) {

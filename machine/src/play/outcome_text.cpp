@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/base/units.hpp"
 #include "jounce/command/causes.hpp"
 #include "jounce/command/commands.hpp"
 #include "jounce/profiles/six_digits.hpp"
@@ -20,45 +21,21 @@ OutcomeJson common_members(const CallOutcome& outcome) {
   return {{"ok", outcome.ok()}, {"error", name(outcome.error)}, {"reason", outcome.reason}};
 }
 
-/// The remedy for a table that begins elsewhere, with its position; nullopt if the reason has none.
-std::optional<std::string> start_remedy(const std::string& reason) {
-  constexpr std::string_view mark = "begins at ";
-  const std::size_t from = reason.find(mark);
-  if (from == std::string::npos) return std::nullopt;
-  const std::size_t begin = from + mark.size();
-  std::string start = reason.substr(begin, reason.find_first_of(",;", begin) - begin);
-  std::erase(start, ' ');
-  const std::string move = "`jounce order NAME move --to " + start;
-  if (reason.find("present motion ends at") != std::string::npos)
-    return "Wait for the end of this motion, then send " + move +
-           "`, or send a table that begins where the motion ends.";
-  return "Move the axis to the start of the table (" + move +
-         "`), or start the executor with --adopt-start. With --live, use --start-at instead, or "
-         "start = \"ramp_in\" in [coupling].";
-}
-
 /// The kind of the rejected order; nullopt: a table was rejected.
 using Rejected = std::optional<CommandKind>;
 
-/// The remedy of a cause for this axis. "" if the cause has none, or if the executor wrote the
-/// reason itself, with a remedy.
+/// The remedy of a cause for this axis, which has this fault (0: none). "" if the cause has none, or
+/// if the executor wrote the reason itself, with a remedy: such a reason has no name of a cause.
 std::string remedy_of(std::int32_t cause, const std::string& reason, const std::string& executor,
-                      Rejected rejected) {
+                      Rejected rejected, std::int32_t fault) {
   for (const CauseInfo& one : all_causes()) {
     if (cause == 0 || static_cast<std::int32_t>(one.cause) != cause) continue;
     if (!reason.starts_with(one.name)) return "";
     std::string remedy =
         rejected ? remedy_of_order(one.cause, *rejected) : remedy_of_table(one.cause);
-    if (one.cause == Cause::not_enabled && reason.find("the fault") != std::string::npos)
+    if (one.cause == Cause::not_enabled && fault != 0)
       remedy =
           "Remove its cause, then send `jounce order NAME reset` and `jounce order NAME enable`.";
-    if (one.cause == Cause::start_position) remedy = start_remedy(reason).value_or(remedy);
-    if (one.cause == Cause::no_master_input && reason.find("has no [follow]") != std::string::npos)
-      remedy =
-          "Add [follow] to the spec of the axis, or send the motion of the master as a table over "
-          "time.";
-    if (one.cause == Cause::no_master_input && reason.find("sends no valid") != std::string::npos)
-      remedy = "`jounce monitor NAME` shows the master: start its program, or correct its unit.";
     constexpr std::string_view placeholder = "NAME";
     for (auto at = remedy.find(placeholder); at != std::string::npos;
          at = remedy.find(placeholder, at)) {
@@ -71,19 +48,27 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
 }
 
 std::string reason_and_remedy(const CallOutcome& outcome, const std::string& executor,
-                              Rejected rejected) {
+                              Rejected rejected, std::int32_t fault) {
   constexpr std::string_view homing = "not homed: ";
   if (outcome.reason.starts_with(homing)) {
     const std::string remedy =
-        remedy_of(outcome.cause, outcome.reason.substr(homing.size()), executor, rejected);
+        remedy_of(outcome.cause, outcome.reason.substr(homing.size()), executor, rejected, fault);
     return remedy.empty() ? outcome.reason : outcome.reason + " " + remedy;
   }
   if (outcome.refusal != wire::Refusal::axis) return outcome.reason;
   std::string reason = outcome.reason;
   constexpr std::string_view who = "axis: ";
   if (reason.starts_with(who)) reason.erase(0, who.size());
-  const std::string remedy = remedy_of(outcome.cause, reason, executor, rejected);
+  const std::string remedy = remedy_of(outcome.cause, reason, executor, rejected, fault);
   return remedy.empty() ? reason : reason + " " + remedy;
+}
+
+/// The position of the master at which a gear in position begins to engage.
+std::string start_of_gear(const CommandWords& words, const std::string& unit) {
+  const double start = quantity(words.options.at("master-sync"), unit) -
+                       quantity(words.options.at("start-distance"), unit);
+  return "the slave waits until the master passes " + six_digits(start) +
+         (unit.empty() ? "" : " " + unit);
 }
 
 const char* last_state(const StreamOutcome& outcome, bool waits) {
@@ -93,14 +78,16 @@ const char* last_state(const StreamOutcome& outcome, bool waits) {
 
 }  // namespace
 
-std::string reason_text(const CallOutcome& outcome, const std::string& executor,
-                        CommandKind order) {
-  return reason_and_remedy(outcome, executor, order);
+std::string reason_text(const CallOutcome& outcome, const std::string& executor, CommandKind order,
+                        std::int32_t fault) {
+  return reason_and_remedy(outcome, executor, order, fault);
 }
 
-std::string accepted_text(const std::string& word, const wire::Status& before,
+std::string accepted_text(const CommandWords& words, const wire::Status& before,
                           const std::string& executor) {
+  const std::string& word = words.what;
   if (word == "home") return "homed";
+  if (word == "gear-in-pos") return word + " accepted: " + start_of_gear(words, before.units.x);
   if (word != "enable" || before.last_error == 0) return word + " accepted";
   return fmt::format("enable accepted, but the fault {} remains: send `jounce order {} reset`",
                      name(static_cast<Cause>(before.last_error)), executor);
@@ -116,7 +103,7 @@ std::string stopped_text(const std::string& executor, State rest) {
 
 std::string error_text(const CallOutcome& outcome, const std::string& executor,
                        const std::string& hint) {
-  const std::string reason = reason_and_remedy(outcome, executor, std::nullopt);
+  const std::string reason = reason_and_remedy(outcome, executor, std::nullopt, outcome.fault);
   if (outcome.error == StreamError::no_answer) return reason + ": " + hint;
   const bool rejected = outcome.error == StreamError::refused;
   return fmt::format("{}: {}", rejected ? "rejected" : name(outcome.error), reason);

@@ -170,7 +170,7 @@ Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane
   if (half > r * (1 + coincident))
     throw InputError(
         "radius", radius,
-        "must be at least half the distance from start to end, " + six_digits_up(half));
+        "must be at least " + six_digits_up(half) + ", half the distance from start to end");
   const double height = std::sqrt(std::max((r - half) * (r + half), 0.0));
   const Point along = vec::scaled(chord, 0.5 / half);
   // Counterclockwise the center of a minor arc lies to the left of the chord.

@@ -102,14 +102,21 @@ SyncSpec read_gear(TomlReader gear, const Units& units) {
   gear.may_have("engage");
   switch (gear.has("engage") ? gear.variant("engage", words) : 0) {
     case 0:
-      gear.refuse_here("engage_at", "needs engage = \"distance\"");
-      gear.refuse_here("change", "needs engage = \"distance\"");
+      for (const char* key : {"engage_at", "distance", "from_ratio", "law", "change", "shift"})
+        gear.refuse_here(key, "needs engage = \"distance\"");
+      for (const char* key : {"master_start", "master_end", "slave_start"})
+        gear.refuse_here(key, "needs engage = \"distance\" or \"position\", without master_period");
+      for (const char* key : {"master_sync_position", "slave_sync_position",
+                              "master_start_distance", "avoid_reversal", "slave_period"})
+        gear.refuse_here(key, "needs engage = \"position\"");
       spec = read_for_ever(gear, units);
       break;
     case 1:
+      gear.refuse_here("master_period", "needs engage = \"at_once\": leave it out");
       spec = read_course(gear, units);
       break;
     default:
+      gear.refuse_here("master_period", "needs engage = \"at_once\": leave it out");
       spec = read_in_pos(gear, units);
   }
   gear.finish();

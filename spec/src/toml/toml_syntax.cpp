@@ -97,8 +97,10 @@ std::string rule_of_value(const Pair& pair) {
   std::string lower = value;
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const char* word : {"true", "false", "yes", "no", "on", "off"})
+  for (const char* word : {"true", "false"})
     if (lower == word) return "must be true or false, in lower case";
+  for (const char* word : {"yes", "no", "on", "off"})
+    if (lower == word) return "must be true or false";
   if (is_decimal_comma(value)) return rule_of_comma(pair);
   if (has_letter_for_digit(value))
     return "is a letter here a digit? The letters O and l look like 0 and 1";

@@ -311,6 +311,7 @@ void Sender::pursue() {
 /// if the table is the same as before, this state must have lasted for a while.
 void Sender::take(const wire::Status& status, std::int64_t /*challenge*/, Nanos now) {
   constexpr Nanos a_while = std::chrono::milliseconds(500);
+  outcome_.fault = status.last_error;
   if (stage() == StreamStage::waiting) return await_start(status);
   if (stage() != StreamStage::swapping) return;
   waited_ |= status.next == wire::Next::waiting;

@@ -312,6 +312,14 @@ SweepSpec read_body(TomlReader& top, const std::filesystem::path& folder) {
             std::filesystem::path(top.document().name).filename().string() +
             "\" (see jounce sweep --help)");
   std::string name = top.optional_text("name").value_or("");
+  if (!top.has("spec")) {  // a key in its place is an error, too
+    static_cast<void>(top.text("spec", "FILE.toml"));
+    for (const char* key :
+         {"optima", "parameter", "monte_carlo", "figures", "minimize", "maximize", "limits"})
+      top.may_have(key);
+    top.finish();
+    throw spec_detail::PartEnded{};
+  }
   const std::string base = (folder / top.text("spec", "FILE.toml")).string();
   SweepSpec spec{
       {},

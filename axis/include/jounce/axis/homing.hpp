@@ -75,8 +75,8 @@ class Homing {
   [[nodiscard]] double home() const noexcept { return home_; }
   /// HomingSpec::offset, u: the position value of the axis at home.
   [[nodiscard]] double offset() const noexcept { return spec_.offset; }
-  /// The fault that ended the search: home_timeout, home_not_found, index_not_found, both_switches,
-  /// positive_switch or negative_switch. none: no fault.
+  /// The fault that ended the search: home_timeout, home_not_found, search_distance,
+  /// index_not_found, both_switches, positive_switch or negative_switch. none: no fault.
   [[nodiscard]] Cause cause() const noexcept { return cause_; }
 
  private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "jounce/profiles/error.hpp"
@@ -23,5 +25,12 @@ class InputErrors : public InputError {
 
 /// Returns all errors of an InputErrors; for any other InputError, returns that error alone.
 std::vector<InputError> all_errors(const InputError& error);
+
+/// Returns the sentences of all errors, one a line; each line after the first begins with `prefix`.
+std::string all_sentences(const InputError& error, const std::string& prefix);
+
+/// Throws the error with other keys; errors in a document keep theirs.
+[[noreturn]] void throw_renamed(const InputError& error,
+                                const std::function<std::string(const std::string& key)>& renamed);
 
 }  // namespace jounce

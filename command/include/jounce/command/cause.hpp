@@ -82,6 +82,7 @@ enum class Cause : std::uint8_t {
   home_not_found = 61,
   index_not_found = 62,
   both_switches = 63,
+  search_distance = 64,
   not_homed = 66,
   no_such_method = 67,
   no_sensor = 68,
@@ -145,7 +146,7 @@ const char* meaning(Cause cause);
 /// True if the cause is a fault, which stays latched until a reset.
 constexpr bool is_fault(Cause cause) {
   return (cause >= Cause::aborted && cause <= Cause::marks_lost) ||
-         (cause >= Cause::home_timeout && cause <= Cause::both_switches);
+         (cause >= Cause::home_timeout && cause <= Cause::search_distance);
 }
 
 /// The reason for rejecting a command or a movement, with numbers in the units of the axis.
@@ -156,6 +157,7 @@ struct Refusal {
   /// Time of the movement at which the value exceeds the bound, s; NaN: no particular time.
   /// axis_not_ready, axis_away: number of the axis in the group, from 1; axis_not_ready has the bits
   /// of all axes that are not ready in `limit`. no_reserve: order of the derivative.
+  /// no_trigger_input has the input in `value`, and the bits of those that the drive has in `limit`.
   double where = std::numeric_limits<double>::quiet_NaN();
 
   /// Returns a sentence: "velocity_limit: The motion exceeds the velocity limit of the axis: 678.45

@@ -114,6 +114,10 @@ void require_known_ending(const std::string& path);
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses);
 
+/// Returns the remedies for an error above the limit: the options of `jounce convert` that lower the
+/// error or permit it.
+std::string unwritten_text(const Conversion& wanted, const Converted& made);
+
 /// Returns the contents of conversion_text() as a JSON object; `path` is the name of the output
 /// file.
 std::string conversion_json(const Converted& made, const TableForm& form, const std::string& path,

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "jounce/command/state.hpp"
+#include "jounce/machine/command_words.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/sender/row_sender.hpp"
 #include "jounce/stream/sender/sender.hpp"
@@ -13,13 +15,15 @@
 namespace jounce {
 
 /// Returns the reason of a failed call. If the axis has rejected the call, the text includes the
-/// remedy for an order of this kind. `executor` is the name of the axis.
+/// remedy for an order of this kind. `executor` is the name of the axis, `fault` the number of the
+/// fault that it has; 0: none.
 std::string reason_text(const CallOutcome& outcome, const std::string& executor,
-                        CommandKind order = {});
+                        CommandKind order = {}, std::int32_t fault = 0);
 
 /// Returns the answer to an accepted command: "move accepted". `before`: status of the axis before
-/// the command. If the axis stays in a fault after `enable`, the text includes the remedy.
-std::string accepted_text(const std::string& word, const wire::Status& before,
+/// the command. If the axis stays in a fault after `enable`, the text includes the remedy; for a gear
+/// in position, the place of the master at which it begins.
+std::string accepted_text(const CommandWords& words, const wire::Status& before,
                           const std::string& executor);
 
 /// Returns the state of an axis after a stop: "feeder is at rest: standstill". In error_stop, the text

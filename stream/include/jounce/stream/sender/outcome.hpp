@@ -30,6 +30,7 @@ struct CallOutcome {
   wire::Refusal refusal = wire::Refusal::none;
   std::int32_t cause = 0;  ///< number of the Cause that the axis reported
   std::string reason{};    ///< the reason as text; may be empty
+  std::int32_t fault = 0;  ///< number of the fault of the axis in its last status; 0: none
 
   [[nodiscard]] bool ok() const { return error == StreamError::none; }
 };
