@@ -379,7 +379,8 @@ InputError value_missing(const std::string& word, const Field& field, const std:
   const bool is_factor = field.range == FieldRange::factor;
   const bool is_count = field.range == FieldRange::count;
   return {word, "",
-          "VALUE is missing: give a " + (is_ratio ? "ratio" : std::string(field.name)) +
+          "VALUE is missing: give " +
+              (is_ratio ? "a ratio" : (is_count ? "an " : "a ") + std::string(field.name)) +
               ", such as " +
               (is_ratio    ? "3:2"
                : is_factor ? "50%"

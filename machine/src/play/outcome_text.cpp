@@ -11,6 +11,7 @@
 #include "jounce/command/causes.hpp"
 #include "jounce/command/commands.hpp"
 #include "jounce/profiles/six_digits.hpp"
+#include "jounce/stream/message/refusals.hpp"
 
 namespace jounce {
 namespace {
@@ -19,6 +20,16 @@ using OutcomeJson = nlohmann::ordered_json;
 
 OutcomeJson common_members(const CallOutcome& outcome) {
   return {{"ok", outcome.ok()}, {"error", name(outcome.error)}, {"reason", outcome.reason}};
+}
+
+constexpr std::string_view no_remedy = "Nothing.";  ///< of a cause that needs none
+
+/// The sentences of a refusal of the protocol in place of its name.
+std::string refusal_text(const CallOutcome& outcome) {
+  for (const wire::RefusalInfo& one : wire::all_refusals())
+    if (one.refusal == outcome.refusal && outcome.reason == one.name)
+      return outcome.reason + ": " + one.meaning + " " + one.remedy;
+  return outcome.reason;
 }
 
 /// The kind of the rejected order; nullopt: a table was rejected.
@@ -36,6 +47,7 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
     if (one.cause == Cause::not_enabled && fault != 0)
       remedy =
           "Remove its cause, then send `jounce order NAME reset` and `jounce order NAME enable`.";
+    if (remedy == no_remedy) return "";
     constexpr std::string_view placeholder = "NAME";
     for (auto at = remedy.find(placeholder); at != std::string::npos;
          at = remedy.find(placeholder, at)) {
@@ -55,7 +67,7 @@ std::string reason_and_remedy(const CallOutcome& outcome, const std::string& exe
         remedy_of(outcome.cause, outcome.reason.substr(homing.size()), executor, rejected, fault);
     return remedy.empty() ? outcome.reason : outcome.reason + " " + remedy;
   }
-  if (outcome.refusal != wire::Refusal::axis) return outcome.reason;
+  if (outcome.refusal != wire::Refusal::axis) return refusal_text(outcome);
   std::string reason = outcome.reason;
   constexpr std::string_view who = "axis: ";
   if (reason.starts_with(who)) reason.erase(0, who.size());

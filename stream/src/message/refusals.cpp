@@ -15,7 +15,7 @@ constexpr std::array entries{
                 "Send the header again."},
     RefusalInfo{Refusal::session_ended, "session_ended",
                 "The session was released, has timed out, or an operator ended it.",
-                "Open a new session."},
+                "Send the command again: it opens a new session."},
     RefusalInfo{
         Refusal::bad_header, "bad_header",
         "The header of a table contradicts itself, or an earlier header with the same index.",
