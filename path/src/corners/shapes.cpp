@@ -228,8 +228,9 @@ class Shapes {
     const PathSettings& asked = view_.settings(k);
     double trim = room;
     bool fits = true;
-    // The least trim for which enough(trim) holds, or `most`.
-    const auto least = [&](double most, auto enough) {
+    // The least trim for which holds(trim) is true and that is more than rounding, or `most`.
+    const auto least = [&](double most, auto holds) {
+      const auto enough = [&](double d) { return !is_rounding(k, d) && holds(d); };
       if (!(fits = enough(most))) return most;
       double low = 0;
       double high = most;
@@ -262,8 +263,9 @@ class Shapes {
         trim = trim_for(k, asked.value, room);
         fits = trim < room;
     }
-    const double most = trim;
-    if (asked.corner != Corner::curvature && asked.corner != Corner::velocity) {
+    const bool is_least = asked.corner == Corner::curvature || asked.corner == Corner::velocity;
+    const double most = is_least ? room : trim;
+    if (!is_least) {
       trim = fastest_trim(k, most);
       if (trim < most) fits = true;
     }
@@ -282,17 +284,17 @@ class Shapes {
     return s;
   }
 
-  /// True if a blend is so small beside its coordinates that rounding changes its third derivative
-  /// by more than half of the reserve of its limits.
+  /// True if the sides of a blend turn so little that rounding changes its third derivative by more
+  /// than half of the reserve of its limits.
   [[nodiscard]] bool is_rounding(std::size_t k, double trim) const {
     const Blend blend = blend_of(view_.route.path, k - 1, trim);
     double change = 0;
     double size = 0;
     for (const Segment& f : blend.segments()) {
       change += square(f.c[3]);
-      size = std::max(size, std::abs(f.c[0]));
+      size = std::max(size, std::abs(f.c[1]));
     }
-    // The coefficient of the cube is computed from differences of coordinates, times 10.
+    // The coefficient of the cube is computed from differences of steps, times 10.
     return 10 * two_roundings * size > fit_share / 2 * std::sqrt(change);
   }
 
