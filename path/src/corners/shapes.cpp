@@ -32,7 +32,8 @@ constexpr double deviation_resolution = 1e-13;  ///< relative
 constexpr double tangent =
     1e-9;  ///< a change of direction below this is none: a step of the velocity, relative
 constexpr int most_halvings = 20;  ///< greatest number of times that the trim of a blend is halved
-constexpr double widest_trim = 1.0;  ///< rad of an arc that a blend may replace
+constexpr double most_of_side = 0.99;  ///< share of a side up to a rest that a corner may take
+constexpr double widest_trim = 1.0;    ///< rad of an arc that a blend may replace
 
 /// Both sides of a joint.
 struct Sides {
@@ -89,6 +90,11 @@ class Shapes {
       share(k);
     }
     for (std::size_t k = 1; k < count; ++k) rest_if_faster(k);
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t k = 1; k < count; ++k)
+        if (leave_rest(k, k - 1, k - 1) || leave_rest(k, k + 1, k)) changed = true;
+    }
     return std::move(shapes_);
   }
 
@@ -434,6 +440,16 @@ class Shapes {
       s.how = How::rest;
       s.note = JointNote::slower;
     }
+  }
+
+  /// The law needs a distance to leave a rest: a corner that takes nearly the whole side up to a rest gets half of it.
+  /// Returns true if the corner changed.
+  bool leave_rest(std::size_t k, std::size_t other, std::size_t side) {
+    const double length = view_.piece(side).length;
+    if (shapes_[other].how != How::rest || !shapes_[k].is_round()) return false;
+    if (shapes_[k].trim <= most_of_side * length) return false;
+    shapes_[k] = shape(k, length / 2);
+    return true;
   }
 
   [[nodiscard]] Box box(std::size_t k) const {

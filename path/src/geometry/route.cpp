@@ -233,7 +233,11 @@ void append_part(const Path& from, std::size_t k, double u0, double u1,
       f.length = whole.length;
       f.degree = degree;
       std::copy_n(data + 1 + i * count, count, f.c.begin());
-      if (u0 > 0 || u1 < whole.length) f = part(f, s0, s1);
+      if (u0 > 0 || u1 < whole.length) {
+        f = part(f, s0, s1);
+        double power = 1;
+        for (std::size_t m = 0; m < count; ++m, power *= share / (s1 - s0)) f.c[m] *= power;
+      }
       numbers.insert(numbers.end(), f.c.begin(), f.c.begin() + static_cast<std::ptrdiff_t>(count));
     }
   } else {
