@@ -5,7 +5,7 @@
 // --count is for each workload, --total for all; --first is the number of the first case, so that --first K --count 1
 // repeats one. A failure prints its number and the spec that repeats it. A long run shows its progress on stderr.
 //
-// A tie is a pair of programs with averages that must last equally long, and differ by up to 0.2 %, because rounding
+// A tie is a pair of programs with averages that must last equally long, and differ by up to 2 %, because rounding
 // decides between two plans. At most one program in a hundred may be a tie.
 #include <chrono>
 #include <cstdio>

@@ -14,7 +14,7 @@ constexpr double same = 1e-9;
 /// Rounding of the points bends two lines in one direction; they are planned with 1e-7 less (decision 0090, 15).
 constexpr double nearly_straight = 1e-7;
 /// Short lines that are averaged: rounding may decide between two windows or two places of stations.
-constexpr double tied = 2e-3;
+constexpr double tied = 0.02;
 
 double duration_of(const Case& c, int parts = 1) {
   return plan(program_of(c, parts), c.limits).duration();
