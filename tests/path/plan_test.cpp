@@ -249,7 +249,8 @@ TEST(Plan, BadInputNamesItsLine) {
               p.line({0}, 4);
               plan(p, usual(1));
             }),
-            "0: program");
+            "4: program");
+  EXPECT_EQ(error([] { plan(Program(1), usual(1)); }), "0: program");
   EXPECT_EQ(error([] { plan(Program(2), usual(1)); }), "0: axes");
 }
 

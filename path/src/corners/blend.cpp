@@ -7,6 +7,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
 
 namespace jounce {
@@ -47,6 +48,41 @@ std::array<Segment, max_axes> relative(std::span<const Segment> axes, const Poin
   return r;
 }
 
+/// r(from + distance) - r(from) on a piece. It has all digits at any distance of the piece from 0, and if it is a tiny
+/// share of the piece: the third derivative of a blend divides it by the cube of a length.
+Point step_on(const Path& route, std::size_t k, double from, double distance) {
+  const PathPiece& piece = route.pieces()[k];
+  const double* data = route.numbers(k);
+  const std::size_t n = route.axes();
+  const double share = distance / piece.length;
+  const double s0 = from / piece.length;
+  const double s1 = s0 + share;
+  Point step{};
+  if (piece.kind == PieceKind::line) {
+    for (std::size_t i = 0; i < n; ++i) step[i] = data[n + i] * share;
+  } else if (piece.kind == PieceKind::arc) {
+    const ArcNumbers arc(data, n);
+    const double half = arc.sweep() * share / 2;
+    const double middle = arc.phase() + arc.sweep() * (s0 + s1) / 2;
+    const double chord = 2 * std::sin(half);
+    for (std::size_t i = 0; i < n; ++i)
+      step[i] = chord * (arc.sine(i) * std::cos(middle) - arc.cosine(i) * std::sin(middle)) +
+                arc.drift(i) * share;
+  } else {
+    const auto degree = static_cast<std::size_t>(data[0]);
+    for (std::size_t i = 0; i < n; ++i) {
+      double mean = 1;   // (s1^m - s0^m) / (s1 - s0)
+      double power = 1;  // s0^(m - 1)
+      for (std::size_t m = 1; m <= degree; ++m) {
+        step[i] += data[1 + i * (degree + 1) + m] * mean * share;
+        power *= s0;
+        mean = s1 * mean + power;
+      }
+    }
+  }
+  return step;
+}
+
 }  // namespace
 
 Blend blend_of(const Path& route, std::size_t k, double trim) {
@@ -55,12 +91,16 @@ Blend blend_of(const Path& route, std::size_t k, double trim) {
   const std::size_t n = route.axes();
   route.jets(k, route.pieces()[k].length - trim, std::span(before).first(n));
   route.jets(k + 1, trim, std::span(behind).first(n));
+  const Point in = step_on(route, k, route.pieces()[k].length - trim, trim);
+  const Point out = step_on(route, k + 1, 0, trim);
   Blend blend;
   blend.count = n;
   blend.trim = trim;
-  for (std::size_t i = 0; i < n; ++i)
-    blend.axes[i] = quintic(2 * trim, before[i][0], before[i][1], before[i][2], behind[i][0],
-                            behind[i][1], behind[i][2]);
+  for (std::size_t i = 0; i < n; ++i) {
+    blend.axes[i] = quintic(2 * trim, 0, before[i][1], before[i][2], in[i] + out[i], behind[i][1],
+                            behind[i][2]);
+    blend.axes[i].c[0] = before[i][0];
+  }
   return blend;
 }
 

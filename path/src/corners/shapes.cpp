@@ -32,7 +32,8 @@ constexpr double deviation_resolution = 1e-13;  ///< relative
 constexpr double tangent =
     1e-9;  ///< a change of direction below this is none: a step of the velocity, relative
 constexpr int most_halvings = 20;  ///< greatest number of times that the trim of a blend is halved
-constexpr double widest_trim = 1.0;  ///< rad of an arc that a blend may replace
+constexpr double most_of_side = 0.99;  ///< share of a side up to a rest that a corner may take
+constexpr double widest_trim = 1.0;    ///< rad of an arc that a blend may replace
 
 /// Both sides of a joint.
 struct Sides {
@@ -89,6 +90,11 @@ class Shapes {
       share(k);
     }
     for (std::size_t k = 1; k < count; ++k) rest_if_faster(k);
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t k = 1; k < count; ++k)
+        if (leave_rest(k, k - 1, k - 1) || leave_rest(k, k + 1, k)) changed = true;
+    }
     return std::move(shapes_);
   }
 
@@ -228,8 +234,9 @@ class Shapes {
     const PathSettings& asked = view_.settings(k);
     double trim = room;
     bool fits = true;
-    // The least trim for which enough(trim) holds, or `most`.
-    const auto least = [&](double most, auto enough) {
+    // The least trim for which holds(trim) is true and that is more than rounding, or `most`.
+    const auto least = [&](double most, auto holds) {
+      const auto enough = [&](double d) { return !is_rounding(k, d) && holds(d); };
       if (!(fits = enough(most))) return most;
       double low = 0;
       double high = most;
@@ -262,8 +269,9 @@ class Shapes {
         trim = trim_for(k, asked.value, room);
         fits = trim < room;
     }
-    const double most = trim;
-    if (asked.corner != Corner::curvature && asked.corner != Corner::velocity) {
+    const bool is_least = asked.corner == Corner::curvature || asked.corner == Corner::velocity;
+    const double most = is_least ? room : trim;
+    if (!is_least) {
       trim = fastest_trim(k, most);
       if (trim < most) fits = true;
     }
@@ -282,17 +290,17 @@ class Shapes {
     return s;
   }
 
-  /// True if a blend is so small beside its coordinates that rounding changes its third derivative
-  /// by more than half of the reserve of its limits.
+  /// True if the sides of a blend turn so little that rounding changes its third derivative by more
+  /// than half of the reserve of its limits.
   [[nodiscard]] bool is_rounding(std::size_t k, double trim) const {
     const Blend blend = blend_of(view_.route.path, k - 1, trim);
     double change = 0;
     double size = 0;
     for (const Segment& f : blend.segments()) {
       change += square(f.c[3]);
-      size = std::max(size, std::abs(f.c[0]));
+      size = std::max(size, std::abs(f.c[1]));
     }
-    // The coefficient of the cube is computed from differences of coordinates, times 10.
+    // The coefficient of the cube is computed from differences of steps, times 10.
     return 10 * two_roundings * size > fit_share / 2 * std::sqrt(change);
   }
 
@@ -432,6 +440,16 @@ class Shapes {
       s.how = How::rest;
       s.note = JointNote::slower;
     }
+  }
+
+  /// The law needs a distance to leave a rest: a corner that takes nearly the whole side up to a rest gets half of it.
+  /// Returns true if the corner changed.
+  bool leave_rest(std::size_t k, std::size_t other, std::size_t side) {
+    const double length = view_.piece(side).length;
+    if (shapes_[other].how != How::rest || !shapes_[k].is_round()) return false;
+    if (shapes_[k].trim <= most_of_side * length) return false;
+    shapes_[k] = shape(k, length / 2);
+    return true;
   }
 
   [[nodiscard]] Box box(std::size_t k) const {

@@ -29,7 +29,12 @@ Plan halted(const Plan& plan, double t) {
   for (std::size_t k = 0; k < i; ++k) held.add(stretches[k]);
   const LawInterval& here = stretches[i];
   const double into = std::min(t - here.time, here.duration);
+  std::size_t last = i;  // the stretch at whose end the plan rests
+  while (last + 1 < stretches.size() && stretches[last].v1 > 0) ++last;
+  // A stop may last longer than the plan's own way to its next rest, which may use higher limits on the next piece.
   const auto made = [&] {
+    if (stretches[last].time + stretches[last].duration < held.time())
+      held.law.assign(stretches.begin(), stretches.begin() + static_cast<std::ptrdiff_t>(last) + 1);
     if (held.law.empty())
       held.until(here, std::min(here.duration, path_detail::shortest_rest * plan.duration()));
     return Plan(plan.path(), TimingLaw(std::move(held.law)),
@@ -66,9 +71,6 @@ Plan halted(const Plan& plan, double t) {
     }
   }
   held.add(here);
-  PartialLaw planned = held;  // continues to the plan's own next rest
-  for (std::size_t k = i + 1; k < stretches.size() && stretches[k - 1].v1 > 0; ++k)
-    planned.add(stretches[k]);
   for (++i; i < stretches.size() && v > 0; ++i) {
     LawInterval s = stretches[i];
     if (s.single_phase) {
@@ -76,8 +78,8 @@ Plan halted(const Plan& plan, double t) {
     } else {
       s.v0 = s.peak = v;
       if (!is_corner(s)) {
-        // At most the plan's own end velocity, except for rounding.
-        const double end = s.v1 == 0 ? 0 : std::min(lowest_end(unit_of(s).box, s.length, v), s.v1);
+        // At most the plan's own end velocity, except for rounding: a ramp to that velocity might not fit.
+        const double end = s.v1 == 0 ? 0 : lowest_end(unit_of(s).box, s.length, v);
         if (end == 0) s.length = std::min(s.length, ramp_distance(v, 0, s.deceleration, s.jerk));
         s.v1 = v = end;
       } else {
@@ -91,7 +93,6 @@ Plan halted(const Plan& plan, double t) {
     held.add(s);
     if (i + 1 < stretches.size() && stretches[i + 1].pieces == 0) break;
   }
-  if (planned.time() < held.time()) held = std::move(planned);
   return made();
 }
 

@@ -49,51 +49,53 @@ struct Leg {
   std::int32_t line = 0;
 };
 
-/// Segments of s(t) between two times of a leg.
-std::vector<Segment> law_between(const LawInterval& law, double from, double to) {
+/// The part of a phase from a time after its start, with the given duration.
+LawPhase part_of(const LawPhase& p, double from, double duration) {
+  const Motion m = motion_of(std::span(&p, 1), from);
+  return {duration, m.position, m.velocity, m.acceleration, p.jerk};
+}
+
+/// Phases of s(t) between two times of a leg.
+std::vector<LawPhase> law_between(const LawInterval& law, double from, double to) {
   std::array<LawPhase, 7> phase;
-  std::vector<Segment> out;
+  std::vector<LawPhase> out;
   double begin = 0;
   for (const LawPhase& p : std::span(phase).first(phases(law, phase))) {
     const double low = std::max(from, begin);
     const double high = std::min(to, begin + p.duration);
-    if (high - low > rounded_value * law.duration) {
-      const Segment whole = segment_of(p);
-      out.push_back(low > begin || high < begin + p.duration
-                        ? part(whole, (low - begin) / p.duration, (high - begin) / p.duration)
-                        : whole);
-    }
+    if (high - low > rounded_value * law.duration)
+      out.push_back(low > begin || high < begin + p.duration ? part_of(p, low - begin, high - low)
+                                                             : p);
     begin += p.duration;
   }
   return out;
 }
 
-/// Both laws over the overlap, divided at the phases of both.
+/// Both laws over the overlap, divided at the phases of both. The phases are divided in time: the coefficients of a
+/// segment that is a tiny share of another one would have few digits.
 struct Common {
   Segment before, behind;
 };
 std::vector<Common> common_phases(const Leg& a, const Leg& b, double overlap) {
-  std::vector<Segment> f = law_between(a.law, a.law.duration - overlap, a.law.duration);
-  std::vector<Segment> g = law_between(b.law, 0, overlap);
+  std::vector<LawPhase> f = law_between(a.law, a.law.duration - overlap, a.law.duration);
+  std::vector<LawPhase> g = law_between(b.law, 0, overlap);
   std::vector<Common> out;
   std::size_t i = 0;
   std::size_t k = 0;
   while (i < f.size() && k < g.size()) {
-    const double h = std::min(f[i].length, g[k].length);
-    const auto take = [&](std::vector<Segment>& all, std::size_t& n) {
-      Segment& whole = all[n];
-      if (whole.length - h <= rounded_root * overlap) {
+    const double h = std::min(f[i].duration, g[k].duration);
+    const auto take = [&](std::vector<LawPhase>& all, std::size_t& n) {
+      LawPhase first = all[n];
+      const double left = first.duration - h;
+      if (left <= rounded_root * overlap)
         ++n;
-        return all[n - 1];
-      }
-      const Segment first = part(whole, 0, h / whole.length);
-      whole = part(whole, h / whole.length, 1);
-      return first;
+      else
+        all[n] = part_of(first, h, left);
+      first.duration = h;
+      return segment_of(first);
     };
-    Segment before = take(f, i);
-    Segment behind = take(g, k);
-    before.length = behind.length = h;
-    out.push_back({before, behind});
+    const Segment before = take(f, i);
+    out.push_back({before, take(g, k)});
   }
   return out;
 }
@@ -241,9 +243,9 @@ class Overlapping {
       out.stop_duration += leg.dwell + leg.law.duration;
       const double from = overlaps[k];
       const double to = leg.law.duration - overlaps[k + 1];
-      for (const Segment& f : law_between(leg.law, from, to))
+      for (const LawPhase& p : law_between(leg.law, from, to))
         for (std::size_t i = 0; i < n_; ++i)
-          axes[i].push_back(scaled(f, leg.direction[i], leg.start[i]));
+          axes[i].push_back(scaled(segment_of(p), leg.direction[i], leg.start[i]));
       time += to - from;
       if (k + 1 == legs.size()) break;
       const Leg& next = legs[k + 1];

@@ -229,8 +229,6 @@ class Player {
         const bool whole = !(v > to) || !(down(to) <= rest.length);
         if (whole) {
           to = lowest_end(planned.box, rest.length, v);
-          const double most = k + 1 < all_.units.size() ? all_.units[k + 1].entry : 0;
-          if (to <= most * (1 + rounding)) to = std::min(to, most);
         }
         Unit ramp = rest;
         if (!whole || to == 0) ramp.length = std::min(rest.length, down(to));

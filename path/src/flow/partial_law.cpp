@@ -2,6 +2,7 @@
 #include "path/src/flow/partial_law.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
@@ -23,7 +24,10 @@ double lowest_end(const Box& box, double length, double v) {
     if (middle == low || middle == high) break;
     (way(middle) <= length ? low : high) = middle;
   }
-  return v - low;
+  // The drop is rounded to a digit of the velocity, which may be a large share of a small drop.
+  double end = v - low;
+  while (end < v && way(v - end) > length) end = std::nextafter(end, v);
+  return end;
 }
 
 void PartialLaw::phase(const LawInterval& whole, double at, double duration, const Motion& m) {

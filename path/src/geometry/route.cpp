@@ -199,7 +199,8 @@ Route route_of(const Program& program) {
     joints.push_back({});
   }
   if (pieces.empty())
-    throw InputError("program", 0.0, "covers no distance; it needs a line or an arc");
+    throw InputError("program", 0.0, "covers no distance; it needs a line or an arc")
+        .at({}, program.commands().empty() ? 0 : program.commands().front().line);
   joints.back().rests = true;
   return {Path(n, std::move(pieces), std::move(numbers)), std::move(joints), std::move(empty)};
 }
@@ -233,7 +234,11 @@ void append_part(const Path& from, std::size_t k, double u0, double u1,
       f.length = whole.length;
       f.degree = degree;
       std::copy_n(data + 1 + i * count, count, f.c.begin());
-      if (u0 > 0 || u1 < whole.length) f = part(f, s0, s1);
+      if (u0 > 0 || u1 < whole.length) {
+        f = part(f, s0, s1);
+        double power = 1;
+        for (std::size_t m = 0; m < count; ++m, power *= share / (s1 - s0)) f.c[m] *= power;
+      }
       numbers.insert(numbers.end(), f.c.begin(), f.c.begin() + static_cast<std::ptrdiff_t>(count));
     }
   } else {

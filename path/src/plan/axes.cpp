@@ -70,10 +70,10 @@ void cut_at_pieces(const Path& path, const LawInterval& stretch, std::vector<Cut
 /// Removes the phases that cutting left by rounding: without distance and of constant velocity.
 void drop_slivers(Cut& cut, double length) {
   std::erase_if(cut.law, [&](const Segment& f) {
-    const double v0 = evaluate(f, 0)[1];
+    const auto [x0, v0, a0, j0] = evaluate(f, 0);
     const double v1 = evaluate(f, 1)[1];
-    return value(f, 1) - value(f, 0) <= rounded_sum * length &&
-           std::abs(v1 - v0) <= rounded_input * std::max(v0, v1);
+    const double change = std::max(std::abs(v1 - v0), std::abs(a0) * f.length);
+    return value(f, 1) - x0 <= rounded_sum * length && change <= rounded_input * std::max(v0, v1);
   });
 }
 

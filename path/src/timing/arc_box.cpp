@@ -322,6 +322,7 @@ class ArcSearch {
   [[nodiscard]] Stairs stairs(double from, double v, const Steps& steps) const {
     Stairs result;
     double low = from;
+    if (low >= v * (1 - rounded_input)) return result;  // a step of rounding needs no zone
     for (std::size_t k = 0; k < steps.count && low < v; ++k) {
       const double high = from + steps.share[k] * (v - from);
       Box best;
@@ -342,6 +343,10 @@ class ArcSearch {
       }
       const double a = std::min(best.acceleration, best.deceleration);
       const double length = ramp_distance(low, high, a, best.jerk) * (1 + rounded_sum);
+      // A law that is slower than expected needs the acceleration for its longer ramp. It is possible at this jerk.
+      const Box wide = with(high, high, best.jerk);
+      best.acceleration = std::max(best.acceleration, wide.acceleration);
+      best.deceleration = std::max(best.deceleration, wide.deceleration);
       result.zones.add(length, best);
       result.length += length;
       result.time += ramp_time(high - low, a, best.jerk);

@@ -249,34 +249,30 @@ std::vector<RawPhase> spread_law(std::span<const CappedLength> caps, double acce
 
 std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window, double length) {
   struct Change {
-    double time;
+    double left;          ///< duration until the next change
     double acceleration;  ///< acceleration after this change
     double velocity;      ///< velocity at this change
   };
   std::vector<Change> changes;
-  double time = 0;
-  for (const RawPhase& p : raw) {
-    changes.push_back({time, (p.v1 - p.v0) / p.duration, p.v0});
-    time += p.duration;
-  }
-  changes.push_back({time, 0, raw.back().v1});
+  for (const RawPhase& p : raw) changes.push_back({p.duration, (p.v1 - p.v0) / p.duration, p.v0});
+  changes.push_back({std::numeric_limits<double>::infinity(), 0, raw.back().v1});
+  // Durations are counted down: the difference of two times since the start would have few digits in a long law.
   std::vector<LawPhase> out;
   LawPhase now{};
   std::size_t i = 0;  // next change of the leading edge
   std::size_t k = 0;  // next change of the trailing edge
+  double lead = 0;    // time until change i
+  double trail = window;
+  double since = 0;  // time since change i - 1
   double ahead = 0;
   double behind = 0;
-  double t = 0;
   while (k < changes.size()) {
-    const double lead =
-        i < changes.size() ? changes[i].time : std::numeric_limits<double>::infinity();
-    const double trail = changes[k].time + window;
-    const double next = std::min(lead, trail);
-    if (const double h = next - t; h > rounded_root * window) {
+    const double h = std::min(lead, trail);
+    if (h > rounded_root * window) {
       now.duration = h;
       now.jerk = (ahead - behind) / window;
       // A whole window within one phase: its acceleration; at rest or in a cruise its velocity, too.
-      if (ahead == behind && i > 0 && changes[i - 1].time <= t - window * (1 - rounded_input)) {
+      if (ahead == behind && i > 0 && since >= window * (1 - rounded_input)) {
         now.acceleration = ahead;
         now.jerk = 0;
         if (ahead == 0) now.velocity = changes[i - 1].velocity;
@@ -286,11 +282,18 @@ std::vector<LawPhase> averaged(std::span<const RawPhase> raw, double window, dou
       now.velocity += h * (now.acceleration + h * now.jerk / 2);
       now.acceleration += h * now.jerk;
     }
-    t = next;
-    if (lead <= trail)
-      ahead = changes[i++].acceleration;
-    else
-      behind = changes[k++].acceleration;
+    const bool leads = lead <= trail;
+    lead -= h;
+    trail -= h;
+    since += h;
+    if (leads) {
+      ahead = changes[i].acceleration;
+      lead = changes[i++].left;
+      since = 0;
+    } else {
+      behind = changes[k].acceleration;
+      trail = changes[k++].left;
+    }
   }
   const double factor = length / now.position;
   for (LawPhase& p : out) {
