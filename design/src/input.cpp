@@ -423,7 +423,7 @@ Spec read_gcode_machine(const std::string& machine, const std::string& program) 
 
 }  // namespace
 
-std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine) {
+Spec gcode_spec(const std::string& path, const std::string& machine) {
   Spec spec = read_gcode_machine(machine, path);
   auto* const of = std::get_if<PathSpec>(&spec.subject);
   const std::string name = path == "-" ? "standard input" : path;
@@ -432,7 +432,11 @@ std::vector<Input> gcode_inputs(const std::string& path, const std::string& mach
     throw InputError("", "", "is a spec, not a G-code program: leave out --machine").at(name, 1);
   set_gcode(*of, std::move(program), name);
   spec.name = path == "-" ? "standard input" : printable(path);
-  return inputs_of(spec, machine);
+  return spec;
+}
+
+std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine) {
+  return inputs_of(gcode_spec(path, machine), machine);
 }
 
 Report check_all(const Input& input, int continuity, const EngageState& at) {
