@@ -27,8 +27,7 @@ inline std::vector<ExecutorOptions> plotter(const Limits& axis, const PlanWindow
   ExecutorOptions all = axis_named("plotter", {}, {"", "mm"});
   all.axis = group_config(configs);
   all.enable = false;
-  all.group =
-      ExecutorGroup{.of = {{x, y}}, .names = names, .configs = configs, .window = window};
+  all.group = ExecutorGroup{.of = {{x, y}}, .names = names, .configs = configs, .window = window};
   Limits planned = axis;
   planned.position_min = planned.position_max = std::nullopt;
   all.group->sent = sent_program(
