@@ -65,6 +65,7 @@ StreamOptions stream_options(const StreamArguments& options, const KeyedLink& li
   stream.total = nanos(options.patience);
   // Before the total time is over: "no answer" explains more than "time is up".
   stream.sender.patience = std::min(stream.sender.patience, stream.total * 3 / 4);
+  stream.sender.command_patience = stream.total * 3 / 4;  // a group may plan a long path
   stream.cancelled = [&] { return interrupt.asked(); };
   return stream;
 }
@@ -136,24 +137,24 @@ std::string awaited_by(const StreamPlan& plan, const StreamArguments& options) {
 }
 
 /// A path for a group: all of its axes.
-std::optional<StreamPlan> group_plan(const StreamArguments& options,
-                                     const std::vector<Input>& axes) {
-  if (!is_path(axes)) return std::nullopt;
+std::optional<StreamPlan> group_plan(const StreamArguments& options, std::vector<Input>& axes) {
+  auto plan = gcode_path_plan(options.to, options.file, options.machine, options.axis);
+  if (!plan) axes = load_program(options.file, options.machine, options.axis);
+  if (!plan && !is_path(axes)) return std::nullopt;
   if (options.live || !options.swaps.empty() || !options.master.empty())
-    throw InputError(
-        "--to", options.to,
-        "is a group, so the options for one axis do not apply: omit --live, --swap and "
-        "--master, or name one axis of the path with --axis");
-  StreamPlan plan = path_plan(options.to, axes);
-  plan.await = !options.no_wait;
-  plan.goal = goal_of(options);
+    throw InputError("--to", options.to,
+                     "is a group, so the options for one axis do not apply: omit --live, --swap "
+                     "and --master, or name one axis of the path with --axis");
+  if (!plan) plan = path_plan(options.to, axes);
+  plan->await = !options.no_wait;
+  plan->goal = goal_of(options);
   return plan;
 }
 
 }  // namespace
 
 int stream_table(const StreamArguments& options) {
-  std::vector<Input> axes = load_program(options.file, options.machine, options.axis);
+  std::vector<Input> axes;
   std::optional<StreamPlan> path = group_plan(options, axes);
   std::optional<Input> input;
   if (!path) input = only_one(std::move(axes), options.file);
@@ -177,7 +178,7 @@ int stream_table(const StreamArguments& options) {
     fmt::print(stderr, "jounce: {} waits {}; Ctrl-C cancels the start\n", options.to,
                std::exchange(awaited, ""));
   };
-  const StreamOutcome outcome = stream_tables(link.transport(), plan, stream);
+  const StreamOutcome outcome = stream_tables(link.transport(), std::move(plan), stream);
   const bool waits = options.no_wait &&
                      (!options.start_at.empty() || options.at_next_cut || !options.swaps.empty());
   return report_outcome(outcome, options.to, options.json ? stream_json(outcome) : "",
@@ -190,10 +191,10 @@ int stream_group(const StreamArguments& options) {
                      !options.start_at.empty() || options.at_next_cut || options.relative ||
                      options.until != "start";
   if (alone)
-    throw InputError("--to", options.to,
-                     "names several axes, so the options for one axis do not apply: omit "
-                     "--rolling, --bank, --swap, --start-at, "
-                     "--at-next-cut, --relative and --until");
+    throw InputError(
+        "--to", options.to,
+        "names several axes, so the options for one axis do not apply: omit --rolling, "
+        "--bank, --swap, --start-at, --at-next-cut, --relative and --until");
   const std::vector<std::string> names =
       with_option_names({"to"}, [&] { return executor_names(options.to); });
   std::vector<StreamPlan> plans;

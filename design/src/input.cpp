@@ -466,7 +466,7 @@ Spec read_gcode_machine(const std::string& machine, const std::string& program) 
 
 }  // namespace
 
-std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine) {
+Spec gcode_spec(const std::string& path, const std::string& machine) {
   const std::string name = path == "-" ? "standard input" : path;
   std::string program = read_file(path);
   if (!spec_kind(program).empty())
@@ -475,7 +475,11 @@ std::vector<Input> gcode_inputs(const std::string& path, const std::string& mach
   auto* const of = std::get_if<PathSpec>(&spec.subject);
   set_gcode(*of, std::move(program), name);
   spec.name = path == "-" ? "standard input" : printable(path);
-  return inputs_of(spec, machine);
+  return spec;
+}
+
+std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine) {
+  return inputs_of(gcode_spec(path, machine), machine);
 }
 
 Report check_all(const Input& input, int continuity, const EngageState& at) {

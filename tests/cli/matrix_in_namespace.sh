@@ -9,6 +9,7 @@
 #     stall      the executor stands still for a time that it tolerates, then for a longer one
 #     disk       the disk of the log and of the record is full
 #     partition  the network is down for some seconds
+#     killed     kill -9 of the executor, and a new one in its place
 # judge_contour.py checks the log by the limits of the axes and the polygon of the program.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -171,7 +172,7 @@ partition)
   soon past x 10 || fail "it does not move"
   overrides 2
   ip link set lo down
-  order plotter override 20% --patience 1 && fail "an order without a network: $(cat out)"
+  refused 3 "is down" plotter override 20%
   sleep 2
   ip link set lo up
   ip route add 224.0.0.0/4 dev lo 2> /dev/null || true
@@ -179,6 +180,31 @@ partition)
   overrides 2
   order plotter override 100% || fail "override: $(cat out)"
   wait_for plotter '"state":"standstill".*"error":0.*"reason":"none"'
+  end 3000
+  ;;
+killed)
+  stream || fail "stream: $(cat out)"
+  soon past x 10 || fail "it does not move"
+  overrides 3
+  shows plotter '"state":"discrete_motion"' || fail "it rests: $(cat "$scratch/status")"
+  sed 's/.*"tick":\([0-9]*\).*/\1/' "$scratch/status" > seen
+  kill -9 $executor
+  wait $executor 2> /dev/null || true
+  refused 3 "no message from plotter" plotter hold
+  mkdir before
+  mv run.*part before
+  # The logs and the record reach the kill, except for the last moments. The last line may be cut.
+  for name in x y; do sed '$d' before/run.$name.csv.$executor.part > run.$name.csv; done
+  python3 "$here/judge_contour.py" run.x.csv run.y.csv 300 0.1000001 $corners || fail "the judge of the log"
+  last=$(tail -n 1 run.x.csv | cut -d, -f1)
+  [ "$last" -gt $(($(cat seen) - 2000)) ] || fail "the log ends at tick $last, long before $(cat seen)"
+  "$jounce" replay before/run.lcmlog.part > out 2>&1 || fail "the replay: $(cat out)"
+  rm run.x.csv run.y.csv
+  # The new executor has no path and no place: the group begins at rest, and plays the program from its start.
+  run
+  wait_for plotter '"state":"standstill".*"error":0'
+  refused 1 no_movement plotter resume
+  plays
   end 3000
   ;;
 esac

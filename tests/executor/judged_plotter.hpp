@@ -57,8 +57,9 @@ struct Requested {
 
 /// A plotter whose axes are judged in every tick.
 struct Judged : PlotterSite {
-  explicit Judged(bool recorded = false, const Limits& axis = limits(200, 2000, 1e5))
-      : PlotterSite(recorded, axis), config(resolved(Plotter::config(axis))) {
+  explicit Judged(bool recorded = false, const Limits& axis = limits(200, 2000, 1e5),
+                  const PlanWindow& window = {})
+      : PlotterSite(recorded, axis, window), config(resolved(Plotter::config(axis))) {
     each_tick = [this] { judge(); };
     advance(std::chrono::milliseconds(10));
     EXPECT_TRUE(order("plotter", command::Enable{}).ok());

@@ -17,7 +17,7 @@ namespace jounce::test {
 
 /// The options of a plotter: the axes x and y within these limits, and their group, whose program is
 /// the contour.
-inline std::vector<ExecutorOptions> plotter(const Limits& axis) {
+inline std::vector<ExecutorOptions> plotter(const Limits& axis, const PlanWindow& window = {}) {
   constexpr std::size_t x = Plotter::x;
   constexpr std::size_t y = Plotter::y;
   std::vector<ExecutorOptions> axes{axis_named("x", axis, {"", "mm"}),
@@ -27,7 +27,7 @@ inline std::vector<ExecutorOptions> plotter(const Limits& axis) {
   ExecutorOptions all = axis_named("plotter", {}, {"", "mm"});
   all.axis = group_config(configs);
   all.enable = false;
-  all.group = ExecutorGroup{.of = {{x, y}}, .names = names, .configs = configs};
+  all.group = ExecutorGroup{.of = {{x, y}}, .names = names, .configs = configs, .window = window};
   Limits planned = axis;
   planned.position_min = planned.position_max = std::nullopt;
   all.group->sent = sent_program(
@@ -38,8 +38,9 @@ inline std::vector<ExecutorOptions> plotter(const Limits& axis) {
 
 /// A site with a plotter. each_tick is called after every cycle.
 struct PlotterSite : Site {
-  explicit PlotterSite(bool recorded = false, const Limits& axis = limits(200, 2000, 1e5))
-      : Site(plotter(axis), {.masters = {}, .recorded = recorded, .said = {}}) {
+  explicit PlotterSite(bool recorded = false, const Limits& axis = limits(200, 2000, 1e5),
+                       const PlanWindow& window = {})
+      : Site(plotter(axis, window), {.masters = {}, .recorded = recorded, .said = {}}) {
     after = [this] {
       if (each_tick) each_tick();
     };

@@ -26,6 +26,10 @@ inline ProgramWord m_word(std::int32_t number, std::size_t command) {
 
 /// A plotter that receives whole programs of lines from its origin.
 struct SentPlotter : ::testing::Test {
+  /// `window`: of the plans of a long program.
+  explicit SentPlotter(const PlanWindow& window = {})
+      : site(true, test::limits(200, 2000, 1e5), window) {}
+
   /// The program of these lines, with rounded corners; the judge receives the lines.
   LimitedProgram lines(const std::vector<At>& points, const std::vector<ProgramWord>& words = {}) {
     Program program(2, {site.last(Plotter::x).position, site.last(Plotter::y).position});
@@ -81,7 +85,7 @@ struct SentPlotter : ::testing::Test {
                                << (replay.difference ? replay.difference->what.field : "");
   }
   static constexpr double corner = 0.2;
-  Judged site{true};
+  Judged site;
 };
 
 }  // namespace jounce::test

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -117,6 +118,40 @@ TEST(Extrema, OfAConstantAreTheConstant) {
   const Range r = extrema(Trajectory({line(1, 7, 7)}), 0);
   EXPECT_EQ(r.min.value, 7);
   EXPECT_EQ(r.max.value, 7);
+}
+
+/// The bounds of a segment only save work: the ranges and their places are those of all segments.
+TEST(Extrema, OfACurveAreThoseOfEachOfItsSegments) {
+  test::Random random(143);
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Segment> segments;
+    for (int k = 0; k < 40; ++k) {
+      Segment f{.length = random.log_uniform(1e-4, 1e2), .degree = k % (Segment::max_degree + 1)};
+      const double size = random.log_uniform(1e-3, 1e3);
+      f.c[0] = random.uniform(-1e3, 1e3);
+      for (int n = 1; n <= f.degree; ++n)
+        f.c[static_cast<std::size_t>(n)] = size * random.uniform(-1, 1);
+      if (k % 5 == 0) {
+        f.sines = 1;
+        f.sine[0] = {random.uniform(-1, 1), random.uniform(-7, 7), random.uniform(-3, 3)};
+      }
+      segments.push_back(f);
+    }
+    const Trajectory curve(segments);
+    const Ranges all = extrema(curve);
+    for (std::size_t order = 0; order < all.size(); ++order) {
+      Range wanted = segment_range(curve, 0, static_cast<int>(order));
+      for (std::size_t k = 1; k < segments.size(); ++k) {
+        const Range here = segment_range(curve, k, static_cast<int>(order));
+        if (here.min.value < wanted.min.value) wanted.min = here.min;
+        if (here.max.value > wanted.max.value) wanted.max = here.max;
+      }
+      ASSERT_EQ(all[order].min.value, wanted.min.value) << i << ", order " << order;
+      ASSERT_EQ(all[order].max.value, wanted.max.value) << i << ", order " << order;
+      ASSERT_EQ(all[order].min.where, wanted.min.where) << i << ", order " << order;
+      ASSERT_EQ(all[order].max.where, wanted.max.where) << i << ", order " << order;
+    }
+  }
 }
 
 }  // namespace

@@ -8,13 +8,13 @@
 #include <optional>
 #include <utility>
 
+#include "jounce/path/axes_by_stretch.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
-#include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-#include "axis/src/motion/largest_sum.hpp"
+#include "axis/src/group/axis_pass.hpp"
 
 namespace jounce {
 namespace {
@@ -28,7 +28,6 @@ struct PlannedAxis {
   const std::string& name;
   const std::string& unit;  ///< "mm"; "": not known
   const Plan& plan;
-  const Trajectory& motion;
   const AxisConfig& config;
 
   /// "mm/s^2"; "u/s^2" if the unit is not known.
@@ -79,41 +78,28 @@ void require_inside(const PlannedAxis& axis, const Range& position) {
     reject(position.min, " is less than position_min", *limits.position_min);
 }
 
-/// The largest sum of the steps of a derivative within one tick, from rest to rest.
-Jump largest_step_of(const Trajectory& motion, std::size_t order, double tick) {
-  const auto pieces = motion.segments();
-  std::vector<Jump> steps;
-  double before = 0;
-  for (std::size_t i = 0; i <= pieces.size(); ++i) {
-    const double after = i < pieces.size() ? evaluate(pieces[i], 0)[order] : 0;
-    if (after != before) steps.push_back({after - before, motion.breaks()[i]});
-    if (i < pieces.size()) before = evaluate(pieces[i], 1)[order];
-  }
-  return largest_sum(steps, tick);
-}
-
 /// A step of the velocity counts as the acceleration that makes it in one tick, and a step of the
 /// acceleration as such a jerk, as in a table.
-void require_smooth(const PlannedAxis& axis) {
+void require_smooth(const PlannedAxis& axis, const AxisSteps& steps) {
   const Limits& limits = axis.config.limits;
   const double tick = seconds(axis.config.period);
   const auto at_most = [&](int order, double most) {
     return "must be at most " + six_digits(most) + " " + axis.rate(order);
   };
-  const Jump position = largest_jump(axis.motion, 0);
+  const Jump& position = steps.position;
   const double rounding = profiles_detail::rounded_input * *limits.velocity;
   if (std::abs(position.step) > rounding * tick)
     throw axis.error(0, position.step, position.where,
                      "is a step " + at_time(position.where) +
                          ", from rounding: divide the path, or use smaller coordinates and radii");
-  const Jump velocity = largest_step_of(axis.motion, 1, tick);
+  const Jump& velocity = steps.velocity;
   const double most = *limits.acceleration * tick + rounding;
   if (std::abs(velocity.step) > most)
     throw axis.error(1, velocity.step, velocity.where,
                      "is a step " + at_time(velocity.where) + ", and " + at_most(1, most) +
                          ": the acceleration limit times one cycle");
   if (!limits.jerk) return;
-  const Jump acceleration = largest_step_of(axis.motion, 2, tick);
+  const Jump& acceleration = steps.acceleration;
   const double most_acceleration = *limits.jerk * tick;
   if (std::abs(acceleration.step) > most_acceleration * (1 + admitted_excess))
     throw axis.error(2, acceleration.step, acceleration.where,
@@ -143,46 +129,60 @@ void raise(Peaks& peaks, const LawInterval& s) {
   raise(peaks.jerk, std::abs(s.jerk));
 }
 
-/// `error`: of an arc, which has a greater reserve.
-void raise(Peaks& peaks, const Ranges& ranges, const Jet& error) {
-  raise(peaks.velocity, std::abs(ranges[1].peak().value) + error[1]);
-  raise(peaks.acceleration, std::abs(ranges[2].peak().value) + error[2]);
-  raise(peaks.jerk, std::abs(ranges[3].peak().value) + error[3]);
+void raise(Peaks& peaks, const Peaks& by) {
+  peaks.velocity = std::max(peaks.velocity, by.velocity);
+  peaks.acceleration = std::max(peaks.acceleration, by.acceleration);
+  peaks.jerk = std::max(peaks.jerk, by.jerk);
 }
 
-/// The segment of a motion at this time.
-std::size_t segment_at(const Trajectory& motion, double time) {
-  const auto breaks = motion.breaks();
-  const auto after = std::upper_bound(breaks.begin(), breaks.end(), time);
-  const auto segment = static_cast<std::size_t>(after - breaks.begin());
-  return std::clamp<std::size_t>(segment, 1, motion.segments().size()) - 1;
+/// `error`: of an arc, which has a greater reserve.
+Peaks peaks_of(const Ranges& ranges, const Jet& error) {
+  return {.velocity = std::abs(ranges[1].peak().value) + error[1],
+          .acceleration = std::abs(ranges[2].peak().value) + error[2],
+          .jerk = std::abs(ranges[3].peak().value) + error[3]};
+}
+
+/// The motions of the axes of a group, examined in one pass over the stretches of their plan.
+struct Examined {
+  std::vector<AxisPass> axes;
+  std::vector<ProgramPart> sections;  ///< peaks between two rests, without the errors of the fits
+  std::vector<Jet> error;             ///< of the fits, for all axes of the plan
+};
+
+Examined examined(const GroupProgram& program, std::span<const AxisConfig> configs) {
+  Examined all;
+  for (const AxisConfig& config : configs) all.axes.emplace_back(seconds(config.period));
+  AxesByStretch motion(*program.plan);
+  const auto end_section = [&] {
+    for (AxisPass& axis : all.axes) all.sections.back().axes.push_back(axis.end_section());
+  };
+  for (const LawInterval& stretch : program.plan->law().stretches()) {
+    const bool rests = !all.sections.empty() && stretch.v0 == 0;
+    if (rests) end_section();
+    if (rests || all.sections.empty()) all.sections.push_back({.start = stretch.start});
+    raise(all.sections.back().along, stretch);
+    motion.next();
+    for (std::size_t k = 0; k < all.axes.size(); ++k)
+      for (const Segment& f : motion.segments(program.first + k)) all.axes[k].add(f);
+  }
+  end_section();
+  all.error.assign(motion.error().begin(), motion.error().end());
+  return all;
 }
 
 bool same_peaks(const ProgramPart& a, const ProgramPart& b) {
   return a.along == b.along && a.axes == b.axes;
 }
 
-/// The parts of a program, found from its last rest to its first; `whole`: the whole program.
-std::vector<ProgramPart> parts_of(const GroupProgram& program, const PlanAxes& motions,
-                                  ProgramPart whole) {
-  const auto stretches = program.plan->law().stretches();
-  ProgramPart part{.axes = std::vector<Peaks>(program.axes.size())};
-  std::vector<std::size_t> ends;  // number of segments that do not count yet
-  for (std::size_t k = 0; k < program.axes.size(); ++k)
-    ends.push_back(motions.curves[program.first + k].segments().size());
+/// The parts of a program: each rest at which the peaks up to the end of the program are lower than
+/// before. `sections`: the peaks between two rests. `whole`: the whole program.
+std::vector<ProgramPart> parts_of(std::span<const ProgramPart> sections, ProgramPart whole) {
   std::vector<ProgramPart> parts;
-  for (std::size_t i = stretches.size(); i-- > 1;) {
-    raise(part.along, stretches[i]);
-    if (stretches[i].v0 != 0) continue;
-    part.start = stretches[i].start;
-    for (std::size_t k = 0; k < program.axes.size(); ++k) {
-      const Trajectory& motion = motions.curves[program.first + k];
-      const std::size_t first = segment_at(motion, stretches[i].time);
-      if (first < ends[k])
-        raise(part.axes[k], segment_extrema(motion, first, ends[k] - 1),
-              motions.error[program.first + k]);
-      ends[k] = std::min(ends[k], first);
-    }
+  ProgramPart part{.axes = std::vector<Peaks>(whole.axes.size())};
+  for (std::size_t i = sections.size(); i-- > 1;) {
+    part.start = sections[i].start;
+    raise(part.along, sections[i].along);
+    for (std::size_t k = 0; k < part.axes.size(); ++k) raise(part.axes[k], sections[i].axes[k]);
     if (!parts.empty() && same_peaks(parts.back(), part))
       parts.back().start = part.start;
     else
@@ -218,21 +218,26 @@ GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const Axi
   GroupProgram program{.plan = std::move(plan), .axes = {}};
   program.first = program.plan->path().axes() - axes.size();
   ProgramPart whole{.along = peaks_of(program.plan->law())};
-  const PlanAxes motions = to_axes(*program.plan);
+  Examined motion = examined(program, axes);
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const AxisConfig config = resolved(axes[k]);
-    const Ranges ranges = extrema(motions.curves[program.first + k]);
-    const PlannedAxis axis{names[k], unit, *program.plan, motions.curves[program.first + k],
-                           config};
-    require_smooth(axis);
+    const Ranges& ranges = motion.axes[k].ranges();
+    const PlannedAxis axis{names[k], unit, *program.plan, config};
+    require_smooth(axis, motion.axes[k].steps());
     require_inside(axis, ranges[0]);
     require_within(axis, 1, ranges[1].peak(), config.limits.velocity);
     require_within(axis, 2, ranges[2].peak(), config.limits.acceleration);
     require_within(axis, 3, ranges[3].peak(), config.limits.jerk);
-    raise(whole.axes.emplace_back(), ranges, motions.error[program.first + k]);
+    const Jet& error = motion.error[program.first + k];
+    whole.axes.push_back(peaks_of(ranges, error));
+    for (ProgramPart& section : motion.sections) {
+      section.axes[k].velocity += error[1];
+      section.axes[k].acceleration += error[2];
+      section.axes[k].jerk += error[3];
+    }
     program.axes.push_back({config, whole.axes.back()});
   }
-  program.parts = parts_of(program, motions, std::move(whole));
+  program.parts = parts_of(motion.sections, std::move(whole));
   return program;
 }
 

@@ -427,7 +427,7 @@ void AxisServer::take_step(const GroupQueue::Extend& step) {
   commands_.send({command::Extend{path.movement.get(), step.position, step.shift, step.until}},
                  {step.request.session, step.request.command, Kind::extend});
   group_movement_ = path.movement->id();
-  movements_[group_movement_] = {std::move(path), {}, step.position};
+  movements_[group_movement_] = {std::move(path), {}, step.position, step.shift};
 }
 
 void AxisServer::take_step(const GroupQueue::SetLimits& step) {
@@ -711,8 +711,8 @@ void AxisServer::follow_program(const Tick& tick) {
     pass_m_words(tick);
   else if (tick.job != last_.job) {
     const auto kept = movements_.find(tick.job);
-    const MadeMovement made = kept == movements_.end() ? MadeMovement{} : kept->second.made;
-    m_words_.begin(made.program, extended ? last_.path_time : 0);
+    const auto [made, hash, origin, shift] = kept == movements_.end() ? Kept{} : kept->second;
+    m_words_.begin(made.program, extended ? last_.path_time - shift : 0);
     if (made.sent) group_queue_->begins(tick.job, made.program, made.sent, made.sent_last, tick);
   }
   if (tick.job != 0) pass_m_words(tick);
@@ -801,8 +801,7 @@ std::optional<wire::GroupStatus> AxisServer::group_status() {
   wire::GroupStatus status =
       group_report_.status(*options_.group, last_, group_queue_->places(), program, *group_queue_);
   if (options_.trace != nullptr && program && program != traced_) {
-    const double origin = status.length - program->plan->path().length();
-    options_.trace->set(axis_, *trace_path(*program, *options_.group, origin));
+    options_.trace->set(axis_, *trace_path(*program, *options_.group, playing->second.origin));
   }
   if (program) traced_ = program;
   return status;

@@ -158,6 +158,7 @@ std::optional<GroupQueue::Step> GroupQueue::next(const Tick& group) {
   if (auto step = begin_stage(group)) return step;
   if (!dropped_because_.empty()) return Note{std::exchange(dropped_because_, {})};
   if (auto step = cut(group)) return step;
+  if (auto step = next_window(group)) return step;
   if (waiting_.empty()) return std::nullopt;
   if (attempt_ && attempt_->program) return std::nullopt;
   return attempt_ ? proceed(group) : begin(group);
@@ -165,12 +166,14 @@ std::optional<GroupQueue::Step> GroupQueue::next(const Tick& group) {
 
 /// At the end of the present motion. If the motion was ended before, the stages are dropped.
 std::optional<GroupQueue::Step> GroupQueue::begin_stage(const Tick& group) {
-  if (stages_.empty() || in_motion(group)) return std::nullopt;
-  const Stage& stage = stages_.front();
+  const bool keeps_path = group.state == State::error_stop && group.job != 0;
+  if (stages_.empty() || in_motion(group) || keeps_path) return std::nullopt;
+  Stage& stage = stages_.front();
   if (!rests(group) || (stage.finished && group.finished <= *stage.finished)) {
     drop_stages();
     return std::nullopt;
   }
+  if (single_step_ && stage.sent && !stage.gate) stage.gate = Gate{.is_step = true};
   if (stage.gate && !acknowledged_) return pass_gate(group);
   // A command that is being planned belongs to the last stage.
   const bool grows = attempt_ && attempt_->way == Way::after && !attempt_->adds_stage;
@@ -233,6 +236,7 @@ Cause GroupQueue::acknowledge(std::int32_t number) {
 void GroupQueue::answered(bool accepted, std::uint64_t movement) {
   unacknowledged_ = false;
   if (cut_ && cut_->program) return cut_answered(accepted, movement);
+  if (window_ && window_->program) return window_answered(accepted, movement);
   if (std::exchange(starts_stage_, false)) {
     Stage& stage = stages_.front();
     if (accepted && stage.sent)
@@ -282,7 +286,7 @@ std::size_t GroupQueue::size(const Tick& group) const {
   std::size_t all = taken(group);
   for (const Stage& stage : stages_)
     if (stage.sent && stage.sent->first < stage.sent->last)
-      all += stage.sent->last - stage.sent->first - 1;
+      all += stage.sent->last - stage.sent->first - (stage.gate ? 1 : 0);
   return all;
 }
 
@@ -291,8 +295,9 @@ std::size_t GroupQueue::taken(const Tick& group) const {
       plays(group) ? static_cast<std::size_t>(playing_->commands.last() - current(group) + 1) : 0;
   std::size_t after = 0;
   for (const Stage& stage : stages_)
-    after += stage.sent ? (stage.sent->first < stage.sent->last ? 1 : 0) + (stage.gate ? 1 : 0)
-                        : stage.size();
+    after += !stage.sent  ? stage.size()
+             : stage.gate ? (stage.sent->first < stage.sent->last ? 2 : 1)
+                          : 0;  // it belongs to the present motion
   return played + after + waiting_.size() + idle_.size();
 }
 
@@ -506,20 +511,22 @@ std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
   return std::nullopt;
 }
 
-/// Plans at once, or starts the planning in the thread of the worker.
+/// Plans so many commands at once, or starts the planning in the thread of the worker.
+std::future<GroupQueue::Planned> GroupQueue::begun(std::size_t commands,
+                                                   std::function<Planned()> work) {
+  if (commands > most_at_once_) return worker_.ask(std::move(work));
+  std::promise<Planned> now;
+  now.set_value(work());
+  return now.get_future();
+}
+
 void GroupQueue::plan(Way way, Task task, std::shared_ptr<const ExecutorGroup> group) {
   Attempt attempt{way, task.commands, {}, std::make_shared<std::atomic<bool>>(false), group};
   attempt.fast = task.fast.has_value();
   const std::size_t size = task.commands.size();
   const auto work = [task = std::move(task), group = std::move(group),
                      canceled = attempt.canceled] { return planned(task, *group, *canceled); };
-  if (size > most_at_once_) {
-    attempt.planned = worker_.ask(work);
-  } else {
-    std::promise<Planned> now;
-    now.set_value(work());
-    attempt.planned = now.get_future();
-  }
+  attempt.planned = begun(size, work);
   attempt_.emplace(std::move(attempt));
 }
 

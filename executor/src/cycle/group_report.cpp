@@ -10,9 +10,9 @@ namespace {
 
 /// The time to the end of the path, if the group moves. At another rate than 1, it is an estimate:
 /// the time of the path at the override that is set.
-void add_remaining(wire::GroupStatus& status, const Tick& tick, double remaining) {
+void add_remaining(wire::GroupStatus& status, const Tick& tick, double remaining, bool exact) {
   if (tick.state != State::discrete_motion) return;
-  status.estimated = tick.held || tick.rate != 1 || tick.override_ != 1;
+  status.estimated = !exact || tick.held || tick.rate != 1 || tick.override_ != 1;
   if (!tick.held && tick.override_ > 0) status.remaining_s = remaining / tick.override_;
 }
 
@@ -47,11 +47,12 @@ wire::GroupStatus GroupReport::status(const ExecutorGroup& group, const Tick& ti
   }
   if (!progress_) return status;
   const PlanPlace place = progress_->at(tick.path_time);
-  status.length = status.position + program->plan->path().length() - place.position;
+  const WindowRest beyond = queue.beyond(tick);
+  status.length = status.position + program->plan->path().length() - place.position + beyond.length;
   status.look_ahead = place.look_ahead;
   status.line = queue.command(tick).value_or(std::max(0, place.line));
   if (!queue.command(tick)) status.commands += static_cast<std::uint32_t>(place.commands);
-  add_remaining(status, tick, place.remaining);
+  add_remaining(status, tick, place.remaining + beyond.time, beyond.time == 0);
   return status;
 }
 

@@ -28,19 +28,23 @@ void GroupQueue::begins(std::uint64_t movement, std::shared_ptr<const GroupProgr
   drop_stages();
   unacknowledged_ = false;
   cut_.reset();
+  window_.reset();
   const std::vector<SentStage>& stages = sent->stages;
+  const bool steps = single_step_ || last < sent->window_end(stages.front(), 0);
   if (last < stages.front().last)
-    stages_.push_back(stage_of({sent, 0, last, stages.front().last}, Gate{.is_step = true}));
+    stages_.push_back(stage_of({sent, 0, last, stages.front().last},
+                               steps ? std::optional(Gate{.is_step = true}) : std::nullopt));
   for (std::size_t k = 1; k < stages.size(); ++k) {
     stages_.push_back(stage_of({sent, k, stages[k].first, stages[k].last},
                                Gate{*stages[k].m_word, base_->m_words.timeout}));
     stages_.back().program = stages[k].program;
+    stages_.back().planned = stages[k].planned;
   }
   if (!stages_.empty()) stages_.front().finished = group.finished;
   sent_ = PlayingSent{movement, std::move(motion), {std::move(sent), 0, 0, last}};
 }
 
-/// Plans a part of a program. If it is long, the thread of the worker plans it. `before`: a plan with
+/// Plans a part of a program. `before`: a plan with
 /// the same beginning, which the group plays; null: none.
 std::future<GroupQueue::Planned> GroupQueue::part_planned(
     const SentPart& part, std::shared_ptr<const GroupProgram> before) {
@@ -60,21 +64,20 @@ std::future<GroupQueue::Planned> GroupQueue::part_planned(
       return {.reason = "the path does not fit into the memory of the executor"};
     }
   };
-  if (part.last - part.first > most_at_once_) return worker_.ask(std::move(work));
-  std::promise<Planned> now;
-  now.set_value(work());
-  return now.get_future();
+  return begun(part.last - part.first, std::move(work));
 }
 
-/// Plans the first stage: one command in single step, otherwise all of its commands. Returns false if
-/// the plan is not ready, or if the stages were dropped.
+/// Plans the first stage: one command in single step, otherwise all of its commands, or the first
+/// window. Returns false if the plan is not ready, or if the stages were dropped.
 bool GroupQueue::prepare() {
   Stage& stage = stages_.front();
   const SentPart part = *stage.sent;
   if (part.first == part.last) return true;
   if (!preparing_.valid()) {
-    prepared_last_ = single_step_ ? part.of->step_end(part.first, part.last) : part.last;
-    if (prepared_last_ == part.last && stage.program) return true;
+    const SentStage& whole = part.of->stages[part.stage];
+    prepared_last_ = single_step_ ? part.of->step_end(part.first, part.last)
+                                  : std::min(part.of->window_end(whole, part.first), part.last);
+    if (stage.program && prepared_last_ == stage.planned) return divide(part);
     preparing_ = part_planned({part.of, part.stage, part.first, prepared_last_}, nullptr);
   }
   if (preparing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
@@ -85,11 +88,18 @@ bool GroupQueue::prepare() {
     return false;
   }
   stage.program = std::move(made.program);
+  return divide(part);
+}
+
+/// The first stage has the commands before prepared_last_, and a further stage those after it.
+bool GroupQueue::divide(const SentPart& part) {
+  Stage& stage = stages_.front();
   stage.sent->last = prepared_last_;
   stage.commands = commands_from(part.of->sent.program.place_before(prepared_last_));
   if (prepared_last_ < part.last)
-    stages_.insert(stages_.begin() + 1, stage_of({part.of, part.stage, prepared_last_, part.last},
-                                                 Gate{.is_step = true}));
+    stages_.insert(stages_.begin() + 1,
+                   stage_of({part.of, part.stage, prepared_last_, part.last},
+                            single_step_ ? std::optional(Gate{.is_step = true}) : std::nullopt));
   return true;
 }
 
@@ -112,8 +122,9 @@ std::optional<GroupQueue::Step> GroupQueue::cut(const Tick& group) {
     return std::nullopt;
   }
   cut_->program = made.program;
+  cut_->position = sent_->origin + made.agreement->position;
   return Extend{made.program,
-                made.agreement->position,
+                cut_->position,
                 made.agreement->shift,
                 made.agreement->until,
                 {.kind = CommandKind::move_linear_absolute}};
@@ -125,8 +136,9 @@ bool GroupQueue::begin_cut(const Tick& group) {
   const SentPart& part = sent_->part;
   std::size_t last = part.first;
   const auto pieces = sent_->program->plan->drawn().pieces();
-  const auto after = std::upper_bound(pieces.begin() + 1, pieces.end(), group.position,
-                                      [](double at, const PathPiece& p) { return at < p.start; });
+  const auto after =
+      std::upper_bound(pieces.begin() + 1, pieces.end(), group.position - sent_->origin,
+                       [](double at, const PathPiece& p) { return at < p.start; });
   const std::int32_t line = std::prev(after)->line;
   const auto commands = part.of->sent.program.commands();
   while (last < part.last && commands[last].line < line) ++last;
@@ -147,12 +159,15 @@ void GroupQueue::cut_answered(bool accepted, std::uint64_t movement) {
     cut_skips_ = 2 * cut_skips_ + 1;
     return;
   }
-  const std::size_t end = sent_->part.last;
+  const bool continues = has_rest();
+  const std::size_t end = continues ? stages_.front().sent->last : sent_->part.last;
+  if (continues) stages_.pop_front();
   stages_.push_front(
       stage_of({sent_->part.of, sent_->part.stage, cut.last, end}, Gate{.is_step = true}));
   if (stages_.size() > 1) stages_[1].finished.reset();
   stages_.front().finished = finished_;
   sent_->part.last = cut.last;
+  sent_->origin = cut.position;
   sent_->movement = movement;
   sent_->program = std::move(cut.program);
   sent_->is_step = true;

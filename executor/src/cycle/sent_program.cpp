@@ -82,6 +82,24 @@ void add_words(GroupProgram& made, const Program& part, std::span<const ProgramW
   }
 }
 
+void raise(Peaks& peaks, const Peaks& by) {
+  peaks.velocity = std::max(peaks.velocity, by.velocity);
+  peaks.acceleration = std::max(peaks.acceleration, by.acceleration);
+  peaks.jerk = std::max(peaks.jerk, by.jerk);
+}
+
+void raise(ProgramPart& part, const ProgramPart& by) {
+  raise(part.along, by.along);
+  for (std::size_t k = 0; k < part.axes.size(); ++k) raise(part.axes[k], by.axes[k]);
+}
+
+/// A change of the rate may continue in the next window. So it acts as if one plan contained all
+/// commands: its slope suits the peaks of `all`, and its rate those of the commands that remain.
+void set_peaks(GroupProgram& program, const ProgramPart& all, const ProgramPart& remaining) {
+  for (std::size_t k = 0; k < program.axes.size(); ++k) program.axes[k].peaks = all.axes[k];
+  program.parts = {remaining};
+}
+
 }  // namespace
 
 bool MWordHandshake::waits_at(const ProgramWord& word) const {
@@ -96,6 +114,12 @@ std::size_t SentProgram::step_end(std::size_t first, std::size_t last) const {
   if (first < last) ++first;
   while (first < last && !moves(program, first)) ++first;
   return first;
+}
+
+std::size_t SentProgram::window_end(const SentStage& stage, std::size_t first) const {
+  for (const WindowRest& rest : stage.windows)
+    if (rest.last == stage.last || rest.last >= first + window.common) return rest.last;
+  return stage.last;
 }
 
 std::shared_ptr<const GroupProgram> planned_part(const SentProgram& all, const SentStage& stage,
@@ -113,12 +137,54 @@ std::shared_ptr<const GroupProgram> planned_part(const SentProgram& all, const S
              : rest_at(axes_at(program.place_before(first), group), dwell_of(program, first, last),
                        first < last ? program.commands()[first].line : 0, group);
   add_words(made, part, words_of(all.sent, stage, first, last), first, moving);
+  const auto rest = std::find_if(stage.windows.begin(), stage.windows.end(),
+                                 [&](const WindowRest& one) { return one.last >= last; });
+  if (rest != stage.windows.end()) set_peaks(made, stage.windows.front().peaks, rest->peaks);
   return std::make_shared<const GroupProgram>(std::move(made));
 }
 
+namespace {
+
+/// Plans a stage window by window, and keeps the first plan.
+void plan_windows(const SentProgram& all, SentStage& stage, const ExecutorGroup& group,
+                  const std::atomic<bool>* canceled) {
+  const auto [most, common] = all.window;
+  std::shared_ptr<const GroupProgram> first_plan;
+  std::vector<WindowRest> windows;
+  for (std::size_t first = stage.first; windows.empty() || windows.back().last < stage.last;
+       first = windows.back().last - common) {
+    const std::size_t last = std::min(first + most, stage.last);
+    const auto made = planned_part(all, stage, first, last, group, canceled);
+    const Program part = all.sent.program.part(first, last);
+    const std::size_t known = windows.empty() ? 0 : common;
+    const CommandStart from = command_starts(part, *made->plan, std::span(&known, 1)).front();
+    windows.push_back({.last = last,
+                       .length = made->plan->path().length() - from.where,
+                       .time = made->plan->duration() - from.time,
+                       .peaks = made->parts.front()});
+    if (!first_plan) first_plan = made;
+  }
+  WindowRest after{.peaks = {.axes = std::vector<Peaks>(group.configs.size())}};
+  for (auto window = windows.rbegin(); window != windows.rend(); ++window) {
+    std::swap(window->length, after.length);
+    std::swap(window->time, after.time);
+    after.length += window->length;
+    after.time += window->time;
+    raise(window->peaks, after.peaks);
+    after.peaks = window->peaks;
+  }
+  GroupProgram begin = *first_plan;
+  set_peaks(begin, windows.front().peaks, windows.front().peaks);
+  stage.program = std::make_shared<const GroupProgram>(std::move(begin));
+  stage.planned = windows.front().last;
+  stage.windows = std::move(windows);
+}
+
+}  // namespace
+
 std::shared_ptr<const SentProgram> sent_program(LimitedProgram sent, const ExecutorGroup& group,
                                                 const std::atomic<bool>* canceled) {
-  SentProgram made{.sent = std::move(sent)};
+  SentProgram made{.sent = std::move(sent), .window = group.window};
   const std::size_t end = made.sent.program.commands().size();
   SentStage stage;
   const auto close = [&](std::size_t last, std::size_t last_word) {
@@ -133,9 +199,16 @@ std::shared_ptr<const SentProgram> sent_program(LimitedProgram sent, const Execu
     stage.m_word = words[k].number;
   }
   close(end, words.size());
-  for (SentStage& one : made.stages)
-    if (one.first < one.last || one.first_word < one.last_word)
-      one.program = planned_part(made, one, one.first, one.last, group, canceled);
+  std::size_t kept = 0;  // commands of the plans that are kept
+  for (SentStage& one : made.stages) {
+    if (one.last - one.first > group.window.commands)
+      plan_windows(made, one, group, canceled);
+    else if (one.first < one.last || one.first_word < one.last_word)
+      one.program = planned_part(made, one, one.first, one.planned = one.last, group, canceled);
+    kept += one.planned - std::min(one.first, one.planned);
+    const bool first = &one == &made.stages.front();
+    if (!first && one.first < one.last && kept > group.window.commands) one.program.reset();
+  }
   return std::make_shared<const SentProgram>(std::move(made));
 }
 
@@ -145,15 +218,16 @@ std::shared_ptr<const SentProgram> sent_program(LimitedProgram sent, GroupProgra
   add_words(planned, program, made.sent.words, 0, true);
   made.stages.push_back({.last = program.commands().size(),
                          .last_word = made.sent.words.size(),
-                         .program = std::make_shared<const GroupProgram>(std::move(planned))});
+                         .program = std::make_shared<const GroupProgram>(std::move(planned)),
+                         .planned = program.commands().size()});
   return std::make_shared<const SentProgram>(std::move(made));
 }
 
 std::shared_ptr<const GroupProgram> first_motion(const SentProgram& program, bool single_step,
                                                  const ExecutorGroup& group, std::size_t& last) {
   const SentStage& stage = program.stages.front();
-  last = single_step ? program.step_end(0, stage.last) : stage.last;
-  if (last == stage.last && stage.program) return stage.program;
+  last = single_step ? program.step_end(0, stage.last) : program.window_end(stage, 0);
+  if (last == stage.planned && stage.program) return stage.program;
   return planned_part(program, stage, 0, last, group);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -14,24 +15,32 @@ bool is_path(const std::vector<Input>& axes) {
          std::holds_alternative<PathSpec>(axes.front().spec->subject);
 }
 
-StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes) {
-  const auto& path = std::get<PathSpec>(axes.front().spec->subject);
+namespace {
+
+/// An axis of a path.
+struct NamedAxis {
+  std::string name;
+  Units units;
+};
+
+StreamPlan path_plan(const std::string& group, PathSpec path, const std::vector<NamedAxis>& axes) {
   const auto refuse = [](const char* key, const char* rule) { throw InputError(key, "", rule); };
   if (path.overlap) refuse("overlap", "is not possible for a group: its path would depend on time");
   if (!path.override_steps.empty())
     refuse("override", "is a command for a group: `jounce order GROUP override`");
-  const Units& units = axes.front().table.units;
+  const Units& units = axes.front().units;
   if (units.x != "s") throw InputError("units.time", units.x, "must be s for a group");
-  LimitedProgram sent = limited_program(path);
-  for (const Input& axis : axes) {
-    const bool has_length = sent.names.size() < path.program.path_axes() || !path.joints;
-    if (has_length && axis.table.units.position != units.position)
-      throw InputError(axis.axis + ".unit", axis.table.units.position,
+  const std::size_t lengths = path.joints ? path.program.path_axes() : axes.size();
+  LimitedProgram sent = limited_program(std::move(path));
+  for (const NamedAxis& axis : axes) {
+    if (sent.names.size() < lengths && axis.units.position != units.position)
+      throw InputError(axis.name + ".unit", axis.units.position,
                        "must be " + units.position + ": the axes of a group have the same unit");
-    sent.names.push_back(axis.axis);
+    sent.names.push_back(axis.name);
   }
   Columns columns;
   columns.p = numbers_of(sent);
+  sent.program = Program(1);  // its memory is free for the other column
   columns.x.resize(columns.p.size());
   std::iota(columns.x.begin(), columns.x.end(), 0.0);
   StreamPlan plan;
@@ -41,6 +50,24 @@ StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes) {
       {Table(Domain::master, Interpolation::linear, Extrapolation::hold, std::move(columns)),
        {"", units.position}});
   return plan;
+}
+
+}  // namespace
+
+StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes) {
+  std::vector<NamedAxis> named;
+  for (const Input& axis : axes) named.push_back({axis.axis, axis.table.units});
+  return path_plan(group, std::get<PathSpec>(axes.front().spec->subject), named);
+}
+
+std::optional<StreamPlan> gcode_path_plan(const std::string& group, const std::string& path,
+                                          const std::string& machine, const std::string& axis) {
+  if (machine.empty() || path == "-" || !axis.empty()) return std::nullopt;
+  Spec spec = gcode_spec(path, machine);
+  std::vector<NamedAxis> named;
+  for (const AxisPart& part : spec.parts()) named.push_back({part.name, part.units});
+  if (named.size() < 2) return std::nullopt;
+  return path_plan(group, std::move(std::get<PathSpec>(spec.subject)), named);
 }
 
 }  // namespace jounce

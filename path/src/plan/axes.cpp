@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jounce/path/axes_by_stretch.hpp"
 #include "jounce/path/plan.hpp"
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/curve/over_length.hpp"
@@ -24,11 +25,7 @@ using profiles_detail::rounded_root;
 using profiles_detail::rounded_sum;
 
 constexpr double fit_rounding = 2e-14;  ///< share of the positions
-/// The law on one piece: its phases, the last one cut at the end of the piece.
-struct Cut {
-  std::size_t piece = 0;
-  std::vector<Segment> law;  ///< position on the piece, from 0 to its length
-};
+using Cut = AxesByStretch::Cut;
 
 /// The s in [0, 1] at which an ascending segment has the value y.
 double place_of(const Segment& f, double y) {
@@ -42,29 +39,36 @@ double place_of(const Segment& f, double y) {
   return low;
 }
 
-void cut_at_pieces(const Path& path, const LawInterval& stretch, std::vector<Cut>& out) {
+/// Returns the number of cuts at the beginning of `out`; the memory of the others is used again.
+std::size_t cut_at_pieces(const Path& path, const LawInterval& stretch, std::vector<Cut>& out) {
   std::array<LawPhase, 7> phase;
   const std::size_t count = phases(stretch, phase);
-  out.clear();
+  std::size_t used = 0;
+  const auto begin_piece = [&](std::size_t number) {
+    if (used == out.size()) out.emplace_back();
+    out[used].piece = number;
+    out[used++].law.clear();
+  };
   std::size_t piece = stretch.piece;
   double begin =
       path.pieces()[piece].start - stretch.start;  // start of the piece within the stretch
-  out.push_back({piece, {}});
+  begin_piece(piece);
   for (std::size_t i = 0; i < count; ++i) {
     Segment rest = segment_of(phase[i]);
     while (piece + 1 < stretch.piece + stretch.pieces) {
       const double end = begin + path.pieces()[piece].length;
       if (value(rest, 1) < end) break;
       const double s = place_of(rest, end);
-      if (s > 0) out.back().law.push_back(scaled(s < 1 ? part(rest, 0, s) : rest, 1, -begin));
+      if (s > 0) out[used - 1].law.push_back(scaled(s < 1 ? part(rest, 0, s) : rest, 1, -begin));
       begin = end;
-      out.push_back({++piece, {}});
+      begin_piece(++piece);
       if (s < 1) rest = part(rest, s, 1);
       rest.length = s < 1 ? rest.length : 0;
       if (!(rest.length > 0)) break;
     }
-    if (rest.length > 0) out.back().law.push_back(scaled(rest, 1, -begin));
+    if (rest.length > 0) out[used - 1].law.push_back(scaled(rest, 1, -begin));
   }
+  return used;
 }
 
 /// Removes the phases that cutting left by rounding: without distance and of constant velocity.
@@ -153,34 +157,44 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allo
 
 }  // namespace
 
-PlanAxes to_axes(const Plan& plan, double tolerance) {
+AxesByStretch::AxesByStretch(const Plan& plan, double tolerance) : plan_(plan) {
   require_positive("tolerance", tolerance);
-  const Path& path = plan.path();
-  const std::size_t n = path.axes();
-  std::vector<std::vector<Segment>> axes(n);
-  PlanAxes result;
-  result.error.assign(n, {});
-  std::vector<Jet> allowed;
   for (const Limits& limits : plan.given().limits.axes)
-    allowed.push_back(allowed_error(limits, tolerance));
-  std::vector<Cut> cuts;
-  std::vector<Segment> pieces;
-  for (const LawInterval& stretch : plan.law().stretches()) {
-    if (stretch.pieces == 0) {
-      for (std::size_t i = 0; i < n; ++i) {
-        const PathPiece& piece = path.pieces()[stretch.piece];
-        const double u = std::clamp(stretch.start - piece.start, 0.0, piece.length);
-        const double at = path.point(stretch.piece, u)[i];
-        axes[i].push_back(line(stretch.duration, at, at));
-      }
-      continue;
-    }
-    cut_at_pieces(path, stretch, cuts);
-    for (Cut& cut : cuts) drop_slivers(cut, path.pieces()[cut.piece].length);
-    for (const Cut& cut : cuts)
-      for (std::size_t i = 0; i < n; ++i)
-        compose(path, cut, i, allowed[i], pieces, axes[i], result.error[i]);
+    allowed_.push_back(allowed_error(limits, tolerance));
+  segments_.resize(plan.path().axes());
+  error_.resize(plan.path().axes());
+}
+
+bool AxesByStretch::next() {
+  const auto stretches = plan_.law().stretches();
+  if (next_ == stretches.size()) return false;
+  const LawInterval& stretch = stretches[next_++];
+  for (std::vector<Segment>& segments : segments_) segments.clear();
+  const Path& path = plan_.path();
+  if (stretch.pieces == 0) {
+    const PathPiece& piece = path.pieces()[stretch.piece];
+    const Point at =
+        path.point(stretch.piece, std::clamp(stretch.start - piece.start, 0.0, piece.length));
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      segments_[i].push_back(line(stretch.duration, at[i], at[i]));
+    return true;
   }
+  const std::size_t cuts = cut_at_pieces(path, stretch, cuts_);
+  for (Cut& cut : std::span(cuts_).first(cuts)) {
+    drop_slivers(cut, path.pieces()[cut.piece].length);
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      compose(path, cut, i, allowed_[i], pieces_, segments_[i], error_[i]);
+  }
+  return true;
+}
+
+PlanAxes to_axes(const Plan& plan, double tolerance) {
+  std::vector<std::vector<Segment>> axes(plan.path().axes());
+  AxesByStretch motion(plan, tolerance);
+  while (motion.next())
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      axes[i].insert(axes[i].end(), motion.segments(i).begin(), motion.segments(i).end());
+  PlanAxes result{.curves = {}, .error = {motion.error().begin(), motion.error().end()}};
   for (std::vector<Segment>& segments : axes)
     result.curves.emplace_back(std::move(segments), 0, Extrapolation::hold);
   return result;

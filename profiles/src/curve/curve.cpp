@@ -8,6 +8,7 @@
 
 #include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/detail/common_pieces.hpp"
+#include "jounce/profiles/detail/compensated_sum.hpp"
 #include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -31,18 +32,13 @@ void require_valid(const Segment& f, std::size_t index) {
         "value and derivatives must be finite: too short, too far or too steep for a double");
 }
 
-/// Running sum of the lengths, compensated (Neumaier), so that also 1e6 segments end at the exact
-/// place.
 std::vector<double> running_sum(double start, const std::vector<Segment>& segments) {
   std::vector<double> breaks{start};
   breaks.reserve(segments.size() + 1);
-  double total = start;
-  double lost = 0;
-  for (const auto& f : segments) {
-    const double next = total + f.length;
-    lost += std::abs(total) >= f.length ? (total - next) + f.length : (f.length - next) + total;
-    total = next;
-    breaks.push_back(total + lost);
+  profiles_detail::CompensatedSum sum(start);
+  for (const Segment& f : segments) {
+    sum.add(f.length);
+    breaks.push_back(sum.value());
   }
   return breaks;
 }

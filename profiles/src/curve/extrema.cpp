@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "jounce/profiles/curve/over_length.hpp"
@@ -20,6 +21,58 @@ using profiles_detail::one_rounding;
 void widen(Range& range, const Extremum& candidate, double noise = 0) {
   if (candidate.value < range.min.value - noise) range.min = candidate;
   if (candidate.value > range.max.value + noise) range.max = candidate;
+}
+
+/// SegmentHulls of the value and its derivatives on a segment, wider than their rounding.
+using SegmentHulls = std::array<std::pair<double, double>, 4>;
+
+/// Adds the bounds of the sine terms: their amplitudes.
+void add_sines(const Segment& f, SegmentHulls& bounds) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
+    double most = std::abs(f.sine[i].amplitude);
+    for (auto& [low, high] : bounds) {
+      low -= most;
+      high += most;
+      most *= std::abs(f.sine[i].angle) / f.length;
+    }
+  }
+}
+
+/// The hulls of the Bernstein coefficients of a polynomial, and of their differences. Each
+/// difference doubles the rounding. The constant term is added last: it would only add rounding.
+template <std::size_t n>
+SegmentHulls hulls(const Segment& f) {
+  auto c = f.c;
+  c[0] = 0;
+  auto beta = profiles_detail::to_bernstein<n>(c);
+  double scale = 0;
+  for (std::size_t k = 1; k <= n; ++k) scale += std::abs(c[k]);
+  SegmentHulls bounds{};
+  for (std::size_t k = 0; k < bounds.size() && k <= n; ++k) {
+    double low = beta[0];
+    double high = beta[0];
+    for (std::size_t i = 1; i + k <= n; ++i) {
+      low = std::min(low, beta[i]);
+      high = std::max(high, beta[i]);
+    }
+    const double noise = profiles_detail::rounded_value * scale;
+    bounds[k] = {low - noise, high + noise};
+    const double rate = static_cast<double>(n - k) / f.length;
+    for (std::size_t i = 0; i + k < n; ++i) beta[i] = (beta[i + 1] - beta[i]) * rate;
+    scale *= 2 * rate;
+  }
+  const double noise = profiles_detail::rounded_value * std::abs(f.c[0]);
+  bounds[0].first += f.c[0] - noise;
+  bounds[0].second += f.c[0] + noise;
+  return bounds;
+}
+
+SegmentHulls bounds_of(const Segment& f) {
+  SegmentHulls bounds{};
+  profiles_detail::with_degree(static_cast<std::size_t>(f.degree),
+                               [&](auto n) { bounds = hulls<n>(f); });
+  add_sines(f, bounds);
+  return bounds;
 }
 
 /// True if f has the same sign everywhere, except for less than `flat` on average. The integral
@@ -62,6 +115,24 @@ const Extremum& Range::peak() const {
   return std::abs(min.value) > std::abs(max.value) ? min : max;
 }
 
+void widen(Ranges& ranges, const Ranges& after) {
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    widen(ranges[k], after[k].min);
+    widen(ranges[k], after[k].max);
+  }
+}
+
+void widen(Ranges& ranges, const Segment& f, double start, double end) {
+  const SegmentHulls bounds = bounds_of(f);
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    const auto& [low, high] = bounds[k];
+    if (low >= ranges[k].min.value && high <= ranges[k].max.value) continue;
+    const Range here = segment_range(f, start, end, static_cast<int>(k));
+    widen(ranges[k], here.min);
+    widen(ranges[k], here.max);
+  }
+}
+
 Range segment_range(const Segment& f, double start, double end, int order) {
   assert(order >= 0 && order <= 3);
   Segment g = f;
@@ -74,28 +145,27 @@ Range segment_range(const Curve<Over>& f, std::size_t segment, int order) {
   return segment_range(f.segments()[segment], f.breaks()[segment], f.breaks()[segment + 1], order);
 }
 
-template <class Over>
-Ranges segment_extrema(const Curve<Over>& f, std::size_t segment) {
+Ranges segment_extrema(const Segment& f, double start, double end) {
   Ranges ranges;
-  Segment g = f.segments()[segment];
+  Segment g = f;
   for (auto& range : ranges) {
     const Segment dg = derivative(g);
-    range = range_on(g, dg, f.breaks()[segment], f.breaks()[segment + 1]);
+    range = range_on(g, dg, start, end);
     g = dg;
   }
   return ranges;
 }
 
 template <class Over>
+Ranges segment_extrema(const Curve<Over>& f, std::size_t segment) {
+  return segment_extrema(f.segments()[segment], f.breaks()[segment], f.breaks()[segment + 1]);
+}
+
+template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t first, std::size_t last) {
   Ranges all = segment_extrema(f, first);
-  for (std::size_t i = first + 1; i <= last; ++i) {
-    const Ranges here = segment_extrema(f, i);
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      widen(all[k], here[k].min);
-      widen(all[k], here[k].max);
-    }
-  }
+  for (std::size_t i = first + 1; i <= last; ++i)
+    widen(all, f.segments()[i], f.breaks()[i], f.breaks()[i + 1]);
   return all;
 }
 

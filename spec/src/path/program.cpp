@@ -205,8 +205,12 @@ std::vector<ProgramWord> words_of(const PathSpec& path) {
 
 }  // namespace
 
-LimitedProgram limited_program(const PathSpec& path) {
-  return {.program = path.program, .limits = path.limits, .names = {}, .words = words_of(path)};
+LimitedProgram limited_program(PathSpec path) {
+  std::vector<ProgramWord> words = words_of(path);
+  return {.program = std::move(path.program),
+          .limits = std::move(path.limits),
+          .names = {},
+          .words = std::move(words)};
 }
 
 }  // namespace jounce

@@ -102,5 +102,7 @@ std::vector<Input> table_inputs(const std::string& text, const std::string& path
 /// Reads a G-code program (file `path`) for a machine (file `machine`: a path spec without
 /// commands). Returns one input for each axis. Throws InputError, with the place in the document.
 std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine);
+/// The same as a spec, without its motion.
+Spec gcode_spec(const std::string& path, const std::string& machine);
 
 }  // namespace jounce

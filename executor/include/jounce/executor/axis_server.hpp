@@ -81,6 +81,7 @@ class AxisServer {
     MadeMovement made;
     Sha256 hash{};
     double origin = 0;  // position of a group at the start of its program
+    double shift = 0;   // path time of the program before at which this one begins, s
   };
 
   void handle(const TableReady& ready);

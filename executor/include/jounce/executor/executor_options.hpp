@@ -43,6 +43,7 @@ struct ExecutorGroup {
   std::shared_ptr<const SentProgram> sent = {};    ///< path that StartTable plays; null: none
   std::optional<GroupKinematics> kinematics = {};  ///< nullopt: commands address the axes
   MWordHandshake m_words = {};                     ///< M words of programs that wait
+  PlanWindow window = {};                          ///< windows of the plans of a long program
 
   /// Names of the coordinates of commands: the axes of the tool, or of the group.
   [[nodiscard]] const std::vector<std::string>& coordinates() const {

@@ -156,6 +156,8 @@ class GroupQueue {
   [[nodiscard]] std::size_t taken(const Tick& group) const;
   /// Number of the command that the group plays, from 1; nullopt: it plays no single command.
   [[nodiscard]] std::optional<std::int32_t> command(const Tick& group) const;
+  /// The rest of a long program after the plan that the group plays.
+  [[nodiscard]] WindowRest beyond(const Tick& group) const;
 
  private:
   static constexpr std::size_t most_waiting = 16;
@@ -175,6 +177,7 @@ class GroupQueue {
     std::shared_ptr<const GroupProgram> program = {};
     std::optional<Agreement> agreement = {};
     std::string reason = {};
+    double from = 0;  // length along the present path at which the program may take over, u
   };
   /// A condition for the commands after it: an M word, or a single step.
   struct Gate {
@@ -195,13 +198,26 @@ class GroupQueue {
     std::shared_ptr<const GroupProgram> program;
     SentPart part;
     bool is_step =
-        false;  // it cannot come to rest earlier, or it is the last command before a rest
+        false;           // it cannot come to rest earlier, or it is the last command before a rest
+    double origin = 0;   // position of the group at the start of the program
+    bool rests = false;  // it cannot continue in the next window, and rests at its end
+  };
+  /// The next window of this part, which takes over where the group has passed half of the commands
+  /// that both windows contain.
+  struct Window {
+    std::size_t first = 0;  // its first command
+    std::size_t last = 0;   // the command after its last one
+    std::future<Planned> planned;
+    std::optional<Planned> made = {};
+    std::shared_ptr<const GroupProgram> program = {};  // set: the group has the step
+    double position = 0;  // place of the group at the start of its program
   };
   /// A shorter plan of this part, which ends earlier: for single step.
   struct Cut {
     std::size_t last = 0;  // the command after its last one
     std::future<Planned> planned;
     std::shared_ptr<const GroupProgram> program = {};  // set: the group has the step
+    double position = 0;  // place of the group at the start of its program
   };
   /// Commands that begin at rest when the motion before them has ended, and their gate is open.
   struct Stage {
@@ -212,6 +228,7 @@ class GroupQueue {
     std::optional<std::uint64_t> finished = {};
     std::optional<Gate> gate = {};
     std::optional<SentPart> sent = {};  // set: `commands` has only the end of the stage
+    std::size_t planned = 0;            // the command of `sent` after the last one of `program`
     [[nodiscard]] std::size_t size() const {
       return (sent ? sent->last - sent->first : commands.size()) + (gate ? 1 : 0);
     }
@@ -268,15 +285,23 @@ class GroupQueue {
   void add_stage(const Tick& group, std::optional<Gate> gate);
   [[nodiscard]] Stage stage_of(SentPart part, std::optional<Gate> gate) const;
   [[nodiscard]] bool prepare();
+  [[nodiscard]] bool divide(const SentPart& part);
   [[nodiscard]] std::optional<Step> cut(const Tick& group);
   [[nodiscard]] bool begin_cut(const Tick& group);
   void cut_answered(bool accepted, std::uint64_t movement);
+  [[nodiscard]] bool has_rest() const;
+  [[nodiscard]] std::optional<Step> next_window(const Tick& group);
+  void begin_window();
+  void window_answered(bool accepted, std::uint64_t movement);
+  [[nodiscard]] static Planned planned_window(const SentPart& part, const GroupProgram& before,
+                                              std::size_t known, const ExecutorGroup& group);
   [[nodiscard]] std::future<Planned> part_planned(const SentPart& part,
                                                   std::shared_ptr<const GroupProgram> before);
   [[nodiscard]] std::optional<Step> follow(const Tick& group);
   [[nodiscard]] Point end_of(const Tick& group) const;
   [[nodiscard]] PathCommands commands_from(const Point& place) const;
   [[nodiscard]] std::string text_of(const JogEnd& end) const;
+  [[nodiscard]] std::future<Planned> begun(std::size_t commands, std::function<Planned()> work);
   void plan(Way way, Task task, std::shared_ptr<const ExecutorGroup> group);
   void fail();
   Reply finish(Cause cause, const std::string& reason = {});
@@ -307,6 +332,7 @@ class GroupQueue {
   bool single_step_ = false;
   std::optional<PlayingSent> sent_;
   std::optional<Cut> cut_;
+  std::optional<Window> window_;
   std::size_t cut_skips_ =
       0;  // ends of commands that the next cut leaves out: it comes too late there
   std::future<Planned> preparing_;        // valid: the next part of a program is being planned

@@ -41,6 +41,6 @@ void set_gcode(PathSpec& path, std::string_view text, const std::string& documen
 
 /// Returns the program of a path with its limits and its M and H words, without names. S and T words
 /// have no effect. Throws InputError, with the place, for a number that a ProgramWord cannot have.
-LimitedProgram limited_program(const PathSpec& path);
+LimitedProgram limited_program(PathSpec path);
 
 }  // namespace jounce

@@ -53,6 +53,16 @@ Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t first, std::size_t last);
 
+/// The same for a segment that extends from `start` to `end`.
+Ranges segment_extrema(const Segment& f, double start, double end);
+
+/// Widens ranges by those of a further segment, which follows. The result is that of
+/// segment_extrema(), but a derivative whose bounds lie within its range is not examined.
+void widen(Ranges& ranges, const Segment& f, double start, double end);
+
+/// Widens ranges by further ones, which follow: of equal extrema, the first one stays.
+void widen(Ranges& ranges, const Ranges& after);
+
 /// A step of a derivative at a break.
 struct Jump {
   double step = 0;   ///< right limit minus left limit

@@ -21,16 +21,21 @@ using Bernstein = std::array<double, n + 1>;
 ///
 /// They are computed by repeated addition from the scaled c_k.
 template <std::size_t n>
-Bernstein<n> to_bernstein(const Segment& f) {
+Bernstein<n> to_bernstein(const std::array<double, Segment::max_degree + 1>& c) {
   Bernstein<n> beta{};
   double binomial = 1;
   for (std::size_t k = 0; k <= n; ++k) {
-    beta[k] = f.c[k] / binomial;
+    beta[k] = c[k] / binomial;
     binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
   }
   for (std::size_t k = 1; k <= n; ++k)
     for (std::size_t i = n; i >= k; --i) beta[i] += beta[i - 1];
   return beta;
+}
+
+template <std::size_t n>
+Bernstein<n> to_bernstein(const Segment& f) {
+  return to_bernstein<n>(f.c);
 }
 
 /// Divides the interval at its middle (de Casteljau): the coefficients over both halves.

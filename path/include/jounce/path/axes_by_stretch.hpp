@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "jounce/path/plan.hpp"
+
+namespace jounce {
+
+/// The axes of a plan over time, one stretch of its timing law after another: the segments of
+/// to_axes(), without the memory for all of them.
+///
+///     AxesByStretch motion(plan);
+///     while (motion.next()) ... motion.segments(0);      // of the first axis
+class AxesByStretch {
+ public:
+  /// `plan` must outlive the object. `tolerance`: as for to_axes().
+  explicit AxesByStretch(const Plan& plan, double tolerance = 1e-9);
+
+  /// Makes the segments of the next stretch. Returns false after the last one.
+  bool next();
+  /// The segments of one axis on the present stretch. They are valid until the next call of next().
+  [[nodiscard]] std::span<const Segment> segments(std::size_t axis) const {
+    return segments_[axis];
+  }
+  /// For each axis, a bound of the error of its fit so far: u, u/s, u/s^2, u/s^3; 0: exact.
+  [[nodiscard]] std::span<const Jet> error() const { return error_; }
+
+  /// The law on one piece: its phases, the last one cut at the end of the piece.
+  struct Cut {
+    std::size_t piece = 0;
+    std::vector<Segment> law;  ///< position on the piece, from 0 to its length
+  };
+
+ private:
+  const Plan& plan_;
+  std::size_t next_ = 0;  // the next stretch
+  std::vector<Jet> allowed_, error_;
+  std::vector<Cut> cuts_;
+  std::vector<Segment> pieces_;
+  std::vector<std::vector<Segment>> segments_;
+};
+
+}  // namespace jounce
