@@ -24,9 +24,20 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// The only candidate that begins with the word, or "".
+std::string begun_by(std::string_view word, std::span<const std::string> candidates) {
+  constexpr std::size_t telling = 3;  // letters that make it likely
+  if (word.size() < telling) return "";
+  const auto begins = [&](const std::string& one) { return one.starts_with(word); };
+  const auto found = std::find_if(candidates.begin(), candidates.end(), begins);
+  if (found == candidates.end() || std::count_if(found, candidates.end(), begins) > 1) return "";
+  return *found;
+}
+
 }  // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {
+  if (const std::string begun = begun_by(word, candidates); !begun.empty()) return begun;
   std::string best;
   std::size_t least = 3;
   for (const auto& candidate : candidates) {

@@ -17,10 +17,10 @@ using Entry = CauseInfo;
 constexpr std::array entries{
     Entry{Cause::none, "none", "Nothing is wrong.", "Nothing."},
     Entry{Cause::aborted, "aborted",
-          "Aborted on request: the setpoint stays where it was in that cycle.",
+          "Aborted on request: the setpoint has stayed where it was at the abort.",
           "Remove the reason for the abort, reset the axis, and send the motion again."},
     Entry{Cause::disabled_in_motion, "disabled_in_motion",
-          "The axis was disabled in motion: the setpoint stays where it was in that cycle.",
+          "The axis was disabled in motion: the setpoint has stayed where it was then.",
           "Find out who disabled the axis: the drive, an operator, or a second program. Then reset "
           "and enable the axis."},
     Entry{
@@ -101,8 +101,8 @@ constexpr std::array entries{
           "The axis was moved, or its position was set, after the table was armed: move the axis "
           "to the start of the table, or arm the table again."},
     Entry{Cause::too_late, "too_late", "The requested start tick has passed.",
-          "Give a later start: the command and its table must arrive before it. `jounce monitor "
-          "NAME --json` shows the present tick."},
+          "Give a later tick: the command, and a table if it starts one, must arrive before it. "
+          "`jounce monitor NAME --json` shows the present tick."},
     Entry{Cause::no_value, "no_value",
           "The table or the number of the command is missing or not finite.",
           "Send the command with its table, or with a finite number."},
@@ -365,7 +365,7 @@ struct OrderRemedy {
   const char* remedy;
 };
 
-constexpr const char* other_way = "Give a shorter distance, or the other direction.";
+constexpr const char* other_way = "Give a shorter distance.";
 constexpr const char* inside_or_wider =
     "Give a position inside the range, or widen position_min and position_max in the spec of the "
     "axis.";

@@ -159,7 +159,7 @@ TEST(PathCommands, AnInvalidCommandIsNamed) {
   command::MoveCircularAbsolute arc{};
   arc.to[0] = 10;
   EXPECT_THAT(error_of([&] { commands.append(arc); }),
-              HasSubstr("give exactly one of via, center and radius"));
+              HasSubstr("needs exactly one of --via, --center and --radius"));
   arc.via = {7, 0, as_configured};
   EXPECT_THAT(error_of([&] { commands.append(arc); }), HasSubstr("via"));
   EXPECT_TRUE(commands.empty());

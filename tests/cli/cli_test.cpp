@@ -1445,8 +1445,8 @@ TEST_F(Cli, ConvertStatesItsLoss) {
   EXPECT_EQ(run("convert a.toml c.bas --position-resolution 1um").status, 0);
   EXPECT_THAT(run("convert a.toml c.csv --tolerance 1 um").err,
               HasSubstr("`1 um` is one value: write it without a space"));
-  EXPECT_THAT(run("convert a.toml e.csv --most 5 --tolerance 1um").out,
-              HasSubstr("raise --most (5), give a greater --tolerance"));
+  EXPECT_THAT(run("convert a.toml e.csv --most 5 --tolerance 1um").err,
+              HasSubstr("--most = 5: must be at least "));
   EXPECT_EQ(run("convert a.toml b.xyva --tolerance 0.1um").status, 0);
   const Result close = run("diff a.toml b.xyva --tolerance position=0.1um");
   EXPECT_EQ(close.status, 0) << close.out;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """random_operator.py JOUNCE [ORDERS [SEED]]: three operators send random orders, right and wrong, to a machine of seven axes
-and a group, in the present folder; the tick logs are judged. With SAY=1, each order is printed with its answer.
+and a group, in the present folder; the tick logs are judged. With TRACE=1, each order is printed with its answer.
 
 The orders and their options come from `jounce order --help`, so a new order or option is drawn without a change here. The
 operators also stream tables, stop axes, and kill their own programs. The judge has only the limits of the axes:
@@ -77,20 +77,20 @@ class Grammar:
 
     def __init__(self, jounce):
         self.jounce = jounce
-        text = self.say("--help")
+        text = self.call("--help")
         what = re.search(r"\n  WHAT\s+(.*?)\n  VALUE", text, re.S)[1].split(". start ")[0]
         options = re.findall(r"\n  (--[a-z0-9-]+)( \.\.\.)?", text)
         self.flags = {name for name, value in options if not value}
         self.orders = {order: self.options(order) for order in re.findall(r"[a-z][a-z-]+", what)}
 
-    def say(self, *words):
+    def call(self, *words):
         done = subprocess.run([self.jounce, "order", *words], capture_output=True, text=True, check=False)
         return done.stdout + done.stderr
 
     def options(self, order):
         """From the rejections of options that belong to other orders."""
-        said = self.say("nobody", order, "--hold-to-run") + self.say("nobody", order, "--relative")
-        return set(re.findall(r"VALUE|--[a-z0-9-]+", " ".join(re.findall(r"which (.*)", said))))
+        printed = self.call("absent", order, "--hold-to-run") + self.call("absent", order, "--relative")
+        return set(re.findall(r"VALUE|--[a-z0-9-]+", " ".join(re.findall(r"which (.*)", printed))))
 
 
 def number(draw, unit=""):
@@ -131,7 +131,7 @@ def argument(draw, name, what, unit):
 
 def order(draw, grammar):
     """A random order; most are correct in themselves."""
-    name = draw.choice([*AXES, *AXES, GROUP, GROUP, GROUP, "nobody" if draw.random() < 0.1 else GROUP])
+    name = draw.choice([*AXES, *AXES, GROUP, GROUP, GROUP, "absent" if draw.random() < 0.1 else GROUP])
     unit = AXES.get(name, ("mm",))[0]
     frequent = ["move-linear", "move-linear", "move-circular", "move-direct", "start"] if name == GROUP else ["move", "move", "jog", "inch"]
     if name == "label":
@@ -191,7 +191,7 @@ class Operator(threading.Thread):
                                    errors="backslashreplace")
         wait = self.draw.uniform(0.02, 1.5) if kill or words[0] == "stream" or "--hold-to-run" in words or "--at" in words else 60
         try:
-            said, _ = process.communicate(timeout=wait)
+            printed, _ = process.communicate(timeout=wait)
         except subprocess.TimeoutExpired:
             process.send_signal(self.draw.choice([signal.SIGKILL, signal.SIGINT]))
             process.communicate()
@@ -200,10 +200,10 @@ class Operator(threading.Thread):
             return
         status = process.returncode
         self.statuses[status] = self.statuses.get(status, 0) + 1
-        if os.environ.get("SAY"):
-            print(f"[{status}] {' '.join(words)}\n    {said.strip()}", flush=True)
-        if status not in (0, 1, 2, 3) or (status and len(said.split()) < 4):
-            self.failures.append(f"exit status {status}: jounce {' '.join(words)}\n{said}")
+        if os.environ.get("TRACE"):
+            print(f"[{status}] {' '.join(words)}\n    {printed.strip()}", flush=True)
+        if status not in (0, 1, 2, 3) or (status and len(printed.split()) < 4):
+            self.failures.append(f"exit status {status}: jounce {' '.join(words)}\n{printed}")
 
     def run(self):
         for _ in range(self.count):
@@ -253,9 +253,9 @@ def main(jounce, orders=300, seed=1):
     for file, (_, text) in TABLES.items():
         with open(file, "w", encoding="utf-8") as out:
             out.write("jounce = 1\n" + text)
-    with open("run.txt", "w", encoding="utf-8") as said:
+    with open("run.txt", "w", encoding="utf-8") as printed:
         executor = subprocess.Popen([jounce, "run", "machine.toml", "--enable", "--watchdog", "30", "--log", "log.csv",
-                                     "--record", "run.lcmlog", "--seconds", "1500"], stderr=said, stdout=said)
+                                     "--record", "run.lcmlog", "--seconds", "1500"], stderr=printed, stdout=printed)
         time.sleep(1)
         if executor.poll() is not None:
             sys.exit(f"no executor: {open('run.txt', encoding='utf-8').read()}")

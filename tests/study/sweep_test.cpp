@@ -444,8 +444,8 @@ TEST_F(Sweeps, RefuseWhatMakesNoSense) {
   EXPECT_THAT(refused(one + "values = [1]\nvalue = 3\n"), HasSubstr("is not a key here"));
   EXPECT_THAT(
       error_of([&] { (void)read_sweep(path("move.toml")); }),
-      HasSubstr("move.toml:2:8: kind = \"move\": is the kind of the base spec: write a sweep "
-                "spec with kind = \"sweep\" and spec = \"move.toml\""));
+      HasSubstr("move.toml:2:8: kind = \"move\": must be \"sweep\": write a second spec with "
+                "kind = \"sweep\", a [[parameter]], and spec = \"move.toml\""));
   EXPECT_THAT(
       refused("figures = [\"peak torque\"]\n" + one + "values = [1]\n"),
       HasSubstr("sweep.toml:4:11: figures = \"peak torque\": must be one of stroke, knots"));

@@ -146,7 +146,7 @@ Peaks peaks_of(const Ranges& ranges, const Jet& error) {
 struct Examined {
   std::vector<AxisPass> axes;
   std::vector<ProgramPart> sections;  ///< peaks between two rests, without the errors of the fits
-  std::vector<Jet> error;             ///< of the fits, for all axes of the plan
+  std::vector<Jet> error;             ///< tolerances of the fits, for all axes of the plan
 };
 
 Examined examined(const GroupProgram& program, std::span<const AxisConfig> configs) {

@@ -12,7 +12,7 @@ namespace jounce {
 namespace {
 
 double required(const char* key, const std::optional<double>& limit) {
-  if (!limit) throw InputError(key, "", "is missing: add it, because an axis needs this limit");
+  if (!limit) throw InputError(key, "", "is missing: an axis needs this limit in [limits]");
   return *limit;
 }
 

@@ -68,8 +68,7 @@ std::string in_group_text(const std::vector<std::string>& groups) {
   std::string names;
   for (const std::string& group : groups) names += (names.empty() ? "" : " or ") + group;
   return "the enabled group " + names +
-         " alone moves this axis: command the group, or send `jounce "
-         "order " +
+         " alone moves this axis: command the group, or stop it and send `jounce order " +
          groups.front() + " disable` first";
 }
 

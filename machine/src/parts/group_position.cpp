@@ -99,6 +99,14 @@ std::vector<NamedValue> named(const std::vector<std::string>& values) {
   return all;
 }
 
+/// The first given value that names one of the parts.
+std::string first_of(const std::vector<NamedValue>& given, const std::vector<AxisPart>& parts) {
+  const auto found = std::find_if(given.begin(), given.end(), [&](const NamedValue& one) {
+    return index_of_part(parts, one.name).has_value();
+  });
+  return found == given.end() ? listed(parts, &AxisPart::name) : found->name;
+}
+
 /// The given values in the order of the parts.
 std::array<double, max_axes> positions_of(const std::vector<NamedValue>& given,
                                           const std::vector<AxisPart>& parts,
@@ -109,6 +117,10 @@ std::array<double, max_axes> positions_of(const std::vector<NamedValue>& given,
   for (const auto& [name, value] : given) {
     const auto k = index_of_part(parts, name);
     const auto left = std::find(missing.begin(), missing.end(), name);
+    if (!k && index_of_part(others, name))
+      throw InputError("VALUE", name,
+                       "cannot be combined with " + first_of(given, parts) +
+                           ": give all coordinates, or all joints");
     if (!k)
       throw InputError("VALUE", name,
                        "is not one of " + listed(parts, &AxisPart::name) + ", and not one of " +
@@ -148,14 +160,16 @@ Parts joints_at(const std::array<double, max_axes>& tool, const GroupPlaces& pla
   std::string text;
   for (std::size_t i = 0; i < places.coordinates.size(); ++i) {
     point[i] = {tool[i], 0, 0, 0};
-    text += (i == 0 ? "(" : ", ") + six_digits(tool[i]);
+    const AxisPart& part = places.coordinates[i];
+    text +=
+        (i == 0 ? "" : ", ") + part.name + " = " + six_digits(tool[i]) + " " + part.units.position;
   }
   const MapState state = places.map->jets(std::span(point).first(places.map->axes()),
                                           std::span(joints).first(places.map->joints()));
   if (state == MapState::out_of_reach)
-    throw InputError("VALUE", text + ")", "is out of reach of the joints");
+    throw InputError("VALUE", text, "is out of reach of the joints: give another position");
   if (state == MapState::singular)
-    throw InputError("VALUE", text + ")", "is a singular position of the joints");
+    throw InputError("VALUE", text, "is a singular position of the joints");
   for (std::size_t k = 0; k < places.joints.size(); ++k) positions[k] = joints[k][0];
   return with_ranges(positions, places.joints);
 }

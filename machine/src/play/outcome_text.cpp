@@ -22,7 +22,7 @@ OutcomeJson common_members(const CallOutcome& outcome) {
   return {{"ok", outcome.ok()}, {"error", name(outcome.error)}, {"reason", outcome.reason}};
 }
 
-constexpr std::string_view no_remedy = "Nothing.";  ///< of a cause that needs none
+constexpr std::string_view no_remedy = "Nothing.";  ///< remedy of a cause that needs none
 
 /// The sentences of a refusal of the protocol in place of its name.
 std::string refusal_text(const CallOutcome& outcome) {
@@ -44,6 +44,8 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
     if (!reason.starts_with(one.name)) return "";
     std::string remedy =
         rejected ? remedy_of_order(one.cause, *rejected) : remedy_of_table(one.cause);
+    if (one.cause == Cause::in_error && fault == static_cast<std::int32_t>(Cause::aborted))
+      remedy = "Send `jounce order NAME reset`.";
     if (one.cause == Cause::not_enabled && fault != 0)
       remedy =
           "Remove its cause, then send `jounce order NAME reset` and `jounce order NAME enable`.";

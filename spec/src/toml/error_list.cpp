@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "jounce/base/input_errors.hpp"
@@ -94,8 +95,13 @@ bool ErrorList::again() {
 }
 
 void ErrorList::throw_any() const {
-  if (best_->errors.size() == 1) throw InputError(best_->errors.front());
-  if (best_->errors.size() > 1) throw InputErrors(best_->errors);
+  std::vector<InputError> all;
+  std::copy_if(best_->errors.begin(), best_->errors.end(), std::back_inserter(all),
+               [&](const InputError& error) {
+                 return !error.value().empty() || !misspelled_.contains(error.key());
+               });
+  if (all.size() == 1) throw InputError(all.front());
+  if (all.size() > 1) throw InputErrors(all);
 }
 
 double ErrorList::number(const std::string& key, const std::string& unit) {

@@ -536,6 +536,7 @@ void TomlReader::finish() {
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
     if (const std::string hint = nearest(key.str(), known); !hint.empty()) {
+      if (errors_ != nullptr && !has(hint.c_str())) errors_->misspelled(path(hint));
       report(unknown(key, node, "here: did you mean " + bracketed(node, path(hint), hint) + "?"));
       continue;
     }

@@ -306,11 +306,11 @@ namespace {
 SweepSpec read_body(TomlReader& top, const std::filesystem::path& folder) {
   spec_detail::require_version(top);
   if (const std::string kind = top.text("kind", "sweep"); kind != "sweep")
-    top.fail_all(
-        "kind", '"' + kind + '"',
-        "is the kind of the base spec: write a sweep spec with kind = \"sweep\" and spec = \"" +
-            std::filesystem::path(top.document().name).filename().string() +
-            "\" (see jounce sweep --help)");
+    top.fail_all("kind", '"' + kind + '"',
+                 "must be \"sweep\": write a second spec with kind = \"sweep\", a [[parameter]], "
+                 "and spec = \"" +
+                     std::filesystem::path(top.document().name).filename().string() +
+                     "\" (see jounce sweep --help)");
   std::string name = top.optional_text("name").value_or("");
   if (!top.has("spec")) {  // a key in its place is an error, too
     static_cast<void>(top.text("spec", "FILE.toml"));

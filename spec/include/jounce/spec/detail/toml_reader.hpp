@@ -42,6 +42,8 @@ class ErrorList {
   void end_part(const InputError& error);
   /// Ignores all errors of the keys of this table, which could not be read.
   void ignore(const std::string& table) { ignored_.insert(table); }
+  /// Leaves out the error that this key is missing: another key misspells it.
+  void misspelled(const std::string& key) { misspelled_.insert(key); }
   /// Ends a pass. Returns true if another pass is necessary.
   bool again();
   /// Throws if there are errors: a single one as InputError, several as InputErrors.
@@ -80,6 +82,7 @@ class ErrorList {
   bool uncertain_ = false;  ///< an error may follow from a placeholder
   std::set<std::string> faulty_;
   std::set<std::string> ignored_;
+  std::set<std::string> misspelled_;
   Result found_;  ///< result of the present placeholders
   std::optional<Result> best_;
 };
