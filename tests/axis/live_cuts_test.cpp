@@ -224,9 +224,17 @@ TEST(LiveCuts, RejectionsHaveTheirNumbers) {
   EXPECT_EQ(refusal(site.step({command::Cut{.length = 1300, .waste = 1300}})), Cause::no_value);
   EXPECT_EQ(refusal(site.step({command::Cut{.position = cut + 3 * 1300}})), Cause::none);
   EXPECT_EQ(refusal(site.step({command::Cut{.position = cut + 3 * 1300 + 1200}})), Cause::none);
-  tick = site.step({command::Cut{.position = cut + 9000}});
+  tick = site.step({command::Cut{.length = 1500}});  // a piece of 800 would end at that cut
   ASSERT_EQ(refusal(tick), Cause::cut_pending);
   EXPECT_EQ(tick.refused->limit, cut + 3 * 1300 + 1200);
+  tick = site.step({command::Cut{.position = 1e9}});
+  ASSERT_EQ(refusal(tick), Cause::cut_too_far);
+  EXPECT_EQ(tick.refused->value, 1e9);
+  EXPECT_NEAR(tick.refused->limit, cut + 1300 * 1002, 1300);
+  EXPECT_EQ(refusal(site.step({command::Cut{.position = cut + 9000}})), Cause::none)
+      << "it replaces the cut that waits";
+  EXPECT_EQ(refusal(site.step({command::Cut{.length = 1500}})), Cause::none)
+      << "a piece of 1700 ends at that cut";
   EXPECT_EQ(refusal(site.step({command::Park{}})), Cause::none);
   EXPECT_EQ(refusal(site.step({command::Cut{.length = 1300}})), Cause::no_cut_plan);
 }

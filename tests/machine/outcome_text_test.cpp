@@ -61,6 +61,19 @@ TEST(OutcomeText, AGearInPositionNamesTheBeginOfItsEngagement) {
   EXPECT_EQ(gear_text(status), "engaging, ratio 2");
 }
 
+TEST(OutcomeText, AnAcceptedOrderNamesItsEffect) {
+  wire::Status status;
+  EXPECT_EQ(accepted_text({.what = "override"}, status, "knife"), "override accepted");
+  status.gear = wire::GearState::in_cam;
+  EXPECT_EQ(accepted_text({.what = "override"}, status, "knife"),
+            "override accepted; no effect while the axis follows its master");
+  status.homed = true;
+  status.units.position = "mm";
+  status.slave_position = 277;
+  EXPECT_THAT(accepted_text({.what = "set-position"}, status, "slide"),
+              HasSubstr("was 277 mm before"));
+}
+
 TEST(OutcomeText, IsWholeAsJson) {
   const Json command = Json::parse(command_json(rejected()));
   EXPECT_EQ(command["ok"], false);

@@ -642,13 +642,17 @@ void set_values(CommandWords& words, const std::vector<std::string>& values) {
       throw InputError(value_word, value,
                        "is a unit: write it right after its number, such as 50" + value);
   std::string list;
+  const auto ends_options = std::count(values.begin(), values.end(), "--");
   for (const std::string& value : values) {
+    if (value == "--") continue;
     const bool named = value.find('=') != std::string::npos;
-    if (values.size() > 1 && !named)
+    if (values.size() > static_cast<std::size_t>(ends_options) + 1 && !named)
       throw InputError(value_word, value,
                        "is one of several values: give one value, or coordinates such as x=10 y=5");
     (named ? list : words.value) += (named && !list.empty() ? "," : "") + value;
   }
+  if (words.what == "jog" && !text_of(words, "along").empty() && text_of(words, "velocity").empty())
+    words.options["velocity"] = std::exchange(words.value, "");
   if (list.empty()) return;
   const std::string option = coordinate_option(words.what);
   if (option.empty())

@@ -102,6 +102,14 @@ std::string accepted_text(const CommandWords& words, const wire::Status& before,
   const std::string& word = words.what;
   if (word == "home") return "homed";
   if (word == "gear-in-pos") return word + " accepted: " + start_of_gear(words, before.units.x);
+  if (word == "override" && before.gear > wire::GearState::disengaged)
+    return "override accepted; no effect while the axis follows its master";
+  if (word == "set-position" && before.homed)
+    return fmt::format(
+        "set-position accepted; the position range keeps its numbers, so it moves with the "
+        "coordinate: the position was {} before",
+        six_digits(before.slave_position) +
+            (before.units.position.empty() ? "" : " " + before.units.position));
   if (word != "enable" || before.last_error == 0) return word + " accepted";
   return fmt::format("enable accepted, but the fault {} remains: send `jounce order {} reset`",
                      name(static_cast<Cause>(before.last_error)), executor);

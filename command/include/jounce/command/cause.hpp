@@ -83,6 +83,10 @@ enum class Cause : std::uint8_t {
   index_not_found = 62,
   both_switches = 63,
   search_distance = 64,
+
+  // Faults of a follower.
+  overacceleration = 65,
+
   not_homed = 66,
   no_such_method = 67,
   no_sensor = 68,
@@ -135,6 +139,10 @@ enum class Cause : std::uint8_t {
   // Rejected commands of axes and groups.
   no_start_tick = 114,
   nothing_to_start = 115,
+  start_jump = 116,
+
+  // Cuts: rejected commands.
+  cut_too_far = 117,
 };
 
 /// Returns the word for logs, messages and docs/reference/messages.md: "aborted", "not_armed", ...
@@ -146,7 +154,7 @@ const char* meaning(Cause cause);
 /// True if the cause is a fault, which stays latched until a reset.
 constexpr bool is_fault(Cause cause) {
   return (cause >= Cause::aborted && cause <= Cause::marks_lost) ||
-         (cause >= Cause::home_timeout && cause <= Cause::search_distance);
+         (cause >= Cause::home_timeout && cause <= Cause::overacceleration);
 }
 
 /// The reason for rejecting a command or a movement, with numbers in the units of the axis.
