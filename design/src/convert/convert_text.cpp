@@ -144,7 +144,20 @@ std::string conversion_text(const Input& input, const Converted& made, const Tab
         form.format != nullptr && form.format->most < std::numeric_limits<std::size_t>::max()
             ? fmt::format("; the format holds at most {} knots", form.format->most)
             : "");
+  for (const Finding& f : made.exceeded.findings)
+    text += "the table exceeds a limit that the motion keeps: " + sentence(f, input.labels) + "\n";
   return text;
+}
+
+std::string not_written_text(const Converted& made, bool equal_intervals) {
+  if (made.within_limit())
+    return "nothing was written: change the knots, or accept the excess with --allow-loss. "
+           "--tolerance divides intervals where a limit requires it, but not if the knots are at "
+           "whole steps\n";
+  return equal_intervals
+             ? "nothing was written: give more --intervals, or accept the error with "
+               "--allow-loss\n"
+             : "nothing was written: give --tolerance, or accept the error with --allow-loss\n";
 }
 
 std::string conversion_json(const Converted& made, const TableForm& form, const std::string& path,
@@ -161,6 +174,12 @@ std::string conversion_json(const Converted& made, const TableForm& form, const 
   }
   if (made.limit) document["limit"] = *made.limit;
   if (!made.counts.empty()) document["counts"] = made.counts;
+  for (const Finding& f : made.exceeded.findings)
+    document["exceeded"].push_back({{"rule", f.rule.text()},
+                                    {"value", f.value},
+                                    {"limit", f.limit},
+                                    {"unit", f.unit},
+                                    {"where", f.where}});
   document["losses"] = losses;
   return document.dump();
 }
