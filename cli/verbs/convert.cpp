@@ -59,7 +59,7 @@ int run_convert(const ConvertArguments& options) {
       {"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step", "v_step",
        "intervals", "format", "master_unit", "position_unit"},
       [&] { return converted(input, wanted = conversion_of(options, form, input)); });
-  const bool writes = made.within_limit() || options.allow_loss;
+  const bool writes = made.keeps() || options.allow_loss;
   const std::string text = with_option_names({"every", "master_unit", "position_unit"}, [&] {
     return form_text(form, made.file, options.every);
   });
@@ -70,7 +70,7 @@ int run_convert(const ConvertArguments& options) {
     fmt::print(out, "{}\n", conversion_json(made, form, writes ? options.output : "", lost));
   else
     fmt::print(out, "{}{}", conversion_text(input, made, form, lost),
-               writes ? "" : unwritten_text(wanted, made) + "\n");
+               writes ? "" : not_written_text(wanted, made));
   return writes ? fine : finding;
 }
 
@@ -138,7 +138,7 @@ void add_convert(CommandLine& line) {
   verb.flag("--decimal-comma", options->decimal_comma,
             "Read numbers with a decimal comma: 0,5 is 0.5");
   verb.flag("--allow-loss", options->allow_loss,
-            "Write the file although its error exceeds the tolerance");
+            "Write the file although its error exceeds the tolerance, or the table a limit");
   verb.flag("--json", options->json, "Summary as JSON");
   verb.work([options] { return run_convert(*options); });
 }

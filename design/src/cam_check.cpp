@@ -7,8 +7,6 @@
 #include "jounce/cam/design/certificate.hpp"
 #include "jounce/cam/design/warnings.hpp"
 
-#include "design/src/master_check.hpp"
-
 namespace jounce {
 namespace {
 
@@ -49,10 +47,6 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
     for (Finding& f : odd.findings) f.advice = with_units(f.advice, input.spec->document.nouns);
   take(report, std::move(odd));
   if (has_designed_rises(input)) take(report, certificates(cam));
-  if (input.spec && has_slave_limits(*input.spec) && input.spec->master) {
-    take(report, check_slave(cam, *input.spec));
-    report.findings.push_back(master_finding(cam, *input.spec));
-  }
   sort(report);
 }
 

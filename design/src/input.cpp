@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <set>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -26,6 +23,7 @@
 
 #include "design/src/load_check.hpp"
 #include "design/src/path/path_rounding.hpp"
+#include "design/src/table_check.hpp"
 
 namespace jounce {
 namespace {
@@ -66,73 +64,6 @@ Input from_made(Made made, const Spec& spec, const std::string& path) {
 /// True if the number of knots is given, so that the table has the least error for this number.
 bool is_best_of_so_many(const Input& input) {
   return input.options.target && !input.options.tolerance;
-}
-
-/// The greatest error of a derivative of a table that is caused by rounding its knots to doubles.
-/// An error d of the position causes an error of 60 d / L^3 of the jerk in a quintic of length L,
-/// less in a cubic. A rounded place x counts as an error v x of the position. A knot beside a
-/// shorter interval, of length S, may have d / S more velocity, which removes the error from that
-/// interval (pvt/src/sample/sample.cpp) and causes an error of 36 d / (S L^2) here.
-double rounding_of_knots(const Table& table, double largest_position, const Finding& finding) {
-  constexpr std::array factors{1.0, 2.0, 6.0, 60.0};
-  constexpr std::array beside{0.0, 1.0, 6.0, 36.0};
-  const auto& names = table.axis() == Domain::time ? OverTime::names : OverMaster::names;
-  const auto name = std::find(names.begin(), names.end(), finding.quantity);
-  const auto order = static_cast<std::size_t>(name - names.begin());
-  if (order >= factors.size() || !finding.segment) return 0;
-  const auto& x = table.columns().x;
-  const std::size_t i = *finding.segment;
-  const double length = x[i + 1] - x[i];
-  double shorter = length;
-  if (i > 0) shorter = std::min(shorter, x[i] - x[i - 1]);
-  if (i + 2 < x.size()) shorter = std::min(shorter, x[i + 2] - x[i + 1]);
-  const double share = shorter < length ? beside[order] * length / shorter : 0;
-  return 2 * (factors[order] + share) * std::numeric_limits<double>::epsilon() * largest_position /
-         std::pow(length, static_cast<double>(order));
-}
-
-/// The remedy for a table that exceeds a limit of its curve. Tables with a tolerance, and those with
-/// the fewest knots, get more knots where a limit requires them, unless [table] prevents this.
-const char* advice_for_table(const TableOptions& options) {
-  if (options.intervals)
-    return "only the table exceeds this limit, with its present intervals; the curve keeps it. "
-           "Increase "
-           "intervals in [table], or replace it with tolerance, which adds knots where a limit "
-           "requires them";
-  if (options.target)
-    return "only the table exceeds this limit, with its present knots; the curve keeps it. "
-           "Increase most in "
-           "[table], or remove its resolutions, so that knots can be added where a limit requires "
-           "them";
-  return "only the table exceeds this limit; the curve keeps it. Give [table] a smaller tolerance, "
-         "more knots, or another rule";
-}
-
-/// Findings for the limits that the table breaks between its knots and the curve keeps, by more
-/// than the rounding of the knots. If the curve steps, there are none: the table follows the step.
-Report check_table(const Table& table, const Limits& limits, const TableOptions& options,
-                   const Report& of_curve) {
-  const bool steps = std::any_of(
-      of_curve.findings.begin(), of_curve.findings.end(),
-      [](const Finding& f) { return f.broken && f.rule.family() == RuleFamily::continuity; });
-  if (steps) return {};
-  Report report = check(table, limits);
-  const Ranges peaks = extrema(table);
-  const double farthest = std::max(std::abs(table.start()), std::abs(table.end()));
-  const double largest_position =
-      std::abs(peaks[0].peak().value) + std::abs(peaks[1].peak().value) * farthest;
-  std::erase_if(report.findings, [&](const Finding& f) {
-    return !f.broken ||
-           std::abs(f.value - f.limit) <= rounding_of_knots(table, largest_position, f) ||
-           std::any_of(of_curve.findings.begin(), of_curve.findings.end(),
-                       [&](const Finding& g) { return g.broken && g.rule == f.rule; });
-  });
-  for (Finding& finding : report.findings) {
-    finding.axis = "table";
-    finding.segment = std::nullopt;
-    finding.advice = advice_for_table(options);
-  }
-  return report;
 }
 
 /// The finding for the error of the table against its tolerance.
@@ -228,15 +159,6 @@ void join_excursions(const Input& input, Report& report) {
   std::erase_if(report.findings, [&](const Finding& f) { return dropped.contains(&f); });
 }
 
-/// Keeps the worst finding of each limit in each segment of the spec, which may have several pieces.
-void keep_worst(Report& report, const Labels& labels) {
-  std::set<std::tuple<std::string, bool, std::string>> seen;
-  std::erase_if(report.findings, [&](const Finding& f) {
-    return f.broken && f.segment && f.rule.family() == RuleFamily::limit &&
-           !seen.emplace(f.rule.text(), f.limit < 0, labels.segment_of(f)).second;
-  });
-}
-
 /// Adds the first passage of a limit of the position to its worst finding: there, the soft limit of a
 /// controller stops the axis (Googol manual, example 9-1).
 void name_first_passages(const Input& input, Report& report) {
@@ -254,10 +176,9 @@ void name_first_passages(const Input& input, Report& report) {
 }
 
 Report check_curve(const Input& input, int continuity) {
-  const Table& table = input.table.table;
   Report report = of_motion(input, [&](const auto& motion) { return check(motion, input.limits); });
   join_excursions(input, report);
-  keep_worst(report, input.labels);
+  design_detail::keep_worst(report, input.labels);
   advise_on_limits(input, report);
   if (input.plan)
     for (Finding& f : report.findings)
@@ -269,10 +190,11 @@ Report check_curve(const Input& input, int continuity) {
     if (f.broken && f.rule.family() == RuleFamily::continuity)
       if (const std::string advice = advice_at_edge(input, f); !advice.empty()) f.advice = advice;
   if (input.plan) design_detail::discount_rounding(std::get<Trajectory>(*input.curve), report);
+  append(report, design_detail::check_slave(input));
   if (!input.error) return report;
   if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));
   // The table may break a limit between its knots although the curve keeps it.
-  append(report, check_table(table, input.limits, input.options, report));
+  append(report, design_detail::check_table(input.table.table, input, report));
   return report;
 }
 

@@ -240,9 +240,6 @@ Report report_of(std::vector<Looked>& axes, bool with_drive) {
   for (Looked& axis : axes) {
     const Input& input = axis.input();
     append(all, check_all(input), input.axis);
-    const auto* cam = std::get_if<Cam>(&*input.curve);
-    if (cam != nullptr && input.spec->master && has_slave_limits(*input.spec))
-      all.findings.push_back(master_finding(*cam, *input.spec));
     if (input.drive && with_drive) append(all, axis.drive().report, input.axis);
   }
   sort(all);

@@ -28,6 +28,7 @@ namespace {
 using profiles_detail::rounded_input;
 
 using design_detail::cam_of;
+using design_detail::table_limits;
 using design_detail::table_of;
 
 constexpr double linear_table = 1e-6;   ///< share of the stroke
@@ -71,7 +72,7 @@ Made make_cam(const Spec& spec) {
     residuals.push_back({*spec.polydyne, residual_of(spec, curve), residual_of(spec, made)});
     curve = std::move(made);
   }
-  Sampled table = table_of(curve, spec.table, spec.limits);
+  Sampled table = table_of(curve, spec.table, table_limits(spec));
   table.error.position += error;
   table.error.velocity += velocity_error;
   Made made{spec.parts().front(), std::move(curve), std::move(names), std::move(table),
@@ -88,7 +89,7 @@ Made make_sync(const Spec& spec) {
     if (i > 0 && made.segments[i] != made.segments[i - 1]) ++number;
     names.push_back(numbered(number, made.segments[i]));
   }
-  Sampled table = table_of(made.cam, spec.table, spec.limits);
+  Sampled table = table_of(made.cam, spec.table, table_limits(spec));
   return {spec.parts().front(), std::move(made.cam), std::move(names), std::move(table), {},
           std::move(made.zones)};
 }
@@ -188,7 +189,7 @@ std::vector<Made> make_motions(const Spec& spec) {
   std::vector<Made> all;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     choose_rule(spec, curves[i], parts[i].table);
-    Sampled table = table_of(curves[i], parts[i].table, parts[i].limits);
+    Sampled table = table_of(curves[i], parts[i].table, {parts[i].limits});
     table.error.position += fits[i][0];
     table.error.velocity += fits[i][1];
     if (!before.path.names.empty()) {
@@ -362,6 +363,11 @@ RampedLimits ramped_limits(const Spec& spec) {
 }
 
 }  // namespace
+
+design_detail::TableLimits design_detail::table_limits(const Spec& spec) {
+  if (!spec.master) return {spec.limits};
+  return {all_limits(spec), ramped_limits(spec)};
+}
 
 InputError nothing_free(const Spec& spec) {
   if (std::holds_alternative<DriveAlone>(spec.subject))

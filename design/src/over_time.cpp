@@ -69,7 +69,7 @@ std::vector<std::string> names_of(const Trajectory& slave, const Trajectory& mas
 void set_table(Input& slave, const Fitted<OverTime>& motion) {
   slave.options.intervals.reset();
   slave.options.target.reset();
-  Sampled table = design_detail::table_of(motion.curve, slave.options, slave.limits);
+  Sampled table = design_detail::table_of(motion.curve, slave.options, {slave.limits});
   slave.table.table = std::move(table.table);
   slave.table.units = slave.labels.units;
   slave.error = table.error;

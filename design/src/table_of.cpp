@@ -33,7 +33,7 @@ double fine(const Curve<Over>& curve) {
 /// The table of fewest knots. Its errors have the keys of [table].
 template <class Over>
 Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& options,
-               const Limits& limits) {
+               const TableLimits& limits) {
   target.rule = rule_for(curve, options);
   target.tolerance = options.tolerance;
   if (!target.tolerance && !target.velocity_tolerance && !target.most)
@@ -42,7 +42,7 @@ Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& opti
   try {
     if (target.velocity_tolerance)
       require_certifiable(derivative(curve), "velocity_tolerance", *target.velocity_tolerance);
-    return reduced(curve, target, limits);
+    return reduced(curve, target, limits.limits, limits.ramped);
   } catch (const InputError& error) {
     throw InputError("table." + spec_key(axis, error.key()), error.value(), error.rule());
   }
@@ -52,14 +52,16 @@ Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& opti
 
 /// Makes the table. An error of a knot shows that doubles cannot resolve the curve.
 template <class Over>
-Sampled made(const Curve<Over>& curve, const TableOptions& options, const Limits& limits) {
+Sampled made(const Curve<Over>& curve, const TableOptions& options, const TableLimits& limits) {
   const Interpolation rule = rule_for(curve, options);
   if (options.intervals) return sample(curve, rule, *options.intervals);
-  return sample_within(curve, rule, options.tolerance ? *options.tolerance : fine(curve), limits);
+  constexpr std::size_t most = 1'000'000;  // knots
+  return sample_within(curve, rule, options.tolerance ? *options.tolerance : fine(curve),
+                       limits.limits, most, limits.ramped);
 }
 
 template <class Over>
-Sampled table_of(const Curve<Over>& curve, const TableOptions& options, const Limits& limits) {
+Sampled table_of(const Curve<Over>& curve, const TableOptions& options, const TableLimits& limits) {
   if (options.tolerance) require_certifiable(curve, "table.tolerance", *options.tolerance);
   if (options.target) return fewest(curve, *options.target, options, limits);
   try {
@@ -75,7 +77,7 @@ Sampled table_of(const Curve<Over>& curve, const TableOptions& options, const Li
   }
 }
 
-template Sampled table_of(const Trajectory&, const TableOptions&, const Limits&);
-template Sampled table_of(const Cam&, const TableOptions&, const Limits&);
+template Sampled table_of(const Trajectory&, const TableOptions&, const TableLimits&);
+template Sampled table_of(const Cam&, const TableOptions&, const TableLimits&);
 
 }  // namespace jounce::design_detail

@@ -61,8 +61,7 @@ Exported exported_table(const std::string& path, const std::string& text,
   const Converted made = converted(input, wanted);
   if (to.format == nullptr) require_units(made.file);
   return {form_text(to, made.file), ending_of(to),
-          conversion_text(input, made, to, all_losses(input, to, made.file.table)),
-          made.within_limit()};
+          conversion_text(input, made, to, all_losses(input, to, made.file.table)), made.keeps()};
 }
 
 std::string exported_report(const std::string& path, const std::string& text, std::size_t axis) {

@@ -67,6 +67,11 @@ Result converted_input(const Input& input, const Wanted& wanted) {
     throw InputError("tolerance", *made.limit,
                      "is less than the error of the format, " + number(made.error->position) +
                          ": give more knots, a greater tolerance, or allow_loss = True");
+  if (!made.keeps() && !wanted.allow_loss)
+    throw InputError("allow_loss", "False",
+                     "does not permit this table, which exceeds a limit that the motion keeps: " +
+                         sentence(made.exceeded.findings.front(), input.labels) +
+                         ". Change the knots, or give allow_loss = True");
   const std::vector<std::string> losses = all_losses(input, form, made.file.table);
   return {{made.file, made.error},
           form_text(form, made.file),

@@ -10,6 +10,8 @@
 #include "jounce/profiles/detail/tolerances.hpp"
 
 #include "design/src/convert/for_controller.hpp"
+#include "design/src/table_check.hpp"
+#include "design/src/table_of.hpp"
 
 namespace jounce {
 namespace design_detail {
@@ -53,6 +55,11 @@ TableFile in_units(TableFile file, const Conversion& wanted) {
 
 namespace {
 
+TableLimits limits_of(const Input& input) {
+  if (input.labels.over_master && input.spec) return table_limits(*input.spec);
+  return {input.limits};
+}
+
 /// The error of new knots, with the units of its numbers.
 InputError with_units(const InputError& error, const Units& units) {
   Document document;
@@ -73,7 +80,8 @@ Sampled with_knots(const Input& input, const Conversion& wanted) try {
           if (target->velocity_tolerance)
             require_certifiable(derivative(curve), "velocity_tolerance",
                                 *target->velocity_tolerance);
-          return reduced(curve, *target);
+          const TableLimits all = limits_of(input);
+          return reduced(curve, *target, all.limits, all.ramped);
         }
         return wanted.intervals > 0 ? sample(curve, wanted.rule, wanted.intervals)
                                     : sample(curve, wanted.rule, input.table.table.columns().x);
@@ -97,6 +105,7 @@ Converted converted(const Input& input, const Conversion& wanted) {
     result = {{std::move(made.table), input.table.units, input.table.provenance}, made.error};
     if (!wanted.target) result.limit = design_detail::default_tolerance(input);
   }
+  result.exceeded = design_detail::check_converted(result.file.table, input);
   result.file = design_detail::in_units(std::move(result.file), wanted);
   return result;
 }

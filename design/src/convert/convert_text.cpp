@@ -143,14 +143,20 @@ std::string conversion_text(const Input& input, const Converted& made, const Tab
                         form.format != nullptr && made.file.table.size() > form.format->most / 2
                             ? fmt::format("; the format holds at most {} knots", form.format->most)
                             : "");
+  for (const Finding& f : made.exceeded.findings)
+    text += "the table exceeds a limit that the motion keeps: " + sentence(f, input.labels) + "\n";
   return text;
 }
 
-std::string unwritten_text(const Conversion& wanted, const Converted& made) {
+std::string not_written_text(const Conversion& wanted, const Converted& made) {
+  if (made.within_limit())
+    return "nothing was written: change the knots, or accept the excess with --allow-loss. "
+           "--tolerance divides intervals where a limit requires it, but not if the knots are at "
+           "whole steps\n";
   const Target target = wanted.target.value_or(Target{});
   const std::string tolerance = target.tolerance ? "a greater --tolerance" : "--tolerance";
   const bool most = target.most && made.file.table.size() >= *target.most;
-  return fmt::format("nothing was written: {}, or accept the error with --allow-loss",
+  return fmt::format("nothing was written: {}, or accept the error with --allow-loss\n",
                      wanted.intervals > 0 ? "give more --intervals"
                      : most ? fmt::format("raise --most ({}), give {}", *target.most, tolerance)
                             : "give " + tolerance);
@@ -170,6 +176,12 @@ std::string conversion_json(const Converted& made, const TableForm& form, const 
   }
   if (made.limit) document["limit"] = *made.limit;
   if (!made.counts.empty()) document["counts"] = made.counts;
+  for (const Finding& f : made.exceeded.findings)
+    document["exceeded"].push_back({{"rule", f.rule.text()},
+                                    {"value", f.value},
+                                    {"limit", f.limit},
+                                    {"unit", f.unit},
+                                    {"where", f.where}});
   document["losses"] = losses;
   return document.dump();
 }

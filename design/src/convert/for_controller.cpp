@@ -15,13 +15,16 @@
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/fill.hpp"
 
+#include "design/src/table_check.hpp"
+
 namespace jounce::design_detail {
 namespace {
 
 using profiles_detail::rounded_input;
 using profiles_detail::rounded_sum;
 
-constexpr double share_of_stroke = 1e-4;  ///< default tolerance, as a share of the stroke
+constexpr double share_of_stroke = 1e-4;    ///< default tolerance, as a share of the stroke
+constexpr double share_of_limit = 0x1p-20;  ///< by which numbers in REAL may exceed a limit
 
 bool joins_by_spline(const ExchangeFormat& format) {
   return format.join == KnotJoin::spline || format.join == KnotJoin::clamped_spline;
@@ -109,6 +112,8 @@ class ForController {
         result = played(fewest_knots());
       }
     result.limit = limit_;
+    result.exceeded =
+        check_converted(moved_on(result.file), input_, format_.single ? share_of_limit : 0);
     if (is_one_count_ && result.counts.empty())
       result.counts = "tolerance: " + number(limit_) + unit_after(labels_.position) +
                       ", the resolution of the position";
@@ -425,6 +430,30 @@ class ForController {
     }
     result.file.table = Table(result.file.table.axis(), result.file.table.rule(),
                               result.file.table.outside(), std::move(columns));
+  }
+
+  /// The table on which the controller moves, in the units of the input.
+  [[nodiscard]] Table moved_on(const TableFile& file) const {
+    const Table& table = file.table;
+    const bool spline = joins_by_spline(format_);
+    Columns columns = spline ? controller_spline(format_, table) : table.columns();
+    if (format_.single && !spline)
+      for (auto* column : {&columns.x, &columns.p, &columns.v, &columns.a})
+        for (double& value : *column) value = static_cast<double>(static_cast<float>(value));
+    const auto size = [](Numbers numbers, double step, const std::string& from,
+                         const std::string& to) {
+      if (numbers != Numbers::of_unit) return step;
+      return from.empty() || to.empty() ? 1.0 : conversion(from, to);
+    };
+    const double x = size(format_.x, steps_.x, file.units.x, labels_.x);
+    const double p = size(format_.p, steps_.p, file.units.position, labels_.position);
+    const double start = format_.x_rounding > 0 ? input_.table.table.start() : 0;
+    for (double& value : columns.x) value = start + x * value;
+    for (double& value : columns.p) value *= p;
+    for (double& value : columns.v) value *= p / x;
+    for (double& value : columns.a) value *= p / (x * x);
+    return {table.axis(), spline ? Interpolation::cubic_hermite : table.rule(), table.outside(),
+            std::move(columns)};
   }
 
   /// Changes the columns to counts.

@@ -88,7 +88,7 @@ class Reduction {
               target.velocity_tolerance.value_or(inf)};
   }
 
-  Sampled run(const Limits& limits) {
+  Sampled run(const Limits& limits, const RampedLimits& ramped) {
     const bool any = target_.tolerance || target_.velocity_tolerance;
     const std::size_t most = most_ends();
     Attempt found = attempt(1, most);
@@ -102,7 +102,8 @@ class Reduction {
     else if (const std::size_t n = found.knots.size(); n > 2 && n <= worth_levelling)
       found = least(std::move(found), n, 0.7 * std::pow(1 - 1.0 / static_cast<double>(n), order()));
     found = better(std::move(found), most, any);
-    return within(limits, needed(std::move(found.knots), tolerances(any ? 1 : found.scale)));
+    return within(limits, ramped,
+                  needed(std::move(found.knots), tolerances(any ? 1 : found.scale)));
   }
 
  private:
@@ -261,12 +262,14 @@ class Reduction {
 
   /// The table of these knots, and of more where it exceeds a limit that the curve keeps, if the
   /// target permits more.
-  [[nodiscard]] Sampled within(const Limits& limits, const std::vector<Knot>& knots) const {
+  [[nodiscard]] Sampled within(const Limits& limits, const RampedLimits& ramped,
+                               const std::vector<Knot>& knots) const {
     Sampled table = made(knots);
     const bool anywhere = target_.x_step == 0 && target_.p_step == 0 && target_.v_step == 0;
-    if (!anywhere || target_.quadratic || check(table.table, limits).ok()) return table;
+    if (!anywhere || target_.quadratic) return table;
+    if (ramped.ramp == 0 && check(table.table, limits).ok()) return table;
     const std::vector<Knot> all =
-        pvt_detail::knots_within_limits(f_, target_.rule, limits, knots, target_.spacing);
+        pvt_detail::knots_within_limits(f_, target_.rule, limits, ramped, knots, target_.spacing);
     if (all.size() > most_ends()) return table;
     Sampled more = made(all);
     const bool keeps = more.error.position <= std::max(table.error.position, asked_.position) &&
@@ -420,10 +423,11 @@ Curve<Over> on_steps(const Curve<Over>& f, const Target& target) {
 }  // namespace
 
 template <class Over>
-Sampled reduced(const Curve<Over>& f, const Target& target, const Limits& limits) {
+Sampled reduced(const Curve<Over>& f, const Target& target, const Limits& limits,
+                const RampedLimits& ramped) {
   require_valid(target);
   const Curve<Over> whole = on_steps(f, target);
-  return Reduction<Over>(whole, target).run(limits);
+  return Reduction<Over>(whole, target).run(limits, ramped);
 }
 
 template <class Over>
@@ -443,8 +447,8 @@ Sampled reduced(const Fitted<Over>& f, const Target& target) {
   return made;
 }
 
-#define JOUNCE_INSTANTIATE(Over)                                              \
-  template Sampled reduced(const Curve<Over>&, const Target&, const Limits&); \
+#define JOUNCE_INSTANTIATE(Over)                                                                   \
+  template Sampled reduced(const Curve<Over>&, const Target&, const Limits&, const RampedLimits&); \
   template Sampled reduced(const Fitted<Over>&, const Target&);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)

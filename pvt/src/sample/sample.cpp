@@ -53,12 +53,12 @@ Columns columns_at(const Curve<Over>& f, Interpolation rule, std::vector<double>
 /// The knots, and more where the table exceeds a limit that the curve keeps.
 template <class Over>
 std::vector<double> within_limits(const Curve<Over>& f, Interpolation rule, const Limits& limits,
-                                  const std::vector<double>& knots) {
+                                  const RampedLimits& ramped, const std::vector<double>& knots) {
   std::vector<pvt_detail::Knot> all;
   for (const double x : knots)
     all.push_back(pvt_detail::knot_at(f, x, x == f.end() ? Side::left : Side::right));
   std::vector<double> places;
-  for (const pvt_detail::Knot& knot : pvt_detail::knots_within_limits(f, rule, limits, all))
+  for (const pvt_detail::Knot& knot : pvt_detail::knots_within_limits(f, rule, limits, ramped, all))
     places.push_back(knot.x);
   return places;
 }
@@ -355,7 +355,7 @@ void require_certifiable(const Curve<Over>& f, const char* key, double tolerance
 
 template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
-                      const Limits& limits, std::size_t most) {
+                      const Limits& limits, std::size_t most, const RampedLimits& ramped) {
   require_positive("tolerance", tolerance);
   // A tolerance below the rounding of the values cannot be kept.
   const double wanted = std::max(tolerance, two_roundings * std::abs(extrema(f, 0).peak().value));
@@ -386,8 +386,8 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
   knots = Spread<Over>(f, rule, wanted).run(std::move(knots));
   const ShortIntervals<Over> with(f, rule);
   Sampled sampled = certified(f, rule, with.columns(knots));
-  if (!check(sampled.table, limits).ok()) {
-    knots = within_limits(f, rule, limits, knots);
+  if (ramped.ramp > 0 || !check(sampled.table, limits).ok()) {
+    knots = within_limits(f, rule, limits, ramped, knots);
     sampled = certified(f, rule, with.columns(knots));
   }
   // An interval that kept the tolerance because of its symmetry may exceed it when it is shorter.
@@ -405,7 +405,7 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
   template Sampled certified(const Curve<Over>&, Interpolation, Columns);                  \
   template void require_certifiable(const Curve<Over>&, const char*, double);              \
   template Sampled sample_within(const Curve<Over>&, Interpolation, double, const Limits&, \
-                                 std::size_t);
+                                 std::size_t, const RampedLimits&);
 JOUNCE_INSTANTIATE(OverTime)
 JOUNCE_INSTANTIATE(OverMaster)
 #undef JOUNCE_INSTANTIATE

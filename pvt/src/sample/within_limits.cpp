@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
@@ -28,6 +30,8 @@
 // Halves do not help where a derivative of the curve steps that the table cannot step in: there, a shorter interval
 // has a greater third derivative. Such an interval stays as it is. The rounding e of a position changes the k-th
 // derivative by c e / h^k. No interval is so short that this is more than a thousandth of a limit.
+//
+// A slave over time, whose master runs and accelerates, limits sums of two derivatives (RampedLimits).
 namespace jounce::pvt_detail {
 namespace {
 
@@ -37,16 +41,21 @@ constexpr double limit_rounding = 1e-12;  ///< share of a limit that counts as r
 template <class Over>
 class WithinLimits {
  public:
-  WithinLimits(const Curve<Over>& f, Interpolation rule, const Limits& limits, double spacing)
+  WithinLimits(const Curve<Over>& f, Interpolation rule, const Limits& limits,
+               const RampedLimits& ramped, double spacing)
       : f_(f), rule_(rule), spacing_(spacing) {
     const Ranges taken = extrema(f);
     rounding_ = std::numeric_limits<double>::epsilon() * std::abs(taken[0].peak().value);
     const std::array rates{limits.velocity, limits.acceleration, limits.jerk};
-    permit(0, limits.position_min, limits.position_max, taken[0]);
-    for (std::size_t k = 0; k < rates.size(); ++k) {
-      const auto least_rate = rates[k] ? std::optional(-*rates[k]) : std::nullopt;
-      permit(k + 1, least_rate, rates[k], taken[k + 1]);
-    }
+    permit({0}, limits.position_min, limits.position_max, taken[0]);
+    for (std::size_t k = 0; k < rates.size(); ++k)
+      permit_rate({static_cast<int>(k) + 1}, rates[k], taken[k + 1]);
+    if (ramped.ramp == 0) return;
+    for (const double ramp : {ramped.ramp, -ramped.ramp})
+      for (const auto& [quantity, limit] :
+           {std::pair{Quantity{2, ramp}, ramped.limits.acceleration},
+            std::pair{Quantity{3, 3 * ramp}, ramped.limits.jerk}})
+        if (limit) permit_rate(quantity, limit, range_on_curve(quantity));
   }
 
   [[nodiscard]] std::vector<Knot> run(const std::vector<Knot>& knots) const {
@@ -59,47 +68,81 @@ class WithinLimits {
   }
 
  private:
-  /// Values of a derivative that the table may take: up to the limit, or up to the curve's own where it exceeds it.
-  struct Permitted {
-    double least = -profiles_detail::inf;
-    double most = profiles_detail::inf;
-    double scale = 0;  ///< the greatest magnitude; 0: not limited
+  /// A derivative, and `lower` times the one below it.
+  struct Quantity {
+    int order = 0;
+    double lower = 0;
   };
 
-  void permit(std::size_t order, std::optional<double> least, std::optional<double> most,
+  /// Values of a quantity that the table may take: up to the limit, or up to the curve's own where it exceeds it.
+  struct Permitted {
+    Quantity quantity;
+    double least = -profiles_detail::inf;
+    double most = profiles_detail::inf;
+    double scale = 0;  ///< the greatest magnitude
+  };
+
+  void permit(const Quantity& quantity, std::optional<double> least, std::optional<double> most,
               const Range& taken) {
-    Permitted& p = permitted_[order];
+    if (!least && !most) return;
+    Permitted p{quantity};
     if (least) p.least = std::min(*least, taken.min.value);
     if (most) p.most = std::max(*most, taken.max.value);
-    if (least || most)
-      p.scale = std::max({least ? std::abs(p.least) : 0, most ? std::abs(p.most) : 0,
-                          std::abs(taken.peak().value)});
+    p.scale = std::max(
+        {least ? std::abs(p.least) : 0, most ? std::abs(p.most) : 0, std::abs(taken.peak().value)});
+    permitted_.push_back(p);
+  }
+  void permit_rate(const Quantity& quantity, std::optional<double> limit, const Range& taken) {
+    permit(quantity, limit ? std::optional(-*limit) : std::nullopt, limit, taken);
   }
 
-  /// The change of the k-th derivative of an interval by the rounding of its knots.
-  [[nodiscard]] double rounding(std::size_t k, double length) const {
+  static Range range_of(const Segment& f, double start, double end, const Quantity& quantity) {
+    if (quantity.lower == 0) return segment_range(f, start, end, quantity.order);
+    Segment below = f;
+    for (int k = 1; k < quantity.order; ++k) below = derivative(below);
+    // Always fits: a derivative has the sines of its function.
+    return segment_range(*sum(derivative(below), scaled(below, quantity.lower)), start, end, 0);
+  }
+
+  [[nodiscard]] Range range_on_curve(const Quantity& quantity) const {
+    const auto of_segment = [&](std::size_t i) {
+      return range_of(f_.segments()[i], f_.breaks()[i], f_.breaks()[i + 1], quantity);
+    };
+    Range all = of_segment(0);
+    for (std::size_t i = 1; i < f_.segments().size(); ++i) {
+      const Range next = of_segment(i);
+      if (next.min.value < all.min.value) all.min = next.min;
+      if (next.max.value > all.max.value) all.max = next.max;
+    }
+    return all;
+  }
+
+  /// The change of a quantity in an interval by the rounding of its knots.
+  [[nodiscard]] double rounding(const Quantity& quantity, double length) const {
     constexpr std::array factors{2.0, 4.0, 12.0, 120.0};
-    return factors[k] * rounding_ / std::pow(length, static_cast<double>(k));
+    const auto of_order = [&](int k) {
+      return factors[static_cast<std::size_t>(k)] * rounding_ / std::pow(length, k);
+    };
+    const double lower = quantity.lower == 0 ? 0 : of_order(quantity.order - 1);
+    return of_order(quantity.order) + std::abs(quantity.lower) * lower;
   }
 
   [[nodiscard]] bool is_too_short(double length) const {
-    if (length < spacing_) return true;
-    for (std::size_t k = 0; k < permitted_.size(); ++k)
-      if (permitted_[k].scale > 0 && rounding(k, length) > rounding_share * permitted_[k].scale)
-        return true;
-    return false;
+    return length < spacing_ ||
+           std::any_of(permitted_.begin(), permitted_.end(), [&](const Permitted& p) {
+             return p.scale > 0 && rounding(p.quantity, length) > rounding_share * p.scale;
+           });
   }
 
   /// The greatest share of a limit by which the interval exceeds it, beyond the rounding of its knots; 0: none.
   [[nodiscard]] double excess(const Knot& a, const Knot& b) const {
     const Segment table = between(rule_, a, b);
     double worst = 0;
-    for (std::size_t k = 0; k < permitted_.size(); ++k) {
-      const Permitted& p = permitted_[k];
+    for (const Permitted& p : permitted_) {
       if (p.scale == 0) continue;
-      const Range range = segment_range(table, a.x, b.x, static_cast<int>(k));
+      const Range range = range_of(table, a.x, b.x, p.quantity);
       const double over = std::max(range.max.value - p.most, p.least - range.min.value);
-      const double beyond = over - rounding(k, b.x - a.x) - limit_rounding * p.scale;
+      const double beyond = over - rounding(p.quantity, b.x - a.x) - limit_rounding * p.scale;
       worst = std::max(worst, beyond / p.scale);
     }
     return worst;
@@ -138,21 +181,23 @@ class WithinLimits {
   Interpolation rule_;
   double spacing_;
   double rounding_ = 0;  ///< rounding of the greatest position
-  std::array<Permitted, 4> permitted_{};
+  std::vector<Permitted> permitted_;
 };
 
 }  // namespace
 
 template <class Over>
 std::vector<Knot> knots_within_limits(const Curve<Over>& f, Interpolation rule,
-                                      const Limits& limits, const std::vector<Knot>& knots,
-                                      double spacing) {
-  return WithinLimits<Over>(f, rule, limits, spacing).run(knots);
+                                      const Limits& limits, const RampedLimits& ramped,
+                                      const std::vector<Knot>& knots, double spacing) {
+  return WithinLimits<Over>(f, rule, limits, ramped, spacing).run(knots);
 }
 
 template std::vector<Knot> knots_within_limits(const Curve<OverTime>&, Interpolation, const Limits&,
-                                               const std::vector<Knot>&, double);
+                                               const RampedLimits&, const std::vector<Knot>&,
+                                               double);
 template std::vector<Knot> knots_within_limits(const Curve<OverMaster>&, Interpolation,
-                                               const Limits&, const std::vector<Knot>&, double);
+                                               const Limits&, const RampedLimits&,
+                                               const std::vector<Knot>&, double);
 
 }  // namespace jounce::pvt_detail

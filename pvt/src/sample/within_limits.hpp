@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/limits/ramped_limits.hpp"
 #include "jounce/pvt/table.hpp"
 
 #include "pvt/src/sample/interval.hpp"
@@ -14,7 +14,7 @@ namespace jounce::pvt_detail {
 /// within_limits.cpp). No interval becomes shorter than `spacing`.
 template <class Over>
 std::vector<Knot> knots_within_limits(const Curve<Over>& f, Interpolation rule,
-                                      const Limits& limits, const std::vector<Knot>& knots,
-                                      double spacing = 0);
+                                      const Limits& limits, const RampedLimits& ramped,
+                                      const std::vector<Knot>& knots, double spacing = 0);
 
 }  // namespace jounce::pvt_detail

@@ -38,7 +38,12 @@ struct Converted {
   /// Sizes of the counts of a format in counts, and a tolerance that follows from the resolution of
   /// the position, as a sentence; otherwise "".
   std::string counts = {};
+  /// Limits that the table exceeds between its knots, and that the motion keeps: [limits] and, with
+  /// [master], [limits.slave]. The values are in the units of the input.
+  Report exceeded = {};
 
+  /// True if the error is within its limit, and the table within the limits of the motion.
+  [[nodiscard]] bool keeps() const { return within_limit() && exceeded.findings.empty(); }
   /// True if the error is within the limit.
   [[nodiscard]] bool within_limit() const { return !error || !limit || error->position <= *limit; }
 };
@@ -110,13 +115,14 @@ bool has_known_ending(const std::string& path);
 /// Throws InputError (key "path") unless has_known_ending().
 void require_known_ending(const std::string& path);
 /// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss.
-/// If the error exceeds the limit, the last line states the limit.
+/// One line states the limit that the error exceeds, and one each limit of the motion that the table
+/// exceeds.
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses);
 
-/// Returns the remedies for an error above the limit: the options of `jounce convert` that lower the
-/// error or permit it.
-std::string unwritten_text(const Conversion& wanted, const Converted& made);
+/// Returns the reason why a conversion that does not keep its limits (Converted::keeps()) is not
+/// written, and the options that help.
+std::string not_written_text(const Conversion& wanted, const Converted& made);
 
 /// Returns the contents of conversion_text() as a JSON object; `path` is the name of the output
 /// file.

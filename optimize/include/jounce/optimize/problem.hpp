@@ -7,7 +7,7 @@
 
 #include "jounce/cam/design/design.hpp"
 #include "jounce/optimize/outcome.hpp"
-#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/limits/ramped_limits.hpp"
 
 namespace jounce {
 
@@ -42,17 +42,6 @@ std::optional<Objective> objective_named(std::string_view name);
 /// Returns the value of the objective for a cam: from exact extrema, or by a quadrature that is
 /// exact up to rounding.
 double value_of(Objective objective, const Cam& cam);
-
-/// Limits of the slave for a master that also accelerates. Let w be the speed of the master, a its
-/// greatest acceleration, and ramp = a / w^2. The limits then are, over the whole cam f,
-///
-///     |f''| + ramp |f'| <= limits.acceleration,   |f'''| + 3 ramp |f''| <= limits.jerk
-///
-/// See greatest_master_velocity() in jounce/cam/coupling/master_limits.hpp.
-struct RampedLimits {
-  double ramp = 0;     ///< a / w^2, 1/m, >= 0; 0: no such limits
-  Limits limits = {};  ///< per master unit; only acceleration and jerk are used
-};
 
 /// A cam with free knots, and the objectives for them.
 ///

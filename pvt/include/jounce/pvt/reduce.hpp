@@ -95,10 +95,11 @@ struct Target {
 /// raised to this rounding.
 ///
 /// **Limits.** Between its knots, a table may exceed a limit that the curve satisfies. Intervals
-/// that exceed one of the `limits` are divided, if the target has no steps, is not quadratic, and
+/// that exceed one of the limits are divided, if the target has no steps, is not quadratic, and
 /// permits so many knots. Otherwise no knots are added, and check() of the table reports the limit.
 template <class Over>
-Sampled reduced(const Curve<Over>& f, const Target& target, const Limits& limits = {});
+Sampled reduced(const Curve<Over>& f, const Target& target, const Limits& limits = {},
+                const RampedLimits& ramped = {});
 
 /// Like reduced() above, for a fitted curve. The error of the fit is subtracted from the tolerances
 /// and added to the error of the table. Throws InputError if the error of the fit exceeds a

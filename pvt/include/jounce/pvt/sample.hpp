@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "jounce/profiles/curve/curve.hpp"
-#include "jounce/profiles/limits/limits.hpp"
+#include "jounce/profiles/limits/ramped_limits.hpp"
 #include "jounce/pvt/table.hpp"
 
 namespace jounce {
@@ -56,13 +56,14 @@ Sampled sample(const Curve<Over>& f, Interpolation rule, std::size_t intervals);
 /// error within `tolerance` (unit of the position) or within rounding, whichever is greater. A
 /// segment that the rule represents exactly gets one interval. The breaks of the curve are knots.
 /// Exceptions: an additional knot precedes a step that the rule cannot represent; intervals in
-/// which the table breaks one of the `limits`, although the curve satisfies it, are halved; and
+/// which the table breaks one of the limits, although the curve satisfies it, are halved; and
 /// knots so near to each other that rounding would be visible in the jerk are removed or moved
 /// apart. Throws InputError unless the tolerance is positive, and if more than about `most` knots
 /// would be necessary.
 template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
-                      const Limits& limits = {}, std::size_t most = 1'000'000);
+                      const Limits& limits = {}, std::size_t most = 1'000'000,
+                      const RampedLimits& ramped = {});
 
 /// Throws InputError with this key if the tolerance is too small for a certificate in double
 /// precision. The least tolerance is the greater of 1e-14 of the curve's greatest position and

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/design/input.hpp"
+
+namespace jounce::design_detail {
+
+/// Compares the slave of a cam, behind the [master] of its spec, with [limits.slave], and the speed
+/// of the master with the greatest possible one. Reports the worst place of each limit in each
+/// segment of the spec. Empty without such limits.
+Report check_slave(const Input& input);
+
+/// Findings for the limits that a table exceeds between its knots, and that the curve keeps: those
+/// of the input and, behind [master], those of [limits.slave]. An excess is a finding if it is
+/// greater than the rounding of the knots.
+///
+/// `table` is in the units of the input. `of_curve` has the findings of the curve: there are none
+/// for a limit that the curve exceeds. If the curve steps, there are none, because the table
+/// follows the step.
+Report check_table(const Table& table, const Input& input, const Report& of_curve);
+
+/// check_table() for another table than that of the input. `forgiven`: share of a limit by which
+/// the numbers of the file may exceed it.
+Report check_converted(const Table& table, const Input& input, double forgiven = 0);
+
+/// Keeps the worst finding of each limit in each segment of the spec, which may have several pieces.
+void keep_worst(Report& report, const Labels& labels);
+
+}  // namespace jounce::design_detail
