@@ -124,7 +124,8 @@ constexpr std::array entries{
         "move. A slave of a live master stops with `jounce stop NAME`, and slows down with its "
         "master."},
     Entry{Cause::no_movement, "no_movement",
-          "The command changes a motion, but no motion is in progress.", "Start a motion first."},
+          "The command changes a motion, but no motion is in progress.",
+          "Start a motion first. With --at-next-cut, a cam must be in progress."},
     Entry{Cause::not_synchronized, "not_synchronized", "The axis is not following a master.",
           "For phasing: engage the axis with its master first (`jounce order NAME gear-in 1:1`, or "
           "`jounce stream --live`). For gear-out and cam-out: nothing, the axis is not engaged."},
@@ -408,8 +409,6 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::acceleration_limit, CommandKind::gear_in_pos, longer_start},
     OrderRemedy{Cause::jerk_limit, CommandKind::gear_in, longer_clutch},
     OrderRemedy{Cause::jerk_limit, CommandKind::gear_in_pos, longer_start},
-    OrderRemedy{Cause::no_movement, CommandKind::start,
-                "No cam is in progress: leave out --at-next-cut."},
     OrderRemedy{Cause::no_movement, CommandKind::resume, "Nothing is held: no resume is needed."},
     OrderRemedy{Cause::not_synchronized, CommandKind::gear_out, "No gear-out is needed."},
     OrderRemedy{Cause::not_synchronized, CommandKind::cam_out, "No cam-out is needed."},

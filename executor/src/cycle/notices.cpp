@@ -36,7 +36,10 @@ std::string numbers_of(const Tick& now, const std::string& unit, const AxisConfi
     case Cause::overacceleration:
       return required("/s^2") + limit("acceleration", config.limits.acceleration, "/s^2");
     case Cause::jump:
-      return required("/s^2") + limit("stop_acceleration", config.stop_acceleration, "/s^2");
+      return required("/s^2") + (config.stop_acceleration > 0
+                                     ? limit("stop_acceleration", config.stop_acceleration, "/s^2")
+                                     : limit("stop_acceleration, by default twice acceleration",
+                                             config.limits.acceleration, "/s^2"));
     case Cause::positive_soft_limit:
       return limit("position_max", config.limits.position_max);
     case Cause::negative_soft_limit:
