@@ -72,9 +72,16 @@ constexpr std::array entries{
     Entry{Cause::master_lost, "master_lost", "The axis receives no valid position of its master.",
           "Check the encoder or the program that sends the master position, and its connection. "
           "Then reset the axis."},
-    Entry{Cause::jump, "jump", "The next setpoint is not a finite number, or its velocity jumps.",
-          "With a live master: filter its position, or check its encoder. With a table: report a "
-          "defect, because the table was checked before it started."},
+    Entry{
+        Cause::jump, "jump",
+        "The next setpoint is not a finite number, or needs more than stop_acceleration.",
+        "With a live master: use a smaller gear ratio or a gentler cam, lower the acceleration of "
+        "the master, or filter its measured position. With a table: report a defect, because the "
+        "table was checked before it started."},
+    Entry{Cause::overacceleration, "overacceleration",
+          "The master requires an acceleration above the limit of the axis.",
+          "Lower the acceleration or the velocity of the master, use a smaller gear ratio or a "
+          "gentler cam, or raise acceleration in the [limits] of the axis. Then reset the axis."},
     Entry{Cause::master_reversed, "master_reversed",
           "The master reversed while the slave engaged with it.",
           "Reset the axis, and engage while the master moves in its normal direction."},
@@ -117,7 +124,8 @@ constexpr std::array entries{
         "move. A slave of a live master stops with `jounce stop NAME`, and slows down with its "
         "master."},
     Entry{Cause::no_movement, "no_movement",
-          "The command changes a motion, but no motion is in progress.", "Start a motion first."},
+          "The command changes a motion, but no motion is in progress.",
+          "Start a motion first. With --at-next-cut, a cam must be in progress."},
     Entry{Cause::not_synchronized, "not_synchronized", "The axis is not following a master.",
           "For phasing: engage the axis with its master first (`jounce order NAME gear-in 1:1`, or "
           "`jounce stream --live`). For gear-out and cam-out: nothing, the axis is not engaged."},
@@ -151,8 +159,9 @@ constexpr std::array entries{
           "Move the axis to the start of the table (`jounce order NAME move --to POSITION`), or "
           "start "
           "the executor with --adopt-start. A table over time also begins at the position of the "
-          "axis with --rolling --relative. With a live master, use --start-at, or start = "
-          "\"ramp_in\" in [coupling]."},
+          "axis with --rolling --relative. --adopt-start has no effect on a table with a live "
+          "master: use start = \"ramp_in\" with velocity_diff and acceleration in [coupling], or "
+          "the `cutter` of the axis with `jounce order NAME start`."},
     Entry{Cause::start_velocity, "start_velocity", "The table does not begin at rest.",
           "Add a ramp at the start. The permitted step of the velocity is the acceleration limit "
           "times one cycle."},
@@ -172,6 +181,10 @@ constexpr std::array entries{
           "Give a position inside the range.",
           "Shift or shorten the motion, or widen position_min and position_max in the spec of the "
           "axis."},
+    Entry{Cause::start_jump, "start_jump",
+          "At this start, the master requires a velocity that the axis does not have.",
+          "Use start = \"ramp_in\" with velocity_diff and acceleration in [coupling], start while "
+          "the master rests, or give a --start-at where the slave of the cam rests."},
     Entry{Cause::velocity_limit, "velocity_limit",
           "The motion exceeds the velocity limit of the axis.",
           "Give a lower velocity. For a table: give it more time, or a law with a lower peak "
@@ -330,8 +343,13 @@ constexpr std::array entries{
           "the spec of the cutter. `jounce map` computes the greatest line speed for each length."},
     Entry{Cause::cut_position, "cut_position", "The cut would be before the next possible cut.",
           "Give a later position, or leave out --position to cut at the next possible one."},
-    Entry{Cause::cut_pending, "cut_pending", "A cut on demand has not been made yet.",
-          "Repeat the command after this cut."},
+    Entry{Cause::cut_pending, "cut_pending",
+          "A cut on demand waits, and would not be possible after this change.",
+          "Repeat the command after this cut, or replace the cut first: `jounce order NAME cut`, "
+          "with or without --position."},
+    Entry{Cause::cut_too_far, "cut_too_far",
+          "The cut is too far ahead: at most 1000 planned cuts may come before it.",
+          "Give a nearer position."},
     Entry{Cause::web_stands, "web_stands",
           "The web does not move forward, so no next cut is possible at once.",
           "Give the position of the cut (--position), or repeat the command when the web moves "
@@ -397,7 +415,7 @@ bool is_measured(Cause cause) {
 
 /// True for the rejections of cuts, whose numbers count in the unit of the master.
 bool is_cut(Cause cause) {
-  return cause >= Cause::cut_length && cause <= Cause::cut_pending;
+  return (cause >= Cause::cut_length && cause <= Cause::cut_pending) || cause == Cause::cut_too_far;
 }
 
 /// The numbers of such a rejection.
@@ -408,6 +426,8 @@ std::string cut_text(const Refusal& refusal, const std::string& unit) {
   if (refusal.cause == Cause::cut_length)
     return at(refusal.value) + ", nearest possible length " + at(refusal.limit);
   if (refusal.cause == Cause::cut_pending) return "it is at " + at(refusal.limit);
+  if (refusal.cause == Cause::cut_too_far)
+    return "cut at " + at(refusal.value) + ", last possible cut at " + at(refusal.limit);
   return "cut at " + at(refusal.value) + ", next possible cut at " + at(refusal.limit);
 }
 
@@ -419,6 +439,7 @@ std::string unit_of(Cause cause, const std::string& unit) {
     case Cause::end_velocity:
     case Cause::velocity_limit:
     case Cause::velocity_step:
+    case Cause::start_jump:
       return " " + unit + "/s";
     case Cause::acceleration_limit:
     case Cause::acceleration_step:
@@ -433,6 +454,22 @@ std::string unit_of(Cause cause, const std::string& unit) {
 /// "tick 120000", of any number of digits.
 std::string tick_text(double tick) {
   return "tick " + std::to_string(static_cast<std::int64_t>(tick));
+}
+
+/// Predicate for an axis that was not ready, from the cause in Refusal::value.
+const char* was_unready(double cause) {
+  switch (static_cast<Cause>(cause)) {
+    case Cause::not_enabled:
+      return " was disabled";
+    case Cause::in_error:
+      return " had a fault";
+    case Cause::not_homed:
+      return " was not homed";
+    case Cause::stopping:
+      return " was stopped";
+    default:
+      return " moved";
+  }
 }
 
 /// Predicate for an axis that is not ready, from the cause in Refusal::value.
@@ -462,7 +499,7 @@ std::string named(std::string text, const std::string& axis, bool known) {
 
 /// "; y and z are not ready either", from the bits in Refusal::limit; "" for no other axis.
 std::string also_unready(const Refusal& refusal, std::size_t first,
-                         std::span<const std::string> axes) {
+                         std::span<const std::string> axes, bool past) {
   const auto bits = static_cast<unsigned long>(refusal.limit);
   std::string others;
   std::size_t count = 0;
@@ -472,19 +509,24 @@ std::string also_unready(const Refusal& refusal, std::size_t first,
     ++count;
   }
   if (count == 0) return "";
-  return "; " + others + (count == 1 ? " is" : " are") + " not ready either";
+  const char* one = past ? " was" : " is";
+  const char* several = past ? " were" : " are";
+  return "; " + others + (count == 1 ? one : several) + " not ready either";
 }
 
-/// The axis of a group that prevents a motion; Refusal::where is its number.
+/// The axis of a group that prevents a motion; Refusal::where is its number. `past`: its state when it
+/// stopped the group.
 std::string of_group_axis(const Refusal& refusal, const std::string& unit,
-                          std::span<const std::string> axes) {
+                          std::span<const std::string> axes, bool past = false) {
   if (!(refusal.where >= 1)) return "";
   const auto index = static_cast<std::size_t>(refusal.where) - 1;
   const std::string axis =
       index < axes.size() ? axes[index] : "Axis " + six_digits(refusal.where) + " of the group";
   if (refusal.cause == Cause::axis_not_ready)
-    return " " + axis + named(unready(refusal.value), axis, index < axes.size()) +
-           also_unready(refusal, index, axes) + ".";
+    return " " + axis +
+           (past ? was_unready(refusal.value)
+                 : named(unready(refusal.value), axis, index < axes.size())) +
+           also_unready(refusal, index, axes, past) + ".";
   return " " + axis + " is at " + six_digits(refusal.value) + unit_of(refusal.cause, unit) +
          " instead of " + six_digits(refusal.limit) + unit_of(refusal.cause, unit) + ".";
 }
@@ -548,7 +590,8 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
            " is not in this direction from " + six_digits(refusal.limit) + unit_of(cause, unit) +
            ".";
   if (is_cut(cause)) return words + ": " + cut_text(refusal, master_unit) + ".";
-  if (!is_measured(cause) && cause != Cause::cutter_away) return words + ".";
+  if (!is_measured(cause) && cause != Cause::cutter_away && cause != Cause::start_jump)
+    return words + ".";
   // A table may begin at 1e-32: rounding.
   constexpr double rounding = 1e-12;
   const double scale = std::max(1.0, std::abs(refusal.limit));
@@ -561,6 +604,9 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
   if (cause == Cause::cutter_away)
     return words + ": home is at " + shown(refusal.value) + ", the axis at " +
            shown(refusal.limit) + ".";
+  if (cause == Cause::start_jump)
+    return words + ": " + shown(refusal.value) + "; the axis moves at " + shown(refusal.limit) +
+           ".";
   if (cause == Cause::start_position)
     return words + ": " +
            (std::isnan(refusal.value) ? "" : "it begins at " + shown(refusal.value) + "; ") +
@@ -571,7 +617,7 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
 }
 
 std::string unready_axis_text(const Refusal& refusal, std::span<const std::string> axes) {
-  const std::string words = of_group_axis(refusal, "", axes);
+  const std::string words = of_group_axis(refusal, "", axes, true);
   return words.empty() ? words : words.substr(1);
 }
 

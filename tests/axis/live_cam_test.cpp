@@ -225,6 +225,99 @@ TEST(LiveCam, AtAMasterPositionWhereItCannotBeginItIsDroppedThere) {
   }
 }
 
+// A cam that has no ramp begins at the velocity that its master requires. An axis that cannot jump to
+// it stays at rest, without a fault, wherever the start was due.
+TEST(LiveCam, AStartThatWouldJumpIsNoFault) {
+  const TablePtr table = pmc600_cam();  // the slave moves as fast as its master at 100
+  for (const bool waits : {false, true}) {
+    LiveCam cam(1, table);
+    const auto master = [](double t) { return Jet{100 + 200 * (t - 2e-3), 200, 0, 0}; };
+    Coupled bench({.limits = limits(3000, 2e4), .position = table->jet(waits ? 150 : 100)[0]},
+                  master);
+    std::optional<Refusal> no =
+        waits ? bench.begin(cam, {.when = StartAt::master_position, .position = 150}).refused
+              : bench.begin(cam).refused;
+    const double from = bench.step().position;
+    for (int k = 0; waits && k < 400; ++k) {
+      const Tick now = bench.step();
+      if (now.dropped) no = now.dropped;
+      if (now.dropped) {
+        EXPECT_EQ(now.reason, Cause::start_jump) << "the monitor shows it";
+      }
+    }
+    ASSERT_TRUE(no);
+    EXPECT_EQ(no->cause, Cause::start_jump) << no->text();
+    EXPECT_NEAR(no->value, 200, 1);
+    EXPECT_EQ(no->limit, 0);
+    const Tick now = bench.step();
+    EXPECT_EQ(now.fault, Cause::none);
+    EXPECT_EQ(now.state, State::standstill);
+    EXPECT_EQ(now.position, from);
+  }
+}
+
+TEST(LiveCam, ANextCutNeedsACamInProgress) {
+  LiveCam cam(1, pmc600_cam(), {.master_absolute = false});
+  for (const double velocity : {0.0, 900.0}) {
+    Coupled bench({.limits = limits(3000, 2e4)}, steady(velocity));
+    const Tick now = bench.begin(cam, {.when = StartAt::end_of_table});
+    EXPECT_EQ(test::refusal(now), Cause::no_movement) << velocity;
+    EXPECT_EQ(bench.run(10).fault, Cause::none);
+  }
+}
+
+// A cam that does not continue at the velocity of the one before it is dropped: the first goes on.
+TEST(LiveCam, ATakeoverThatWouldJumpIsDropped) {
+  const TablePtr even = test::table(Domain::master, Interpolation::linear, Extrapolation::advance,
+                                    {{0, 100}, {0, 100}, {}, {}});
+  LiveCam first(1, even, {.start = StartMode::relative});
+  LiveCam second(2, pmc600_cam(), {.master_absolute = false, .start = StartMode::relative});
+  Coupled bench({.limits = limits(3000, 2e4)}, [](double t) {
+    return t < 0.1 ? Jet{500 * t * t * 10, 1e4 * t, 1e4, 0}
+                   : Jet{50 + 1000 * (t - 0.1), 1000, 0, 0};
+  });
+  bench.begin(first);
+  bench.run(150);
+  ASSERT_FALSE(bench.begin(second, {.when = StartAt::end_of_table}).refused);
+  std::optional<Refusal> dropped;
+  Tick now;
+  for (int k = 0; k < 300; ++k) {
+    now = bench.step();
+    if (now.dropped) dropped = now.dropped;
+    ASSERT_EQ(now.fault, Cause::none) << name(now.fault) << k;
+  }
+  ASSERT_TRUE(dropped);
+  EXPECT_EQ(dropped->cause, Cause::start_jump);
+  EXPECT_EQ(now.job, 1U);
+  EXPECT_NEAR(now.velocity, 1000, 1e-9);
+}
+
+// The limit of a follower: `acceleration` while its speed rises. It may brake with its leader, up to
+// stop_acceleration.
+TEST(LiveCam, AFollowerKeepsItsAccelerationWhileItSpeedsUp) {
+  const TablePtr even = test::table(Domain::master, Interpolation::linear, Extrapolation::advance,
+                                    {{0, 100}, {0, 100}, {}, {}});
+  for (const double a : {9990.0, 10800.0}) {
+    LiveCam cam(1, even);
+    Coupled bench({.limits = limits(3000, 1e4)}, [&](double time) {  // 0.1 s up, then down to rest
+      const double v = a * 0.1;
+      const double t = time - 0.01;
+      if (t < 0) return Jet{};
+      if (t < 0.1) return Jet{a * t * t / 2, a * t, a, 0};
+      const double u = std::min(t - 0.1, 0.05);
+      return Jet{a * 0.005 + u * (v - a * u), v - 2 * a * u, u < 0.05 ? -2 * a : 0, 0};
+    });
+    bench.begin(cam);
+    const Tick now = bench.run(200);
+    EXPECT_EQ(now.fault, a > 1e4 ? Cause::overacceleration : Cause::none) << name(now.fault);
+    if (a > 1e4) {
+      EXPECT_NEAR(now.fault_value, a, 1e-6);
+    } else {
+      EXPECT_NEAR(now.position, a * 0.0075, 1e-9) << "at rest with its leader";
+    }
+  }
+}
+
 /// A knife's cam: a turn for each cut of this length, its speed at the cut that of the web.
 TablePtr knife(double cut) {
   const double surface = 360.0 / 314;  // deg/mm

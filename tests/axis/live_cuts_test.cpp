@@ -148,7 +148,7 @@ TEST(LiveCuts, LengthsChangeWhileTheLineAccelerates) {
     const double first = cuts.plan().next_cut();
     site.until([&] { return cuts.plan().cuts() == 1; });
     ASSERT_LT(site.log.back().web_velocity, 1000) << "the line accelerates";
-    EXPECT_EQ(refusal(site.step({command::Cut{.length = 1500}})), Cause::none);
+    EXPECT_EQ(refusal(site.step({command::Cut{.length = 1600}})), Cause::none);
     site.until([&] { return cuts.plan().cuts() == 3; });
     EXPECT_EQ(refusal(site.step({command::Cut{.waste = 1250}})), Cause::none);
     site.until([&] { return cuts.plan().cuts() == 5; });
@@ -224,9 +224,17 @@ TEST(LiveCuts, RejectionsHaveTheirNumbers) {
   EXPECT_EQ(refusal(site.step({command::Cut{.length = 1300, .waste = 1300}})), Cause::no_value);
   EXPECT_EQ(refusal(site.step({command::Cut{.position = cut + 3 * 1300}})), Cause::none);
   EXPECT_EQ(refusal(site.step({command::Cut{.position = cut + 3 * 1300 + 1200}})), Cause::none);
-  tick = site.step({command::Cut{.position = cut + 9000}});
+  tick = site.step({command::Cut{.length = 1500}});  // a piece of 800 would end at that cut
   ASSERT_EQ(refusal(tick), Cause::cut_pending);
   EXPECT_EQ(tick.refused->limit, cut + 3 * 1300 + 1200);
+  tick = site.step({command::Cut{.position = 1e9}});
+  ASSERT_EQ(refusal(tick), Cause::cut_too_far);
+  EXPECT_EQ(tick.refused->value, 1e9);
+  EXPECT_NEAR(tick.refused->limit, cut + 1300 * 1002, 1300);
+  EXPECT_EQ(refusal(site.step({command::Cut{.position = cut + 9000}})), Cause::none)
+      << "it replaces the cut that waits";
+  EXPECT_EQ(refusal(site.step({command::Cut{.length = 1600}})), Cause::none)
+      << "a piece of 1300 ends at that cut";
   EXPECT_EQ(refusal(site.step({command::Park{}})), Cause::none);
   EXPECT_EQ(refusal(site.step({command::Cut{.length = 1300}})), Cause::no_cut_plan);
 }

@@ -255,12 +255,14 @@ TEST(Machine, AFollowerOfADisabledLeaderTakesNoStep) {
 
 /// A leader and a slave that runs with twice its velocity.
 struct InGear : Rig {
-  InGear() : Rig({wide("leader"), wide("slave", setpoint_of(0))}) {
+  InGear() : Rig({wide("leader", 5e3), wide("slave", 1e4, setpoint_of(0))}) {
     for (const std::size_t i : {0U, 1U}) send(i, {command::Enable{}});
     send(1, {command::Couple{.movement = &gear}});
   }
-  static MachineAxis wide(std::string name, Follow follow = {}) {
-    return {.name = std::move(name), .config = {.limits = limits(1000, 1e4)}, .follow = follow};
+  static MachineAxis wide(std::string name, double acceleration, Follow follow = {}) {
+    return {.name = std::move(name),
+            .config = {.limits = limits(1000, acceleration)},
+            .follow = follow};
   }
   void run(int ticks) {
     for (int i = 0; i < ticks; ++i) step();

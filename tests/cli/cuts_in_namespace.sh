@@ -36,7 +36,7 @@ until "$1" order shear cut --position ${demand}mm > answer 2>&1; do
   demand=$(echo "$demand" | sed 's/\..*//')
   demand=$((demand + 1))
 done
-refused 'cut_pending' "$1" order shear cut --position 9000mm
+refused 'cut_too_far.*last possible cut at' "$1" order shear cut --position 1e9mm
 position() { "$1" monitor line --seconds 0.1 --json | tail -1 | sed 's/.*"position":\([-0-9]*\).*/\1/'; }
 for i in $(seq 60); do  # until the cut on demand is made
   [ "$(position "$1")" -gt "$demand" ] && break

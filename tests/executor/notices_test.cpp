@@ -40,9 +40,10 @@ TEST(Notices, ReportTheNumbersOfAFault) {
   AxisConfig config{.following_error = 0.1, .following_time = 0.002};
   config.limits.position_min = -10;
   Tick now{.tick = 575, .fault = Cause::following_error};
-  now.following_error = 0.31;
+  now.following_error = 0;  // the axis was disabled, and its setpoint follows the drive
+  now.fault_value = 0.31;
   const std::string text = fault_text(now, "mm", config);
-  EXPECT_THAT(text, HasSubstr("is 0.31 mm"));
+  EXPECT_THAT(text, HasSubstr("was 0.31 mm"));
   EXPECT_THAT(text, HasSubstr("following_error = 0.1 mm"));
   EXPECT_THAT(text, HasSubstr("following_time = 0.002 s"));
   now.fault = Cause::negative_soft_limit;
@@ -50,10 +51,14 @@ TEST(Notices, ReportTheNumbersOfAFault) {
   now.fault = Cause::axis_fault;
   now.failed_axis = Refusal{Cause::axis_not_ready, static_cast<double>(Cause::not_enabled), 0, 2};
   const std::vector<std::string> axes{"x", "y"};
-  EXPECT_THAT(fault_text(now, "mm", config, axes),
-              HasSubstr("y is disabled (`jounce order y enable`)."));
+  EXPECT_THAT(fault_text(now, "mm", config, axes), HasSubstr("y was disabled."));
   now.failed_axis->limit = 3;  // the bits of x and y
-  EXPECT_THAT(fault_text(now, "mm", config, axes), HasSubstr("; x is not ready either."));
+  EXPECT_THAT(fault_text(now, "mm", config, axes), HasSubstr("; x was not ready either."));
+  config.limits.acceleration = 10000;
+  now.fault = Cause::overacceleration;
+  now.fault_value = 20700;
+  EXPECT_THAT(fault_text(now, "mm", config),
+              HasSubstr("It requires 20700 mm/s^2. The limit is acceleration = 10000 mm/s^2."));
 }
 
 TEST(Notices, ARejectionNamesThePresentFaultAndTheReasonForNoMaster) {

@@ -289,8 +289,8 @@ TEST(CutPlan, DemandSeveralPiecesAhead) {
   EXPECT_EQ(plan.cut_at(187.5 + 3000 + 500).status, Status::position) << "too short a piece";
   EXPECT_NEAR(plan.cut_at(187.5 + 3000 + 500).limit, 187.5 + 3000 + 966.425, 1e-3);
   EXPECT_TRUE(plan.cut_at(187.5 + 3000 + 980));
-  EXPECT_EQ(plan.cut_at(9000).status, Status::pending);
-  EXPECT_EQ(plan.set_length(1200).status, Status::pending);
+  EXPECT_EQ(plan.set_length(1200).status, Status::pending) << "a piece of 380 would end there";
+  EXPECT_EQ(plan.add_waste(1200).status, Status::pending);
   for (double x = 0; x < 4300; x += 1) (void)plan.at(x);
   EXPECT_EQ(plan.last_cut(), 187.5 + 3980);
   EXPECT_EQ(plan.next_cut(), 187.5 + 4980) << "the length of the piece that the demand cut short";
@@ -354,7 +354,7 @@ TEST(CutPlan, CutNowUnlessAPlannedCutComesFirst) {
   EXPECT_EQ(plan.cuts(), 2);
 }
 
-TEST(CutPlan, NoCutOnDemandReplacesAnother) {
+TEST(CutPlan, ACutOnDemandReplacesTheOneThatWaits) {
   // The demand is 1 above the next possible cut of its piece. It is the planned cut from 1187.5 on.
   const double earliest = 1187.5 + 966.42464345;
   for (const double asked : {1100.0, 1200.0}) {  // before and after it becomes the planned cut
@@ -363,13 +363,44 @@ TEST(CutPlan, NoCutOnDemandReplacesAnother) {
     EXPECT_TRUE(plan.cut_at(earliest + 1));
     for (double x = asked; x < 1210; x += 1) (void)plan.at(x);
     ASSERT_EQ(plan.phase(), CutPlan::Phase::cut);
-    EXPECT_EQ(plan.cut_now().status, Status::pending);
-    EXPECT_EQ(plan.cut_now().limit, earliest + 1);
-    EXPECT_EQ(plan.cut_at(earliest + 0.5).status, Status::pending);
+    EXPECT_TRUE(plan.cut_at(earliest + 0.5));
+    EXPECT_EQ(plan.next_cut(), earliest + 0.5);
+    EXPECT_TRUE(plan.cut_now());
+    EXPECT_NEAR(plan.next_cut(), earliest, 1e-6);
     for (double x = 1210; x < 2200; x += 1) (void)plan.at(x);
-    EXPECT_EQ(plan.last_cut(), earliest + 1);
-    EXPECT_TRUE(plan.cut_now()) << "the demand has been made";
+    EXPECT_NEAR(plan.last_cut(), earliest, 1e-6);
+    EXPECT_NEAR(plan.next_cut(), earliest + 1000, 1e-6) << "no other cut on demand is left";
   }
+}
+
+TEST(CutPlan, ADemandThatWaitsIsMovedOrCancelled) {
+  CutPlan plan(task_of(carriage(), {1000}), 0);
+  for (double x = 0; x < 200; x += 1) (void)plan.at(x);
+  EXPECT_TRUE(plan.cut_at(187.5 + 5980));
+  EXPECT_TRUE(plan.cut_at(187.5 + 3980)) << "a later command moves it";
+  EXPECT_TRUE(plan.set_length(1990)) << "this length leaves a piece of 1990 there";
+  EXPECT_TRUE(plan.set_length(1000));
+  EXPECT_TRUE(plan.cut_at(187.5 + 4000)) << "a planned cut: nothing waits any more";
+  for (double x = 200; x < 6300; x += 1) {
+    const auto made = plan.cuts();
+    (void)plan.at(x);
+    if (plan.cuts() > made) {
+      EXPECT_NEAR(std::remainder(plan.last_cut() - 187.5, 1000), 0, 1e-9) << x;
+    }
+  }
+}
+
+TEST(CutPlan, ADemandIsAtMostAThousandPiecesAhead) {
+  CutPlan plan(task_of(carriage(), {1000}), 0);
+  for (double x = 0; x < 200; x += 1) (void)plan.at(x);
+  const double last = 1187.5 + 1000.0 * CutPlan::most_planned;
+  EXPECT_TRUE(plan.cut_at(last - 20));
+  const CutAnswer far = plan.cut_at(1e9);
+  EXPECT_EQ(far.status, Status::far);
+  EXPECT_EQ(far.limit, last);
+  EXPECT_TRUE(plan.cut_at(last));
+  EXPECT_TRUE(plan.cut_now()) << "nothing blocks the next cuts";
+  EXPECT_TRUE(plan.set_length(1200));
 }
 
 TEST(CutPlan, WebThatMovesBackPassesNoCutTwice) {

@@ -88,6 +88,11 @@ Setpoint LiveCam::at(const Moment& now) noexcept {
   return last_ = axis_detail::setpoint(now.master, slave);
 }
 
+std::optional<MotionState> LiveCam::first(const Moment& now) const noexcept {
+  const Stepped next = jounce::step(coupling_, engaged_, {now.t, now.master});
+  return state_of({.slave = next.slave});
+}
+
 /// Extends the cam from the end at which it was left, at its ratio. Keeps the coupling at that end.
 void LiveCam::extend(double side) noexcept {
   const Placement& p = engaged_.placement;

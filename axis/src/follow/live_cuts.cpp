@@ -25,6 +25,8 @@ Refusal refusal_of(const CutAnswer& answer, double shift) {
       return {Cause::cut_position, answer.value + shift, answer.limit + shift};
     case CutAnswer::Status::pending:
       return {Cause::cut_pending, answer.limit + shift, answer.limit + shift};
+    case CutAnswer::Status::far:
+      return {Cause::cut_too_far, answer.value + shift, answer.limit + shift};
   }
   return {};
 }

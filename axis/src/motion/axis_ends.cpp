@@ -106,10 +106,11 @@ void MotionAxis::cut_off() {
   freeze();
 }
 
-void MotionAxis::fail(Cause cause) {
+void MotionAxis::fail(Cause cause, double value) {
   // The first fault stays: later ones are its consequences.
   const bool first = now_.fault == Cause::none;
   if (first) now_.fault = cause;
+  if (first) now_.fault_value = value;
   if (first && moving()) now_.reason = cause;
   now_.profile.clear();
   break_groups();

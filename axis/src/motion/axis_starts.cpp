@@ -7,6 +7,8 @@
 #include "jounce/cam/coupling/passing.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "axis/src/motion/setpoint_check.hpp"
+
 // The slots of an axis: it arms a movement, accepts its start, and begins it when it is due.
 
 namespace jounce {
@@ -75,6 +77,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Start& what) {
     return Refusal{Cause::in_motion};  // it holds: a new path is elsewhere
   if (auto no = against_axes()) return no;
   if (what.when == StartAt::end_of_table && moving()) return start_at_end();
+  if (what.when == StartAt::end_of_table && armed_.is_live()) return Refusal{Cause::no_movement};
   if (what.when == StartAt::tick && what.tick >= 0 && what.tick < now_.tick)
     return Refusal{Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick)};
   if (what.when == StartAt::master_position && !std::isfinite(what.position))
@@ -209,6 +212,25 @@ std::optional<Refusal> MotionAxis::against_demand(const Moment& start) const {
   return std::nullopt;
 }
 
+/// The refusal of a coupling that has begun, and whose first setpoint would be a fault.
+std::optional<Refusal> MotionAxis::against_jump() const {
+  const auto first = armed_->first(moment());
+  if (!first) return std::nullopt;
+  switch (check_setpoint(last(), *first, {dt(), joint_step()}, rules())) {
+    case Cause::none:
+      break;
+    case Cause::overspeed:
+      return Refusal{Cause::velocity_limit, std::abs(first->velocity), *config_.limits.velocity};
+    case Cause::out_of_range:
+      return Refusal{Cause::position_limit, first->position, now_.position};
+    default:
+      return Refusal{Cause::start_jump, first->velocity, now_.velocity};
+  }
+  if (!exceeds_acceleration(*first, config_)) return std::nullopt;
+  return Refusal{Cause::acceleration_limit, std::abs(first->acceleration),
+                 *config_.limits.acceleration};
+}
+
 /// The ratio at which the axis follows its master in step, u/m; 0: it does not.
 double MotionAxis::followed_ratio() const {
   return base_ == Base::live && live_->progress() == Progress::running ? live_->ratio() : 0;
@@ -232,6 +254,7 @@ void MotionAxis::begin_pending(const Moment& at) {
   no = armed_->begin(*state, begin);
   if (no != Cause::none) return drop(begin_refusal(no, *state));
   if (const auto refusal = against_demand(begin)) return drop(*refusal);
+  if (const auto refusal = live ? against_jump() : std::nullopt) return drop(*refusal);
   const ArmedMotion begun = std::exchange(armed_, {});
   const bool was_moving = moving();
   const bool was_live = base_ == Base::live;

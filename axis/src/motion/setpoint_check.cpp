@@ -134,6 +134,11 @@ bool exceeds_velocity(const MotionState& state, const AxisConfig& config) noexce
   return highest > *config.limits.velocity * (1 + same);
 }
 
+bool exceeds_acceleration(const MotionState& state, const AxisConfig& config) noexcept {
+  return state.velocity * state.acceleration > 0 &&
+         std::abs(state.acceleration) > *config.limits.acceleration * (1 + same);
+}
+
 bool stays_inside(const Profile& motion, const AxisConfig& config) noexcept {
   const auto& [low, high, v, a, j] = config.limits;
   const auto [least, most] = positions(motion);

@@ -47,6 +47,10 @@ Cause check_range(const MotionState& last, const MotionState& next,
 /// acceleration to 0 from now on.
 bool exceeds_velocity(const MotionState& state, const AxisConfig& config) noexcept;
 
+/// True if the speed rises, and the acceleration exceeds its limit. While the speed falls, a follower
+/// may need up to stop_acceleration: it brakes with its leader.
+bool exceeds_acceleration(const MotionState& state, const AxisConfig& config) noexcept;
+
 /// True if the motion stays inside the position range, or returns into it, up to rounding.
 bool stays_inside(const Profile& motion, const AxisConfig& config) noexcept;
 

@@ -141,6 +141,7 @@ void MotionAxis::watch() {
     wrong = Cause::axis_fault;
     now_.failed_axis = axis_refusal(Cause::axis_not_ready);
   }
+  if (wrong == Cause::following_error) return fail(wrong, now_.following_error);
   if (wrong != Cause::none) return fail(wrong);
   stop_with_group();
 }
@@ -167,7 +168,7 @@ void MotionAxis::play() {
       give_out(next);
       return conclude();
     }
-    fail(wrong);
+    fail(wrong, excess(wrong, next));
   }
 }
 
@@ -210,7 +211,7 @@ Cause MotionAxis::judge(const Setpoint& next) const {
   if (base_ == Base::move && ending_ == Ending::fault) return Cause::none;
   const MotionState state = state_of(next);
   const double kinks = on_path() ? path_.peaks().velocity_step : 0;
-  const double joint = joint_ ? *config_.limits.acceleration * seconds(config_.period) : 0;
+  const double joint = joint_ ? joint_step() : 0;
   const StepAllowance step{dt(), kinks * static_cast<double>(now_.skipped + 2) + joint};
   const Cause no = check_setpoint(last(), state, step, rules());
   const bool supervised = ending_ != Ending::fault && !inside_as_a_whole();
@@ -218,10 +219,37 @@ Cause MotionAxis::judge(const Setpoint& next) const {
     if (const Cause limit = check_range(last(), state, rules()); limit != Cause::none) return limit;
   if (no != Cause::none) return no;
   if (supervised && exceeds_velocity(state, config_)) return Cause::overspeed;
+  if (supervised && in_step() && exceeds_acceleration(state, config_))
+    return Cause::overacceleration;
   if (homing_) return Cause::none;
   if (state.velocity > 0 && inputs_.positive_switch) return Cause::positive_switch;
   if (state.velocity < 0 && inputs_.negative_switch) return Cause::negative_switch;
   return Cause::none;
+}
+
+/// The velocity step that a joint of two motions may have, u/s.
+double MotionAxis::joint_step() const {
+  return *config_.limits.acceleration * seconds(config_.period);
+}
+
+/// True if the axis follows its master in step: the master alone determines its acceleration.
+bool MotionAxis::in_step() const {
+  return base_ == Base::live && live_->progress() == Progress::running;
+}
+
+/// The number with which a setpoint exceeds a limit, for Tick::fault_value.
+double MotionAxis::excess(Cause wrong, const Setpoint& next) const {
+  const auto [p, v, a] = state_of(next);
+  switch (wrong) {
+    case Cause::overspeed:
+      return std::max(std::abs(v), std::abs(p - now_.position) / dt());
+    case Cause::overacceleration:
+      return std::abs(a);
+    case Cause::jump:
+      return std::max(std::abs(a), std::abs(v - now_.velocity) / dt());
+    default:
+      return std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 /// Returns true if the whole motion was checked against the position range when it was accepted: a
@@ -276,7 +304,9 @@ void MotionAxis::hand_back(const Movement* movement) {
 /// Drops the waiting start. This answers the command of this tick only if that command requested
 /// it.
 void MotionAxis::drop(const Refusal& why) {
-  (armed_.accepted_in(now_.tick) ? now_.refused : now_.dropped) = why;
+  const bool refused = armed_.accepted_in(now_.tick);
+  (refused ? now_.refused : now_.dropped) = why;
+  if (!refused && armed_.is_live() && !moving()) now_.reason = why.cause;
   disarm();
 }
 

@@ -21,13 +21,24 @@ std::string numbers_of(const Tick& now, const std::string& unit, const AxisConfi
                          const char* per = "") {
     return value ? std::string(" The limit is ") + key + " = " + valued(*value, per) + "." : "";
   };
+  const auto required = [&](const char* per) {
+    return std::isfinite(now.fault_value) ? " It requires " + valued(now.fault_value, per) + "."
+                                          : "";
+  };
   switch (now.fault) {
     case Cause::following_error:
-      return " The following error is " + valued(now.following_error) +
+      return " The following error was " + valued(now.fault_value) +
              "; the limits are following_error = " + valued(config.following_error) +
              " and following_time = " + six_digits(config.following_time) + " s.";
     case Cause::overspeed:
-      return limit("velocity", config.limits.velocity, "/s");
+      return required("/s") + limit("velocity", config.limits.velocity, "/s");
+    case Cause::overacceleration:
+      return required("/s^2") + limit("acceleration", config.limits.acceleration, "/s^2");
+    case Cause::jump:
+      return required("/s^2") + (config.stop_acceleration > 0
+                                     ? limit("stop_acceleration", config.stop_acceleration, "/s^2")
+                                     : limit("stop_acceleration, by default twice acceleration",
+                                             config.limits.acceleration, "/s^2"));
     case Cause::positive_soft_limit:
       return limit("position_max", config.limits.position_max);
     case Cause::negative_soft_limit:

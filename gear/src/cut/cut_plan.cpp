@@ -16,7 +16,6 @@ namespace {
 using profiles_detail::rounded_input;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int most_planned = 10'000;  ///< planned cuts before a cut on demand
 
 /// Distance within which two positions of the web are equal, m.
 double near(double position) {
@@ -141,7 +140,6 @@ void CutPlan::make_cut() noexcept {
   now_ = {Phase::cut, before_.to, none};
   ++cuts_;
   planned_ = none;
-  demanded_ = false;
   if (!finished_) plan_next();
 }
 
@@ -152,7 +150,6 @@ void CutPlan::plan_next() noexcept {
   if (!(demand_ <= planned_ + near(planned_))) return;
   const bool other = demand_ < planned_ - near(planned_);
   planned_ = std::exchange(demand_, none);
-  demanded_ = true;
   if (other) place_ = place_before_;
 }
 
@@ -207,23 +204,44 @@ double CutPlan::earliest_after(double cut) const noexcept {
 }
 
 CutAnswer CutPlan::piece_answer(double length) const noexcept {
-  if (std::isfinite(demand_)) return {CutAnswer::Status::pending, length, demand_};
   if (task_->makes(length)) return {};
   const double next = task_->at_least(length);
   return {CutAnswer::Status::length, length,
           std::isfinite(next) ? next : task_->possible.back().to};
 }
 
-CutAnswer CutPlan::set_length(double length) noexcept {
+/// The answer to a cut on demand at `web`, if the list continues at `place` after the cut `cut`. If
+/// it is accepted, `limit` is the last planned cut up to `web`.
+CutAnswer CutPlan::demand_answer(double web, double cut, Place place) const noexcept {
+  for (int i = 0;; ++i) {
+    const double next = finished_ ? infinity : cut + draw(place);
+    if (!(next <= web)) break;
+    if (i == most_planned) return {CutAnswer::Status::far, web, cut};
+    cut = next;
+  }
+  if (std::abs(web - cut) <= near(web) || task_->makes(web - cut))
+    return {CutAnswer::Status::ok, web, cut};
+  return {CutAnswer::Status::position, web, cut + task_->at_least(web - cut)};
+}
+
+/// Changes the next pieces, if the cut on demand that waits remains possible.
+CutAnswer CutPlan::change(double Place::*piece, double length) noexcept {
   const CutAnswer answer = piece_answer(length);
-  if (answer) place_.length = place_before_.length = length;
+  if (!answer) return answer;
+  Place changed = place_;
+  changed.*piece = length;
+  if (std::isfinite(demand_) && !demand_answer(demand_, next_cut(), changed))
+    return {CutAnswer::Status::pending, length, demand_};
+  place_.*piece = place_before_.*piece = length;
   return answer;
 }
 
+CutAnswer CutPlan::set_length(double length) noexcept {
+  return change(&Place::length, length);
+}
+
 CutAnswer CutPlan::add_waste(double length) noexcept {
-  const CutAnswer answer = piece_answer(length);
-  if (answer) place_.waste = place_before_.waste = length;
-  return answer;
+  return change(&Place::waste, length);
 }
 
 CutAnswer CutPlan::cut_now() noexcept {
@@ -234,36 +252,27 @@ CutAnswer CutPlan::cut_now() noexcept {
 }
 
 CutAnswer CutPlan::cut_at(double web) noexcept {
-  if (std::isfinite(demand_)) return {CutAnswer::Status::pending, web, demand_};
   const double earliest = next_possible();
   if (!(web >= earliest)) return {CutAnswer::Status::position, web, earliest};
   const bool fixed = now_.phase == Phase::approach || now_.phase == Phase::link;
   // The cut before the demand, and the place in the list after it.
   double cut = fixed ? now_.to : now_.from;
   const bool home = now_.phase == Phase::home || now_.phase == Phase::retreat;
-  Place place = place_;
   if (!fixed && web < planned_ - near(planned_)) {
-    if (demanded_) return {CutAnswer::Status::pending, web, planned_};
     if (!home) {
       const double next = cut + task_->at_least(web - cut);
       if (!task_->makes(web - cut)) return {CutAnswer::Status::position, web, next};
     }
     planned_ = web;
-    demanded_ = true;
+    demand_ = none;
     place_ = place_before_;
     return {CutAnswer::Status::ok, web, web};
   }
   if (!fixed) cut = planned_;
-  for (int i = 0; i < most_planned && !finished_; ++i) {
-    const double next = cut + draw(place);
-    if (!(next <= web)) break;
-    cut = next;
-  }
-  if (std::abs(web - cut) <= near(web)) return {CutAnswer::Status::ok, web, cut};
-  if (!task_->makes(web - cut))
-    return {CutAnswer::Status::position, web, cut + task_->at_least(web - cut)};
-  demand_ = web;
-  return {CutAnswer::Status::ok, web, web};
+  const CutAnswer answer = demand_answer(web, cut, place_);
+  if (!answer) return answer;
+  demand_ = std::abs(web - answer.limit) <= near(web) ? none : web;
+  return answer;
 }
 
 }  // namespace jounce

@@ -54,10 +54,14 @@ struct Tick {
   bool waiting = false;                ///< true if an accepted start, move or command has not begun
   Progress progress = Progress::done;  ///< progress of the motion that is played
   Cause fault = Cause::none;           ///< the latched fault; none: no fault
-  std::int64_t skipped = 0;            ///< ticks skipped between the previous step and this one
-  std::uint64_t finished = 0;          ///< number of motions that reached their end, so far
-  std::uint64_t stopped = 0;           ///< number of motions that a stop brought to rest, so far
-  /// Why the last motion ended: a fault, stopped, halted, ...; none: the motion reached its end.
+  /// The number that exceeded a limit at the fault: the following error (u), the velocity (u/s) of
+  /// overspeed, or the acceleration (u/s^2) of overacceleration and jump; NaN: none.
+  double fault_value = std::numeric_limits<double>::quiet_NaN();
+  std::int64_t skipped = 0;    ///< ticks skipped between the previous step and this one
+  std::uint64_t finished = 0;  ///< number of motions that reached their end, so far
+  std::uint64_t stopped = 0;   ///< number of motions that a stop brought to rest, so far
+  /// Why the last motion ended: a fault, stopped, halted, ...; none: the motion reached its end. After
+  /// a start with a live master that was dropped at rest: the reason of the drop.
   Cause reason = Cause::none;
   double override_ = 1;    ///< override factor in effect, 0 to 2
   double rate = 1;         ///< present rate of path time: 1 is the original speed of the path
@@ -213,6 +217,9 @@ class MotionAxis {
   Cause advance_live(Setpoint& next);
   Cause advance_move(Setpoint& next);
   [[nodiscard]] Cause judge(const Setpoint& next) const;
+  [[nodiscard]] double excess(Cause wrong, const Setpoint& next) const;
+  [[nodiscard]] double joint_step() const;
+  [[nodiscard]] bool in_step() const;
   [[nodiscard]] bool inside_as_a_whole() const;
   void give_out(const Setpoint& next);
   void operate_outputs();
@@ -327,6 +334,7 @@ class MotionAxis {
   [[nodiscard]] std::optional<Moment> begins_at();
   [[nodiscard]] std::optional<Moment> crossing() const;
   [[nodiscard]] std::optional<Refusal> against_demand(const Moment& start) const;
+  [[nodiscard]] std::optional<Refusal> against_jump() const;
   [[nodiscard]] double followed_ratio() const;
   [[nodiscard]] Refusal begin_refusal(Cause no, const MotionState& state) const;
   [[nodiscard]] std::optional<Refusal> against_switch(const Movement& path) const;
@@ -383,7 +391,7 @@ class MotionAxis {
   [[nodiscard]] Cause reason_to_rest() const;
   void freeze();
   void cut_off();
-  void fail(Cause cause);
+  void fail(Cause cause, double value = std::numeric_limits<double>::quiet_NaN());
   void drop_movement();
 
   AxisConfig config_;

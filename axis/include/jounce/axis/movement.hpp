@@ -158,6 +158,12 @@ class Movement {
   [[nodiscard]] virtual Peaks demand(const Moment& start) const noexcept {
     return {.velocity = std::abs(ratio() * start.master[1])};
   }
+  /// For a live movement that begins in step with its master: the first setpoint at `now`, after
+  /// begin(). nullopt: the movement continues from the state of the axis. The axis rejects a start
+  /// whose first setpoint would be a fault.
+  [[nodiscard]] virtual std::optional<MotionState> first(const Moment& /*now*/) const noexcept {
+    return std::nullopt;
+  }
   /// For a live movement: the greatest magnitudes of the first three derivatives of the slave with
   /// respect to its master, u/m, u/m^2, u/m^3, which limit a phase shift (phase_player.hpp).
   [[nodiscard]] virtual std::array<double, 3> slopes() const noexcept {

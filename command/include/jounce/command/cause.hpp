@@ -82,6 +82,10 @@ enum class Cause : std::uint8_t {
   home_not_found = 61,
   index_not_found = 62,
   both_switches = 63,
+
+  // Faults of a follower.
+  overacceleration = 64,
+
   not_homed = 66,
   no_such_method = 67,
   no_sensor = 68,
@@ -134,6 +138,10 @@ enum class Cause : std::uint8_t {
   // Rejected commands of axes and groups.
   no_start_tick = 114,
   nothing_to_start = 115,
+  start_jump = 116,
+
+  // Cuts: rejected commands.
+  cut_too_far = 117,
 };
 
 /// Returns the word for logs, messages and docs/reference/messages.md: "aborted", "not_armed", ...
@@ -145,7 +153,7 @@ const char* meaning(Cause cause);
 /// True if the cause is a fault, which stays latched until a reset.
 constexpr bool is_fault(Cause cause) {
   return (cause >= Cause::aborted && cause <= Cause::marks_lost) ||
-         (cause >= Cause::home_timeout && cause <= Cause::both_switches);
+         (cause >= Cause::home_timeout && cause <= Cause::overacceleration);
 }
 
 /// The reason for rejecting a command or a movement, with numbers in the units of the axis.

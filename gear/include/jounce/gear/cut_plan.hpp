@@ -36,7 +36,8 @@ struct CutAnswer {
     ok,
     length,    ///< the piece is not possible: `limit` is the nearest possible length, m
     position,  ///< the cut is too early: `limit` is the next possible position of the web, m
-    pending,   ///< another cut on demand has not been made: `limit` is its position, m
+    pending,   ///< a cut on demand waits, and would not be possible: `limit` is its position, m
+    far,       ///< more than most_planned cuts come before it: `limit` is the last possible cut, m
   };
   Status status = Status::ok;
   double value =
@@ -67,8 +68,10 @@ struct CutAnswer {
 ///     (3)  C + the shortest possible piece              otherwise
 ///
 /// A cut on demand ends a piece early. This piece is waste, and its length comes again after the
-/// cut. If planned cuts come before the demand, the same rule holds for the last one of them. No
-/// other cut on demand replaces it.
+/// cut. If planned cuts come before the demand, the same rule holds for the last one of them; at
+/// most most_planned of them may come before it. A new cut on demand replaces one that waits; at the
+/// position of a planned cut, it only cancels the waiting one. A new length or piece of waste keeps
+/// the waiting cut, and is rejected if this cut would not be possible.
 ///
 /// **Web that moves backwards.** The cutter follows its motion back, over the last cut to the one
 /// before it. A cut that was made is not made again. Beyond this, the plan is lost.
@@ -83,6 +86,8 @@ class CutPlan {
     link,      ///< to the next cut
     retreat,   ///< from a cut to home
   };
+
+  static constexpr int most_planned = 1'000;  ///< planned cuts before a cut on demand
 
   /// Begins at the position `web`, m, with the cutter at home. The first cut is at web + first.
   CutPlan(std::shared_ptr<const CutTask> task, double web) noexcept;
@@ -139,6 +144,8 @@ class CutPlan {
   [[nodiscard]] double earliest_after(double cut) const noexcept;
   [[nodiscard]] bool may_take(double web) const noexcept;
   [[nodiscard]] CutAnswer piece_answer(double length) const noexcept;
+  [[nodiscard]] CutAnswer demand_answer(double web, double cut, Place place) const noexcept;
+  CutAnswer change(double Place::*piece, double length) noexcept;
 
   std::shared_ptr<const CutTask> task_;
   Span now_;
@@ -146,8 +153,7 @@ class CutPlan {
   Place place_;         // after the planned cut
   Place place_before_;  // before it was planned
   double planned_ = none;
-  bool demanded_ = false;  // the planned cut is one on demand
-  double demand_ = none;   // a cut on demand after the planned cut
+  double demand_ = none;  // a cut on demand after the planned cut
   double web_ = 0;
   bool finished_ = false;
   bool lost_ = false;
