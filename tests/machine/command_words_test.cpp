@@ -125,6 +125,12 @@ TEST(CommandWords, CoordinatesHaveTheNamesOfTheAxes) {
   EXPECT_EQ(frame.offset[0], 120);
   EXPECT_EQ(frame.rotation, 30);
   EXPECT_FALSE(names_axes(words("wait", {"0.5"})));
+  const auto along = std::get<command::GroupJog>(
+      command_of(words("jog", {"20mm/s"}, {{"along", "1,0,0"}}), mm, axes));
+  EXPECT_EQ(along.dynamics.velocity, 20);
+  const auto back =
+      std::get<command::MoveVelocity>(command_of(words("jog", {"--", "-20mm/s"}), mm));
+  EXPECT_EQ(back.velocity, -20);
 
   const auto wrong = [&](const std::string& what, const std::vector<std::string>& values,
                          const std::map<std::string, std::string>& options = {}) {

@@ -256,6 +256,12 @@ TEST(Status, IsALineWithUnits) {
   EXPECT_THAT(line, ::testing::HasSubstr("velocity -20 mm/s "));
   status.master_position = 90;
   EXPECT_THAT(status_text("feeder", status), ::testing::HasSubstr("master 90 deg "));
+  EXPECT_THAT(status_text("feeder", status), ::testing::Not(::testing::HasSubstr("override")));
+  status.override_ = 0.5;
+  EXPECT_THAT(status_text("feeder", status), ::testing::HasSubstr("override 50 %"));
+  status.state = State::standstill;
+  status.reason = static_cast<std::int32_t>(Cause::start_position);
+  EXPECT_THAT(status_text("feeder", status), ::testing::HasSubstr("start dropped: start_position"));
 }
 
 TEST(Keys, HoldAndResumeAreForTheChosenAxis) {

@@ -47,6 +47,18 @@ TEST(OutcomeText, ARemedyFitsTheReason) {
   EXPECT_THAT(reason_text(homing, "feeder"), EndsWith("or choose another method."));
 }
 
+TEST(OutcomeText, AnAcceptedOrderNamesItsEffect) {
+  wire::Status status;
+  EXPECT_EQ(accepted_text("override", status, "knife"), "override accepted");
+  status.gear = wire::GearState::in_cam;
+  EXPECT_EQ(accepted_text("override", status, "knife"),
+            "override accepted; no effect while the axis follows its master");
+  status.homed = true;
+  status.units.position = "mm";
+  status.slave_position = 277;
+  EXPECT_THAT(accepted_text("set-position", status, "slide"), HasSubstr("was 277 mm before"));
+}
+
 TEST(OutcomeText, IsWholeAsJson) {
   const Json command = Json::parse(command_json(rejected()));
   EXPECT_EQ(command["ok"], false);

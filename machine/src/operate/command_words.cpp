@@ -614,13 +614,17 @@ CommandWords without_names(CommandWords words, const std::vector<std::string>& a
 void set_values(CommandWords& words, const std::vector<std::string>& values) {
   words.value.clear();
   std::string list;
+  const auto ends_options = std::count(values.begin(), values.end(), "--");
   for (const std::string& value : values) {
+    if (value == "--") continue;
     const bool named = value.find('=') != std::string::npos;
-    if (values.size() > 1 && !named)
+    if (values.size() > static_cast<std::size_t>(ends_options) + 1 && !named)
       throw InputError(value_word, value,
                        "is one of several values: give one value, or coordinates such as x=10 y=5");
     (named ? list : words.value) += (named && !list.empty() ? "," : "") + value;
   }
+  if (words.what == "jog" && !text_of(words, "along").empty() && text_of(words, "velocity").empty())
+    words.options["velocity"] = std::exchange(words.value, "");
   if (list.empty()) return;
   const std::string option = coordinate_option(words.what);
   if (option.empty())

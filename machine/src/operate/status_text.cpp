@@ -25,11 +25,16 @@ std::string number_text(double value, const std::string& unit) {
   return six_digits(value) + (unit.empty() ? "" : " " + unit);
 }
 
-/// "  range_end" after a jog that a group could not continue; "" otherwise.
-std::string end_of_jog(std::int32_t reason) {
-  const auto cause = static_cast<Cause>(reason);
-  const bool shown = cause >= Cause::range_end && cause <= Cause::no_acknowledge;
-  return shown ? std::string("  ") + name(cause) : "";
+/// "  range_end" after a jog that a group could not continue, "  start dropped: start_position" after
+/// a start with a live master that was not possible when it was due; "" otherwise.
+std::string end_of_motion(const wire::Status& s) {
+  const auto cause = static_cast<Cause>(s.reason);
+  if (cause >= Cause::range_end && cause <= Cause::no_acknowledge)
+    return std::string("  ") + name(cause);
+  const bool dropped = (cause >= Cause::bad_table && cause <= Cause::not_in_sync) ||
+                       cause == Cause::start_jump || cause == Cause::cutter_away;
+  return dropped && s.state == State::standstill ? std::string("  start dropped: ") + name(cause)
+                                                 : "";
 }
 
 }  // namespace
@@ -37,18 +42,19 @@ std::string end_of_jog(std::int32_t reason) {
 std::string status_text(const std::string& axis, const wire::Status& s) {
   return fmt::format(
       "{:<12} {:<9} tick {:<10} {:<19} position {:<14} velocity {:<16} late cycles "
-      "{}{}{}{}{}{}{}{}",
+      "{}{}{}{}{}{}{}{}{}",
       axis, name(s.state), s.tick,
       std::isnan(s.master_position) ? "no master"
                                     : "master " + number_text(s.master_position, s.units.x),
       number_text(s.slave_position, s.units.position),
       number_text(s.slave_velocity, rate_unit(s.units.position, "s", 1)), s.late_ticks,
+      s.override_ == 1 ? "" : fmt::format("  override {} %", six_digits(100 * s.override_)),
       s.held ? "  held" : "", s.homed ? "  homed" : "",
       std::isnan(s.correction) ? ""
                                : "  compensated " + number_text(s.correction, s.units.position),
       s.gear == wire::GearState::none ? "" : "  " + gear_text(s),
       s.last_error == 0 ? "" : fmt::format("  {}", name(static_cast<Cause>(s.last_error))),
-      end_of_jog(s.reason),
+      end_of_motion(s),
       s.unwritten == 0 ? "" : fmt::format("  not written: {}", unwritten_files(s.unwritten)));
 }
 

@@ -33,8 +33,9 @@ std::optional<std::string> start_remedy(const std::string& reason) {
     return "Wait for the end of this motion, then send " + move +
            "`, or send a table that begins where the motion ends.";
   return "Move the axis to the start of the table (" + move +
-         "`), or start the executor with --adopt-start. With --live, use --start-at instead, or "
-         "start = \"ramp_in\" in [coupling].";
+         "`), or start the executor with --adopt-start. With --live, use start = \"ramp_in\" with "
+         "velocity_diff and acceleration in [coupling], or the `cutter` of the axis (`jounce order "
+         "NAME start`).";
 }
 
 /// The kind of the rejected order; nullopt: a table was rejected.
@@ -101,6 +102,14 @@ std::string reason_text(const CallOutcome& outcome, const std::string& executor,
 std::string accepted_text(const std::string& word, const wire::Status& before,
                           const std::string& executor) {
   if (word == "home") return "homed";
+  if (word == "override" && before.gear > wire::GearState::disengaged)
+    return "override accepted; no effect while the axis follows its master";
+  if (word == "set-position" && before.homed)
+    return fmt::format(
+        "set-position accepted; the position range keeps its numbers, so it moves with the "
+        "coordinate: the position was {} before",
+        six_digits(before.slave_position) +
+            (before.units.position.empty() ? "" : " " + before.units.position));
   if (word != "enable" || before.last_error == 0) return word + " accepted";
   return fmt::format("enable accepted, but the fault {} remains: send `jounce order {} reset`",
                      name(static_cast<Cause>(before.last_error)), executor);
