@@ -324,6 +324,8 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
       if (const std::size_t dropped = drop_stages(); dropped > 0)
         dropped_because_ = "an aborting command replaces what waits: " + std::to_string(dropped) +
                            (dropped == 1 ? " command was dropped" : " commands were dropped");
+    if (aborts(command) && !rests(group) && !halting_ && sent_ && group.job == sent_->movement)
+      dropped_because_ = "an aborting command ends the program that plays: its rest is dropped";
     if (rests(group)) halting_ = releasing_ = false;
     if (rests(group) && stages_.empty() && !single_step_) return fresh(group);
     if (is_fast(command) && (!aborts(command) || rests(group)))
