@@ -25,7 +25,7 @@ rejected not_synchronized label phasing --by 2
 rejected no_movement line change-velocity 50mm/s
 rejected no_movement line finish
 rejected "no live master" line gear-in 1:1
-rejected "one master only" corrector combine 1:1 --second 1:1
+rejected "no live master" corrector combine 1:1 --second 1:1
 rejected "must be greater than 0" line change-velocity 0mm/s
 rejected "must be 0 or more" corrector repeat --to 1 --wait -1s
 rejected "must be a ratio" label combine 1:1 --second half

@@ -141,7 +141,7 @@ TEST_F(DegeneratePath, AnArcWhoseRadiusDoesNotFitIsAnErrorWithItsPlace) {
     return message([&] { return spec(first + "[[command]]\ntype = \"arc\"\n" + keys); });
   };
   EXPECT_THAT(arc("radius = 4\nto = [20, 0]\nrotation = \"clockwise\"\n"),
-              HasSubstr("spec.toml:16:10: command[2].radius = 4 mm: must be at least half"));
+              HasSubstr("spec.toml:16:10: command[2].radius = 4 mm: must be at least 5 mm, half"));
   EXPECT_THAT(
       arc("center = [15, 0]\nto = [21, 0]\nrotation = \"clockwise\"\n"),
       HasSubstr("spec.toml:16:10: command[2].center: is 5 mm from the start and 6 mm from"));
@@ -150,7 +150,7 @@ TEST_F(DegeneratePath, AnArcWhoseRadiusDoesNotFitIsAnErrorWithItsPlace) {
   const auto block = [&](const std::string& words) {
     return message([&] { return gcode("G1 X10 F6000\n" + words + "\n"); });
   };
-  EXPECT_THAT(block("G2 X20 R4"), HasSubstr("part.ngc:2:8: R4: must be at least half"));
+  EXPECT_THAT(block("G2 X20 R4"), HasSubstr("part.ngc:2:8: R4: must be at least 5 mm, half"));
   EXPECT_THAT(block("G2 X21 I5 J0"), HasSubstr("part.ngc:2:8: I5 J0: is 5 mm from the start"));
   EXPECT_THAT(block("G2 X10 I0 J0"), HasSubstr("part.ngc:2:8: I0 J0: is the start of the arc"));
 }
