@@ -75,7 +75,8 @@ TEST(Warnings, ARiseThatEndsInASlowDriftMustBeFasterThanTheDrift) {
   const Cam cam({line(60, 0, 0), quintic(110, 0, 0, 0, 80, k, 0), line(30, 80, 82),
                  quintic(160, 82, k, 0, 0, 0, 0)},
                 0, Extrapolation::wrap);
-  const Finding& drift = get(warnings(cam), "warning/velocity_overshoot");
+  const Report odd = warnings(cam);
+  const Finding& drift = get(odd, "warning/velocity_overshoot");
   EXPECT_EQ(drift.severity, Severity::note);
   EXPECT_EQ(drift.advice, "");
 }
@@ -85,7 +86,8 @@ TEST(Warnings, NoRemedyIsLongerThanThePeriod) {
   const Cam cam(
       {quintic(200, 0, 0, 0, 160, 1, 0), line(50, 160, 210), quintic(50, 210, 1, 0, 0, 0, 0)}, 0,
       Extrapolation::wrap);
-  const Finding& f = get(warnings(cam), "warning/velocity_overshoot");
+  const Report odd = warnings(cam);
+  const Finding& f = get(odd, "warning/velocity_overshoot");
   EXPECT_EQ(f.severity, Severity::warning);
   EXPECT_EQ(f.advice,
             "the slope of its moving end, times its length, divided by its stroke is 1.25, but "
