@@ -143,9 +143,10 @@ class Inspection {
     const Extremum& reached = *wanted > 0 ? g.range[1].max : g.range[1].min;
     const double beyond = std::abs(reached.value) - std::abs(*wanted);
     if (beyond <= rounded_input * scale_[1]) return;
-    // A slow drift after a rise: already the mean velocity of the rise exceeds that of its end.
-    const double mean = (g.end[0] - g.begin[0]) / g.length * sign(*wanted);
-    const bool inevitable = mean > std::abs(*wanted) * (1 + rounded_input);
+    // A slow drift after a rise: no length within the period is enough for it.
+    const double stroke = (g.end[0] - g.begin[0]) * sign(*wanted);
+    const bool inevitable =
+        repeats(cam_.outside()) && stroke * rho_least >= cam_.length() * std::abs(*wanted);
     add("warning/velocity_overshoot", g, 1, reached, *wanted, beyond,
         inevitable ? Severity::note : Severity::warning, inevitable ? "" : window(g));
   }
