@@ -95,6 +95,12 @@ std::string to_csv(const CutMap& map) {
   std::string text = fmt::format("# jounce map of {}\n", map.spec.document.name);
   for (const auto& [length, name] : map.cuts.marks)
     text += fmt::format("# {}: {} {}\n", name, number(length), m);
+  if (const auto& master = map.spec.master; master && master->acceleration.value_or(0) > 0)
+    text += fmt::format(
+        "# for a line at constant speed: `jounce check` also includes the acceleration of "
+        "[master], "
+        "{} {}, with which the speeds are lower\n",
+        rounded(*master->acceleration), rate_unit(m, map.spec.time_unit, 2));
   if (map.shortest)
     text += fmt::format("# shortest at {} {}: {} {}\n", rounded(map.running), map.speed_unit(),
                         number(*map.shortest), m);

@@ -15,8 +15,11 @@ namespace {
 using lint_detail::with_unit;
 using What = FileChange::What;
 
-constexpr std::array words{std::pair{What::changed, "changed"}, std::pair{What::added, "new"},
-                           std::pair{What::removed, "removed"}, std::pair{What::renamed, "renamed"},
+constexpr std::array words{std::pair{What::wrong, "not compared (wrong)"},
+                           std::pair{What::changed, "changed"},
+                           std::pair{What::added, "new"},
+                           std::pair{What::removed, "removed"},
+                           std::pair{What::renamed, "renamed"},
                            std::pair{What::same, "the same"}};
 
 /// True if the motion differs, also of a renamed file.
@@ -105,6 +108,8 @@ std::string section_of(const FileChange& change) {
   for (const Diagnostic& each : change.diagnostics)
     if (change.comparisons.empty() && each.rule == "baseline/changed")
       text += fmt::format("{}.\n\n", each.message);
+  for (const std::string& error : change.errors) text += fmt::format("- {}\n", cell(error));
+  if (!change.errors.empty()) text += "\n";
   return text;
 }
 
@@ -125,11 +130,11 @@ std::string to_markdown(const std::vector<FileChange>& changes, const std::strin
   std::string text = fmt::format("## Motions compared with `{}`: {}\n\n", name, counts(changes));
   std::string rows;
   for (const FileChange& change : changes)
-    if (change.what != What::same && !differs(change))
+    if (change.what != What::same && change.errors.empty() && !differs(change))
       rows += fmt::format("- {}: `{}`\n", word_of(change.what), headline(change));
   if (!rows.empty()) text += rows + "\n";
   for (const FileChange& change : changes)
-    if (differs(change)) text += section_of(change);
+    if (differs(change) || !change.errors.empty()) text += section_of(change);
   return text;
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/input_errors.hpp"
 #include "jounce/base/parallel.hpp"
 #include "jounce/design/version.hpp"
 #include "jounce/lint/accepted.hpp"
@@ -145,7 +146,11 @@ void compare_file(FileChange& change, const std::string& accepted, const Accepte
     try {
       compare_motions(change, accepted, options);
     } catch (const InputError& error) {
-      if (error.document() == change.file) return;  // the check of the file reports it
+      if (error.document() == change.file) {  // the check of the file reports it
+        change.what = What::wrong;
+        for (const InputError& one : all_errors(error)) change.errors.emplace_back(one.what());
+        return;
+      }
       if (error.key().starts_with("--")) throw error.at(change.file);  // an option does not fit
       Diagnostic d = diagnostic("baseline/changed", Level::broken, change.file, error.what());
       if (const std::string& place = error.document(); place == accepted)

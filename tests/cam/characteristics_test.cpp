@@ -155,6 +155,22 @@ TEST(Rises, AreTheStretchesBetweenRestsAlsoThroughTheWrap) {
   }
 }
 
+TEST(Rises, AreNoneWhereTheSlaveTurnsBackByMuchOfTheStroke) {
+  // 0 to 82 and back to 45 between two rests is no rise to 45; back by a twentieth of the stroke is one.
+  const auto there_and_back = [](double top, double end) {
+    return Cam({line(10, 0, 0), quintic(40, 0, 0, 0, top, 0, -0.01),
+                quintic(30, top, 0, -0.01, end, 0, 0), line(10, end, end)});
+  };
+  EXPECT_EQ(rises(there_and_back(82, 45)).size(), 2U) << "the slave rests at 82";
+  const auto in_one = [](double top, double end) {
+    const double k = -0.05;
+    return Cam({line(10, 0, 0), quintic(40, 0, 0, 0, top, k, 0), quintic(30, top, k, 0, end, 0, 0),
+                line(10, end, end)});
+  };
+  EXPECT_TRUE(rises(in_one(82, 45)).empty());
+  EXPECT_EQ(rises(in_one(82, 81)).size(), 1U);
+}
+
 TEST(Rises, AreNoneInACamThatComesBackBetweenItsRests) {
   EXPECT_TRUE(rises(design(test::fig_6_14()).cam).empty()) << "it rests at 0 only";
 }

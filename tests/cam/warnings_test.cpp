@@ -69,6 +69,32 @@ TEST(Warnings, TheWindowOfRhoHasItsEdgesAt5Over3And5Over2) {
   EXPECT_EQ(count(warnings(scaled(one, -7, 1e6)), "warning/velocity_overshoot"), 1U);
 }
 
+TEST(Warnings, ARiseThatEndsInASlowDriftMustBeFasterThanTheDrift) {
+  // 80 in 110 deg, then 2 in 30 deg: the mean velocity of the rise is eleven times that of its end.
+  const double k = 2.0 / 30;
+  const Cam cam({line(60, 0, 0), quintic(110, 0, 0, 0, 80, k, 0), line(30, 80, 82),
+                 quintic(160, 82, k, 0, 0, 0, 0)},
+                0, Extrapolation::wrap);
+  const Report odd = warnings(cam);
+  const Finding& drift = get(odd, "warning/velocity_overshoot");
+  EXPECT_EQ(drift.severity, Severity::note);
+  EXPECT_EQ(drift.advice, "");
+}
+
+TEST(Warnings, NoRemedyIsLongerThanThePeriod) {
+  // rho = 1.25 in 200 of 300: the lengths from 267 to 400 do not fit.
+  const Cam cam(
+      {quintic(200, 0, 0, 0, 160, 1, 0), line(50, 160, 210), quintic(50, 210, 1, 0, 0, 0, 0)}, 0,
+      Extrapolation::wrap);
+  const Report odd = warnings(cam);
+  const Finding& f = get(odd, "warning/velocity_overshoot");
+  EXPECT_EQ(f.severity, Severity::warning);
+  EXPECT_EQ(f.advice,
+            "the slope of its moving end, times its length, divided by its stroke is 1.25, but "
+            "must be 5/3 to 5/2: "
+            "use a stroke from 80 to 120");
+}
+
 TEST(Warnings, OvershootTellsHowFarAndWhetherItIsInevitable) {
   // Ends at rest but accelerating hard: the slave swings beyond.
   const Report swing = warnings(Cam({quintic(1, 0, 0, -80, 1, 0, 0)}));

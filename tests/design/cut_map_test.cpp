@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/design/sync_check.hpp"
+
 #include "support/errors.hpp"
 
 namespace jounce::cut_map_test {
@@ -27,6 +29,22 @@ TEST(CutMap, HasTheFastestLineOfEachLength) {
   EXPECT_EQ(map.speed_unit(), "in/s");
   EXPECT_THAT(to_csv(map),
               ::testing::HasSubstr("cut_length [in],line_speed [in/s],cuts [1/min],limit\n"));
+}
+
+// The map and the figures of cuts are for a line at constant speed; check includes its acceleration.
+TEST(CutMap, StatesThatTheLineHasConstantSpeed) {
+  Spec ramped = knife;
+  const auto csv = [](const Spec& spec) {
+    return to_csv(cut_map(spec, cut_lengths(spec), cut_limits(spec, std::nullopt), 2, 8, 3));
+  };
+  const std::string statement =
+      "# for a line at constant speed: `jounce check` also includes the acceleration of [master], "
+      "50 in/s^2, ";
+  ramped.master->acceleration.reset();
+  EXPECT_THAT(csv(ramped), ::testing::Not(::testing::HasSubstr("constant speed")));
+  ramped.master->acceleration = 50;
+  EXPECT_THAT(csv(ramped), ::testing::HasSubstr(statement));
+  EXPECT_THAT(sync_figures(ramped).back().meaning, ::testing::HasSubstr("at constant 20 in/s, "));
 }
 
 TEST(CutMap, WithoutALimitThereIsNoMap) {

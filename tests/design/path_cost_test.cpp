@@ -91,6 +91,12 @@ TEST(PathCost, CountsADwellByItself) {
   text += "[[command]]\ntype = \"dwell\"\ntime = 0.25\n[[command]]\ntype = \"line\"\nto = [0, 0]\n";
   const PathSummary s = summary(text);
   EXPECT_NEAR(s.cost.of(LossCause::dwell), 0.25, 1e-12);
+  // It has the line of its own command, not of the line before or after it.
+  const Spec spec = parse_spec(text, "dwell.toml");
+  const auto commands = std::get<PathSpec>(spec.subject).program.commands();
+  ASSERT_EQ(commands[1].kind, Program::Kind::dwell);
+  for (const SpeedLoss& loss : s.cost.losses)
+    EXPECT_TRUE(loss.cause != LossCause::dwell || loss.line == commands[1].line) << loss.line;
   EXPECT_NEAR(sum_of(s.cost), s.duration, 1e-9);
 }
 

@@ -252,6 +252,17 @@ class Repository(unittest.TestCase):
         self.assertAlmostEqual(finding["value"], 0.01, 9)
         self.assertAlmostEqual(finding["margin"], -9, 6)
 
+    def test_a_file_that_cannot_be_read_is_not_the_same(self):
+        """The counts and the summary name a broken file, alone and beside a changed one."""
+        path = self.folder / "cams" / "feeder.toml"
+        path.write_text(path.read_text().replace("jounce = 1", "jounce = 1\nkindd = 2", 1))
+        done = self.jounce("check", ".", "--baseline", "main", "--summary", "out", status=2)
+        self.assertIn("compared with main: 1 not compared (wrong), 2 the same\n", done.stdout)
+        self.assertIn("not compared (wrong): cams/feeder.toml\n", done.stdout)
+        summary = (self.folder / "out" / "summary.md").read_text()
+        self.assertIn("1 not compared (wrong), 2 the same", summary)
+        self.assertRegex(summary, r"### not compared \(wrong\): `cams/feeder.toml`\n\n- cams/feeder.toml:\d+.*kindd")
+
     def test_a_folder_of_tables_is_the_baseline(self):
         (self.folder / "accepted/cams").mkdir(parents=True)
         for name in ("feeder", "knife"):

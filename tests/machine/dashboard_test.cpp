@@ -223,6 +223,14 @@ TEST(Events, AreKeptOnceAndInOrder) {
   EXPECT_EQ(axes[0].events.size(), 1U);
 }
 
+TEST(StatusText, ShowsNoRoundingAsAPosition) {
+  wire::Status status;
+  status.units = {"deg", "mm"};
+  status.slave_position = -8.95247e-60;
+  status.slave_velocity = 1e-15;
+  EXPECT_THAT(status_text("slide", status), HasSubstr("position 0 mm           velocity 0 mm/s "));
+}
+
 TEST(Events, AreLinesOfText) {
   const wire::Event probe{.count = 17,
                           .kind = wire::EventKind::probe,

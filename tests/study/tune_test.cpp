@@ -252,9 +252,23 @@ TEST(Tune, RefusesWhatItCannotDo) {
               HasSubstr("optimize.require[1].at_most = \"1 kg\""));
   EXPECT_THAT(
       said("[optimize]\nminimize = \"duration\"\n" + parameter("move.velocity", "300, 1000")),
-      HasSubstr("optimize.parameter[1].range = 300 to 1000 mm/s: must contain 200 mm/s, the present value in "
+      HasSubstr("optimize.parameter[1].range = 300 to 1000 mm/s: must contain 200 mm/s, the "
+                "present value in "
                 "the spec"));
   EXPECT_THAT(said(""), HasSubstr("optimize.parameter: is missing"));
+}
+
+TEST(Tune, RejectsAFigureThatDependsOnNoParameter) {
+  // [master] gives the velocity, so that of the line in [shear] does not change it.
+  const std::string text =
+      shear + "[master]\nvelocity = 600\n[optimize]\nmaximize = \"master velocity\"\n" +
+      parameter("shear.line_speed", "\"10 m/min\", \"200 m/min\"");
+  const std::string error = error_of([&] { (void)tuned(text); });
+  EXPECT_THAT(
+      error,
+      HasSubstr("optimize.maximize = \"master velocity\": depends on no parameter: it is 600 mm/s "
+                "in all "));
+  EXPECT_THAT(error, HasSubstr("designs that were tried"));
 }
 
 TEST(ParametersSpec, RefusesWhatMakesNoSense) {

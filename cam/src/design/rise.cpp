@@ -15,6 +15,8 @@ namespace {
 using profiles_detail::rounded_input;
 using profiles_detail::rounded_value;
 
+constexpr double most_beyond = 0.1;  ///< share of the stroke by which a rise may pass its ends
+
 using Jet5 = std::array<double, 5>;  // value and four derivatives
 
 Jet5 jet5(const Segment& f, double s) {
@@ -137,6 +139,12 @@ std::vector<std::size_t> resting(const Cam& cam, const Row& row) {
   return breaks;
 }
 
+/// False for a part that leads away and back, such as a rise, a slow drift and half of a fall.
+bool leads_to_its_end(const Rise& rise) {
+  const Range& travel = rise.ranges[0];
+  return travel.max.value - travel.min.value <= (1 + most_beyond) * std::abs(rise.stroke);
+}
+
 }  // namespace
 
 std::vector<Rise> rises(const Cam& cam) {
@@ -153,8 +161,9 @@ std::vector<Rise> rises(const Cam& cam) {
     const Segment& end = row[breaks[k + 1] - 1];
     const bool wraps = breaks[k + 1] > row.size();
     const double gained = wraps ? value(row[row.size() - 1], 1) - value(row[0], 0) : 0;
-    if (std::abs(value(end, 1) + gained - value(begin, 0)) > still)
-      all.push_back(made(row, breaks[k], breaks[k + 1]));
+    if (std::abs(value(end, 1) + gained - value(begin, 0)) <= still) continue;
+    Rise rise = made(row, breaks[k], breaks[k + 1]);
+    if (leads_to_its_end(rise)) all.push_back(std::move(rise));
   }
   return all;
 }

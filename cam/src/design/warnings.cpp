@@ -142,23 +142,28 @@ class Inspection {
     if (!wanted) return;
     const Extremum& reached = *wanted > 0 ? g.range[1].max : g.range[1].min;
     const double beyond = std::abs(reached.value) - std::abs(*wanted);
-    if (beyond > rounded_input * scale_[1])
-      add("warning/velocity_overshoot", g, 1, reached, *wanted, beyond, Severity::warning,
-          window(g));
+    if (beyond <= rounded_input * scale_[1]) return;
+    // A slow drift after a rise: no length within the period is enough for it.
+    const double stroke = (g.end[0] - g.begin[0]) * sign(*wanted);
+    const bool inevitable =
+        repeats(cam_.outside()) && stroke * rho_least >= cam_.length() * std::abs(*wanted);
+    add("warning/velocity_overshoot", g, 1, reached, *wanted, beyond,
+        inevitable ? Severity::note : Severity::warning, inevitable ? "" : window(g));
   }
 
   /// The window (4) in the numbers of the group, if it is such a quintic.
-  static std::string window(const Group& g) {
+  [[nodiscard]] std::string window(const Group& g) const {
     const auto k = slope(g);
     const double h = g.end[0] - g.begin[0];
     if (!k || !g.quintic || h * *k <= 0) return "move the knots, or use another law";
     const auto from_to = [](double a, double b) {
       return rounded(std::min(a, b)) + " to " + rounded(std::max(a, b));
     };
-    return "the slope of its moving end, times its length, divided by its stroke is " +
-           rounded(*k * g.length / h) + ", but must be 5/3 to 5/2: use a length from " +
-           from_to(rho_least * h / *k, rho_most * h / *k) + ", or a stroke from " +
-           from_to(*k * g.length / rho_most, *k * g.length / rho_least);
+    std::string text = "the slope of its moving end, times its length, divided by its stroke is " +
+                       rounded(*k * g.length / h) + ", but must be 5/3 to 5/2: use ";
+    if (!repeats(cam_.outside()) || rho_most * h / *k < cam_.length())
+      text += "a length from " + from_to(rho_least * h / *k, rho_most * h / *k) + ", or ";
+    return text + "a stroke from " + from_to(*k * g.length / rho_most, *k * g.length / rho_least);
   }
 
   void add(const char* rule, const Group& g, std::size_t k, const Extremum& worst, double limit,

@@ -17,6 +17,23 @@ double greatest_factor(const PathSpec& path) {
   return greatest;
 }
 
+/// Gives each dwell the line of its own command: the plan has only the lines of the pieces beside it.
+void name_dwells(const Program& program, const Plan& plan, PathCost& cost) {
+  std::vector<std::size_t> dwells;
+  for (std::size_t k = 0; k < program.commands().size(); ++k)
+    if (program.commands()[k].kind == Program::Kind::dwell) dwells.push_back(k);
+  if (dwells.empty()) return;
+  const std::vector<CommandStart> starts = command_starts(program, plan, dwells);
+  for (SpeedLoss& loss : cost.losses) {
+    if (loss.cause != LossCause::dwell) continue;
+    const auto nearest = std::min_element(
+        starts.begin(), starts.end(), [&](const CommandStart& a, const CommandStart& b) {
+          return std::abs(a.where - loss.where) < std::abs(b.where - loss.where);
+        });
+    loss.line = program.commands()[dwells[static_cast<std::size_t>(nearest - starts.begin())]].line;
+  }
+}
+
 }  // namespace
 
 Report path_report(const Spec& spec, const Plan& played) {
@@ -68,6 +85,7 @@ PathSummary summary_of(const Spec& spec, const Plan& played) {
                       .along = path_report(spec, played),
                       .fit = plan.given().fit};
   summary.cost = cost_of(plan, summary.corners);
+  name_dwells(path.program, plan, summary.cost);
   summary.events = places_of(path, played, path.events);
   return summary;
 }

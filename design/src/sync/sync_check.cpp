@@ -98,6 +98,18 @@ std::string speed_unit(const Spec& spec) {
   return rate_unit(spec.units.x, spec.time_unit, 1);
 }
 
+/// True if the line accelerates. The figures of cuts are for a line at constant speed, so they need
+/// a word for this.
+bool line_accelerates(const Spec& spec) {
+  return spec.master && spec.master->acceleration.value_or(0) > 0;
+}
+const char* constant(const Spec& spec) {
+  return line_accelerates(spec) ? "constant " : "";
+}
+const char* at_constant_speed(const Spec& spec) {
+  return line_accelerates(spec) ? "at constant speed (without the acceleration of [master]), " : "";
+}
+
 /// Adds the shortest cut at the speed of the line, which is the master of the spec.
 void add_speeds(std::vector<SyncFigure>& all, const Spec& spec) {
   if (!spec.master) return;
@@ -107,7 +119,7 @@ void add_speeds(std::vector<SyncFigure>& all, const Spec& spec) {
   if (const auto least = cuts.shortest(line, limits)) {
     const std::string limit = cuts.fastest(*least, limits).limit;
     all.push_back({"shortest cut", *least, spec.units.x,
-                   fmt::format("at {} {}, ", rounded(line), speed_unit(spec)) +
+                   fmt::format("at {}{} {}, ", constant(spec), rounded(line), speed_unit(spec)) +
                        (limit == "length" ? "because no travel of the master is left for the return"
                                           : "limited by the slave's " + limit)});
   }
@@ -158,11 +170,12 @@ std::vector<SyncFigure> figures_of(const FlyingShear& shear, const Spec& spec) {
                    left ? ", as long as stroke and return allow" : "")}};
   if (std::isfinite(least.value))
     all.push_back({"shortest cut", least.value, m,
-                   fmt::format("at {}, {}{}", speed, limited_by(least), none)});
+                   fmt::format("at {}{}, {}{}", constant(spec), speed, limited_by(least), none)});
   if (std::isfinite(most.value))
-    all.push_back({"fastest line", most.value, speed_unit(spec),
-                   fmt::format("for cuts of {} {} with a new table, {}{}",
-                               rounded(shear.cut_length), m, limited_by(most), none)});
+    all.push_back(
+        {"fastest line", most.value, speed_unit(spec),
+         fmt::format("for cuts of {} {} with a new table, {}{}{}", rounded(shear.cut_length), m,
+                     at_constant_speed(spec), limited_by(most), none)});
   return all;
 }
 
@@ -197,8 +210,8 @@ std::vector<SyncFigure> figures_of(const CutListSpec& cuts, const Spec& spec) {
   const CutSpeed least = slowest_piece(cuts, spec);
   if (std::isfinite(least.speed))
     all.push_back({"fastest line", least.speed, speed_unit(spec),
-                   fmt::format("for the piece of {} {}, limited by the slave's {}",
-                               rounded(least.length), m, least.limit)});
+                   fmt::format("for the piece of {} {}, {}limited by the slave's {}",
+                               rounded(least.length), m, at_constant_speed(spec), least.limit)});
   return all;
 }
 

@@ -20,9 +20,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double unseen = 1e-12;  ///< a smaller value in the unit of an axis is rounding
+
 /// "12.5 mm"; "12.5" without a unit.
 std::string number_text(double value, const std::string& unit) {
-  return six_digits(value) + (unit.empty() ? "" : " " + unit);
+  return six_digits(std::abs(value) < unseen ? 0 : value) + (unit.empty() ? "" : " " + unit);
 }
 
 /// "  range_end" after a jog that a group could not continue, "  start dropped: start_position" after

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "jounce/base/listed.hpp"
+#include "jounce/base/units.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/spec/spec.hpp"
@@ -66,11 +67,25 @@ class ShapeWords {
                        segment(index_at(where, run)));
   }
 
+  /// Gives a rate over time the unit of its limit in the spec: "m/s^2".
+  void give_unit(Finding& finding) const {
+    for (std::size_t k = 1; k < OverTime::names.size(); ++k) {
+      if (finding.quantity != OverTime::names[k] || !finding.unit.empty()) continue;
+      const std::string own = rate_unit(spec_.units.position, spec_.time_unit, static_cast<int>(k));
+      finding.unit =
+          spec_.document.given_unit(std::string("limits.slave.") + OverTime::names[k], own);
+      const double size = conversion(own, finding.unit);
+      finding.value *= size;
+      finding.limit *= size;
+    }
+  }
+
   /// Returns the findings on a run with the places and the segments of the cam, not of the run.
   [[nodiscard]] Report in_cam(Report report, const CamRunOutcome& run) const {
     for (Finding& finding : report.findings) {
       if (finding.segment) finding.segment = index_at(finding.where, run);
       finding.where = place(finding.where);
+      give_unit(finding);
     }
     return report;
   }

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/study/spec_numbers.hpp"
@@ -15,6 +17,7 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_sum;
 using Numbers = std::vector<double>;
 
 std::string parameter_key(std::size_t i, const char* field) {
@@ -52,7 +55,10 @@ class Tuned {
 
   SearchAnswer operator()(const Numbers& x) {
     try {
-      return answer_of(assessed(x));
+      const SearchAnswer answer = answer_of(assessed(x));
+      least_ = std::min(least_, answer.objective);
+      most_ = std::max(most_, answer.objective);
+      return answer;
     } catch (const InputError& error) {
       if (error.key() == "figure") throw named(error);
       if (error.key().starts_with("optimize.")) throw;
@@ -62,6 +68,22 @@ class Tuned {
           false,
           error.key() + (error.value().empty() ? "" : " = " + error.value()) + ": " + error.rule()};
     }
+  }
+
+  /// True if the figure was the same for all designs, except for rounding.
+  [[nodiscard]] bool is_constant() const {
+    return std::isfinite(most_) && most_ - least_ <= rounded_sum * std::abs(most_);
+  }
+
+  /// The error for a figure that depends on no parameter.
+  [[nodiscard]] InputError constant_figure(const TunedFigure& figure, int designs) const {
+    const std::string unit = figure.unit.empty() ? "" : " " + figure.unit;
+    return spec_.document.located(InputError(
+        std::string("optimize.") + (wanted_.maximize ? "maximize" : "minimize"),
+        '"' + wanted_.figure + '"',
+        "depends on no parameter: it is " + rounded(figure.reached) + unit + " in all " +
+            counted(designs, "design") +
+            " that were tried. Add a parameter that changes it, or choose another figure"));
   }
 
   /// The rule of each constraint. The required figures follow, each with its lower and then its upper bound.
@@ -142,6 +164,8 @@ class Tuned {
   std::vector<std::string> units_;
   std::vector<std::string> names_;
   study_detail::TuneRows rows_;
+  double least_ = std::numeric_limits<double>::infinity();  ///< least objective of all designs
+  double most_ = -std::numeric_limits<double>::infinity();
 };
 
 bool meets(const SearchAnswer& answer) {
@@ -260,6 +284,10 @@ TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going) {
   const std::vector<TunedFigure> given = given_figures(tuned);
   TuneOutcome outcome;
   outcome.search = search(tuned.variables(), std::ref(tuned), spec.parameters->options, keep_going);
+  if (outcome.search.status == OptimizeStatus::converged && tuned.is_constant() &&
+      outcome.search.evaluations > 1)
+    throw tuned.constant_figure(tuned.figures(tuned.assessed(outcome.search.best)).front(),
+                                static_cast<int>(outcome.search.evaluations));
   const bool cancelled = outcome.search.status == OptimizeStatus::cancelled;
   if (outcome.usable() && !cancelled) round_off(tuned, spec.parameters->options, outcome.search);
   add_numbers(tuned, outcome);

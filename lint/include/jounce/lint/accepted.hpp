@@ -55,8 +55,8 @@ class AcceptedVersions {
 
 /// The difference between a file and its accepted version.
 struct FileChange {
-  enum class What { same, changed, added, removed, renamed };
-  What what = What::same;   ///< kind of the difference
+  enum class What { same, changed, added, removed, renamed, wrong };
+  What what = What::same;   ///< kind of the difference; wrong: the file cannot be read
   std::string file;         ///< path of the file; "" if it was removed
   std::string before = {};  ///< name of the accepted version; "" if the file was added
   std::vector<Comparison> comparisons = {};  ///< comparison of each axis
@@ -64,6 +64,7 @@ struct FileChange {
   std::vector<Diagnostic> diagnostics = {};  ///< findings of the rules baseline/...
   std::vector<std::string> pictures = {};    ///< names of two pictures for each comparison
   std::vector<Output> files = {};            ///< the pictures, named without a folder
+  std::vector<std::string> errors = {};      ///< the errors of a wrong file
 };
 
 /// Options of compare_with().
