@@ -20,7 +20,8 @@ Report check_slave(const Input& input);
 Report check_table(const Table& table, const Input& input, const Report& of_curve);
 
 /// check_table() for another table than that of the input. `forgiven`: share of a limit by which
-/// the numbers of the file may exceed it.
+/// the numbers of the file may exceed it. The position is not compared: it exceeds its limits by no
+/// more than the error of the table, which has a tolerance of its own.
 Report check_converted(const Table& table, const Input& input, double forgiven = 0);
 
 /// Keeps the worst finding of each limit in each segment of the spec, which may have several pieces.

@@ -148,7 +148,7 @@ TEST(LiveCuts, LengthsChangeWhileTheLineAccelerates) {
     const double first = cuts.plan().next_cut();
     site.until([&] { return cuts.plan().cuts() == 1; });
     ASSERT_LT(site.log.back().web_velocity, 1000) << "the line accelerates";
-    EXPECT_EQ(refusal(site.step({command::Cut{.length = 1600}})), Cause::none);
+    EXPECT_EQ(refusal(site.step({command::Cut{.length = 1500}})), Cause::none);
     site.until([&] { return cuts.plan().cuts() == 3; });
     EXPECT_EQ(refusal(site.step({command::Cut{.waste = 1250}})), Cause::none);
     site.until([&] { return cuts.plan().cuts() == 5; });

@@ -38,11 +38,11 @@ until "$1" order shear cut --position ${demand}mm > answer 2>&1; do
 done
 refused 'cut_too_far.*last possible cut at' "$1" order shear cut --position 1e9mm
 position() { "$1" monitor line --seconds 0.1 --json | tail -1 | sed 's/.*"position":\([-0-9]*\).*/\1/'; }
-for i in $(seq 60); do  # until the cut on demand is made
+for i in $(seq 300); do  # until the cut on demand is made
   [ "$(position "$1")" -gt "$demand" ] && break
 done
 "$1" order shear cut || fail "no cut as soon as possible"
-for i in $(seq 20); do
+for i in $(seq 100); do
   [ "$(position "$1")" -gt $((demand + 1400)) ] && break
 done
 "$1" order shear park || fail "the shear does not park"
