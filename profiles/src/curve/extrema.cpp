@@ -48,7 +48,8 @@ SegmentHulls hulls(const Segment& f) {
   double scale = 0;
   for (std::size_t k = 1; k <= n; ++k) scale += std::abs(c[k]);
   SegmentHulls bounds{};
-  for (std::size_t k = 0; k < bounds.size() && k <= n; ++k) {
+  const std::size_t orders = std::min(bounds.size(), n + 1);
+  for (std::size_t k = 0; k < orders; ++k) {
     double low = beta[0];
     double high = beta[0];
     for (std::size_t i = 1; i + k <= n; ++i) {
