@@ -33,7 +33,7 @@ void throw_renamed(const InputError& error,
     const std::string key = one.document().empty() ? renamed(one.key()) : one.key();
     all.push_back(key == one.key() ? one : InputError(key, one.value(), one.rule()));
   }
-  if (all.size() == 1) throw all.front();
+  if (all.size() == 1) throw InputError(all.front());
   throw InputErrors(std::move(all));
 }
 

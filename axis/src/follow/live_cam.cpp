@@ -88,7 +88,7 @@ Setpoint LiveCam::at(const Moment& now) noexcept {
   return last_ = axis_detail::setpoint(now.master, slave);
 }
 
-std::optional<MotionState> LiveCam::first(const Moment& now) const noexcept {
+std::optional<MotionState> LiveCam::first_setpoint(const Moment& now) const noexcept {
   const Stepped next = jounce::step(coupling_, engaged_, {now.t, now.master});
   return state_of({.slave = next.slave});
 }

@@ -214,7 +214,7 @@ std::optional<Refusal> MotionAxis::against_demand(const Moment& start) const {
 
 /// The refusal of a coupling that has begun, and whose first setpoint would be a fault.
 std::optional<Refusal> MotionAxis::against_jump() const {
-  const auto first = armed_->first(moment());
+  const auto first = armed_->first_setpoint(moment());
   if (!first) return std::nullopt;
   switch (check_setpoint(last(), *first, {dt(), joint_step()}, rules())) {
     case Cause::none:

@@ -197,7 +197,7 @@ class ForController {
       all.x = count("x_step", "first column", labels_.x, given.x_step, missing);
     if (format_.p != Numbers::of_unit)
       all.p = count("p_step", "position", labels_.position, given.p_step, missing);
-    if (missing.size() == 1) throw missing.front();
+    if (missing.size() == 1) throw InputError(missing.front());
     if (!missing.empty()) throw InputErrors(missing);
     return all;
   }

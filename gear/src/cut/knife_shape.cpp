@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "jounce/profiles/curve/curve.hpp"
@@ -94,8 +93,8 @@ bool starts_without_jerk(const std::vector<Segment>& rise) {
 
 std::vector<Segment> KnifeZone::entering(double pitch) const {
   std::vector<Segment> mirrored;
-  for (const Segment& piece : std::views::reverse(leaving))
-    mirrored.push_back(scaled(reversed(piece), -1, pitch));
+  for (auto piece = leaving.rbegin(); piece != leaving.rend(); ++piece)
+    mirrored.push_back(scaled(reversed(*piece), -1, pitch));
   return mirrored;
 }
 

@@ -72,17 +72,14 @@ class Player {
 
   Plan run() {
     Place at;
-    bool rested = false;  // true: the dwell before the unit is over
     while (at.unit < all_.units.size()) {
       if (at.velocity == 0) {
-        if (!rested && at.within == 0)
+        if (at.within == 0)
           out_.rest(base_.path(), all_.starts[at.unit], all_.units[at.unit].dwell);
-        rested = true;
         at.time = out_.time();
         if (factor_at(at.time) == 0 && !wait(at)) return made();
       }
       const std::vector<LawInterval> law = *law_from(at, factor_at(at.time));
-      rested = false;
       at = follow(law, at);
     }
     out_.rest(base_.path(), base_.path().length(), all_.last_dwell);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <utility>
 
 namespace jounce {
@@ -14,14 +13,14 @@ double braking_from(const TimingLaw& law) {
   const auto stretches = law.stretches();
   double from = stretches.empty() ? 0 : stretches.back().start + stretches.back().length;
   bool moves = false;
-  for (const auto& s : std::views::reverse(stretches)) {
-    if (s.pieces == 0 && moves) break;
-    moves = moves || s.pieces > 0;
+  for (auto s = stretches.rbegin(); s != stretches.rend(); ++s) {
+    if (s->pieces == 0 && moves) break;
+    moves = moves || s->pieces > 0;
     std::array<LawPhase, 7> phase;
-    for (std::size_t k = s.pieces == 0 ? 0 : phases(s, phase); k-- > 0;) {
+    for (std::size_t k = s->pieces == 0 ? 0 : phases(*s, phase); k-- > 0;) {
       const double mean = phase[k].acceleration + phase[k].jerk * phase[k].duration / 2;
       if (mean >= 0) return from;
-      from = s.start + phase[k].position;
+      from = s->start + phase[k].position;
     }
   }
   return from;

@@ -191,7 +191,7 @@ std::optional<Input> slave_of(const Input& input) {
 
 std::string chart_data(const Input& input, const std::optional<Input>& before) {
   const std::optional<Input> slave = slave_of(input);
-  const std::size_t curves = (slave ? 2U : 1U) * (before ? 2U : 1U);
+  const std::size_t curves = (slave ? std::size_t{2} : 1) * (before ? 2 : 1);
   const std::size_t each = most_chart_bytes / curves;
   json views = json::array({view_json(input, before, each, input)});
   if (slave)

@@ -47,7 +47,8 @@ class LiveCam final : public Movement {
     return end_ == CamEnd::keep_velocity;
   }
   [[nodiscard]] double place() const noexcept override { return place_; }
-  [[nodiscard]] std::optional<MotionState> first(const Moment& now) const noexcept override;
+  [[nodiscard]] std::optional<MotionState> first_setpoint(
+      const Moment& now) const noexcept override;
   [[nodiscard]] bool passes() const noexcept override { return true; }
   [[nodiscard]] std::array<double, 3> slopes() const noexcept override { return slopes_; }
   [[nodiscard]] std::optional<Moment> pass_end(const Moment& now) const noexcept override;

@@ -161,7 +161,8 @@ class Movement {
   /// For a live movement that begins in step with its master: the first setpoint at `now`, after
   /// begin(). nullopt: the movement continues from the state of the axis. The axis rejects a start
   /// whose first setpoint would be a fault.
-  [[nodiscard]] virtual std::optional<MotionState> first(const Moment& /*now*/) const noexcept {
+  [[nodiscard]] virtual std::optional<MotionState> first_setpoint(
+      const Moment& /*now*/) const noexcept {
     return std::nullopt;
   }
   /// For a live movement: the greatest magnitudes of the first three derivatives of the slave with
