@@ -64,6 +64,10 @@ TEST(OutcomeText, AGearInPositionNamesTheBeginOfItsEngagement) {
 TEST(OutcomeText, AnAcceptedOrderNamesItsEffect) {
   wire::Status status;
   EXPECT_EQ(accepted_text({.what = "override"}, status, "knife"), "override accepted");
+  EXPECT_EQ(accepted_text({.what = "cut", .options = {{"length", "300"}}}, status, "knife"),
+            "cut accepted");
+  EXPECT_EQ(accepted_text({.what = "cut", .options = {{"position", "900"}}}, status, "knife"),
+            "cut accepted; it replaces a cut on demand that still waits");
   status.gear = wire::GearState::in_cam;
   EXPECT_EQ(accepted_text({.what = "override"}, status, "knife"),
             "override accepted; no effect while the axis follows its master");

@@ -587,8 +587,7 @@ std::optional<GroupQueue::Step> GroupQueue::proceed(const Tick& group) {
   if (!takes_over(group)) return std::nullopt;
   attempt_->program = made.program;
   attempt_->origin = playing_->origin + made.agreement->position;
-  return Extend{made.program, attempt_->origin, made.agreement->shift, made.agreement->until,
-                request};
+  return made.extension(attempt_->origin, request);
 }
 
 /// True if the rate of the group suits the longer plan, or if the group rests.

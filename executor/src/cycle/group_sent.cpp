@@ -123,11 +123,7 @@ std::optional<GroupQueue::Step> GroupQueue::cut(const Tick& group) {
   }
   cut_->program = made.program;
   cut_->position = sent_->origin + made.agreement->position;
-  return Extend{made.program,
-                cut_->position,
-                made.agreement->shift,
-                made.agreement->until,
-                {.kind = CommandKind::move_linear_absolute}};
+  return made.extension(cut_->position, {.kind = CommandKind::move_linear_absolute});
 }
 
 /// Plans the part up to the end of the present command, or of a later one. Returns false if the part

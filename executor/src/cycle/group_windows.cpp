@@ -42,11 +42,7 @@ std::optional<GroupQueue::Step> GroupQueue::next_window(const Tick& group) {
   if (group.position - sent_->origin < made.from) return std::nullopt;
   window_->program = made.program;
   window_->position = sent_->origin + made.agreement->position;
-  return Extend{made.program,
-                window_->position,
-                made.agreement->shift,
-                made.agreement->until,
-                {.kind = CommandKind::move_linear_absolute}};
+  return made.extension(window_->position, {.kind = CommandKind::move_linear_absolute});
 }
 
 void GroupQueue::begin_window() {

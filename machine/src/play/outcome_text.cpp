@@ -102,6 +102,8 @@ std::string accepted_text(const CommandWords& words, const wire::Status& before,
   const std::string& word = words.what;
   if (word == "home") return "homed";
   if (word == "gear-in-pos") return word + " accepted: " + start_of_gear(words, before.units.x);
+  if (word == "cut" && !words.options.contains("length") && !words.options.contains("waste"))
+    return "cut accepted; it replaces a cut on demand that still waits";
   if (word == "override" && before.gear > wire::GearState::disengaged)
     return "override accepted; no effect while the axis follows its master";
   if (word == "set-position" && before.homed)

@@ -178,6 +178,11 @@ class GroupQueue {
     std::optional<Agreement> agreement = {};
     std::string reason = {};
     double from = 0;  // length along the present path at which the program may take over, u
+
+    /// Extends the path of the group at `position`. Requires program and agreement.
+    [[nodiscard]] Extend extension(double position, const Request& request) const {
+      return {program, position, agreement->shift, agreement->until, request};
+    }
   };
   /// A condition for the commands after it: an M word, or a single step.
   struct Gate {
