@@ -39,8 +39,9 @@ Sha256 content_hash(const Table& table, const Units& units);
 /// order. So a receiver can hash a table while it arrives.
 ///
 ///     ContentHasher hasher;
-///     hasher.add({x, p, v, {}});         // repeat for each block of knots
-///     Sha256 hash = hasher.result(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold, units, knots);
+///     hasher.add({{x, p, v, {}}});       // repeat for each block of knots
+///     const Sha256 hash = hasher.result(Domain::time, Interpolation::cubic_hermite,
+///                                       Extrapolation::hold, units, knots);
 ///
 /// Throws std::bad_alloc if memory runs out.
 class ContentHasher {

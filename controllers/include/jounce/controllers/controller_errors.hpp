@@ -9,7 +9,7 @@ namespace jounce {
 /// An error about a cam or a gear that a controller reports, and its equivalent in Jounce.
 /// docs/cam/errors.md lists all of them.
 ///
-///     for (const ControllerError& error : controller_errors()) print(row(error));
+///     for (const ControllerError& error : controller_errors()) use(row(error));
 struct ControllerError {
   const char* controller;  ///< name of the controller: "PMC600" or "HMPL"
   unsigned code;           ///< error number in the manual of the controller

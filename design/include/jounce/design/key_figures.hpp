@@ -21,7 +21,7 @@ struct KeyFigure {
 /// The key figures and the report of a complete design.
 ///
 ///     const Assessment all = assess(read_spec("cam.toml"));
-///     for (const KeyFigure& f : all.figures) print(f.name, f.value, f.unit);
+///     for (const KeyFigure& f : all.figures) use(f.name, f.value, f.unit);
 ///     const Assessment one = assess(spec, {"peak torque"});
 ///     if (!one.report.ok()) ...
 ///

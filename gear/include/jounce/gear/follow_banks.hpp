@@ -14,7 +14,7 @@ namespace jounce {
 /// then the second one `loops` times.
 ///
 ///     const FollowBanks banks = follow_banks(spec, 1U << 20U);
-///     ... fill bank 0 with banks.first, bank 1 with banks.second; queue the switch; start
+///     // fill bank 0 with banks.first, bank 1 with banks.second; queue the switch; start
 ///
 /// The first bank contains all tables except the last, with all their passes. If the first pass of
 /// the last table differs from its later passes (because of FollowSpec::start_ratio), the first

@@ -142,7 +142,7 @@ GearInPosStep step(const GearInPos& gear, const GearInPosState& state, const Jet
 /// The exact motion over time of a slave with a gear in position, for a known motion of the master.
 /// It is a Signal.
 ///
-///     const GearedInPos slave(gear, master);     // master: a Trajectory
+///     const GearedInPos slave(gear, web);        // web: a Trajectory
 ///     Motion now = slave.at(0.5);
 class GearedInPos {
  public:

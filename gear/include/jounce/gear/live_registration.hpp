@@ -60,7 +60,7 @@ struct RegistrationReading {
 ///     LiveRegistration marks(spec);
 ///     marks.begin(master[0]);                          // the slave engages
 ///     marks.step(master, reported, found);             // once a cycle
-///     slave_follows(master + marks.correction());      // CorrectionOf::master
+///     slave_follows(master[0] + marks.correction()[0]);  // CorrectionOf::master
 ///
 /// Let M be the position of mark k, L the period, p its place in register, a the applied
 /// correction.

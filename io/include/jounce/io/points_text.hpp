@@ -15,6 +15,8 @@ namespace jounce {
 ///     Sampled table = reduced(move, target_of(*controller_table("googol_pt"), {"ms", "pulse"}));
 ///     write_file("pt.csv", points_text({table.table, {"ms", "pulse"}, {}}));
 ///
+/// The file:
+///
 ///     time [ms],position [pulse],type
 ///     16,0.6,normal
 ///

@@ -12,8 +12,8 @@ namespace jounce {
 /// The axes of a plan over time, one stretch of its timing law after another: the segments of
 /// to_axes(), without the memory for all of them.
 ///
-///     AxesByStretch motion(plan);
-///     while (motion.next()) ... motion.segments(0);      // of the first axis
+///     AxesByStretch stretches(motion);
+///     while (stretches.next()) use(stretches.segments(0));   // the first axis
 class AxesByStretch {
  public:
   /// `plan` must outlive the object. `tolerance`: as for to_axes().

@@ -21,7 +21,7 @@ struct PlanPlace {
 
 /// Reports the progress of a motion along a plan.
 ///
-///     const PlanProgress progress(plan);
+///     const PlanProgress progress(motion);
 ///     progress.at(0.5).remaining;                            // s
 ///
 /// Commands with the same source line count as one, and so do lines that the planner has joined. The

@@ -49,7 +49,7 @@ struct TuneOutcome {
 /// a [drive], of the drive) and the requirements in [[optimize.require]].
 ///
 ///     TuneOutcome best = tune(read_spec("shear.toml"));
-///     if (best.usable()) write("faster.toml", best.text);
+///     if (best.usable()) write_file("faster.toml", best.text);
 ///
 /// **Rounding.** The best numbers are rounded to as few digits as possible. All limits remain
 /// satisfied, and the figure loses at most half the tolerance.

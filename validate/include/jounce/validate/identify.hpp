@@ -128,7 +128,7 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 /// derivatives come from forward sensitivities. docs/validate/identification.md describes the
 /// method and its sources.
 ///
-///     Recording run = ...;                              // time, command, position, torque
+///     const Recording run = read_recording("run.csv", servo_400w(), "mm");
 ///     Identification found = identify(run, commanded_motion(run), {servo_400w(), {"mass[1].inertia"}});
 ///     if (found.usable()) drive_through(table, found.drive);
 ///

@@ -47,7 +47,7 @@ struct LoopStability {
 /// factors, so the gain margin applies to `velocity_gain`.
 ///
 ///     const LoopStability loop = loop_stability(drive);
-///     if (!loop.stable) ...  loop.poles.front().frequency      // Hz at which it starts to swing
+///     if (!loop.stable) use(loop.poles.front().frequency);     // Hz at which it starts to swing
 ///
 /// **Poles** are eigenvalues of the equations of the drive, or, for a sampled controller, of their
 /// map over one cycle. Dry friction, backlash, gear losses, the weight of an arm, the torque limit

@@ -14,7 +14,7 @@ namespace jounce::googol {
 ///     axis.set_follow_master(1);
 ///     axis.follow_data({20000, 10000}, 0);  ...
 ///     axis.follow_start(0, master_now, slave_now);
-///     every cycle: slave = axis.step(before, now)[0];
+///     slave = axis.step(before, now)[0];      // every cycle
 ///     axis.follow_data({20000, 10000, PtType::continued}, 1);  ...    // the other FIFO
 ///     axis.follow_switch(1);                  // after the pass that is running; then 0 is empty
 ///

@@ -9,7 +9,7 @@
 ///     axis.prf_pt(PtMode::dynamic);
 ///     while (i < n && axis.pt_space(0) > 0) axis.pt_data(points[i++], 0);   // until both are full
 ///     axis.pt_start(0, now);
-///     every cycle: position = axis.at(t)[0];  and push more points
+///     position = axis.at(t)[0];                // every cycle; and push more points
 ///
 /// Manual: 7.4, I-113 to I-120, I-148, I-149. docs/decisions/0030-follow-tables.md defines the
 /// behavior that the manual does not define.

@@ -8,7 +8,7 @@ namespace jounce {
 /// Columns of many independent moves, whose durations minimum_durations() computes at once on one
 /// core. For planners that compare thousands of candidates.
 ///
-///     const std::vector<double> distances = ..., limits = ...;   // a million moves
+///     const std::vector<double> distances(1'000'000, 0.5);       // a million moves
 ///     std::vector<double> seconds(distances.size());
 ///     minimum_durations({.distance = distances, .velocity = v, .acceleration = a, .jerk = j},
 ///                       seconds);
