@@ -17,8 +17,8 @@ namespace jounce {
 /// memory, or that is computed while it is played.
 ///
 ///     FifoPath path(1, {.each = 1000, .limits = row_limits(config)});  // communication thread
-///     for (const SegmentRow& row : ...) path.fifos().push(0, row);     // the prefill: while space
-///     ... arm and start it ...                                         // the axis steps it
+///     for (const SegmentRow& row : rows) path.fifos().push(0, row);    // the prefill: while space
+///     // arm and start it: the axis steps it
 ///     while (path.fifos().push(0, next) == RowRule::none) ...          // as space comes back
 ///
 /// **Units.** x and times in s, positions in u, the unit of the axis.
@@ -119,9 +119,9 @@ class FifoPath final : public Movement {
 /// one direction or in both (Googol's follow mode, section 7.6 of the Googol manual).
 ///
 ///     FifoFollow follow(2, {.each = 16, .stream = false, .loops = 0}, {.event = pass});
-///     for (const PtPoint& p : shear) push(follow.fifos(), 0, p);
-///     ... gear_in or arm and start; later, while it plays:
-///     for (const PtPoint& p : bridge) push(follow.fifos(), 1, p);
+///     for (const SegmentRow& row : shear) follow.fifos().push(0, row);
+///     // arm and start it; later, while it plays:
+///     for (const SegmentRow& row : bridge) follow.fifos().push(1, row);
 ///     follow.fifos().queue_switch();              // at the end of the pass; then FIFO 0 is empty
 ///
 /// Progress: `waiting` until the event, then `running`, and `done` at the end of the table. If the

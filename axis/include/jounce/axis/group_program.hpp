@@ -57,7 +57,7 @@ Peaks peaks_of(const TimingLaw& law);
 /// of the acceleration counts as a jerk in one cycle, as in a table). Time and memory are proportional
 /// to the number of pieces.
 ///
-///     const GroupProgram program = group_program(plan, {x.config(), y.config()}, {{"x", "y"}});
+///     const GroupProgram program = group_program(plan, configs, {{"x", "y"}});
 ///     GroupPath path(1, program);                               // group_path.hpp
 ///
 /// Throws InputError with the key "axes" if the numbers of axes differ, and with the name of the

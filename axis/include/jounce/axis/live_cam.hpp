@@ -14,9 +14,9 @@ namespace jounce {
 
 /// A cam on the live master of the axis (MC_CamIn). The master may move arbitrarily.
 ///
-///     LiveCam cam(7, table, {.start = StartMode::ramp_in, .velocity_diff = 100,
+///     LiveCam cam(7, knots, {.start = StartMode::ramp_in, .velocity_diff = 100,
 ///                            .acceleration = 2000});
-///     if (const Cause no = cam.begin(axis, now); no != Cause::none) ...    // would_reverse, ...
+///     if (const Cause no = cam.begin(state, now); no != Cause::none) ...    // would_reverse, ...
 ///     const Setpoint point = cam.at(now);                                  // every cycle
 ///
 /// A table with the policy `wrap` or `advance` is periodic; a table with `hold` or `refuse` runs

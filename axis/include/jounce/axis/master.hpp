@@ -38,7 +38,7 @@ struct MasterLag {
 /// machine.hpp passes such a setpoint to the follower without this class.)
 ///
 ///     ExternalMaster line({.velocity = 3, .acceleration = 20});    // m/s, m/s^2
-///     line.receive({.stamp_ns = ..., .received = now, .position = 1.25});  // communication thread
+///     line.receive({.stamp_ns = stamp, .received = now, .position = 1.25});  // communication thread
 ///     const Jet x = line.at(tick * period);                                // in each cycle
 ///     if (std::isnan(x[0])) ...                                            // none, or lost
 class Master {

@@ -12,7 +12,7 @@ namespace jounce {
 ///
 ///     Ring<Tick, 1024> ticks;
 ///     if (!ticks.push(tick)) ++lost;                   // the producer's thread
-///     for (Tick tick; ticks.pop(tick);) log(tick);     // the consumer's thread
+///     for (Tick next; ticks.pop(next);) log(next);     // the consumer's thread
 ///
 /// The indices increase without end and are reduced modulo the capacity, which is a power of two.
 /// Each index has its own cache line, together with a copy of the other index for its thread. So

@@ -10,7 +10,7 @@ namespace jounce {
 /// process data. These functions are the part of a bus adapter that is between an axis and its
 /// drive; they do not depend on the bus.
 ///
-///     const Cia402Status s = status_of(inputs.statusword);
+///     const Cia402Status s = *status_of(inputs.statusword);
 ///     outputs.controlword = controlword(s.state, {.operate = true});     // one step nearer
 ///     outputs.target_position = *counts.of(position);                    // 0x607A
 

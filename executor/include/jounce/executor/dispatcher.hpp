@@ -20,7 +20,7 @@ namespace jounce {
 /// AxisServer.
 ///
 ///     Dispatcher dispatcher(link, {feeder, knife}, exchange);
-///     while (...) dispatcher.turn(2ms);
+///     while (!quit) dispatcher.turn(2ms);
 ///     dispatcher.close();
 class Dispatcher {
  public:

@@ -14,8 +14,7 @@ namespace jounce {
 ///
 ///     Histogram lateness;
 ///     lateness.add(woken - due);                        // ns, the cyclic thread
-///     send(lateness.counts());                          // communication thread
-///     upper_bound(lateness.counts(), 0.999)             // us: 99.9 % were shorter
+///     use(upper_bound(lateness.counts(), 0.999));       // us: 99.9 % were shorter; any thread
 class Histogram {
  public:
   static constexpr std::size_t bins = 16;  ///< number of bins

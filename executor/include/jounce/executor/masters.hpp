@@ -27,8 +27,7 @@ struct MachineMaster {
 /// The part of the communication thread that serves the masters. It receives the samples of
 /// external masters, and reports the state of each master in the cycle.
 ///
-///     MasterServer masters({.masters = {{"line", "mm", line}}, .follows = {Follow{}}}, pump,
-///                          exchange, clock);
+///     MasterServer masters({{{"line", "mm", line}}, {Follow{}}}, pump, exchange, clock);
 ///     pump.run(2ms);                   // passes new samples to the cycle
 ///     masters.turn();                  // reports masters that are lost or have returned
 ///     masters.publish(axis);           // with the status of this axis

@@ -13,8 +13,8 @@ namespace jounce {
 /// A part of the configuration of an axis's outputs, as an event of a record. A part is one cam
 /// switch, the options of one track, or some points of the position compare.
 ///
-///     for (const RecordedOutput& part : parts_of(0, switches, compare)) write(part);
-///     apply(part, switches, compare);                // once each, in this order: restores both
+///     for (const RecordedOutput& part : parts_of(0, switches, compare))
+///       apply(part, others, other_compare);          // in this order: restores both
 struct RecordedOutput {
   static constexpr std::size_t most_points = 64;  ///< greatest number of points in one part
   /// Greatest number of points of a compare in a record.

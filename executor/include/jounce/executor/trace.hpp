@@ -84,7 +84,7 @@ std::unique_ptr<TracePath> trace_path(const GroupProgram& program, const Executo
 /// The last ticks of several axes, the last tables, and the paths of groups, in memory that two
 /// processes can share: one writes, others read, and neither waits.
 ///
-///     Trace trace = Trace::of({1'000'000});               // the executor: one axis at 1 kHz
+///     Trace trace = Trace::of(std::vector<std::int64_t>{1'000'000});            // the executor: one axis at 1 kHz
 ///     trace.add(0, tick);                                 // its communication thread, each tick
 ///     std::optional<Trace> seen = Trace::opened(descriptor);  // the page process, which only reads
 ///     std::vector<TraceTick> ticks = seen->ticks(0, 100, 200);

@@ -72,7 +72,7 @@ struct WatchOptions {
 ///     for (;;) {
 ///       watch.run(50ms);
 ///       if (!watch.silent(3s).empty()) break;
-///       draw(watch.axes());
+///       use(watch.axes());
 ///     }
 class Watch {
  public:

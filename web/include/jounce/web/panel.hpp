@@ -30,7 +30,7 @@ struct PanelOptions {
 /// A live page: the present state of several axes, and the commands of an operator.
 ///
 ///     const PanelOptions options{.axes = {"feeder"}, .token = new_token()};
-///     const Panel panel(options, Listening(8080), [&] { return connect(url); });
+///     const Panel panel(options, Listening(8080), [&] { return open_transport(url); });
 ///     print(panel.address());   // "http://127.0.0.1:8080/#3f0c...": permits commands
 ///
 /// The page acts as an operator. It receives the status messages of the axes and sends commands

@@ -83,7 +83,7 @@ class Listening {
 /// Serves a site on 127.0.0.1, in its own threads, until it is destroyed:
 ///
 ///     const Server server(Listening(8080), token, site);    // 0: any free port
-///     print("http://127.0.0.1:{}/#{}", server.port(), token);
+///     use(server.port());                                   // 127.0.0.1, this port
 ///
 /// **Requests**: GET for the files and the readings of the site; GET /events (server-sent events,
 /// at most 20 a second); the commands of the site. A connection serves one request. A request with

@@ -23,7 +23,7 @@ struct MasterIntakeOptions {
 /// without clock and network.
 ///
 ///     MasterIntake intake({.unit = "mm"});
-///     if (intake.take(message, now)) line.receive(...);
+///     if (intake.take(message, now)) line.receive(sample);
 ///
 /// An epoch is a period in which the sender uses one clock (Master::clock); a later epoch has a
 /// greater number. Within an epoch, `seq` and `stamp_ns` ascend. Messages that are repeated, late,

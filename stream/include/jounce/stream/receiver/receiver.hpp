@@ -122,7 +122,7 @@ using StreamEvent =
 ///     receiver.receive(message, now);                      // each arrived message
 ///     for (const auto& answer : receiver.poll(now)) ...    // send each one; poll every few ms
 ///     while (const auto event = receiver.take_event()) ... // for the axis, in order
-///     receiver.accept(arm.session, arm.command);           // the axis's answer
+///     receiver.accept(session, arm.command);               // the axis's answer
 ///
 /// Any message may be lost, duplicated, delayed or reordered. The receiver checks each message. It
 /// checks counts before it allocates memory, and it computes hashes and makes tables only from

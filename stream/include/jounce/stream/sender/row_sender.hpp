@@ -68,7 +68,7 @@ struct RowOutcome : CallOutcome {
 /// It opens the queue, sends the prefill (or all rows, if the stream has fewer), arms, and starts.
 /// As played rows free space, it sends more rows, up to the end of the motion.
 ///
-///     RowSender sender({.executor = "feeder", .queue = queue, .rows = next_rows}, random_id());
+///     RowSender sender({.executor = "feeder", .queue = fifo, .rows = next_rows}, random_id());
 ///     while (!sender.ended()) {
 ///       for (const auto& message : sender.poll(now)) ...   // send each one; call poll() every ms
 ///       sender.receive(message, now);                      // each arrived message
