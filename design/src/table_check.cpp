@@ -14,6 +14,7 @@
 #include "jounce/pvt/check.hpp"
 
 #include "design/src/master_check.hpp"
+#include "design/src/slave_advice.hpp"
 
 namespace jounce::design_detail {
 namespace {
@@ -170,6 +171,7 @@ Report check_slave(const Input& input) {
   Report report = jounce::check_slave(cam, *input.spec);
   forgive_rounding(report, input);
   keep_worst(report, input.labels);
+  advise_on_slave(input, report);
   report.findings.push_back(master_finding(cam, *input.spec));
   if (input.against && report.broken() == 1 && report.findings.back().broken)
     report.findings.pop_back();  // only by the rounding above
