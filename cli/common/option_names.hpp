@@ -35,7 +35,10 @@ auto with_option_names(std::initializer_list<std::string_view> keys, const Act& 
     return act();
   } catch (const InputError& error) {
     throw_renamed(error, [&](const std::string& key) {
-      return std::find(keys.begin(), keys.end(), key) != keys.end() ? option_of(key) : key;
+      const std::string name = key.substr(0, key.find(' '));  // "limit jerk" of the option --limit
+      return std::find(keys.begin(), keys.end(), name) == keys.end()
+                 ? key
+                 : option_of(name) + key.substr(name.size());
     });
   }
 }

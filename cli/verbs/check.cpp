@@ -17,27 +17,13 @@ namespace {
 struct CheckArguments {
   CheckRun run;
   std::string axis, machine, over;
-  std::vector<std::string> limits;
-  EngageTexts start;
-  int continuity = 1;
+  CheckOptions check;
 };
 
-/// The report of one axis, with the limits and the start of the options.
-Report report_of(Input& input, const CheckArguments& options) {
-  try {
-    set_limits(input.limits, options.limits, input.labels);
-  } catch (const InputError& error) {
-    throw InputError("--" + error.key(), error.value(), error.rule());
-  }
-  return axis_report(input, options.continuity,
-                     with_option_names({"slave", "master", "master_velocity"},
-                                       [&] { return engage_state(input, options.start); }));
-}
-
-std::vector<Report> reports_of(std::vector<Input>& axes, const CheckArguments& options) {
-  std::vector<Report> reports;
-  for (Input& axis : axes) reports.push_back(report_of(axis, options));
-  return reports;
+std::vector<Report> reports_of(std::vector<Input>& axes, CheckArguments options) {
+  options.check.tolerances = options.run.tolerances;
+  return with_option_names({"slave", "master", "master_velocity", "against", "tolerance", "limit"},
+                           [&] { return check_reports(axes, options.check); });
 }
 
 /// The whole answer for one file.
@@ -55,14 +41,18 @@ int print_answer(const CheckArguments& options) {
 int run_check(const CheckArguments& options) {
   require_one_file(options.run, "--axis", options.axis);
   require_one_file(options.run, "--over", options.over);
-  if (options.run.files.size() == 1 && !options.limits.empty() &&
+  if (!options.run.tolerances.empty() && options.run.baseline.empty() &&
+      options.check.against.empty())
+    throw InputError("--tolerance", options.run.tolerances.front(),
+                     "needs --baseline or --against");
+  if (options.run.files.size() == 1 && !options.check.limits.empty() &&
       is_without_motion(options.run.file()))
-    throw InputError("--limit", options.limits.front(),
+    throw InputError("--limit", options.check.limits.front(),
                      "applies to a motion, but this file has none: leave out --limit");
   if (options.run.is_one_answer())
     return answer(options.run, [&] { return print_answer(options); });
-  const auto examine = [&](std::vector<Input>& axes) { return reports_of(axes, options); };
-  return check_files("check", options.run, examine, options.machine);
+  return check_files(
+      "check", options.run, [&](auto& axes) { return reports_of(axes, options); }, options.machine);
 }
 
 }  // namespace
@@ -72,28 +62,29 @@ void add_check(CommandLine& line) {
   const Verb verb = line.verb("check", "Check exact limits and continuity of specs and tables",
                               "jounce check cam.toml --limit geo_acceleration=0.02\n"
                               "jounce check . --format github --baseline origin/main");
-  add_run_options(verb, options->run);
+  add_run_options(verb, options->run, &options->check.against);
   verb.option(
-          "--limit", options->limits,
-          "Limit KEY=VALUE to add to the limits of the spec, or to replace one of them; repeatable")
+          "--limit", options->check.limits,
+          "Limit KEY=VALUE to add to the limits of the spec, or to replace one of them; of a cam, "
+          "velocity, acceleration and jerk are over time, see --master-velocity; repeatable")
       .one_each();
   verb.axis(options->axis);
   verb.machine(options->machine);
   verb.over(options->over);
-  verb.option("--continuity", options->continuity,
+  verb.option("--continuity", options->check.continuity,
               "Highest derivative that must be continuous: 0 position, 1 velocity, 2 acceleration, "
               "3 jerk")
       .check(whole(0, 3))
       .shown();
-  verb.option("--slave", options->start.slave,
+  verb.option("--slave", options->check.start.slave,
               "For a spec with [coupling]: position of the slave, at rest, when it starts to "
               "engage; default: the first value of the cam");
-  verb.option("--master", options->start.master,
+  verb.option("--master", options->check.start.master,
               "For a spec with [coupling]: position of the master when the slave starts to engage; "
               "default: the start of the cam");
-  verb.option("--master-velocity", options->start.master_velocity,
-              "For a spec with [coupling]: velocity of the master, per second, when the slave "
-              "starts to engage; default: the velocity in [master]");
+  verb.option("--master-velocity", options->check.start.master_velocity,
+              "Velocity of the master, per second, for the limits of a cam over time, or when the "
+              "slave of a [coupling] starts to engage; default: [master]");
   verb.work([options] { return run_check(*options); });
 }
 

@@ -20,7 +20,7 @@ bool CheckRun::is_one_answer() const {
          baseline.empty() && !is_without_motion(file());
 }
 
-void add_run_options(const Verb& verb, CheckRun& run) {
+void add_run_options(const Verb& verb, CheckRun& run, std::string* against) {
   verb.option("FILE", run.files,
               "Specs and tables. A folder, or a pattern in quotes such as \"cams/**/*.toml\", "
               "means all files of Jounce in it; - is standard input")
@@ -39,7 +39,13 @@ void add_run_options(const Verb& verb, CheckRun& run) {
   const Option baseline = verb.option(
       "--baseline", run.baseline,
       "Accepted versions to compare with: a folder of specs or tables, or a git revision");
-  verb.option("--tolerance", run.tolerances, tolerance_help).one_each().needs(baseline);
+  const Option tolerance = verb.option("--tolerance", run.tolerances, tolerance_help).one_each();
+  if (against == nullptr)
+    tolerance.needs(baseline);
+  else
+    verb.option("--against", *against,
+                "Spec of the tables: compares each table with its curve and all of its limits")
+        .excludes({baseline});
   verb.option("--summary", run.summary,
               "Folder for a new summary.md, with pictures of each changed motion before and after")
       .needs(baseline);

@@ -34,7 +34,8 @@ struct CheckRun {
   [[nodiscard]] const std::string& file() const { return files.front(); }
 };
 
-void add_run_options(const Verb& verb, CheckRun& run);
+/// `against`: the target of the option --against; null: the verb has none.
+void add_run_options(const Verb& verb, CheckRun& run, std::string* against = nullptr);
 
 /// The work for one answer. It prints all errors of the file; with --json they are on standard output as well.
 int answer(const CheckRun& run, const std::function<int()>& work);

@@ -6,6 +6,7 @@
 #include "jounce/base/file.hpp"
 #include "jounce/design/axes.hpp"
 #include "jounce/design/design_text.hpp"
+#include "jounce/design/files/file_check.hpp"
 #include "jounce/io/curve_file.hpp"
 
 #include "cli/common/input.hpp"
@@ -58,15 +59,16 @@ int run_design(const DesignArguments& options) {
       fmt::print(out, "{}", design_text(input, reports[i]));
   }
   if (options.json) fmt::print(out, "{}\n", axes_json(documents));
-  return fine;
+  return FileCheck{reports}.ok() ? fine : finding;
 }
 
 }  // namespace
 
 void add_design(CommandLine& line) {
   const auto options = std::make_shared<DesignArguments>();
-  const Verb verb = line.verb("design", "Make the table of a spec",
-                              "jounce design cam.toml -o cam.csv --curve cam.curve.json");
+  const Verb verb =
+      line.verb("design", "Make the table of a spec; exit status 1 if it breaks a limit",
+                "jounce design cam.toml -o cam.csv --curve cam.curve.json");
   verb.option("SPEC", options->spec, "Spec, or G-code program with --machine; - is standard input")
       .required();
   verb.option("-o,--output", options->output,

@@ -143,7 +143,7 @@ Diagnostic diagnostic_of(const Finding& finding, const Subject& subject, const s
   d.message = sentence(finding, subject.labels);
   d.advice = finding.advice;
   d.quantity = finding.quantity;
-  if (finding.rule == "warning/no_limits") return d;
+  if (finding.rule == "warning/no_limits" || finding.rule == "warning/older_table") return d;
   d.unit = subject.labels.unit_of(finding);
   d.value = finding.value;
   if (finding.has_limit) d.limit = finding.limit;
@@ -165,7 +165,8 @@ std::vector<Diagnostic> all_of(const Report& report, const Subject& subject,
 
 std::vector<Diagnostic> diagnostics_of(const Report& report, const Input& input,
                                        const std::string& file) {
-  return all_of(report, {input.spec ? &*input.spec : nullptr, input.labels, input.axis}, file);
+  const Spec* const spec = input.spec && !input.against ? &*input.spec : nullptr;
+  return all_of(report, {spec, input.labels, input.axis}, file);
 }
 
 std::vector<Diagnostic> diagnostics_of(const Report& report, const Spec& spec,

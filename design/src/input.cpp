@@ -22,6 +22,7 @@
 #include "jounce/pvt/check.hpp"
 #include "jounce/validate/loop.hpp"
 
+#include "design/src/against.hpp"
 #include "design/src/load_check.hpp"
 #include "design/src/path/path_rounding.hpp"
 #include "design/src/table_check.hpp"
@@ -178,6 +179,7 @@ void name_first_passages(const Input& input, Report& report) {
 
 Report check_curve(const Input& input, int continuity) {
   Report report = of_motion(input, [&](const auto& motion) { return check(motion, input.limits); });
+  design_detail::forgive_rounding(report, input);
   join_excursions(input, report);
   design_detail::keep_worst(report, input.labels);
   advise_on_limits(input, report);
@@ -192,6 +194,7 @@ Report check_curve(const Input& input, int continuity) {
       if (const std::string advice = advice_at_edge(input, f); !advice.empty()) f.advice = advice;
   if (input.plan) design_detail::discount_rounding(std::get<Trajectory>(*input.curve), report);
   append(report, design_detail::check_slave(input));
+  if (input.against) design_detail::judge_against(input, report);
   if (!input.error) return report;
   if (!is_best_of_so_many(input)) report.findings.push_back(table_error(input));
   // The table may break a limit between its knots although the curve keeps it.
@@ -327,7 +330,8 @@ void add_no_limits(Report& report, const Spec* spec) {
   f.quantity = "limits";
   f.severity = Severity::warning;
   f.has_limit = false;
-  f.advice = "give [limits] in the spec, or --limit";
+  f.advice = spec != nullptr ? "give [limits] in the spec, or --limit"
+                             : "give the spec of the table with --against, or --limit";
   if (slave) {
     f.quantity = "limits.slave";
     f.advice = "add [master] with velocity: these limits are over time";
@@ -411,9 +415,11 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
     const Spec& spec = *input.spec;
     const auto add = [&](const Report& part) { append(report, part); };
     if (spec.himc) name_himc_errors(report);
-    add(spec.fill);
-    add(check_sync(spec));
-    add(merged(table_warnings(spec), report));
+    if (!input.against) {  // these findings concern the spec, not the table
+      add(spec.fill);
+      add(check_sync(spec));
+      add(merged(table_warnings(spec), report));
+    }
     if (spec.is_cam()) add(check_load(spec, std::get<Cam>(*input.curve)));
     if (spec.disc) add(check_disc(spec, std::get<Cam>(*input.curve)));
     if (spec.coupling) add(check_coupling(spec, std::get<Cam>(*input.curve), at));
@@ -421,6 +427,7 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
       add(check(spec.compare->compare, std::get<Trajectory>(*input.curve), spec.compare->device));
   }
   add_ends(input, at, report);
+  if (!input.newer_spec.empty()) report.findings.push_back(design_detail::older_table(input));
   if (input.drive)
     if (auto unstable = unstable_loop(input.drive->drive)) {
       unstable->axis = "drive";

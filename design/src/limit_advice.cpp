@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string_view>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -218,9 +220,51 @@ void advise_on_limits(const Input& input, Report& report) {
   }
 }
 
+namespace {
+
+bool is_position_limit(const Finding& f) {
+  return f.broken && f.segment &&
+         (f.rule == "limit/position_max" || f.rule == "limit/position_min");
+}
+
+/// The advice for a free shape that leaves the range of the position. The reason may be an end of its
+/// segment, at the limit, where the slave moves outwards.
+std::string shape_advice(const Finding& f, const CamSpec& given, const Cam& cam,
+                         const Words& words) {
+  const std::size_t i = std::min(*f.segment, given.segments.size() - 1);
+  const double x0 = i == 0 ? given.start.master : given.segments[i - 1].end.master;
+  const double x1 = given.segments[i].end.master;
+  const double sign = f.value > f.limit ? 1 : -1;
+  const double stroke = extrema(cam, 0).max.value - extrema(cam, 0).min.value;
+  for (const auto& [x, side, outwards] :
+       {std::tuple{x0, Side::right, sign}, {x1, Side::left, -sign}}) {
+    const Jet at = cam.jet(x, side);
+    if (std::abs(at[0] - f.limit) > rest * stroke ||
+        !(outwards * at[1] > rest * stroke / (x1 - x0)))
+      continue;
+    return fmt::format(
+        "the range ends where the slave still moves outwards: at {} it is at the limit {} and has "
+        "{} "
+        "{}, so every shape leaves the range. Move this knot inwards, let the slave rest there, or "
+        "widen the range",
+        words.x(x), words.of(f.limit, 0), OverMaster::names[1], words.of(at[1], 1));
+  }
+  return "every shape that keeps the other limits leaves the range: raise these limits, move the "
+         "ends "
+         "of the segment inwards, or widen the range";
+}
+
+}  // namespace
+
 void advise_on_limits(const CamSpec& given, const CamSpec& made, const Labels& labels,
                       Report& report) {
   const CamDesign cam = design(made);
+  std::set<std::tuple<std::string, std::size_t>> seen;  // one finding of the position a segment
+  std::erase_if(report.findings, [&](const Finding& f) {
+    return is_position_limit(f) && !seen.emplace(f.rule.text(), *f.segment).second;
+  });
+  for (Finding& f : report.findings)
+    if (is_position_limit(f)) f.advice = shape_advice(f, given, cam.cam, {labels});
   for (Finding& f : report.findings)
     if (const std::size_t order = order_of(f, OverMaster::names); order > 0)
       f.advice = cam_advice(f, order, stretch_of(cam, given, f, order), {labels});

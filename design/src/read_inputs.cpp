@@ -3,6 +3,7 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/controllers/exchange/exchange.hpp"
+#include "jounce/design/against.hpp"
 #include "jounce/design/input.hpp"
 
 namespace jounce {
@@ -41,8 +42,18 @@ bool is_finished_table(const std::string& text, const std::string& path) {
 std::vector<Input> table_inputs(const std::string& text, const std::string& path,
                                 bool decimal_comma) {
   const std::string name = name_of(path);
-  if (is_table(text)) return {input_of(parse_table(text, name), name)};
-  return cams_of(text, name, decimal_comma);
+  std::vector<Input> all;
+  if (is_table(text)) {
+    all.push_back(input_of(parse_table(text, name), name));
+    all.front().newer_spec = newer_spec(all.front().table.provenance, path);
+  } else {
+    all = cams_of(text, name, decimal_comma);
+  }
+  for (Input& input : all) {
+    input.file = path;
+    if (!is_table(text)) input.format = exchange_format_of_text(text, path);
+  }
+  return all;
 }
 
 }  // namespace jounce

@@ -14,6 +14,7 @@
 #include "jounce/pvt/check.hpp"
 
 #include "design/src/master_check.hpp"
+#include "design/src/slave_advice.hpp"
 
 namespace jounce::design_detail {
 namespace {
@@ -65,36 +66,41 @@ class KnotRounding {
   double error_ = 0;  ///< rounding of a position
 };
 
+/// True for a finding of a limit of the table that is no more than the rounding of its knots.
+bool is_rounding(const Finding& f, const Table& table, const KnotRounding& rounding) {
+  const auto& names = table.axis() == Domain::time ? OverTime::names : OverMaster::names;
+  const std::size_t order = order_in(names, f);
+  return order < names.size() && f.segment &&
+         std::abs(f.value - f.limit) <= rounding.of(order, *f.segment);
+}
+
+/// The same for a limit of the slave over time.
+bool is_slave_rounding(const Finding& f, const Spec& spec, const KnotRounding& rounding) {
+  const std::size_t order = order_in(OverTime::names, f);
+  if (order >= OverTime::names.size() || !f.segment) return false;
+  const double w = spec.master->velocity;
+  const double a = master_rates(spec).acceleration;
+  double error = rounding.of(order, *f.segment);
+  for (std::size_t k = 0; k < order; ++k) error *= w;
+  if (order == 2) error += a * rounding.of(1, *f.segment);
+  if (order == 3) error += 3 * w * a * rounding.of(2, *f.segment);
+  const std::string own = rate_unit(spec.units.position, spec.time_unit, static_cast<int>(order));
+  return std::abs(f.value - f.limit) <= error * conversion(own, f.unit);
+}
+
 /// The broken limits of a table itself.
 Report own_limits(const Table& table, const Limits& limits, const KnotRounding& rounding) {
   Report report = check(table, limits);
-  const auto& names = table.axis() == Domain::time ? OverTime::names : OverMaster::names;
-  std::erase_if(report.findings, [&](const Finding& f) {
-    const std::size_t order = order_in(names, f);
-    return !f.broken || (order < names.size() && f.segment &&
-                         std::abs(f.value - f.limit) <= rounding.of(order, *f.segment));
-  });
+  std::erase_if(report.findings,
+                [&](const Finding& f) { return !f.broken || is_rounding(f, table, rounding); });
   return report;
 }
 
 /// The broken limits of a slave over time that moves on a table.
 Report slave_limits(const Table& table, const Spec& spec, const KnotRounding& rounding) {
   Report report = jounce::check_slave(table.curve<OverMaster>(), spec);
-  const double w = spec.master->velocity;
-  const double a = master_rates(spec).acceleration;
-  const auto allowed = [&](std::size_t order, std::size_t interval) {
-    double power = 1;
-    for (std::size_t k = 0; k < order; ++k) power *= w;
-    double error = rounding.of(order, interval) * power;
-    if (order == 2) error += a * rounding.of(1, interval);
-    if (order == 3) error += 3 * w * a * rounding.of(2, interval);
-    return error;
-  };
   std::erase_if(report.findings, [&](const Finding& f) {
-    const std::size_t order = order_in(OverTime::names, f);
-    if (!f.broken || order >= OverTime::names.size() || !f.segment) return !f.broken;
-    const std::string own = rate_unit(spec.units.position, spec.time_unit, static_cast<int>(order));
-    return std::abs(f.value - f.limit) <= allowed(order, *f.segment) * conversion(own, f.unit);
+    return !f.broken || is_slave_rounding(f, spec, rounding);
   });
   return report;
 }
@@ -137,12 +143,38 @@ void keep_worst(Report& report, const Labels& labels) {
   });
 }
 
+void forgive_rounding(Report& report, const Input& input) {
+  if (!input.against) return;
+  const AgainstSpec& against = *input.against;
+  const Table& table = input.table.table;
+  const KnotRounding rounding(table);
+  const auto is_new = [&](const Finding& f) {
+    return std::find(against.broken.begin(), against.broken.end(), f.rule.text()) ==
+           against.broken.end();
+  };
+  std::erase_if(report.findings, [&](const Finding& f) {
+    if (!f.broken || f.rule.family() != RuleFamily::limit) return false;
+    const double beyond = std::abs(f.value - f.limit);
+    if (f.rule.name().starts_with("position"))
+      return is_new(f) && beyond <= std::min(against.error.position, against.tolerance);
+    const bool of_slave =
+        limits_the_slave(input) && order_in(OverTime::names, f) < OverTime::names.size();
+    return beyond <= against.digits * std::abs(f.limit) ||
+           (of_slave ? is_slave_rounding(f, *input.spec, rounding)
+                     : is_rounding(f, table, rounding));
+  });
+}
+
 Report check_slave(const Input& input) {
   if (!limits_the_slave(input)) return {};
   const Cam& cam = std::get<Cam>(*input.curve);
   Report report = jounce::check_slave(cam, *input.spec);
+  forgive_rounding(report, input);
   keep_worst(report, input.labels);
+  advise_on_slave(input, report);
   report.findings.push_back(master_finding(cam, *input.spec));
+  if (input.against && report.broken() == 1 && report.findings.back().broken)
+    report.findings.pop_back();  // only by the rounding above
   return report;
 }
 

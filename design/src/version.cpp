@@ -6,12 +6,45 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "jounce/base/listed.hpp"
 #include "jounce/base/printable.hpp"
+#include "jounce/base/units.hpp"
 #include "jounce/design/axes.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
+
+namespace {
+
+/// The requirements of [table] for its knots: "quintic_hermite, tolerance 0.01 mm".
+std::string options_text(const TableOptions& options, const Labels& labels) {
+  std::vector<std::string> parts;
+  const auto add = [&](const char* key, double value, const std::string& unit) {
+    if (value > 0) parts.push_back(fmt::format("{} {} {}", key, rounded(value), unit));
+  };
+  const Units& units = labels.units;
+  const std::string rate = rate_unit(units.position, units.x, 1);
+  if (options.rule) parts.emplace_back(name(*options.rule));
+  if (options.intervals) parts.push_back(counted(*options.intervals, "interval"));
+  add("tolerance", options.tolerance.value_or(0), units.position);
+  if (options.target) {
+    const Target& target = *options.target;
+    parts.emplace_back("fewest knots");
+    if (target.most) parts.push_back("most " + std::to_string(*target.most));
+    add("velocity tolerance", target.velocity_tolerance.value_or(0), rate);
+    add("spacing", target.spacing, units.x);
+    add("resolution", target.x_step, units.x);
+    add("position resolution", target.p_step, units.position);
+    add("velocity resolution", target.v_step, rate);
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace
 
 Version version_of(const Input& input, const std::string& path) {
   Version version{printable(path) + (input.axis.empty() ? "" : " " + input.axis), *input.curve,
@@ -28,6 +61,10 @@ Version version_of(const Input& input, const std::string& path) {
     version.knot_names.push_back(input.labels.segments.empty() ? "" : "end of " + label);
   }
   if (input.spec) version.limits = input.limits;
+  if (input.spec && input.error) {
+    version.table = input.table.table;
+    version.table_options = options_text(input.options, input.labels);
+  }
   return version;
 }
 

@@ -4,9 +4,6 @@
 #include <utility>
 #include <variant>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "jounce/design/files/file_check.hpp"
 #include "jounce/lint/lint.hpp"
 #include "jounce/plot/chart_data.hpp"
@@ -16,7 +13,6 @@
 
 #include "edit/src/cam_json.hpp"
 #include "edit/src/editable.hpp"
-#include "edit/src/json_reader.hpp"
 
 namespace jounce::edit_detail {
 namespace {
@@ -67,10 +63,14 @@ Analysis analysis_of(const std::string& path, const std::string& text) {
   return analysis;
 }
 
-std::string members_of(const Analysis& analysis) {
-  return fmt::format(R"("result":{},"charts":[{}],"check":{},"cam":{},"edit":{},"can_optimize":{})",
-                     to_json(analysis.result), fmt::join(analysis.charts, ","),
-                     json_text(analysis.check), analysis.cam, analysis.edit, analysis.can_optimize);
+void add_to(Json& object, const Analysis& analysis) {
+  object["result"] = Json::parse(to_json(analysis.result));
+  Json& charts = object["charts"] = Json::array();
+  for (const std::string& chart : analysis.charts) charts.push_back(Json::parse(chart));
+  object["check"] = analysis.check;
+  object["cam"] = Json::parse(analysis.cam);
+  object["edit"] = Json::parse(analysis.edit);
+  object["can_optimize"] = analysis.can_optimize;
 }
 
 }  // namespace jounce::edit_detail

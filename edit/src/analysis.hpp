@@ -6,6 +6,8 @@
 
 #include "jounce/report/diagnostic.hpp"
 
+#include "edit/src/json_reader.hpp"
+
 namespace jounce::edit_detail {
 
 /// Everything that the page shows for one text.
@@ -22,7 +24,7 @@ struct Analysis {
 /// names are read from the disk.
 Analysis analysis_of(const std::string& path, const std::string& text);
 
-/// Returns the analysis as the members of a JSON object, without its braces.
-std::string members_of(const Analysis& analysis);
+/// Adds the analysis to a JSON object.
+void add_to(Json& object, const Analysis& analysis);
 
 }  // namespace jounce::edit_detail

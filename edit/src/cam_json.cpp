@@ -10,11 +10,10 @@
 #include "jounce/cam/design/design.hpp"
 
 #include "edit/src/cam_geometry.hpp"
+#include "edit/src/json_reader.hpp"
 
 namespace jounce::edit_detail {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json optional(const std::optional<double>& value) {
   return value ? Json(*value) : Json();

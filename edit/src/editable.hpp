@@ -13,12 +13,12 @@
 #include "jounce/design/input.hpp"
 #include "jounce/spec/text_numbers.hpp"
 
+#include "edit/src/json_reader.hpp"
+
 /// The changes of a text that a reader can make without typing it. All kinds of specs have the same two
 /// forms: *handles*, places in a picture that the mouse moves, and *tables* of numbers for the keyboard.
 /// Each of them contains the change that it makes. docs/reference/http.md describes their JSON.
 namespace jounce::edit_detail {
-
-using Json = nlohmann::ordered_json;
 
 /// The change that sets numbers by their keys.
 inline Json numbers_change() {

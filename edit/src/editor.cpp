@@ -6,10 +6,12 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <string_view>
 #include <thread>
 #include <utility>
+#include <variant>
+#include <vector>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "jounce/design/convert.hpp"
@@ -36,8 +38,10 @@ namespace {
 
 using edit_detail::Analysis;
 using edit_detail::Job;
-using edit_detail::json_text;
+using edit_detail::Json;
 using edit_detail::JsonReader;
+using edit_detail::or_null;
+using edit_detail::text_of;
 using edit_detail::StreamOffer;
 using edit_detail::StreamRequest;
 using web::Answer;
@@ -47,11 +51,16 @@ constexpr std::size_t most_text = std::size_t{4} << 20U;  ///< bytes of a reques
 constexpr auto poll_interval = std::chrono::milliseconds(250);
 
 Answer rejected(int status, const std::string& reason) {
-  return {status, fmt::format(R"({{"ok":false,"reason":{}}})", json_text(reason))};
+  return {status, text_of(Json{{"ok", false}, {"reason", reason}})};
 }
 
-std::string or_null(const std::optional<std::string>& text) {
-  return text ? json_text(*text) : "null";
+/// An answer to a request that was obeyed: {"ok": true, ...}.
+Json obeyed() {
+  return {{"ok", true}};
+}
+
+Answer answer_of(const Json& value) {
+  return {200, text_of(value)};
 }
 
 const char* word_of(EditSession::OnDisk state) {
@@ -66,25 +75,27 @@ const char* word_of(EditSession::OnDisk state) {
   return "same";
 }
 
-std::string progress_members(const Job::State& job) {
-  return fmt::format(R"("running":{},"done":{},"step":{},"error":{})", job.running, job.done,
-                     json_text(job.step), json_text(job.outcome.error));
+Json progress_of(const Job::State& job) {
+  return {{"running", job.running},
+          {"done", job.done},
+          {"step", job.step},
+          {"error", job.outcome.error}};
 }
 
-std::string stream_members(const Job::State& stream) {
+Json stream_of(const Job::State& stream) {
   const Job::Outcome& outcome = stream.outcome;
-  return fmt::format(R"("running":{},"done":{},"step":{},"started":{},"text":{})", stream.running,
-                     stream.done, json_text(stream.step), outcome.ok,
-                     json_text(outcome.error.empty() ? outcome.text : outcome.error));
+  return {{"running", stream.running},
+          {"done", stream.done},
+          {"step", stream.step},
+          {"started", outcome.ok},
+          {"text", outcome.error.empty() ? outcome.text : outcome.error}};
 }
 
 /// `current`: true if the job began with the present text.
-std::string proof_members(const Job::State& proof, bool current) {
-  return fmt::format(R"({},"current":{})", progress_members(proof), current);
-}
-
-std::string object_or_null(const std::string& members) {
-  return members.empty() ? "null" : "{" + members + "}";
+Json proof_of(const Job::State& proof, bool current) {
+  Json object = progress_of(proof);
+  object["current"] = current;
+  return object;
 }
 
 std::size_t axis_of(const Request& request) {
@@ -105,22 +116,16 @@ struct Editor::Impl {
         session(file),
         templates(std::move(its_templates)),
         token(web::new_token()),
-        server(
-            std::move(listening), token,
-            {.files = {{"/", "text/html; charset=utf-8", edit_detail::page()},
-                       {"/edit.js", "text/javascript; charset=utf-8", edit_detail::script()},
-                       {"/edit.css", "text/css; charset=utf-8", edit_detail::style()}},
-             .commands = {"GET /document",   "POST /document", "POST /change",    "POST /preview",
-                          "POST /undo",      "POST /redo",     "POST /save",      "POST /conflict",
-                          "GET /laws",       "GET /forms",     "GET /difference", "GET /table",
-                          "GET /conversion", "GET /report",    "GET /templates",  "POST /fit",
-                          "POST /optimize",  "GET /optimum",   "POST /optimum",   "POST /validate",
-                          "GET /proof",      "POST /proof",    "GET /stream",     "POST /stream"},
-             .event = [this](std::int64_t& seen) { return event(seen); },
-             .obey = [this](const Request& request) { return answer(request); },
-             .urgent = [](const Request& /*request*/) { return false; },
-             .most_body = most_text,
-             .events_need_token = true}) {
+        server(std::move(listening), token,
+               {.files = {{"/", "text/html; charset=utf-8", edit_detail::page()},
+                          {"/edit.js", "text/javascript; charset=utf-8", edit_detail::script()},
+                          {"/edit.css", "text/css; charset=utf-8", edit_detail::style()}},
+                .commands = commands(),
+                .event = [this](std::int64_t& seen) { return event(seen); },
+                .obey = [this](const Request& request) { return answer(request); },
+                .urgent = [](const Request& /*request*/) { return false; },
+                .most_body = most_text,
+                .events_need_token = true}) {
     watcher = std::thread([this] { watch(); });
   }
 
@@ -143,10 +148,10 @@ struct Editor::Impl {
   std::string event(std::int64_t& seen) {
     const std::scoped_lock lock(mutex);
     std::string text =
-        fmt::format(R"({{"revision":{},"optimum":{},"proof":{},"stream":{}}})", session.revision(),
-                    object_or_null(optimizer ? progress_members(optimizer->state()) : ""),
-                    object_or_null(proof ? proof_members(proof->state(), is_proof_current()) : ""),
-                    object_or_null(stream ? stream_members(stream->state()) : ""));
+        text_of(Json{{"revision", session.revision()},
+                     {"optimum", optimizer ? progress_of(optimizer->state()) : Json()},
+                     {"proof", proof ? proof_of(proof->state(), is_proof_current()) : Json()},
+                     {"stream", stream ? stream_of(stream->state()) : Json()}});
     const auto hash = static_cast<std::int64_t>(std::hash<std::string>{}(text) | 1U);  // never 0
     return std::exchange(seen, hash) == hash ? "" : text;
   }
@@ -155,7 +160,10 @@ struct Editor::Impl {
 
   Answer answer(const Request& request) {
     try {
-      return answer_or_throw(request);
+      const Route* const route = route_of(request);
+      if (route == nullptr) return rejected(404, "there is no such request: " + request.path);
+      if (const auto* get = std::get_if<Get>(&route->handler)) return (this->**get)(request);
+      return (this->*std::get<Post>(route->handler))(JsonReader("request", request.body));
     } catch (const InputError& error) {
       return rejected(400, error.what());
     } catch (const std::system_error& error) {
@@ -163,37 +171,72 @@ struct Editor::Impl {
     }
   }
 
-  Answer answer_or_throw(const Request& request) {
-    const std::string& path = request.path;
-    if (request.is_get) {
-      if (path == "/laws") return {200, laws_json()};
-      if (path == "/forms") return {200, nlohmann::json(form_names()).dump()};
-      if (path == "/difference") return difference(request.value("against"));
-      if (path == "/templates") return {200, edit_detail::gallery(templates)};
-      if (path == "/table") return table(request);
-      if (path == "/conversion") return conversion(request);
-      if (path == "/report")
-        return {200, edit_detail::exported_report(path_of(), text(), axis_of(request)),
-                "text/html; charset=utf-8"};
-      if (path == "/stream") return stream_state();
-      if (path == "/proof") return proof_state();
-      return path == "/optimum" ? optimum() : document();
-    }
-    const JsonReader body("request", request.body);
-    if (path == "/document") return replace(body);
-    if (path == "/change") return change(body);
-    if (path == "/preview") return preview(body);
-    if (path == "/undo") return step(body, &EditSession::undo, "there is nothing to undo");
-    if (path == "/redo") return step(body, &EditSession::redo, "there is nothing to redo");
-    if (path == "/save")
-      return step(body, &EditSession::save,
-                  "the file has changed on the disk: resolve the conflict");
-    if (path == "/conflict") return resolve(body);
-    if (path == "/fit") return fit(body);
-    if (path == "/validate") return validate(body);
-    if (path == "/proof") return end_proof(body);
-    if (path == "/stream") return send(body);
-    return path == "/optimize" ? optimize(body) : end_optimum(body);
+  using Get = Answer (Impl::*)(const Request& request);
+  using Post = Answer (Impl::*)(const JsonReader& body);
+  /// A request, and the function that obeys it.
+  struct Route {
+    const char* method;
+    const char* path;
+    std::variant<Get, Post> handler;
+  };
+  static const std::vector<Route>& routes() {
+    static const std::vector<Route> all{{"GET", "/document", &Impl::get_document},
+                                        {"POST", "/document", &Impl::replace},
+                                        {"POST", "/change", &Impl::change},
+                                        {"POST", "/preview", &Impl::preview},
+                                        {"POST", "/undo", &Impl::undo},
+                                        {"POST", "/redo", &Impl::redo},
+                                        {"POST", "/save", &Impl::save},
+                                        {"POST", "/conflict", &Impl::resolve},
+                                        {"GET", "/laws", &Impl::laws},
+                                        {"GET", "/forms", &Impl::forms},
+                                        {"GET", "/difference", &Impl::difference},
+                                        {"GET", "/table", &Impl::table},
+                                        {"GET", "/conversion", &Impl::conversion},
+                                        {"GET", "/report", &Impl::report},
+                                        {"GET", "/templates", &Impl::gallery},
+                                        {"POST", "/fit", &Impl::fit},
+                                        {"POST", "/optimize", &Impl::optimize},
+                                        {"GET", "/optimum", &Impl::optimum},
+                                        {"POST", "/optimum", &Impl::end_optimum},
+                                        {"POST", "/validate", &Impl::validate},
+                                        {"GET", "/proof", &Impl::proof_state},
+                                        {"POST", "/proof", &Impl::end_proof},
+                                        {"GET", "/stream", &Impl::stream_state},
+                                        {"POST", "/stream", &Impl::send}};
+    return all;
+  }
+
+  /// "GET /document" and so on.
+  static std::vector<std::string> commands() {
+    std::vector<std::string> all;
+    for (const Route& route : routes()) all.push_back(std::string(route.method) + " " + route.path);
+    return all;
+  }
+
+  static const Route* route_of(const Request& request) {
+    const std::string_view method = request.is_get ? "GET" : "POST";
+    for (const Route& route : routes())
+      if (route.method == method && route.path == request.path) return &route;
+    return nullptr;
+  }
+
+  Answer get_document(const Request& /*request*/) { return document(); }
+  Answer undo(const JsonReader& body) {
+    return step(body, &EditSession::undo, "there is nothing to undo");
+  }
+  Answer redo(const JsonReader& body) {
+    return step(body, &EditSession::redo, "there is nothing to redo");
+  }
+  Answer save(const JsonReader& body) {
+    return step(body, &EditSession::save, "the file has changed on the disk: resolve the conflict");
+  }
+  Answer laws(const Request& /*request*/) { return {200, laws_json()}; }
+  Answer forms(const Request& /*request*/) { return answer_of(form_names()); }
+  Answer gallery(const Request& /*request*/) { return {200, edit_detail::gallery(templates)}; }
+  Answer report(const Request& request) {
+    return {200, edit_detail::exported_report(path_of(), text(), axis_of(request)),
+            "text/html; charset=utf-8"};
   }
 
   std::string text() {
@@ -204,21 +247,26 @@ struct Editor::Impl {
 
   /// The state of the session, with the analysis of its text.
   Answer document() {
-    std::string out;
+    Json out = obeyed();
     std::string present;
     {
       const std::scoped_lock lock(mutex);
       present = session.text();
       const bool conflict = session.on_disk() == EditSession::OnDisk::changed;
-      out = fmt::format(
-          R"({{"ok":true,"revision":{},"file":{},"text":{},"saved":{},"on_disk":"{}",)"
-          R"("file_text":{},"recovered":{},"undo":{},"redo":{},"side_file":{},"side_error":{},)",
-          session.revision(), json_text(session.path()), json_text(present), session.is_saved(),
-          word_of(session.on_disk()), conflict ? json_text(session.file_text()) : "null",
-          session.is_recovered(), or_null(session.undo_label()), or_null(session.redo_label()),
-          json_text(session.side_file()), json_text(session.side_error()));
+      out.update({{"revision", session.revision()},
+                  {"file", session.path()},
+                  {"text", present},
+                  {"saved", session.is_saved()},
+                  {"on_disk", word_of(session.on_disk())},
+                  {"file_text", conflict ? Json(session.file_text()) : Json()},
+                  {"recovered", session.is_recovered()},
+                  {"undo", or_null(session.undo_label())},
+                  {"redo", or_null(session.redo_label())},
+                  {"side_file", session.side_file()},
+                  {"side_error", session.side_error()}});
     }
-    return {200, out + members_of(*analysis(present)) + "}"};
+    add_to(out, *analysis(present));
+    return answer_of(out);
   }
 
   /// The analysis of the newest text is kept: several pages show the same text.
@@ -264,8 +312,10 @@ struct Editor::Impl {
   Answer preview(const JsonReader& body) {
     body.require_only({"change"});
     const std::string next = edit_detail::changed(path_of(), text(), body.object("change")).text;
-    return {200, fmt::format(R"({{"ok":true,"text":{},{}}})", json_text(next),
-                             members_of(edit_detail::analysis_of(path_of(), next)))};
+    Json out = obeyed();
+    out["text"] = next;
+    add_to(out, edit_detail::analysis_of(path_of(), next));
+    return answer_of(out);
   }
 
   Answer step(const JsonReader& body, bool (EditSession::*act)(), const char* objection) {
@@ -301,12 +351,14 @@ struct Editor::Impl {
                                          .period = given("period"),
                                          .master_unit = given("master_unit"),
                                          .position_unit = given("position_unit")});
-    return {200, fmt::format(R"({{"ok":true,"spec":{},"text":{},"within":{},{}}})",
-                             json_text(fitted.text), json_text(fit_text(fitted)), fitted.ok(),
-                             edit_detail::difference_members(path_of(), text(), fitted.text))};
+    Json out = obeyed();
+    out.update({{"spec", fitted.text}, {"text", fit_text(fitted)}, {"within", fitted.ok()}});
+    edit_detail::add_difference(out, path_of(), text(), fitted.text);
+    return answer_of(out);
   }
 
-  Answer difference(const std::string& against) {
+  Answer difference(const Request& request) {
+    const std::string against = request.value("against");
     if (!against.empty() && against != "file" && against != "head")
       throw InputError("against", against, "must be file or head");
     std::string before = against == "head" ? committed_text(path_of()) : "";
@@ -318,8 +370,10 @@ struct Editor::Impl {
                                                                    : session.saved_text();
       now = session.text();
     }
-    return {200, fmt::format(R"({{"ok":true,"before":{},{}}})", json_text(before),
-                             edit_detail::difference_members(path_of(), before, now))};
+    Json out = obeyed();
+    out["before"] = before;
+    edit_detail::add_difference(out, path_of(), before, now);
+    return answer_of(out);
   }
 
   edit_detail::Exported exported(const Request& request) {
@@ -342,8 +396,9 @@ struct Editor::Impl {
 
   Answer conversion(const Request& request) {
     const edit_detail::Exported made = exported(request);
-    return {200, fmt::format(R"({{"ok":true,"text":{},"ending":{},"fits":{}}})",
-                             json_text(made.text), json_text(made.ending), made.fits)};
+    Json out = obeyed();
+    out.update({{"text", made.text}, {"ending", made.ending}, {"fits", made.fits}});
+    return answer_of(out);
   }
 
   // ---- the optimizer ----------------------------------------------------------------------------
@@ -356,11 +411,11 @@ struct Editor::Impl {
       return rejected(409, "the optimizer is running: stop it first");
     optimizer.reset();
     optimizer = edit_detail::optimum_job(path_of(), given);
-    return {200, R"({"ok":true})"};
+    return answer_of(obeyed());
   }
 
   /// The state of the optimizer, and its result with the comparison of both curves.
-  Answer optimum() {
+  Answer optimum(const Request& /*request*/) {
     Job::State state;
     std::string given;
     {
@@ -370,11 +425,11 @@ struct Editor::Impl {
       given = optimizer->given();
     }
     const Job::Outcome& best = state.outcome;
-    std::string out =
-        fmt::format(R"({{"ok":true,{},"text":{},"broken":{},"spec":{})", progress_members(state),
-                    json_text(best.text), json_text(best.broken), or_null(best.spec));
-    if (best.spec) out += "," + edit_detail::difference_members(path_of(), given, *best.spec);
-    return {200, out + "}"};
+    Json out = obeyed();
+    out.update(progress_of(state));
+    out.update({{"text", best.text}, {"broken", best.broken}, {"spec", or_null(best.spec)}});
+    if (best.spec) edit_detail::add_difference(out, path_of(), given, *best.spec);
+    return answer_of(out);
   }
 
   Answer end_optimum(const JsonReader& body) {
@@ -421,7 +476,7 @@ struct Editor::Impl {
     const std::scoped_lock lock(mutex);
     if (is_proving()) return rejected(409, already_proving);
     std::swap(proof, made);  // the previous one ends after the lock
-    return {200, R"({"ok":true})"};
+    return answer_of(obeyed());
   }
 
   static constexpr const char* already_proving = "a validation is running: stop it first";
@@ -430,13 +485,14 @@ struct Editor::Impl {
   [[nodiscard]] bool is_proving() const { return proof && proof->state().running; }
   [[nodiscard]] bool is_proof_current() const { return proof->given() == session.text(); }
 
-  Answer proof_state() {
+  Answer proof_state(const Request& /*request*/) {
     const std::scoped_lock lock(mutex);
     if (!proof) return rejected(404, "no validation was started");
     const Job::State state = proof->state();
-    return {200, fmt::format(R"({{"ok":true,{},"proven":{},"text":{}}})",
-                             proof_members(state, is_proof_current()), state.outcome.ok,
-                             json_text(state.outcome.text))};
+    Json out = obeyed();
+    out.update(proof_of(state, is_proof_current()));
+    out.update({{"proven", state.outcome.ok}, {"text", state.outcome.text}});
+    return answer_of(out);
   }
 
   Answer end_proof(const JsonReader& body) {
@@ -451,7 +507,7 @@ struct Editor::Impl {
       discarded = std::move(proof);
     else
       throw InputError("do", what, "must be stop or discard");
-    return {200, R"({"ok":true})"};
+    return answer_of(obeyed());
   }
 
   // ---- a stream to an executor: never without the confirmation of an offer ----------------------
@@ -465,7 +521,7 @@ struct Editor::Impl {
     const std::scoped_lock lock(mutex);
     offer.reset();
     if (stream) stream->stop();
-    return {200, R"({"ok":true})"};
+    return answer_of(obeyed());
   }
 
   /// Makes the table and asks the axis for its state. A new offer replaces the one before.
@@ -483,10 +539,11 @@ struct Editor::Impl {
     if (body.has("url")) wanted.link.url = body.word("url");
     if (body.has("key")) wanted.link.key = body.word("key");
     StreamOffer made = edit_detail::stream_offer(path_of(), text(), wanted);
-    std::string members = members_of(made);
+    Json out = obeyed();
+    add_to(out, made);
     const std::scoped_lock lock(mutex);
     offer = std::move(made);
-    return {200, fmt::format(R"({{"ok":true,{}}})", members)};
+    return answer_of(out);
   }
 
   Answer confirm_stream(const JsonReader& body) {
@@ -502,13 +559,15 @@ struct Editor::Impl {
       return rejected(409, "a stream is running: cancel it, or wait for its end");
     stream.reset();
     stream = edit_detail::stream_job(*std::exchange(offer, std::nullopt));
-    return {200, R"({"ok":true})"};
+    return answer_of(obeyed());
   }
 
-  Answer stream_state() {
+  Answer stream_state(const Request& /*request*/) {
     const std::scoped_lock lock(mutex);
     if (!stream) return rejected(404, "no stream was started");
-    return {200, fmt::format(R"({{"ok":true,{}}})", stream_members(stream->state()))};
+    Json out = obeyed();
+    out.update(stream_of(stream->state()));
+    return answer_of(out);
   }
 
   edit_detail::OnlyOne only_one;

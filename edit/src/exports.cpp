@@ -17,8 +17,6 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/proof/report_page.hpp"
 
-#include "edit/src/json_reader.hpp"
-
 namespace jounce::edit_detail {
 namespace {
 
@@ -69,17 +67,21 @@ std::string exported_report(const std::string& path, const std::string& text, st
   return html(report_page(input, std::nullopt).page);
 }
 
-std::string difference_members(const std::string& path, const std::string& before,
-                               const std::string& after) try {
-  const FileDifference difference =
-      file_difference(inputs_of_text(path, before), inputs_of_text(path, after), path, path,
-                      [](const Labels& /*labels*/) { return Tolerance{}; });
-  std::string charts;
-  for (const auto& [old, now] : difference.axes)
-    charts += (charts.empty() ? "" : ",") + chart_data(now, old);
-  return fmt::format(R"("difference":{},"charts":[{}])", json_text(to_text(difference)), charts);
-} catch (const InputError& error) {
-  return fmt::format(R"("difference":{},"charts":[])", json_text(error.what()));
+void add_difference(Json& object, const std::string& path, const std::string& before,
+                    const std::string& after) {
+  Json charts = Json::array();
+  try {
+    const FileDifference difference =
+        file_difference(inputs_of_text(path, before), inputs_of_text(path, after), path, path,
+                        [](const Labels& /*labels*/) { return Tolerance{}; });
+    for (const auto& [old, now] : difference.axes)
+      charts.push_back(Json::parse(chart_data(now, old)));
+    object["difference"] = to_text(difference);
+  } catch (const InputError& error) {
+    object["difference"] = error.what();
+    charts.clear();
+  }
+  object["charts"] = std::move(charts);
 }
 
 }  // namespace jounce::edit_detail

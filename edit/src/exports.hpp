@@ -6,6 +6,8 @@
 
 #include "jounce/controllers/table_target.hpp"
 
+#include "edit/src/json_reader.hpp"
+
 namespace jounce::edit_detail {
 
 /// The functions read the text of a spec with the file name `path`. They throw InputError for a text
@@ -30,10 +32,10 @@ Exported exported_table(const std::string& path, const std::string& text,
 /// Returns the page of `jounce report` for an axis.
 std::string exported_report(const std::string& path, const std::string& text, std::size_t axis);
 
-/// Returns the differences of two texts as the members of a JSON object, without its braces:
-/// "difference", the output of `jounce diff`, and "charts", each with both curves. If one of the
-/// texts describes no motion, "difference" is its error.
-std::string difference_members(const std::string& path, const std::string& before,
-                               const std::string& after);
+/// Adds the differences of two texts to a JSON object: "difference", the output of `jounce diff`, and
+/// "charts", each with both curves. If one of the texts describes no motion, "difference" is its
+/// error.
+void add_difference(Json& object, const std::string& path, const std::string& before,
+                    const std::string& after);
 
 }  // namespace jounce::edit_detail

@@ -13,8 +13,12 @@ namespace jounce::edit_detail {
 
 using nlohmann::json;
 
-std::string json_text(const std::string& text) {
-  return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+std::string text_of(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json or_null(const std::optional<std::string>& text) {
+  return text ? Json(*text) : Json();
 }
 
 JsonReader::JsonReader(const char* name, const std::string& text)

@@ -12,8 +12,12 @@
 
 namespace jounce::edit_detail {
 
-/// Returns a text as JSON, in quotes. Bytes that are not UTF-8 are replaced.
-std::string json_text(const std::string& text);
+using Json = nlohmann::ordered_json;
+
+/// Returns a value as JSON text. Bytes that are not UTF-8 are replaced.
+std::string text_of(const Json& value);
+/// Returns a text as a value; null for nullopt.
+Json or_null(const std::optional<std::string>& text);
 
 /// Reads the members of a JSON object from a request. Getters throw InputError for a missing key
 /// and for a value of another type.

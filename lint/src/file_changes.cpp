@@ -41,6 +41,7 @@ Version version(const Input& input, const std::string& name, bool as_table) {
   made.curve = *LazyCurve(input.table.table);
   made.knots.clear();
   made.knot_names.clear();
+  made.table.reset();
   return made;
 }
 

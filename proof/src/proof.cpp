@@ -104,7 +104,9 @@ Proof prove(const Input& input, const ProofOptions& options) {
   add_part(proof.report, proof.curve.report, "exact curve");
   add_part(proof.report, proof.table.report, "table");
   Report fit = check_all(input);
-  std::erase_if(fit.findings, [](const Finding& f) { return f.rule != "table/position"; });
+  std::erase_if(fit.findings, [](const Finding& f) {
+    return f.rule != "table/position" && f.rule != "warning/older_table";
+  });
   add_part(proof.report, fit, "table");
   if (input.drive) {
     constexpr std::size_t compared = 201;
@@ -170,6 +172,10 @@ std::string proof_answer(const Proof& proof, const Input& input) {
   if (!proof.drive)
     text += fmt::format("  {:<12} not checked: only a spec with a [drive] has a servo model\n",
                         "drive");
+  for (const Finding& f : proof.report.findings)
+    if (f.rule == "warning/older_table")
+      text += fmt::format("  {:<12} warn: {}\n  {:<12} -> {}\n", "table", sentence(f, input.labels),
+                          "", f.advice);
   if (!proof.report.ok()) text += "\n" + full_text(proof.report, input.labels);
   return text;
 }

@@ -9,7 +9,10 @@
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/table.hpp"
+
+#include "report/src/words.hpp"
 
 namespace jounce {
 namespace {
@@ -79,6 +82,33 @@ std::vector<Remark> remarks_of(const Curve<Over>& a, const Curve<Over>& b, const
 bool tolerated(const Change& change, std::size_t order, const Tolerance& tolerance) {
   const auto most = permitted(change, order, tolerance);
   return change.none() || !most || std::abs(change.largest.value) <= *most;
+}
+
+/// The table of a version as a version of its own.
+Version version_of_table(const Version& version) {
+  Version table{version.name, version.curve, version.labels};
+  std::visit([&]<class Over>(Curve<Over>& curve) { curve = version.table->curve<Over>(); },
+             table.curve);
+  table.labels.segments.clear();
+  return table;
+}
+
+/// The difference between the tables of two versions, if their requirements differ.
+std::optional<Remark> table_remark(const Version& before, const Version& after,
+                                   const Tolerance& tolerance) {
+  if (!before.table || !after.table || before.table_options == after.table_options)
+    return std::nullopt;
+  const Comparison tables = compare(version_of_table(before), version_of_table(after), tolerance);
+  if (tables.equal()) return std::nullopt;
+  const auto text = [](const Version& version) {
+    return jounce::counted(version.table->size(), "knot") +
+           (version.table_options.empty() ? "" : ", " + version.table_options);
+  };
+  const Extremum& largest = tables.changes[0].largest;
+  return Remark{"[table]", text(before),
+                text(after) + "; the tables differ by up to " +
+                    with_unit(std::abs(largest.value), after.labels.units.position) + " at " +
+                    with_unit(largest.where, after.labels.units.x)};
 }
 
 template <class Over>
@@ -159,6 +189,8 @@ Comparison compare(const Version& before, const Version& after, const Tolerance&
         result.knot_names_before = before.knot_names;
         result.knot_names_after = after.knot_names;
         result.remarks = remarks_of(*a, b, old, after, before.labels.units);
+        if (auto remark = table_remark(before, after, tolerance))
+          result.remarks.push_back(*std::move(remark));
         return result;
       },
       after.curve);

@@ -55,6 +55,11 @@ constexpr std::array rules{
     RuleInfo{"warning/no_limits",
              "No limit is given: the check compares the motion with nothing, and cannot fail.",
              "Give [limits] in the spec, or --limit for a table."},
+    RuleInfo{
+        "warning/older_table",
+        "The spec that the table names has changed since the table was made.",
+        "Make the table again with the command of the finding, or compare it with `jounce check "
+        "TABLE --against SPEC`."},
     RuleInfo{"warning/overshoot", "The segment leaves the range between its end values.",
              "Move the knots, or lower the velocities at them."},
     RuleInfo{"warning/velocity_overshoot",

@@ -132,6 +132,9 @@ std::string of_warning(const Finding& f, const std::string& value, const std::st
     return f.quantity + " is not checked: the check compares the motion with nothing";
   if (f.rule == "warning/no_limits")
     return "no limit is given: the check compares the motion with nothing";
+  if (f.rule == "warning/older_table")
+    return "the table is older than its spec: " + f.quantity +
+           " has changed since the table was made";
   if (f.rule == "warning/overshoot")
     return fmt::format("position {} at {} is beyond the segment's end {} by {} of the travel",
                        value, where, with_unit(f.limit, unit), percent(f.margin));

@@ -506,12 +506,12 @@ TEST_F(Cli, AnOutputHasTheExtensionOfItsFormat) {
       run("report " + cam + " -o no/o.html").err,
       "jounce: --output = no/o.html: cannot be written, because the folder no does not exist: "
       "make it first\n");
-  EXPECT_EQ(run("design " + cam + " -o table").status, 0);
+  EXPECT_EQ(run("design " + cam + " -o table").status, 1);
 }
 
 TEST_F(Cli, DesignDoesNotKeepQuietOfWhatCheckFinds) {
   const Result broken = run("design " + cam + " -o broken.csv");
-  EXPECT_EQ(broken.status, 0);  // the table is what was asked for
+  EXPECT_EQ(broken.status, 1);  // a CI that only designs sees it; the table is written
   EXPECT_THAT(broken.out, HasSubstr("jounce check: 2 findings; the worst: geo_velocity"));
   EXPECT_THAT(run("design " + cam + " -o broken.csv --json").out, HasSubstr("\"broken\":2"));
 }
@@ -791,17 +791,37 @@ TEST_F(Cli, LimitsFromTheCommandLineTakeUnits) {
   EXPECT_EQ(wrong.status, 2);
   EXPECT_THAT(wrong.err,
               HasSubstr("mm is not a unit of this quantity: give the value in pulse/pulse"));
-  EXPECT_EQ(run("check " + cam + " --limit velocity=4").status, 2);
+  EXPECT_EQ(run("check " + cam + " --limit velocity=4 --master-velocity 1000").status, 1);
+  EXPECT_EQ(run("check " + cam + " --limit velocty=4").status, 2);
   EXPECT_EQ(run("check " + cam + " --limit geo_velocity=nan").status, 2);
+}
+
+TEST_F(Cli, ATableIsComparedWithItsSpec) {
+  EXPECT_EQ(run("new cam -o feeder.toml").status, 0);
+  EXPECT_EQ(run("design feeder.toml -o feeder.csv").status, 0);
+  EXPECT_EQ(run("convert feeder.toml feeder.st").status, 0);
+  EXPECT_EQ(run("check feeder.csv feeder.st --against feeder.toml --strict").status, 0);
+  const std::string spec = slurp(folder / "feeder.toml");
+  write("feeder.toml", spec + "# another text\n");
+  for (const char* verb : {"check", "validate"}) {
+    const Result older = run(std::string(verb) + " . --strict");
+    EXPECT_EQ(older.status, 1) << verb;
+    EXPECT_THAT(older.out, HasSubstr("feeder.toml has changed since the table was made"));
+    EXPECT_THAT(older.out, HasSubstr("`jounce design feeder.toml -o feeder.csv`"));
+  }
+  EXPECT_EQ(run("check feeder.csv --against feeder.toml --strict").status, 0);
+  EXPECT_EQ(run("check feeder.csv --tolerance 1e-3").err,
+            "jounce: --tolerance = 1e-3: needs --baseline or --against\n");
+  EXPECT_EQ(run("check feeder.csv --against feeder.csv").status, 2);
 }
 
 TEST_F(Cli, DesignPipesAndReadsBack) {
   const Result csv = run("design " + cam);
-  EXPECT_EQ(csv.status, 0);
+  EXPECT_EQ(csv.status, 1);
   EXPECT_THAT(csv.out, StartsWith("# jounce table 1\n"));
   EXPECT_EQ(run("design " + cam + " | " JOUNCE_EXE " check - --limit geo_velocity=4").status, 0);
-  EXPECT_EQ(run("design " + cam + " -o t.csv --curve c.json").status, 0);
-  EXPECT_EQ(run("design " + cam + " -o t.json").status, 0);
+  EXPECT_EQ(run("design " + cam + " -o t.csv --curve c.json").status, 1);
+  EXPECT_EQ(run("design " + cam + " -o t.json").status, 1);
   EXPECT_EQ(files(), (std::vector<std::string>{"c.json", "t.csv", "t.json"}));
   EXPECT_EQ(json::parse(slurp(folder / "c.json"))["segments"].size(), 4U);
   EXPECT_EQ(run("check t.json").status, 0);
@@ -1108,7 +1128,7 @@ TEST_F(Cli, TextThatCannotBeWrittenIsAFault) {
 }
 
 TEST_F(Cli, AClosedStandardOutputDiscards) {
-  EXPECT_EQ(run("design " + cam + " -o table.csv >&-").status, 0);
+  EXPECT_EQ(run("design " + cam + " -o table.csv >&-").status, 1);
   const std::string table = slurp(folder / "table.csv");
   EXPECT_THAT(table, StartsWith("# jounce table 1\n"));
   EXPECT_THAT(table, Not(HasSubstr("certified")));
@@ -1179,7 +1199,7 @@ TEST_F(Cli, AToleranceBelowTheRoundingIsRefused) {
 }
 
 TEST_F(Cli, AUnitOfConvertIsRefusedByTheNameOfItsOption) {
-  ASSERT_EQ(run("design " + cam + " -o given.csv").status, 0);
+  ASSERT_EQ(run("design " + cam + " -o given.csv").status, 1);
   EXPECT_EQ(run("convert given.csv out.csv --master-unit J").err,
             "jounce: --master-unit = J: cannot be converted from the unit of the table, pulse\n");
   EXPECT_EQ(
@@ -1408,7 +1428,7 @@ TEST_F(Cli, DiffOfSeveralAxesPairsThemByName) {
 }
 
 TEST_F(Cli, ConvertsThereAndBackWithoutLoss) {
-  EXPECT_EQ(run("design " + cam + " -o a.csv").status, 0);
+  EXPECT_EQ(run("design " + cam + " -o a.csv").status, 1);
   EXPECT_EQ(run("convert a.csv a.xyva").status, 0);
   EXPECT_EQ(run("convert a.xyva a.st").status, 0);
   EXPECT_EQ(run("convert a.st b.csv").status, 0);
@@ -1483,7 +1503,7 @@ TEST_F(Cli, ConvertJudgesSplinesAsSplines) {
 
 TEST_F(Cli, TakesOneOfTheCamsOfADeclaration) {
   for (const char* name : {"A", "B"}) {
-    EXPECT_EQ(run("design " + cam + " -o " + name + ".csv").status, 0);
+    EXPECT_EQ(run("design " + cam + " -o " + name + ".csv").status, 1);
     EXPECT_EQ(run(std::string("convert ") + name + ".csv " + name + ".st").status, 0);
   }
   std::string both = slurp(folder / "A.st") + slurp(folder / "B.st");

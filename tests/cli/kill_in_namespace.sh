@@ -4,7 +4,7 @@
 set -eu
 . "$(dirname "$0")/namespace.sh"
 sed 's/^rule = .*/rule = "linear"\nintervals = 400000/' "$2/cam.toml" > "$scratch/long.toml"
-"$1" design "$scratch/long.toml" -o "$scratch/long.csv" 2> /dev/null > /dev/null
+"$1" design "$scratch/long.toml" -o "$scratch/long.csv" 2> /dev/null > /dev/null || test $? = 1  # 1: its limits are broken
 "$1" stream "$scratch/long.toml" --to nobody --patience 8 2> "$scratch/err" && fail "there was no answer, yet it succeeded"
 grep -q "no answer from" "$scratch/err" || fail "the error is not no_answer: $(cat "$scratch/err")"
 

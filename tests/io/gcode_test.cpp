@@ -106,7 +106,7 @@ TEST(Gcode, TakesARadiusThatIsRoundedDownForAHalfCircle) {
       parsed("F600\nG2 X7 Y7 R4.94974\n").program.arcs()[0];  // half the chord: 4.949747...
   EXPECT_NEAR(arc.sweep, std::numbers::pi, 1e-9);
   EXPECT_THAT(complaint("F600\nG2 X7 Y7 R4.9\n"),
-              HasSubstr("must be at least 4.94975 mm, half the distance from start to end"));
+              HasSubstr("must be at least 4.94975 mm, half the distance from the start"));
 }
 
 TEST(Gcode, TakesTheCenterInTheSelectedPlane) {
@@ -219,7 +219,8 @@ TEST(Gcode, RefusesEverythingElseWithItsPlace) {
               HasSubstr("part.ngc:1:14: R1: cannot be combined with I, J, K"));
   EXPECT_THAT(
       complaint("F60 G2 X10 R1\n"),
-      HasSubstr("part.ngc:1:12: R1: must be at least 5 mm, half the distance from start to end"));
+      HasSubstr("part.ngc:1:12: R1: must be at least 5 mm, half the distance from the start (0, 0) "
+                "to the end (10, 0)"));
   EXPECT_THAT(complaint("F60 G2 X10 I2\n"),
               HasSubstr("part.ngc:1:12: I2: is 2 mm from the start and 8 mm from the end"));
   EXPECT_THAT(complaint("G20\nF60 G2 X10 I2\n"),

@@ -72,5 +72,16 @@ TEST(UpText, NamesTheAxesAndTheNextCommand) {
             "plotter enable");
 }
 
+TEST(UpText, SaysThatThePositionOfADriveIsNotMeasured) {
+  std::vector<ExecutorOptions> axes(1);
+  axes[0].receiver.executor = "feeder";
+  axes[0].axis.position = 63.5;
+  axes[0].units.position = "mm";
+  EXPECT_EQ(up_text(axes, true), "feeder: up, enabled") << "no drive: the setpoint is the position";
+  axes[0].drive = std::make_shared<NullDrive>(63.5);
+  EXPECT_EQ(up_text(axes, true),
+            "feeder: up, enabled; the position is that of the spec, not measured: feeder 63.5 mm");
+}
+
 }  // namespace
 }  // namespace jounce::run_text_test

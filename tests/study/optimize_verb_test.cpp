@@ -258,6 +258,31 @@ TEST_F(OptimizeVerb, EndsASearchOverKnotsInTime) {
   expect_checked("knots-no-budget");
 }
 
+/// A free shape begins at the end of its range, where the slave still moves outwards.
+TEST_F(OptimizeVerb, ARangeThatEndsInMotionIsOneRowWithItsCause) {
+  std::ofstream(path("range.toml"))
+      << "jounce = 1\nkind = \"cam\"\nperiodic = true\n"
+         "units = { master = \"deg\", position = \"mm\" }\nstart = { master = 0, slave = 0 }\n"
+         "[[segment]]\nlaw = \"345\"\nend = { master = 170, slave = 80, geo_velocity = 0.1 }\n"
+         "[[segment]]\nlaw = \"line\"\nend = { master = 200, slave = 83 }\n"
+         "[[segment]]\nlaw = \"quintic\"\nfree = { shape = 20 }\n"
+         "end = { master = 360, slave = 0 }\n"
+         "[limits]\nposition_min = 0\nposition_max = 83\n"
+         "[limits.slave]\njerk = \"9000 m/s^3\"\n[master]\nvelocity = \"150 rpm\"\n"
+         "[optimize]\nminimize = [\"peak jerk\"]\n";
+  const Ran ran = jounce("optimize range.toml -o better.toml");
+  EXPECT_EQ(ran.status, 1) << ran.output;
+  const std::string row = "BROKEN limit/position_max";
+  const auto first = ran.output.find(row);
+  ASSERT_NE(first, std::string::npos) << ran.output;
+  EXPECT_EQ(ran.output.find(row, first + 1), std::string::npos) << ran.output;
+  EXPECT_THAT(
+      ran.output,
+      HasSubstr("the range ends where the slave still moves outwards: at 200 deg it is at the "
+                "limit 83 mm and has geo_velocity 0.1 mm/deg"));
+  EXPECT_THAT(ran.output, Not(HasSubstr("mm/s^3"))) << "the unit of the spec is m/s^3";
+}
+
 // ---- any spec -----------------------------------------------------------------------------------
 
 /// A cam with some freedom, some limits and one or two objectives.

@@ -2,6 +2,7 @@
 #include "jounce/design/files/file_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/units.hpp"
+#include "jounce/design/against.hpp"
 #include "jounce/design/cam_check.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -45,14 +47,93 @@ void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
         "limit", text,
         fmt::format("must be KEY=VALUE with one of the keys {}", fmt::join(known, ", ")));
   const std::string near = nearest(key, known);
-  const bool over_time =
-      labels.over_master &&
-      std::find(OverTime::names.begin(), OverTime::names.end(), key) != OverTime::names.end();
   throw InputError(
       "limit", text,
-      fmt::format("{} is not a limit here: use one of {}{}{}", key, fmt::join(known, ", "),
-                  near.empty() ? "" : ": did you mean " + near + "?",
-                  over_time ? "; [limits.slave] of the spec has the limits over time" : ""));
+      fmt::format("{} is not a limit here: use one of {}{}", key, fmt::join(known, ", "),
+                  near.empty() ? "" : ": did you mean " + near + "?"));
+}
+
+/// The order of the derivative over time that a text limits, 1 to 3; 0 for any other text.
+std::size_t order_over_time(const std::string& text) {
+  const auto equals = text.find('=');
+  const auto name = std::find(OverTime::names.begin() + 1, OverTime::names.end(),
+                              equals == std::string::npos ? "" : text.substr(0, equals));
+  return name == OverTime::names.end() ? 0
+                                       : static_cast<std::size_t>(name - OverTime::names.begin());
+}
+
+/// A quantity of an option, and the unit that its text gives.
+double given_quantity(const std::string& key, const std::string& text, const std::string& value,
+                      const std::string& unit) {
+  try {
+    const double number = quantity(value, unit);
+    if (!(number > 0)) throw InputError("", value, "must be greater than 0");
+    return number;
+  } catch (const InputError& error) {
+    throw InputError(key, text, error.rule());
+  }
+}
+
+/// The spec of a table alone: its units, and no motion of its own.
+Spec spec_of_table(const Input& input) {
+  const Units& units = input.labels.units;
+  if (units.x.empty() || units.position.empty())
+    throw InputError("limit", "",
+                     "over time needs units, and " + input.name +
+                         " has none: give its spec with --against, or convert it with "
+                         "--master-unit and --position-unit");
+  Spec spec;
+  spec.name = input.name;
+  spec.units = units;
+  spec.time_unit = "s";
+  spec.subject = NamedCam{std::get<Cam>(*input.curve), {}};
+  return spec;
+}
+
+/// The velocity of the master of a cam, per unit of time: "900 deg/s", or cycles as "150 cpm".
+double master_velocity_of(const Input& input, const std::string& text) {
+  const std::string unit = rate_unit(input.labels.units.x, input.spec->time_unit, 1);
+  const std::string cycles = rate_unit("", input.spec->time_unit, 1);
+  const std::string given(quantity_unit(text));
+  const Cam& cam = std::get<Cam>(*input.curve);
+  if (repeats(cam.outside()) && is_unit(given) && !is_convertible(given, unit) &&
+      is_convertible(given, cycles))
+    return given_quantity("master_velocity", text, text, cycles) * cam.length();
+  return given_quantity("master_velocity", text, text, unit);
+}
+
+/// Sets the limits of a cam over time, and the speed of its master.
+void set_slave_limits(Input& input, const std::vector<std::string>& texts,
+                      const std::string& master_velocity) {
+  if (!input.spec) input.spec = spec_of_table(input);
+  Spec& spec = *input.spec;
+  const std::array limits{&spec.slave.velocity, &spec.slave.acceleration, &spec.slave.jerk};
+  for (const std::string& text : texts) {
+    const std::size_t k = order_over_time(text);
+    const std::string value = text.substr(text.find('=') + 1);
+    const std::string unit = rate_unit(spec.units.position, spec.time_unit, static_cast<int>(k));
+    *limits[k - 1] = given_quantity("limit " + std::string(OverTime::names[k]), value, value, unit);
+    if (const std::string given(quantity_unit(value)); !given.empty())
+      spec.document.given["limits.slave." + std::string(OverTime::names[k])] = given;
+  }
+  if (!master_velocity.empty()) {
+    const double length = std::get<Cam>(*input.curve).length();
+    if (!spec.master) spec.master = MasterSpec{0, length, {}};
+    spec.master->velocity = master_velocity_of(input, master_velocity);
+    spec.document.given["master.velocity"] = std::string(quantity_unit(master_velocity));
+    if (spec.document.given["master.velocity"].empty())
+      spec.document.given.erase("master.velocity");
+  }
+  if (!spec.master)
+    throw InputError("limit", texts.front(),
+                     "is over time, and the speed of the master is not given: add "
+                     "--master-velocity, such as \"900 " +
+                         rate_unit(spec.units.x, spec.time_unit, 1) + "\"");
+}
+
+bool limits_slave(const Input& input) {
+  return input.spec &&
+         (input.spec->slave.velocity || input.spec->slave.acceleration || input.spec->slave.jerk);
 }
 
 }  // namespace
@@ -75,7 +156,12 @@ EngageState engage_state(const Input& input, const EngageTexts& texts) {
                         std::optional<double>& value) {
     if (text.empty()) return;
     if (!input.spec || !input.spec->coupling)
-      throw InputError(key, text, "needs a spec with [coupling]");
+      throw InputError(key, text,
+                       input.labels.over_master && std::string(key) == "master_velocity"
+                           ? "needs a spec with [coupling], or a limit over time (--limit "
+                             "velocity, acceleration "
+                             "or jerk)"
+                           : "needs a spec with [coupling]");
     try {
       value = quantity(text, unit);
     } catch (const InputError& error) {
@@ -86,6 +172,26 @@ EngageState engage_state(const Input& input, const EngageTexts& texts) {
   read("master", texts.master, units.x, at.master);
   read("master_velocity", texts.master_velocity, rate_unit(units.x, "s", 1), at.master_velocity);
   return at;
+}
+
+std::vector<Report> check_reports(std::vector<Input>& axes, const CheckOptions& options) {
+  if (!options.against.empty()) set_against(axes, options.against, options.tolerances);
+  std::vector<Report> reports;
+  for (Input& input : axes) {
+    std::vector<std::string> own, over_time;
+    for (const std::string& text : options.limits)
+      (input.labels.over_master && order_over_time(text) > 0 ? over_time : own).push_back(text);
+    set_limits(input.limits, own, input.labels);
+    EngageTexts start = options.start;
+    const bool has_coupling = input.spec && input.spec->coupling;
+    const bool sets_speed = !start.master_velocity.empty() && input.labels.over_master &&
+                            (!over_time.empty() || (limits_slave(input) && !has_coupling));
+    if (!over_time.empty() || sets_speed)
+      set_slave_limits(input, over_time, sets_speed ? start.master_velocity : "");
+    if (sets_speed && !has_coupling) start.master_velocity.clear();
+    reports.push_back(axis_report(input, options.continuity, engage_state(input, start)));
+  }
+  return reports;
 }
 
 Report axis_report(const Input& input, int continuity, const EngageState& at) {

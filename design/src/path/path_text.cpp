@@ -107,6 +107,8 @@ std::string places_text(const PathSummary& s, const Along& units) {
   return text;
 }
 
+constexpr auto many_short_lines = 20;  ///< corners
+
 /// One line for each kind of note: the number of notes, and the first one in words.
 std::string notes_text(const PathSummary& s, const Along& units) {
   std::string text;
@@ -117,6 +119,9 @@ std::string notes_text(const PathSummary& s, const Along& units) {
     const auto count = std::count_if(first, s.corners.end(), has);
     text += fmt::format("warning: line {}: {}", first->line, explain(*first, units.length));
     if (count > 1) text += fmt::format(" {} corners in all have this note.", count);
+    if (count >= many_short_lines && first->note == JointNote::short_sides)
+      text +=
+          " For many short lines, use corner = { average = 0.02 } in [path], with your tolerance.";
     text += '\n';
   }
   return text;

@@ -160,14 +160,19 @@ StreamOffer stream_offer(const std::string& path, const std::string& text,
   return offer;
 }
 
-std::string members_of(const StreamOffer& offer) {
-  return fmt::format(
-      R"("confirmation":{},"to":{},"url":{},"table":{},"knots":{},"begin":{},"duration":{},)"
-      R"("time_unit":{},"start":{},"position_unit":{},"axis":{})",
-      json_text(offer.confirmation), json_text(offer.executor), json_text(offer.link.url),
-      offer.hash.empty() ? "null" : json_text(offer.hash), offer.knots, json_text(offer.begin),
-      offer.duration, json_text(offer.time_unit), offer.start, json_text(offer.position_unit),
-      offer.axis.empty() ? "null" : json_text(offer.axis));
+void add_to(Json& object, const StreamOffer& offer) {
+  const auto known = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+  object.update({{"confirmation", offer.confirmation},
+                 {"to", offer.executor},
+                 {"url", offer.link.url},
+                 {"table", known(offer.hash)},
+                 {"knots", offer.knots},
+                 {"begin", offer.begin},
+                 {"duration", offer.duration},
+                 {"time_unit", offer.time_unit},
+                 {"start", offer.start},
+                 {"position_unit", offer.position_unit},
+                 {"axis", known(offer.axis)}});
 }
 
 std::unique_ptr<Job> stream_job(StreamOffer offer) {

@@ -11,6 +11,7 @@
 #include "jounce/stream/transport/keyed_link.hpp"
 
 #include "edit/src/jobs/job.hpp"
+#include "edit/src/json_reader.hpp"
 
 namespace jounce::edit_detail {
 
@@ -49,8 +50,8 @@ struct StreamOffer {
 StreamOffer stream_offer(const std::string& path, const std::string& text,
                          const StreamRequest& request);
 
-/// Returns the facts of an offer as the members of a JSON object, without its braces.
-std::string members_of(const StreamOffer& offer);
+/// Adds the facts of an offer to a JSON object.
+void add_to(Json& object, const StreamOffer& offer);
 
 /// Starts to send the table of an offer, and then its motion. If it is stopped before the motion has
 /// begun, nothing moves.

@@ -110,7 +110,7 @@ std::optional<Refusal> AxisServer::unfit(const ArmRequested& arm) const {
   if (live && options_.follow.what == Follow::What::nothing)
     return Refusal{.cause = Cause::no_master_input};
   if (differ(options_.units.position, arm.slave.units.position) ||
-      ((arm.master || live) && differ(options_.units.x, arm.slave.units.x)))
+      (live && differ(options_.units.x, arm.slave.units.x)))
     return Refusal{.cause = Cause::wrong_unit};
   return std::nullopt;
 }

@@ -38,6 +38,24 @@ std::string timing(const ExecutorSummary& summary) {
 
 }  // namespace
 
+namespace {
+
+/// "; the positions are those of the specs, not measured: feeder 0 mm": an axis may have stood
+/// elsewhere when its executor ended.
+std::string assumed_text(const std::vector<ExecutorOptions>& axes) {
+  std::vector<std::string> all;
+  for (const auto& axis : axes)
+    if (!axis.group && axis.drive)
+      all.push_back(fmt::format("{} {} {}", axis.receiver.executor, six_digits(axis.axis.position),
+                                axis.units.position));
+  if (all.empty()) return "";
+  return fmt::format("; {} of the spec, not measured: {}",
+                     all.size() == 1 ? "the position is that" : "the positions are those",
+                     fmt::join(all, ", "));
+}
+
+}  // namespace
+
 std::string up_text(const std::vector<ExecutorOptions>& axes, bool enabled) {
   std::vector<std::string> on;
   std::vector<std::string> off;
@@ -50,7 +68,7 @@ std::string up_text(const std::vector<ExecutorOptions>& axes, bool enabled) {
     text += fmt::format("{}: up, disabled; enable {}: jounce order {} enable", fmt::join(off, ", "),
                         off.size() == 1 ? "it with" : "each, in this order",
                         fmt::join(off, " enable, jounce order "));
-  return text;
+  return text + assumed_text(axes);
 }
 
 std::string summary_text(const ExecutorSummary& summary) {

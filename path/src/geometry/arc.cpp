@@ -44,6 +44,11 @@ Point in_plane(const Point& p, Plane plane) {
   return q;
 }
 
+/// The coordinates in a plane: "(30, 25)".
+std::string shown(const Point& p, Plane plane) {
+  return "(" + six_digits(p[plane.first]) + ", " + six_digits(p[plane.second]) + ")";
+}
+
 /// e1 rotated by 90 degrees in a plane, in the direction of rotation.
 Point turned(const Point& e1, Plane plane, double sense) {
   Point e2{};
@@ -168,9 +173,10 @@ Arc arc_of_radius(const Point& from, double radius, const Point& to, Plane plane
                      "does not determine the center, because start and end are the same point: "
                      "give the center for a full circle, or correct the end");
   if (half > r * (1 + coincident))
-    throw InputError(
-        "radius", radius,
-        "must be at least " + six_digits_up(half) + ", half the distance from start to end");
+    throw InputError("radius", radius,
+                     "must be at least " + six_digits_up(half) +
+                         ", half the distance from the start " + shown(from, plane) +
+                         " to the end " + shown(to, plane));
   const double height = std::sqrt(std::max((r - half) * (r + half), 0.0));
   const Point along = vec::scaled(chord, 0.5 / half);
   // Counterclockwise the center of a minor arc lies to the left of the chord.

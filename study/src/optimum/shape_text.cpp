@@ -60,11 +60,13 @@ std::string active_text(const CamRunOutcome& run, const ShapeWords& words) {
 std::string run_text(const CamRunOutcome& run, const ShapeWords& words) {
   std::string text = fmt::format("  {:<24} {:>12} {:>12} {:>12} {:>12}   segments {}\n", "",
                                  "given", "reached", "bound", "could save", words.segments(run));
-  for (const PrintedFigure& t : printed_figures(run, words))
-    text +=
-        fmt::format("  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", t.spec.name, rounded(t.given),
-                    rounded(t.reached), t.bound ? rounded(*t.bound) : "-",
-                    t.could_save ? fmt::format("{:.2f} %", 100 * *t.could_save) : "-", t.spec.unit);
+  for (const PrintedFigure& t : printed_figures(run, words)) {
+    const auto [unit, size] = words.unit_in_spec(t.spec.unit);
+    text += fmt::format("  {:<24} {:>12} {:>12} {:>12} {:>12}   {}\n", t.spec.name,
+                        rounded(t.given * size), rounded(t.reached * size),
+                        t.bound ? rounded(*t.bound * size) : "-",
+                        t.could_save ? fmt::format("{:.2f} %", 100 * *t.could_save) : "-", unit);
+  }
   text += active_text(run, words);
   if (const Finding* next = next_limit(run))
     text += fmt::format("  - {} is {:.0f} % below its limit, closest at {}\n", next->quantity,

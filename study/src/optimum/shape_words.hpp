@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -71,13 +72,24 @@ class ShapeWords {
   void give_unit(Finding& finding) const {
     for (std::size_t k = 1; k < OverTime::names.size(); ++k) {
       if (finding.quantity != OverTime::names[k] || !finding.unit.empty()) continue;
-      const std::string own = rate_unit(spec_.units.position, spec_.time_unit, static_cast<int>(k));
-      finding.unit =
-          spec_.document.given_unit(std::string("limits.slave.") + OverTime::names[k], own);
-      const double size = conversion(own, finding.unit);
+      const auto [unit, size] =
+          unit_in_spec(rate_unit(spec_.units.position, spec_.time_unit, static_cast<int>(k)));
+      finding.unit = unit;
       finding.value *= size;
       finding.limit *= size;
     }
+  }
+
+  /// Returns the unit in which the spec limits a rate over time, and its size: "m/s^2" for "mm/s^2".
+  [[nodiscard]] std::pair<std::string, double> unit_in_spec(const std::string& unit) const {
+    for (std::size_t k = 1; k < OverTime::names.size(); ++k) {
+      const std::string own = rate_unit(spec_.units.position, spec_.time_unit, static_cast<int>(k));
+      if (unit != own) continue;
+      const std::string given =
+          spec_.document.given_unit(std::string("limits.slave.") + OverTime::names[k], own);
+      return {given, conversion(own, given)};
+    }
+    return {unit, 1};
   }
 
   /// Returns the findings on a run with the places and the segments of the cam, not of the run.

@@ -7,11 +7,21 @@
 #include <variant>
 #include <vector>
 
+#include "jounce/controllers/exchange/exchange_format.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/io/table_file.hpp"
 #include "jounce/report/report_text.hpp"
 
 namespace jounce {
+
+/// The comparison of a finished table with its spec (set_against() in jounce/design/against.hpp).
+struct AgainstSpec {
+  std::string spec;      ///< path of the spec
+  SampleError error;     ///< deviation of the table from the curve of the spec
+  double tolerance = 0;  ///< greatest permitted deviation of the position
+  double digits = 0;     ///< share of a number that the rounding in the file may change
+  std::vector<std::string> broken = {};  ///< rules that the curve of the spec breaks, too
+};
 
 /// The input of a verb such as `jounce check`: one axis of a spec with its curve and table, or a
 /// table from a file.
@@ -41,6 +51,10 @@ struct Input {
   /// Bound of the error of the curve itself, which the error of the table includes: the error of
   /// cam operators with a tolerance, and of a slave over time.
   double fit = 0;
+  std::string file = {};        ///< path of the file; "-": standard input
+  std::string newer_spec = {};  ///< for a table: the spec that its header names, if it has changed
+  std::optional<AgainstSpec> against = {};  ///< for a table: its comparison with its spec
+  const ExchangeFormat* format = nullptr;   ///< for a table: the format of a controller
 };
 
 /// Calls `act` with the motion of an input: its curve or, if `curve` is the curve of the table, its

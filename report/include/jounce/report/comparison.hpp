@@ -24,6 +24,9 @@ struct Version {
   std::vector<std::string> knot_names = {};
   std::optional<Limits> limits = {};  ///< limits of the version; nullopt if it cannot have limits,
                                       ///< such as a table
+  /// The table that is made from the curve; nullopt if `curve` is the curve of the table.
+  std::optional<Table> table = {};
+  std::string table_options = {};  ///< the requirements for this table, as text
 };
 
 /// Tolerances within which two versions count as equal.
@@ -67,9 +70,11 @@ struct Comparison {
 };
 
 /// Compares two versions: their curves exactly (see difference.hpp), their interval, policy outside
-/// and units, and their limits if both have limits. `before` is converted to the units of `after`,
-/// unless one of them has no units. Throws InputError if one version is over time and the other
-/// over a master, if units do not convert, or if the curves have no common interval.
+/// and units, and their limits if both have limits. If both have a table, and their requirements
+/// differ, the tables are compared as well: a difference beyond the tolerance is a remark. `before`
+/// is converted to the units of `after`, unless one of them has no units. Throws InputError if one
+/// version is over time and the other over a master, if units do not convert, or if the curves have
+/// no common interval.
 Comparison compare(const Version& before, const Version& after, const Tolerance& tolerance = {});
 
 /// Returns the version in other units: curve, knots and limits. If the old or the new unit is

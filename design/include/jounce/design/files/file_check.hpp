@@ -30,6 +30,23 @@ EngageState engage_state(const Input& input, const EngageTexts& texts);
 /// peaks without a limit, and a warning if no limits are given.
 Report axis_report(const Input& input, int continuity = 1, const EngageState& at = {});
 
+/// Options of check_reports().
+struct CheckOptions {
+  /// Limits as for set_limits(). For a cam, "velocity=...", "acceleration=..." and "jerk=..." limit
+  /// the slave over time, behind a master at the velocity of [master] or of `start`.
+  std::vector<std::string> limits = {};
+  EngageTexts start = {};    ///< start of a coupling; master_velocity: also for limits over time
+  int continuity = 1;        ///< highest derivative that must be continuous
+  std::string against = {};  ///< spec of the tables, see set_against(); "": none
+  /// Tolerances for `against`, as for tolerance_of()
+  std::vector<std::string> tolerances = {};
+};
+
+/// Returns the report of `jounce check` for each axis of a file: axis_report(), with the limits and
+/// the spec of the options. The axes receive these limits and this spec. Throws InputError like
+/// set_limits(), set_against() and engage_state().
+std::vector<Report> check_reports(std::vector<Input>& axes, const CheckOptions& options);
+
 /// The check of all axes of a file, and of the path that they follow.
 struct FileCheck {
   std::vector<Report> reports;           ///< one for each axis

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "jounce/design/input.hpp"
+#include "jounce/report/comparison.hpp"
+
+namespace jounce {
+
+/// Gives finished tables the spec from which they were made, so that check_all() compares each table
+/// with the curve and with all limits of the spec: also those over time, behind its [master].
+///
+/// The tables get the units of the spec; a table without units is in these units already. A table
+/// whose file does not state whether the motion repeats behaves outside its interval as the spec
+/// does. A table over time of a cam is compared with the motion of the slave over time. The limits
+/// are those of the table itself, at each knot and between the knots.
+///
+/// `tolerance`: the greatest permitted deviation of the position, as a share of its range or in its
+/// unit. Without it, the tolerance of [table] is permitted or, for the format of a controller, the
+/// default tolerance of `jounce convert` if it is greater.
+///
+/// `tables`: the axes of one file, paired with the axes of the spec by name. Throws InputError (key
+/// "against") for a file that is no spec with a motion, an axis without a partner, units that do not
+/// convert, and a table with another interval.
+void set_against(std::vector<Input>& tables, const std::string& spec_path,
+                 const std::vector<std::string>& tolerance = {});
+
+/// For a table of Jounce: the spec that its header names, if this file exists and has another text
+/// now, so that the table is older; "" otherwise. The path in the header is relative to the current
+/// folder or to the folder of the table. `table_path`: the file of the table.
+std::string newer_spec(const Provenance& provenance, const std::string& table_path);
+
+/// The command that makes a table file again from its spec: "jounce design cam.toml -o cam.csv".
+std::string renewal(const Input& table, const std::string& spec_path);
+
+}  // namespace jounce
