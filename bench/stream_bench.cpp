@@ -22,10 +22,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "jounce/stream/receiver/assembly.hpp"
 #include "jounce/stream/sender/driver.hpp"
 #include "jounce/stream/sender/stream_plan.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
+
+#include "stream/src/receiver/assembly.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/armed_motion.hpp"
+#include "axis/src/motion/armed_motion.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/group_state.hpp"
+#include "axis/src/group/group_state.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/live_player.hpp"
+#include "axis/src/follow/live_player.hpp"
 
 #include <gtest/gtest.h>
 

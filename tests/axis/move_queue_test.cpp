@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/axis/axis.hpp"
-#include "jounce/axis/move_plan.hpp"
 
+#include "axis/src/motion/move_plan.hpp"
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // MC_TouchProbe and MC_AbortTrigger: an axis at a constant acceleration, whose positions are known at
 // every instant.
-#include "jounce/axis/touch_probe.hpp"
+#include "axis/src/probe/touch_probe.hpp"
 
 #include <cmath>
 #include <limits>

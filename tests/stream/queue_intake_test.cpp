@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/receiver/queue_intake.hpp"
+#include "stream/src/receiver/queue_intake.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/receiver/row_intake.hpp"
 #include "jounce/stream/sender/row_sender.hpp"
 
 #include "stream/harness.hpp"
 #include "stream/rows.hpp"
+#include "stream/src/receiver/row_intake.hpp"
 
 namespace jounce::row_test {
 namespace {

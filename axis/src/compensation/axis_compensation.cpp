@@ -2,7 +2,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "jounce/axis/axis.hpp"
+#include "axis/src/state/axis_impl.hpp"
 
 // The compensation of an axis. The drive receives the setpoint plus the correction; so feedback minus
 // the correction of the previous tick is the actual position. A disabled axis follows its drive: its
@@ -12,7 +12,7 @@ namespace jounce {
 
 /// Switches the compensation on or off at the present place of the drive: only the position of the
 /// axis changes.
-MotionAxis::Rejection MotionAxis::set_compensation(bool on) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::set_compensation(bool on) {
   if (!compensation_) return Refusal{Cause::no_compensation};
   if (compensation_->active() == on)
     return Refusal{on ? Cause::compensation_active : Cause::compensation_inactive};
@@ -27,7 +27,7 @@ MotionAxis::Rejection MotionAxis::set_compensation(bool on) {
 }
 
 /// Feedback in the coordinate of the axis.
-void MotionAxis::see_feedback() {
+void MotionAxis::Impl::see_feedback() {
   const double drive = inputs_.feedback.position + now_.offset;
   in_feedback_ = now_.correction[0];
   if (compensation_ && state_ == State::disabled && std::isfinite(drive))
@@ -36,19 +36,19 @@ void MotionAxis::see_feedback() {
 }
 
 /// True while a compensation depends on the coordinate of the axis.
-bool MotionAxis::keeps_coordinate() const {
+bool MotionAxis::Impl::keeps_coordinate() const {
   return (compensation_ && compensation_->active()) || inputs_.referenced;
 }
 
 /// Gives the place of the axis another position, without motion.
-void MotionAxis::rename(double by) {
+void MotionAxis::Impl::rename(double by) {
   commanded_seen_.shift(by);
   actual_seen_.shift(by);
   now_.position += by;
   outputs_.place(SwitchesOf::position);
 }
 
-Jet MotionAxis::compensate(const References& references) {
+Jet MotionAxis::Impl::compensate(const References& references) {
   assert(compensation_);
   compensation_->see(references);
   now_.correction = compensation_->correction();

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "jounce/axis/axis.hpp"
+#include "axis/src/state/axis_impl.hpp"
 
 // The phase shift of an axis that follows a live master.
 
 namespace jounce {
 
-MotionAxis::Rejection MotionAxis::shift_phase(double target, const MoveDynamics& dynamics) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::shift_phase(double target,
+                                                          const MoveDynamics& dynamics) {
   if (base_ != Base::live) return Refusal{Cause::no_master_input};
   if (!std::isfinite(target)) return Refusal{Cause::no_value, target};
   const Peaks engaging = live_->peaks();
@@ -20,11 +21,11 @@ MotionAxis::Rejection MotionAxis::shift_phase(double target, const MoveDynamics&
   return live_.phase().begin(now_.tick, target, dynamics, base, config_);
 }
 
-MotionAxis::Rejection MotionAxis::act(const command::PhasingAbsolute& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::PhasingAbsolute& what) {
   return shift_phase(what.shift, what.dynamics);
 }
 
-MotionAxis::Rejection MotionAxis::act(const command::PhasingRelative& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::PhasingRelative& what) {
   return shift_phase(live_.phase().at(now_.tick)[0] + what.shift, what.dynamics);
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/phase_player.hpp"
+#include "axis/src/follow/phase_player.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/axis/move_plan.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+
+#include "axis/src/motion/move_plan.hpp"
 
 namespace jounce {
 namespace {

@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/axis/axis.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+
+#include "axis/src/state/axis_impl.hpp"
 
 // A group of the machine (AxisGroup in machine.hpp), and an axis of a group. The machine connects
 // them by Inputs::peers: a group reads whether its axes can follow it, an axis whether its group is
@@ -50,14 +51,14 @@ bool suits_group(CommandKind kind) {
 }  // namespace
 
 /// The reason why the axis of an enabled group, or a group, rejects a command of this kind; or none.
-Cause MotionAxis::against_group(CommandKind kind) const {
+Cause MotionAxis::Impl::against_group(CommandKind kind) const {
   if (is_of_member(inputs_.peers) && !suits_member(kind)) return Cause::in_group;
   if (is_group() && !suits_group(kind)) return Cause::single_axis;
   return Cause::none;
 }
 
 /// The reason why a group at rest cannot begin or continue its path, or none.
-MotionAxis::Rejection MotionAxis::against_axes() const {
+MotionAxis::Impl::Rejection MotionAxis::Impl::against_axes() const {
   if (!is_group() || (on_path() && !path_.rests(now_.tick))) return std::nullopt;
   if (inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
   if (inputs_.peers == Peers::away) return axis_refusal(Cause::axis_away);
@@ -65,14 +66,14 @@ MotionAxis::Rejection MotionAxis::against_axes() const {
 }
 
 /// The reason why a group stays in its fault, or none. It keeps its path, so that it can continue.
-MotionAxis::Rejection MotionAxis::against_reset() const {
+MotionAxis::Impl::Rejection MotionAxis::Impl::against_reset() const {
   if (inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
   if (inputs_.peers == Peers::away && moving()) return axis_refusal(Cause::axis_away);
   return std::nullopt;
 }
 
 /// The reason why a group cannot take a longer path, or none.
-MotionAxis::Rejection MotionAxis::against_extension(const command::Extend& what) const {
+MotionAxis::Impl::Rejection MotionAxis::Impl::against_extension(const command::Extend& what) const {
   if (!on_path()) return Refusal{Cause::no_movement};
   if (path_->parts().empty()) return Refusal{Cause::single_axis};
   if (ending_ != Ending::none) return Refusal{Cause::halting};
@@ -86,7 +87,7 @@ MotionAxis::Rejection MotionAxis::against_extension(const command::Extend& what)
 }
 
 /// The setpoints of both paths are equal here, so the group goes on without a step.
-MotionAxis::Rejection MotionAxis::act(const command::Extend& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Extend& what) {
   Movement* const movement = what.movement;
   if (!movement) return Refusal{Cause::no_value};
   auto no = against_extension(what);
@@ -105,7 +106,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Extend& what) {
 
 /// The refusal names the axis of Inputs::master (Peers::away, Peers::failed), whose second number is
 /// its place, or the bits of all axes that are not ready.
-Refusal MotionAxis::axis_refusal(Cause cause) const {
+Refusal MotionAxis::Impl::axis_refusal(Cause cause) const {
   const auto [position, place, number, reason] = inputs_.master;
   if (cause == Cause::axis_not_ready)
     return {.cause = cause, .value = reason, .limit = place, .where = number};
@@ -113,7 +114,7 @@ Refusal MotionAxis::axis_refusal(Cause cause) const {
 }
 
 /// An axis at standstill follows its group from the tick in which the group moves.
-void MotionAxis::follow_group() {
+void MotionAxis::Impl::follow_group() {
   if (inputs_.peers != Peers::led || state_ != State::standstill || moving()) return;
   base_ = Base::group;
   state_ = State::synchronized_motion;
@@ -122,14 +123,14 @@ void MotionAxis::follow_group() {
   joint_ = true;
 }
 
-Cause MotionAxis::advance_group(Setpoint& next) const {
+Cause MotionAxis::Impl::advance_group(Setpoint& next) const {
   const bool led = inputs_.peers == Peers::led || inputs_.peers == Peers::landing;
   next = {0, 0, inputs_.master};
   return led && std::isfinite(inputs_.master[0]) ? Cause::none : Cause::master_lost;
 }
 
 /// Keeps the setpoints of the axes of a group at the rate of this tick.
-void MotionAxis::keep_parts() {
+void MotionAxis::Impl::keep_parts() {
   if (!on_path()) return;
   const std::span<const Jet> parts = path_->parts();
   if (parts.empty()) return;
@@ -138,11 +139,11 @@ void MotionAxis::keep_parts() {
   for (std::size_t k = 0; k < parts.size(); ++k) parts_[k] = at_rate({0, 0, parts[k]}, time).slave;
 }
 
-std::span<const Jet> MotionAxis::parts() const {
+std::span<const Jet> MotionAxis::Impl::parts() const {
   return std::span(parts_).first(part_count_);
 }
 
-std::span<const Jet> MotionAxis::places() const {
+std::span<const Jet> MotionAxis::Impl::places() const {
   return !on_path() && armed_ ? armed_->parts() : parts();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/path_outputs.hpp"
+#include "axis/src/group/path_outputs.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "jounce/axis/axis.hpp"
+#include "axis/src/state/axis_impl.hpp"
 
 // Homing of an axis. The class Homing computes the velocity, and the axis plans the motion
 // to that velocity as for any other move. The position range does not apply: it refers to the home
@@ -48,7 +48,7 @@ std::optional<Refusal> misplaced_home(const HomingSpec& spec, const Limits& limi
                  below ? *limits.position_min : *limits.position_max};
 }
 
-MotionAxis::Rejection MotionAxis::act(const command::Home& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Home& what) {
   if (keeps_coordinate()) return Refusal{Cause::compensation_active};
   const HomingSpec spec = chosen(what, config_.homing);
   const auto method = homing_method(spec.method);
@@ -71,7 +71,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Home& what) {
   return std::nullopt;
 }
 
-Homing::Seen MotionAxis::seen() const {
+Homing::Seen MotionAxis::Impl::seen() const {
   const bool at_rest =
       base_ == Base::move && move_.goal().kind == Goal::Kind::rest && move_.is_over(bare_.tick);
   Sensors sensors = inputs_.feedback.sensors;
@@ -81,7 +81,7 @@ Homing::Seen MotionAxis::seen() const {
 }
 
 /// One tick of the search.
-void MotionAxis::seek() {
+void MotionAxis::Impl::seek() {
   const double before = homing_->velocity();
   homing_->step(seen());
   if (homing_->cause() != Cause::none) return fail(homing_->cause());
@@ -95,7 +95,7 @@ void MotionAxis::seek() {
 }
 
 /// The axis stands beyond its home position, which gets its new coordinate.
-void MotionAxis::find_home() {
+void MotionAxis::Impl::find_home() {
   const double home = homing_->home() + now_.offset;
   const double position = homing_->offset();
   if (!std::isfinite(home)) return fail(Cause::home_not_found);  // the drive had no position there

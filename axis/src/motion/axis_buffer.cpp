@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
-#include "jounce/axis/axis.hpp"
+#include "axis/src/state/axis_impl.hpp"
 
 // Waiting commands: one command for its tick, and the moves that wait for the end of the present
 // motion (BufferMode). The first of these moves takes over when the motion is at rest, or at the
@@ -12,7 +12,7 @@
 namespace jounce {
 
 /// One command with its own tick can wait. The axis checks its conditions in that tick.
-MotionAxis::Rejection MotionAxis::postpone(const Command& command) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::postpone(const Command& command) {
   const auto at = static_cast<double>(command.at);
   if (command.at < now_.tick) return Refusal{Cause::too_late, at, static_cast<double>(now_.tick)};
   if (later_) return Refusal{Cause::buffer_full, at, static_cast<double>(later_->at)};
@@ -25,7 +25,7 @@ MotionAxis::Rejection MotionAxis::postpone(const Command& command) {
 }
 
 /// Executes it in its tick, or in the next one that is stepped, before the command of that tick.
-void MotionAxis::obey_due() {
+void MotionAxis::Impl::obey_due() {
   if (!later_ || later_->at > now_.tick) return;
   Command command = *later_;
   later_.reset();
@@ -35,14 +35,14 @@ void MotionAxis::obey_due() {
   now_.refused.reset();
 }
 
-void MotionAxis::forget_later() {
+void MotionAxis::Impl::forget_later() {
   if (later_) now_.dropped = Refusal{Cause::replaced, static_cast<double>(later_->at), 0};
   later_.reset();
 }
 
 /// Checks the move against the end of the previous one, if that is available, and again when it
 /// begins.
-MotionAxis::Rejection MotionAxis::buffer(const BufferedMove& move) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::buffer(const BufferedMove& move) {
   constexpr auto most = static_cast<double>(WaitingMoves::most);
   if (next_.full()) return Refusal{Cause::buffer_full, most, most};
   if (base_ == Base::live) return Refusal{Cause::synchronized};
@@ -59,20 +59,20 @@ MotionAxis::Rejection MotionAxis::buffer(const BufferedMove& move) {
 
 /// The velocity at which a move to this goal passes it on to the next goal. With a superimposed
 /// move, the move ends at rest: the next target does not include the superimposed distance.
-double MotionAxis::through(const MotionState& from, const Goal& goal, double factor) const {
+double MotionAxis::Impl::through(const MotionState& from, const Goal& goal, double factor) const {
   if (next_.empty() || repeats() || above_.shifts() || goal.kind != Goal::Kind::position) return 0;
   Goal further;
   if (goal_of(next_.front(), {goal.value, 0, 0}, move_rules(), further)) return 0;
   return passing_velocity(from, goal, further, buffer_of(next_.front()), factor, config_);
 }
 
-bool MotionAxis::passes() const {
+bool MotionAxis::Impl::passes() const {
   return !next_.empty() && base_ == Base::move && move_.passes();
 }
 
 /// The target was passed since the previous tick: the plan continues from there at that very
 /// instant. Returns the cause if it cannot: in the direction of motion, only a limit switch.
-Cause MotionAxis::pass_target() {
+Cause MotionAxis::Impl::pass_target() {
   const MotionState there = move_.plan().end();
   Goal goal;
   if (goal_of(next_.front(), {move_.goal().value, 0, 0}, move_rules(), goal))
@@ -86,7 +86,7 @@ Cause MotionAxis::pass_target() {
 
 /// The present move then ends at its target. If it is too late for that, the move continues
 /// unchanged.
-MotionAxis::Rejection MotionAxis::take_back_next() {
+MotionAxis::Impl::Rejection MotionAxis::Impl::take_back_next() {
   const WaitingMoves waited = std::exchange(next_, {});
   const bool blends = base_ == Base::move && move_.passes();
   if (!waited.empty() && blends && !plan_from(bare_, move_.goal(), requested_rate())) {
@@ -99,7 +99,7 @@ MotionAxis::Rejection MotionAxis::take_back_next() {
 
 /// The first waiting move begins in the tick in which the previous motion has ended. If it cannot,
 /// the moves after it are dropped too: they would begin elsewhere.
-void MotionAxis::begin_next() {
+void MotionAxis::Impl::begin_next() {
   const BufferedMove move = next_.front();
   next_.pop();
   Goal goal;
@@ -111,11 +111,11 @@ void MotionAxis::begin_next() {
 }
 
 /// Another motion has replaced them; reports the first of them.
-void MotionAxis::forget(const WaitingMoves& moves) {
+void MotionAxis::Impl::forget(const WaitingMoves& moves) {
   if (!moves.empty()) now_.dropped = Refusal{Cause::replaced, value_of(moves.front()), 0};
 }
 
-void MotionAxis::forget_next() {
+void MotionAxis::Impl::forget_next() {
   forget(std::exchange(next_, {}));
 }
 

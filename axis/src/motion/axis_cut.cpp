@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/axis.hpp"
 #include "jounce/axis/live_cuts.hpp"
+
+#include "axis/src/state/axis_impl.hpp"
 
 // The commands of a plan of cuts.
 
 namespace jounce {
 
-MotionAxis::Rejection MotionAxis::act(const command::Cut& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Cut& what) {
   LiveCuts* const cuts = base_ == Base::live ? live_->cuts() : nullptr;
   if (cuts == nullptr) return Refusal{Cause::no_cut_plan};
   return cuts->cut(what, live_.master_shift());
 }
 
-MotionAxis::Rejection MotionAxis::act(const command::Park& /*it*/) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Park& /*it*/) {
   LiveCuts* const cuts = base_ == Base::live ? live_->cuts() : nullptr;
   if (cuts == nullptr) return Refusal{Cause::no_cut_plan};
   cuts->park();

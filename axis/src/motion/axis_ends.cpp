@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "jounce/axis/axis.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
 #include "axis/src/motion/setpoint_check.hpp"
+#include "axis/src/state/axis_impl.hpp"
 
 // The ends of a motion: at its target, by a stop, or in a fault.
 
 namespace jounce {
 
-void MotionAxis::conclude() {
+void MotionAxis::Impl::conclude() {
   if (state_ == State::homing) return;  // homing sets its state itself when it ends
   if (base_ == Base::move) {
     if (!move_.is_over(now_.tick)) return;
@@ -37,7 +37,7 @@ void MotionAxis::conclude() {
   if (ending_ != Ending::none && path_.rests(now_.tick) && !resumable) rest();
 }
 
-Cause MotionAxis::reason_to_rest() const {
+Cause MotionAxis::Impl::reason_to_rest() const {
   switch (ending_) {
     case Ending::none:
       return path_.finishes() ? Cause::pass_ended : Cause::none;
@@ -58,7 +58,7 @@ Cause MotionAxis::reason_to_rest() const {
 }
 
 /// Ends the motion, for any reason.
-void MotionAxis::rest() {
+void MotionAxis::Impl::rest() {
   const bool stopped = ending_ >= Ending::stop && ending_ <= Ending::halt;
   if (stopped) ++now_.stopped;
   if (ending_ == Ending::none || ending_ == Ending::table) ++now_.finished;
@@ -88,7 +88,7 @@ void MotionAxis::rest() {
 }
 
 /// The setpoint stays at its present value; the caller sets the state.
-void MotionAxis::freeze() {
+void MotionAxis::Impl::freeze() {
   drop_movement();
   base_ = Base::rest;
   ending_ = Ending::none;
@@ -101,12 +101,12 @@ void MotionAxis::freeze() {
 }
 
 /// Freezes in the middle of a motion.
-void MotionAxis::cut_off() {
+void MotionAxis::Impl::cut_off() {
   now_.frozen = now_.velocity != 0;
   freeze();
 }
 
-void MotionAxis::fail(Cause cause, double value) {
+void MotionAxis::Impl::fail(Cause cause, double value) {
   // The first fault stays: later ones are its consequences.
   const bool first = now_.fault == Cause::none;
   if (first) now_.fault = cause;
@@ -143,7 +143,7 @@ void MotionAxis::fail(Cause cause, double value) {
   brake(cause == Cause::aborted ? config_.abort_acceleration : config_.stop_acceleration);
 }
 
-void MotionAxis::drop_movement() {
+void MotionAxis::Impl::drop_movement() {
   if (const Movement* const played = active()) hand_back(played);
   path_.end();
   live_.end();

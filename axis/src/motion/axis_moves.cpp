@@ -3,27 +3,26 @@
 #include <cmath>
 #include <utility>
 
-#include "jounce/axis/axis.hpp"
-
 #include "axis/src/motion/setpoint_check.hpp"
+#include "axis/src/state/axis_impl.hpp"
 
 // The moves that an axis plans itself (move_plan.hpp), each from the last output setpoint.
 
 namespace jounce {
 
-MotionAxis::Rejection MotionAxis::move_or_buffer(const BufferedMove& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::move_or_buffer(const BufferedMove& what) {
   if (buffer_of(what) != BufferMode::aborting && moving()) return buffer(what);
   return move(what);
 }
 
-MotionAxis::Rejection MotionAxis::move(const BufferedMove& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::move(const BufferedMove& what) {
   Goal goal;
   if (auto no = goal_of(what, last(), move_rules(), goal)) return no;
   return take_over(goal);
 }
 
 /// Counts from the target of the present move, if it has one.
-MotionAxis::Rejection MotionAxis::act(const command::MoveAdditive& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::MoveAdditive& what) {
   const bool aimed = base_ == Base::move && move_.goal().kind != Goal::Kind::velocity;
   const double start = aimed ? move_.goal().value + above_.finished() : now_.position;
   Goal goal;
@@ -32,7 +31,7 @@ MotionAxis::Rejection MotionAxis::act(const command::MoveAdditive& what) {
 }
 
 /// Without a motion beneath it, it is a MoveRelative.
-MotionAxis::Rejection MotionAxis::act(const command::MoveSuperimposed& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::MoveSuperimposed& what) {
   const bool under_way = moving() && ending_ == Ending::none;
   if (!under_way || state_ == State::continuous_motion)
     return move(command::MoveRelative{what.distance, what.dynamics});
@@ -41,7 +40,7 @@ MotionAxis::Rejection MotionAxis::act(const command::MoveSuperimposed& what) {
 }
 
 /// The move replaces the present motion and the waiting moves.
-MotionAxis::Rejection MotionAxis::take_over(const Goal& goal) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::take_over(const Goal& goal) {
   const WaitingMoves waited = std::exchange(next_, {});
   if (!go(goal)) {
     next_ = waited;
@@ -51,12 +50,12 @@ MotionAxis::Rejection MotionAxis::take_over(const Goal& goal) {
   return std::nullopt;
 }
 
-MoveRules MotionAxis::move_rules() const {
+MoveRules MotionAxis::Impl::move_rules() const {
   return {config_, inputs_.positive_switch, inputs_.negative_switch};
 }
 
 /// The greatest magnitudes of the motion below a superimposed move.
-Peaks MotionAxis::beneath() const {
+Peaks MotionAxis::Impl::beneath() const {
   if (on_path()) return path_.peaks_at_rate();
   if (base_ == Base::move) return move_.peaks_up_to(factor_);
   const Peaks ramp = live_->peaks();
@@ -67,7 +66,8 @@ Peaks MotionAxis::beneath() const {
 }
 
 /// Begins a move on top of the present motion, or returns the reason to reject it.
-MotionAxis::Rejection MotionAxis::superimpose(double distance, const MoveDynamics& dynamics) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::superimpose(double distance,
+                                                          const MoveDynamics& dynamics) {
   if (on_path() && !path_.steady(now_.tick)) return Refusal{.cause = Cause::rate_changing};
   if (path_.swaps() || passes()) return Refusal{.cause = Cause::in_motion};
   const auto end = expected_end();
@@ -76,7 +76,7 @@ MotionAxis::Rejection MotionAxis::superimpose(double distance, const MoveDynamic
 }
 
 /// The slave keeps its velocity (PMC600 manual 6.1, 6.2); MC_Stop or another move follows.
-MotionAxis::Rejection MotionAxis::decouple() {
+MotionAxis::Impl::Rejection MotionAxis::Impl::decouple() {
   if (!active()) return Refusal{Cause::not_synchronized};
   leave(Goal::Kind::velocity);
   if (base_ != Base::move) return Refusal{Cause::no_such_move};
@@ -86,7 +86,7 @@ MotionAxis::Rejection MotionAxis::decouple() {
 // ---- planning ----------------------------------------------------------------------------------
 
 /// A move replaces any present motion, and continues from its last setpoint.
-bool MotionAxis::go(const Goal& goal) {
+bool MotionAxis::Impl::go(const Goal& goal) {
   const bool was_moving = moving();
   if (!adopt(goal, factor_)) return false;
   held_ = false;
@@ -97,7 +97,7 @@ bool MotionAxis::go(const Goal& goal) {
   return true;
 }
 
-bool MotionAxis::adopt(const Goal& goal, double factor) {
+bool MotionAxis::Impl::adopt(const Goal& goal, double factor) {
   if (!plan_from({last(), moving() ? bare_.tick : now_.tick}, goal, factor)) return false;
   if (path_.swaps()) disarm();
   drop_movement();
@@ -109,7 +109,8 @@ bool MotionAxis::adopt(const Goal& goal, double factor) {
   return true;
 }
 
-bool MotionAxis::plan_from(const TimedState& from, const Goal& goal, double factor, double ahead) {
+bool MotionAxis::Impl::plan_from(const TimedState& from, const Goal& goal, double factor,
+                                 double ahead) {
   Goal aim = goal;
   aim.through = through(from.state, goal, factor);
   // A homing waits by its own acceleration, any other move by that of the axis.
@@ -118,7 +119,7 @@ bool MotionAxis::plan_from(const TimedState& from, const Goal& goal, double fact
 }
 
 /// Plans the move for another rate. A move that comes to rest absorbs the superimposed move.
-bool MotionAxis::replan_move() {
+bool MotionAxis::Impl::replan_move() {
   const double rate = requested_rate();
   if (rate > 0 || !above_.shifts()) return plan_from(bare_, move_.goal(), rate);
   Goal both = move_.goal();
@@ -130,7 +131,7 @@ bool MotionAxis::replan_move() {
 }
 
 /// Brakes from the last good setpoint, and from the tick of its output.
-void MotionAxis::brake(double deceleration) {
+void MotionAxis::Impl::brake(double deceleration) {
   const double jerk = config_.limits.jerk ? config_.stop_jerk : Bounds::none;
   for (const double a : {deceleration, std::max(deceleration, config_.stop_acceleration)}) {
     if (!adopt({Goal::Kind::rest, 0, {*config_.limits.velocity, a, a, jerk}}, 1)) return cut_off();
@@ -140,7 +141,7 @@ void MotionAxis::brake(double deceleration) {
 }
 
 /// The coupling ends: the velocity stays, or the axis comes to rest.
-void MotionAxis::leave(Goal::Kind kind) {
+void MotionAxis::Impl::leave(Goal::Kind kind) {
   const bool rests = kind == Goal::Kind::rest;
   MoveDynamics dynamics;
   fill(dynamics, config_);

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
-#include "jounce/axis/axis.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+
+#include "axis/src/state/axis_impl.hpp"
 
 // The motion along a path (path_player.hpp), and the changes to the next path without a stop: at the
 // end of the present path, or of its pass, or where its master passes a position.
 
 namespace jounce {
 
-Cause MotionAxis::advance_path(Setpoint& next) {
+Cause MotionAxis::Impl::advance_path(Setpoint& next) {
   PathTime time = path_.time(now_.tick);
   if (path_.reaches_boundary(now_.tick)) {
     if (path_.finishes()) {
@@ -36,7 +37,7 @@ Cause MotionAxis::advance_path(Setpoint& next) {
 }
 
 /// The superimposed move comes to rest with the path, and resumes with it.
-bool MotionAxis::replan_path() {
+bool MotionAxis::Impl::replan_path() {
   SuperimposedMove above = above_;
   if (!above.hold(requested_rate() == 0, bare_.tick) || !path_.follow(request())) return false;
   above_ = above;
@@ -46,7 +47,7 @@ bool MotionAxis::replan_path() {
 // ---- the next path -----------------------------------------------------------------------------
 
 /// A swap at the end of the path, or of its present pass.
-MotionAxis::Rejection MotionAxis::start_at_end() {
+MotionAxis::Impl::Rejection MotionAxis::Impl::start_at_end() {
   if (base_ == Base::live) return start_at_pass_end();
   const auto end = expected_end();
   if (!on_path() || !(end || path_.open_ended())) return Refusal{Cause::not_on_path};
@@ -60,7 +61,7 @@ MotionAxis::Rejection MotionAxis::start_at_end() {
 }
 
 /// Another coupling, at the end of a pass of the cam that follows the live master.
-MotionAxis::Rejection MotionAxis::start_at_pass_end() {
+MotionAxis::Impl::Rejection MotionAxis::Impl::start_at_pass_end() {
   if (!live_->passes()) return Refusal{Cause::no_movement};
   if (!armed_.is_live() || above_.running()) return Refusal{Cause::in_motion};
   armed_.accept(StartAt::end_of_table, 0, 0, now_.tick);
@@ -70,7 +71,7 @@ MotionAxis::Rejection MotionAxis::start_at_pass_end() {
 /// Returns the reason why the armed movement cannot take over from the present path, or none. From
 /// its accepted start to the swap, the rate is limited to the range that both paths permit. The
 /// present path slows down to that range within its own limits.
-MotionAxis::Rejection MotionAxis::against_swap() const {
+MotionAxis::Impl::Rejection MotionAxis::Impl::against_swap() const {
   if (above_.running() || armed_.is_live()) return Refusal{Cause::in_motion};
   if (!path_.steady(now_.tick)) return Refusal{Cause::rate_changing};
   return std::nullopt;
@@ -78,7 +79,7 @@ MotionAxis::Rejection MotionAxis::against_swap() const {
 
 /// The present path has reached its boundary. If the boundary was not available at the command,
 /// checks now that both paths meet; otherwise the present path ends.
-Cause MotionAxis::swap_at_boundary() {
+Cause MotionAxis::Impl::swap_at_boundary() {
   const double boundary = path_.boundary();
   if (!path_.open_ended()) {
     swap(boundary, *path_->end());
@@ -94,7 +95,7 @@ Cause MotionAxis::swap_at_boundary() {
 }
 
 /// Swaps where the master passes the start position, if both paths meet.
-void MotionAxis::swap_at_master(double s) {
+void MotionAxis::Impl::swap_at_master(double s) {
   const MotionState end = state_of(path_->at({s, dt(), inputs_.master}));
   if (const auto no = armed_->admit(
           config_, {end.position + above_.finished(), end.velocity, end.acceleration}))
@@ -104,7 +105,7 @@ void MotionAxis::swap_at_master(double s) {
 
 /// The armed movement continues from the end of the present path, or of its pass, at path time
 /// `boundary`.
-void MotionAxis::swap(double boundary, MotionState end) {
+void MotionAxis::Impl::swap(double boundary, MotionState end) {
   path_.forget_boundary();
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
   // The boundary may precede the end of the rate change.

@@ -3,17 +3,17 @@
 #include <cmath>
 #include <tuple>
 
-#include "jounce/axis/axis.hpp"
 #include "jounce/cam/coupling/passing.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
 #include "axis/src/motion/setpoint_check.hpp"
+#include "axis/src/state/axis_impl.hpp"
 
 // The slots of an axis: it arms a movement, accepts its start, and begins it when it is due.
 
 namespace jounce {
 
-MotionAxis::Rejection MotionAxis::act(const command::Arm& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Arm& what) {
   Movement* const movement = what.movement;
   if (!movement) return Refusal{Cause::no_value};
   if (is_group() && movement->parts().empty()) {
@@ -41,7 +41,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Arm& what) {
   return std::nullopt;
 }
 
-MotionAxis::Rejection MotionAxis::act(const command::Disarm& /*it*/) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Disarm& /*it*/) {
   if (!armed_.waiting()) disarm();
   forget_later();
   return take_back_next();
@@ -49,7 +49,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Disarm& /*it*/) {
 
 /// The state in which the present motion will come to rest, or in which a pass of it ends; nullopt:
 /// not available.
-std::optional<MotionState> MotionAxis::expected_end() const {
+std::optional<MotionState> MotionAxis::Impl::expected_end() const {
   if (!moving()) return MotionState{now_.position, 0, 0};
   const double above = above_.distance();
   if (base_ == Base::move) {
@@ -64,14 +64,14 @@ std::optional<MotionState> MotionAxis::expected_end() const {
   return end;
 }
 
-void MotionAxis::disarm() {
+void MotionAxis::Impl::disarm() {
   const ArmedMotion was = std::exchange(armed_, {});
   if (was) hand_back(was.movement());
   groups_.break_armed(was.group(), was.waiting(), now_.tick);
   if (path_.swaps()) path_.forget_boundary();
 }
 
-MotionAxis::Rejection MotionAxis::act(const command::Start& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Start& what) {
   if (!armed_) return Refusal{Cause::not_armed};
   if (is_group() && on_path())
     return Refusal{Cause::in_motion};  // it holds: a new path is elsewhere
@@ -105,12 +105,12 @@ MotionAxis::Rejection MotionAxis::act(const command::Start& what) {
 
 /// True if it is held on its path, or stopped there by an underrun and reset: the armed movement
 /// may begin from here.
-bool MotionAxis::stands() const {
+bool MotionAxis::Impl::stands() const {
   return on_path() && !above_.running() && ending_ == Ending::none && path_.rests(now_.tick) &&
          now_.velocity == 0;
 }
 
-MotionAxis::Rejection MotionAxis::act(const command::Couple& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Couple& what) {
   Movement* const movement = what.movement;
   if (!movement) return Refusal{Cause::no_value};
   if (movement->course() != Course::live) {
@@ -132,7 +132,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Couple& what) {
 
 /// Begins the armed movement in its tick, or when the master passes its position, or when a pass of
 /// the active cam ends.
-void MotionAxis::begin_due() {
+void MotionAxis::Impl::begin_due() {
   if (!armed_.waiting()) return;
   const bool on_cam = on_path() && !armed_.is_live();
   if (armed_.when() == StartAt::master_position && on_cam) return;  // see advance_path()
@@ -144,7 +144,7 @@ void MotionAxis::begin_due() {
 }
 
 /// The instant at which it begins, `t` s after this tick (0 or less); nullopt: it is not due.
-std::optional<Moment> MotionAxis::begins_at() {
+std::optional<Moment> MotionAxis::Impl::begins_at() {
   if (armed_.when() == StartAt::tick) {
     const std::int64_t late = now_.tick - armed_.tick_or(now_.tick);
     if (late < 0) return std::nullopt;
@@ -158,7 +158,7 @@ std::optional<Moment> MotionAxis::begins_at() {
 
 /// The instant at which the live master passes the start position, between the previous tick and
 /// this one.
-std::optional<Moment> MotionAxis::crossing() const {
+std::optional<Moment> MotionAxis::Impl::crossing() const {
   const double before = last_master_[0] - armed_.position();
   const double after = inputs_.master[0] - armed_.position();
   if (!(before * after <= 0 && before != after)) return std::nullopt;
@@ -170,7 +170,7 @@ std::optional<Moment> MotionAxis::crossing() const {
 }
 
 /// The state of the axis at that instant: the start of a coupling.
-std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
+std::optional<MotionState> MotionAxis::Impl::state_at(const Moment& at, Cause& no) {
   if (!moving() || !armed_.is_live()) return last();
   Setpoint next;
   if (armed_.when() != StartAt::tick && base_ == Base::live) {
@@ -185,7 +185,7 @@ std::optional<MotionState> MotionAxis::state_at(const Moment& at, Cause& no) {
 }
 
 /// The answer of the armed movement to an axis in this state.
-Refusal MotionAxis::begin_refusal(Cause no, const MotionState& state) const {
+Refusal MotionAxis::Impl::begin_refusal(Cause no, const MotionState& state) const {
   const bool placed = no == Cause::start_position || no == Cause::cutter_away;
   return {.cause = no,
           .value = placed ? armed_->place() : state.position,
@@ -193,7 +193,7 @@ Refusal MotionAxis::begin_refusal(Cause no, const MotionState& state) const {
 }
 
 /// The refusal of a path that leads outwards from an active limit switch.
-std::optional<Refusal> MotionAxis::against_switch(const Movement& path) const {
+std::optional<Refusal> MotionAxis::Impl::against_switch(const Movement& path) const {
   const int way = path.direction();
   const bool blocked = (way > 0 && inputs_.positive_switch) || (way < 0 && inputs_.negative_switch);
   return blocked ? std::optional(Refusal{Cause::direction_blocked, now_.position, 0})
@@ -201,7 +201,7 @@ std::optional<Refusal> MotionAxis::against_switch(const Movement& path) const {
 }
 
 /// The refusal of a coupling whose slave would exceed a limit.
-std::optional<Refusal> MotionAxis::against_demand(const Moment& start) const {
+std::optional<Refusal> MotionAxis::Impl::against_demand(const Moment& start) const {
   const Peaks need = armed_->demand(start);
   const auto& [low, high, v, a, j] = config_.limits;
   for (const auto& [value, most, cause] : {std::tuple{need.velocity, v, Cause::velocity_limit},
@@ -213,7 +213,7 @@ std::optional<Refusal> MotionAxis::against_demand(const Moment& start) const {
 }
 
 /// The refusal of a coupling that has begun, and whose first setpoint would be a fault.
-std::optional<Refusal> MotionAxis::against_jump() const {
+std::optional<Refusal> MotionAxis::Impl::against_jump() const {
   const auto first = armed_->first_setpoint(moment());
   if (!first) return std::nullopt;
   switch (check_setpoint(last(), *first, {dt(), joint_step()}, rules())) {
@@ -232,11 +232,11 @@ std::optional<Refusal> MotionAxis::against_jump() const {
 }
 
 /// The ratio at which the axis follows its master in step, u/m; 0: it does not.
-double MotionAxis::followed_ratio() const {
+double MotionAxis::Impl::followed_ratio() const {
   return base_ == Base::live && live_->progress() == Progress::running ? live_->ratio() : 0;
 }
 
-void MotionAxis::begin_pending(const Moment& at) {
+void MotionAxis::Impl::begin_pending(const Moment& at) {
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
   if (const auto refusal = against_axes()) return drop(*refusal);
   if (is_group()) now_.position = 0;  // the length along its path
@@ -279,7 +279,7 @@ void MotionAxis::begin_pending(const Moment& at) {
 }
 
 /// The movement is now the played one.
-void MotionAxis::enter(const ArmedMotion& begun) {
+void MotionAxis::Impl::enter(const ArmedMotion& begun) {
   group_ = begun.group();
   joint_ = true;
   state_ = playing_state();
@@ -287,7 +287,7 @@ void MotionAxis::enter(const ArmedMotion& begun) {
   outputs_.place(SwitchesOf::master);
 }
 
-State MotionAxis::playing_state() const {
+State MotionAxis::Impl::playing_state() const {
   return active()->synchronized() ? State::synchronized_motion : State::discrete_motion;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "jounce/axis/axis.hpp"
+#include "axis/src/state/axis_impl.hpp"
 
 // Changes of a move in progress: repetitive moves, and a new velocity, at once or at a position.
 
@@ -9,7 +9,7 @@ namespace jounce {
 
 // ---- repetitive moves ----------------------------------------------------------------------------
 
-MotionAxis::Rejection MotionAxis::act(const command::MoveRepetitive& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::MoveRepetitive& what) {
   const double start = now_.position;
   Goal there;
   Goal back;
@@ -31,7 +31,7 @@ MotionAxis::Rejection MotionAxis::act(const command::MoveRepetitive& what) {
 }
 
 /// Begins the strokes that are due, each from the instant at which the rest before it has ended.
-Cause MotionAxis::begin_strokes() {
+Cause MotionAxis::Impl::begin_strokes() {
   if (!repetition_ || ending_ != Ending::none || !(requested_rate() > 0)) return Cause::none;
   while (repetition_->goes_on() && move_.is_over(now_.tick)) {
     const double ahead = move_.beyond(now_.tick) - repetition_->wait();
@@ -45,13 +45,13 @@ Cause MotionAxis::begin_strokes() {
   return Cause::none;
 }
 
-bool MotionAxis::repeats() const {
+bool MotionAxis::Impl::repeats() const {
   return repetition_ && repetition_->goes_on();
 }
 
 // ---- another velocity ----------------------------------------------------------------------------
 
-MotionAxis::Rejection MotionAxis::act(const command::ChangeVelocity& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::ChangeVelocity& what) {
   if (ending_ != Ending::none) return Refusal{Cause::halting};
   const bool has_velocity = base_ == Base::move && move_.goal().kind != Goal::Kind::rest &&
                             !(move_.goal().kind == Goal::Kind::velocity && move_.goal().value == 0);
@@ -68,8 +68,9 @@ MotionAxis::Rejection MotionAxis::act(const command::ChangeVelocity& what) {
 
 /// Plans the move again, with another velocity, from a state that it had `ahead` s before the tick
 /// of this state.
-MotionAxis::Rejection MotionAxis::change_velocity(double velocity, const TimedState& from,
-                                                  double ahead) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::change_velocity(double velocity,
+                                                              const TimedState& from,
+                                                              double ahead) {
   Goal goal = move_.goal();
   // The superimposed move was planned within the limits that the present velocity left.
   if (above_.running() && velocity > goal.dynamics.velocity)
@@ -83,7 +84,7 @@ MotionAxis::Rejection MotionAxis::change_velocity(double velocity, const TimedSt
 
 /// Applies the change that waits for a position, from the instant at which the move passes it. A
 /// change that is not possible is dropped: the move continues unchanged.
-void MotionAxis::change_if_passed() {
+void MotionAxis::Impl::change_if_passed() {
   if (!change_ || ending_ != Ending::none || !(requested_rate() > 0)) return;
   const double place = change_->position - above_.finished();
   const auto ago = move_.passed(place, change_->direction, last_tick_, now_.tick);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/move_goal.hpp"
+#include "axis/src/motion/move_goal.hpp"
 
 #include <algorithm>
 #include <cmath>

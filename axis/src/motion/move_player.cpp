@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/move_player.hpp"
+#include "axis/src/motion/move_player.hpp"
 
 #include <algorithm>
 

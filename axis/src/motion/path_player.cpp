@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/path_player.hpp"
+#include "axis/src/motion/path_player.hpp"
 
 #include <algorithm>
 #include <cmath>

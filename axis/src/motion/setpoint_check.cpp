@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/axis/move_plan.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/moves/move.hpp"
+
+#include "axis/src/motion/move_plan.hpp"
 
 namespace jounce {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/superimposed_move.hpp"
+#include "axis/src/motion/superimposed_move.hpp"
 
 #include <algorithm>
 #include <utility>

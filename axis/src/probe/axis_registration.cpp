@@ -3,20 +3,20 @@
 #include <cmath>
 #include <span>
 
-#include "jounce/axis/axis.hpp"
+#include "axis/src/state/axis_impl.hpp"
 
 // The trigger inputs of an axis: touch probes, and the registration of a motion that follows the
 // live master.
 
 namespace jounce {
 
-void MotionAxis::remember_master() {
+void MotionAxis::Impl::remember_master() {
   master_seen_.add(dt(), inputs_.master[0], inputs_.master[1]);
 }
 
 /// Steps the registration. A correction of the master is added to the input of this tick, so that
 /// every part of the axis sees the corrected master.
-void MotionAxis::register_marks() {
+void MotionAxis::Impl::register_marks() {
   phase_ = {};
   if (!registration_ || base_ != Base::live) return;
   const LiveRegistrationSpec& spec = registration_->spec();
@@ -36,13 +36,13 @@ void MotionAxis::register_marks() {
 }
 
 /// Only a motion that follows the master has a corrected master.
-void MotionAxis::end_of_marks() {
+void MotionAxis::Impl::end_of_marks() {
   if (base_ == Base::live) return;
   for (std::size_t k = 0; k < phase_.size(); ++k) last_master_[k] -= phase_[k];
 }
 
 /// Adds a correction of the slave to its setpoint.
-void MotionAxis::add_correction(Setpoint& next) const {
+void MotionAxis::Impl::add_correction(Setpoint& next) const {
   const bool of_slave = registration_ && registration_->spec().add_to == CorrectionOf::slave;
   if (!of_slave || base_ != Base::live) return;
   for (std::size_t k = 0; k < next.slave.size(); ++k)
@@ -50,7 +50,7 @@ void MotionAxis::add_correction(Setpoint& next) const {
 }
 
 /// After the setpoint of this tick: a capture may need its position.
-void MotionAxis::probe() {
+void MotionAxis::Impl::probe() {
   commanded_seen_.add(dt(), now_.position, now_.velocity);
   const double offset = now_.offset - in_feedback_;
   actual_seen_.add(dt(), inputs_.feedback.position + offset, inputs_.feedback.velocity);

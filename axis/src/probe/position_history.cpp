@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/position_history.hpp"
+#include "axis/src/probe/position_history.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/touch_probe.hpp"
+#include "axis/src/probe/touch_probe.hpp"
 
 #include <cmath>
 #include <utility>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/axis.hpp"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
 #include "axis/src/motion/setpoint_check.hpp"
+#include "axis/src/state/axis_impl.hpp"
 
 // One tick of an axis, from its inputs to its outputs. Read it from step() down. Other files:
 // axis_commands.cpp, axis_moves.cpp, axis_buffer.cpp and axis_starts.cpp (commands), axis_path.cpp
@@ -15,7 +14,7 @@
 
 namespace jounce {
 
-MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches,
+MotionAxis::Impl::Impl(const AxisConfig& config, const AxisSwitches& switches,
                        const AxisCompare& compare)
     : config_(resolved(config)),
       unranged_(config_),
@@ -31,7 +30,7 @@ MotionAxis::MotionAxis(const AxisConfig& config, const AxisSwitches& switches,
   unranged_.limits.position_min = unranged_.limits.position_max = std::nullopt;
 }
 
-Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& inputs) {
+Tick MotionAxis::Impl::step(std::int64_t tick, const Command& command, const Inputs& inputs) {
   assert(tick > last_tick_);
   now_.skipped = tick - last_tick_ - 1;
   now_.tick = tick;
@@ -67,7 +66,7 @@ Tick MotionAxis::step(std::int64_t tick, const Command& command, const Inputs& i
 }
 
 /// Sets the remaining outputs of the tick.
-void MotionAxis::report() {
+void MotionAxis::Impl::report() {
   now_.in_position =
       windows_.settled(now_.following_error, state_ == State::standstill, dt(), config_);
   now_.state = state_;
@@ -94,7 +93,7 @@ void MotionAxis::report() {
 
 // ---- inputs ------------------------------------------------------------------------------------
 
-void MotionAxis::take(const Inputs& inputs) {
+void MotionAxis::Impl::take(const Inputs& inputs) {
   const Inputs before = inputs_;
   inputs_ = sound(inputs, config_);
   inputs_.positive_switch |= inputs_.feedback.sensors.positive.on;
@@ -110,7 +109,7 @@ void MotionAxis::take(const Inputs& inputs) {
 }
 
 /// A new coordinate of the master passes no position and causes no motion.
-void MotionAxis::see_renamed(const Inputs& before) {
+void MotionAxis::Impl::see_renamed(const Inputs& before) {
   live_.shift_second(inputs_.second_offset - before.second_offset);
   const double by = inputs_.master_offset - before.master_offset;
   if (by == 0) return;
@@ -121,7 +120,7 @@ void MotionAxis::see_renamed(const Inputs& before) {
   if (base_ == Base::live) outputs_.place(SwitchesOf::master);
 }
 
-void MotionAxis::watch() {
+void MotionAxis::Impl::watch() {
   if (inputs_.feedback.fault) now_.homed = false;  // the drive may have lost its position count
   if (!now_.power) return windows_.reset();
   Cause wrong = check_inputs(inputs_);
@@ -148,7 +147,7 @@ void MotionAxis::watch() {
 
 // ---- the next setpoint -------------------------------------------------------------------------
 
-void MotionAxis::play() {
+void MotionAxis::Impl::play() {
   // Ticks skipped before the motion began, or during a hold, do not count.
   const bool held = on_path() && now_.velocity == 0 && path_.time(now_.tick).rate == 0;
   if (!held && std::min(now_.skipped, now_.tick - begun_) >= config_.longest_gap)
@@ -172,13 +171,13 @@ void MotionAxis::play() {
   }
 }
 
-Cause MotionAxis::advance(Setpoint& next) {
+Cause MotionAxis::Impl::advance(Setpoint& next) {
   if (on_path()) return advance_path(next);
   if (base_ == Base::group) return advance_group(next);
   return base_ == Base::live ? advance_live(next) : advance_move(next);
 }
 
-Cause MotionAxis::advance_live(Setpoint& next) {
+Cause MotionAxis::Impl::advance_live(Setpoint& next) {
   // A pass that ends exactly in a tick is found in this tick and in the next one; a master may also
   // rest at the end of a pass.
   const auto before = now_.profile.events();
@@ -197,7 +196,7 @@ Cause MotionAxis::advance_live(Setpoint& next) {
   return is_fault(live_->cause()) ? live_->cause() : Cause::master_lost;
 }
 
-Cause MotionAxis::advance_move(Setpoint& next) {
+Cause MotionAxis::Impl::advance_move(Setpoint& next) {
   change_if_passed();
   if (const Cause no = begin_strokes(); no != Cause::none) return no;
   while (passes() && move_.is_over(now_.tick))  // a late cycle may pass several
@@ -207,7 +206,7 @@ Cause MotionAxis::advance_move(Setpoint& next) {
 }
 
 /// Checks a setpoint before its output; braking after a fault passes without a check.
-Cause MotionAxis::judge(const Setpoint& next) const {
+Cause MotionAxis::Impl::judge(const Setpoint& next) const {
   if (base_ == Base::move && ending_ == Ending::fault) return Cause::none;
   const MotionState state = state_of(next);
   const double kinks = on_path() ? path_.peaks().velocity_step : 0;
@@ -228,17 +227,17 @@ Cause MotionAxis::judge(const Setpoint& next) const {
 }
 
 /// The velocity step that a joint of two motions may have, u/s.
-double MotionAxis::joint_step() const {
+double MotionAxis::Impl::joint_step() const {
   return *config_.limits.acceleration * seconds(config_.period);
 }
 
 /// True if the axis follows its master in step: the master alone determines its acceleration.
-bool MotionAxis::in_step() const {
+bool MotionAxis::Impl::in_step() const {
   return base_ == Base::live && live_->progress() == Progress::running;
 }
 
 /// The number with which a setpoint exceeds a limit, for Tick::fault_value.
-double MotionAxis::excess(Cause wrong, const Setpoint& next) const {
+double MotionAxis::Impl::excess(Cause wrong, const Setpoint& next) const {
   const auto [p, v, a] = state_of(next);
   switch (wrong) {
     case Cause::overspeed:
@@ -255,13 +254,13 @@ double MotionAxis::excess(Cause wrong, const Setpoint& next) const {
 /// Returns true if the whole motion was checked against the position range when it was accepted: a
 /// path, or a move to a position. Each can stop inside the range: the path on itself, the move with
 /// the stop limits, which exceed those of the move.
-bool MotionAxis::inside_as_a_whole() const {
+bool MotionAxis::Impl::inside_as_a_whole() const {
   if (above_.shifts()) return false;
   if (on_path()) return path_->bounded();
   return base_ == Base::move && move_.goal().kind == Goal::Kind::position && requested_rate() > 0;
 }
 
-void MotionAxis::give_out(const Setpoint& next) {
+void MotionAxis::Impl::give_out(const Setpoint& next) {
   const auto& [p, v, a, j] = next.slave;
   path_.put_out(now_.tick);
   keep_parts();
@@ -273,7 +272,7 @@ void MotionAxis::give_out(const Setpoint& next) {
   now_.acceleration = a;
 }
 
-void MotionAxis::operate_outputs() {
+void MotionAxis::Impl::operate_outputs() {
   OutputPlaces places;
   places.commanded = {now_.position, now_.velocity};
   places.actual = {now_.actual_position, inputs_.feedback.velocity};
@@ -294,7 +293,7 @@ bool in_motion(const Tick& tick) {
   return tick.waiting || (!left && (tick.job != 0 || tick.progress != Progress::done));
 }
 
-void MotionAxis::hand_back(const Movement* movement) {
+void MotionAxis::Impl::hand_back(const Movement* movement) {
   // At most three in one step: the active one, the armed one, and the one just rejected.
   auto free = std::find(now_.handed_back.begin(), now_.handed_back.end(), nullptr);
   assert(free != now_.handed_back.end());
@@ -303,7 +302,7 @@ void MotionAxis::hand_back(const Movement* movement) {
 
 /// Drops the waiting start. This answers the command of this tick only if that command requested
 /// it.
-void MotionAxis::drop(const Refusal& why) {
+void MotionAxis::Impl::drop(const Refusal& why) {
   const bool refused = armed_.accepted_in(now_.tick);
   (refused ? now_.refused : now_.dropped) = why;
   if (!refused && armed_.is_live() && !moving()) now_.reason = why.cause;
@@ -311,21 +310,21 @@ void MotionAxis::drop(const Refusal& why) {
 }
 
 /// The played movement; null: none.
-Movement* MotionAxis::active() const {
+Movement* MotionAxis::Impl::active() const {
   return on_path() ? path_.path() : live_.movement();
 }
 
-MotionState MotionAxis::last() const {
+MotionState MotionAxis::Impl::last() const {
   return {now_.position, now_.velocity, now_.acceleration};
 }
 
 /// The requested rate of the motion; a path may grant less.
-double MotionAxis::requested_rate() const {
+double MotionAxis::Impl::requested_rate() const {
   if (held_ || ending_ != Ending::none) return 0;
   return homing_ ? std::min(factor_, 1.0) : factor_;  // a homing has its own velocities
 }
 
-PathRequest MotionAxis::request() const {
+PathRequest MotionAxis::Impl::request() const {
   return {now_.tick, requested_rate(), above_.peaks(),
           armed_.waiting() ? armed_.movement() : nullptr};
 }

@@ -4,22 +4,23 @@
 #include <utility>
 #include <variant>
 
-#include "jounce/axis/axis.hpp"
 #include "jounce/command/command_table.hpp"
+
+#include "axis/src/state/axis_impl.hpp"
 
 // The commands of an axis, one a tick: the dispatch of all, and those for power, coordinates,
 // speed, and the end of a motion.
 
 namespace jounce {
 
-void MotionAxis::obey(const Command& command) {
+void MotionAxis::Impl::obey(const Command& command) {
   if (std::holds_alternative<command::None>(command.what)) return;
   now_.refused = take_up(command);
   const auto* const start = std::get_if<command::Start>(&command.what);
   if (start != nullptr && now_.refused) groups_.break_armed(start->group, false, now_.tick);
 }
 
-MotionAxis::Rejection MotionAxis::take_up(const Command& command) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::take_up(const Command& command) {
   // A new motion may interrupt the stop of a released jog.
   const bool released = ending_ == Ending::release && !homing_;
   const State state = released ? State::discrete_motion : state_;
@@ -35,7 +36,7 @@ MotionAxis::Rejection MotionAxis::take_up(const Command& command) {
 }
 
 /// True if the command moves to a position and the axis is not yet homed.
-bool MotionAxis::needs_home(const Command& command) const {
+bool MotionAxis::Impl::needs_home(const Command& command) const {
   if (!config_.require_home || now_.homed) return false;
   const Movement* const movement = movement_of(command.what);
   return std::holds_alternative<command::MoveAbsolute>(command.what) ||
@@ -45,7 +46,7 @@ bool MotionAxis::needs_home(const Command& command) const {
 
 // ---- power and coordinates ---------------------------------------------------------------------
 
-MotionAxis::Rejection MotionAxis::power(bool on) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::power(bool on) {
   if (on && inputs_.feedback.fault) return Refusal{Cause::drive_fault};
   if (on && inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
   if (is_group() && !on && moving()) {
@@ -69,7 +70,7 @@ MotionAxis::Rejection MotionAxis::power(bool on) {
 }
 
 /// A path that an underrun stopped is still active and at rest: it waits for a resume.
-MotionAxis::Rejection MotionAxis::act(const command::Reset& /*it*/) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Reset& /*it*/) {
   if (state_ == State::error_stop && moving() && !(on_path() && now_.velocity == 0))
     return Refusal{Cause::in_motion};
   if (state_ == State::error_stop)
@@ -82,7 +83,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Reset& /*it*/) {
   return std::nullopt;
 }
 
-MotionAxis::Rejection MotionAxis::act(const command::SetPosition& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::SetPosition& what) {
   if (keeps_coordinate()) return Refusal{Cause::compensation_active};
   const double position = what.position + (what.relative ? now_.position : 0);
   const Limits& limits = config_.limits;
@@ -93,7 +94,7 @@ MotionAxis::Rejection MotionAxis::act(const command::SetPosition& what) {
   return set_position(position);
 }
 
-MotionAxis::Rejection MotionAxis::set_position(double position) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::set_position(double position) {
   if (armed_.waiting()) return Refusal{Cause::in_motion};
   if (!std::isfinite(position)) return Refusal{Cause::no_value, position};
   if (!(std::abs(position) <= furthest(config_)))
@@ -106,7 +107,7 @@ MotionAxis::Rejection MotionAxis::set_position(double position) {
 
 // ---- speed and end -----------------------------------------------------------------------------
 
-MotionAxis::Rejection MotionAxis::end_motion(Ending ending, const MoveDynamics& asked) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::end_motion(Ending ending, const MoveDynamics& asked) {
   // A search has no position range: it always ends with the stop of the axis.
   MoveDynamics dynamics;
   if (!homing_) dynamics = {.deceleration = asked.deceleration, .jerk = asked.jerk};
@@ -136,20 +137,20 @@ MotionAxis::Rejection MotionAxis::end_motion(Ending ending, const MoveDynamics& 
 }
 
 /// The motion ends early, and the armed movement with it.
-void MotionAxis::break_groups() {
+void MotionAxis::Impl::break_groups() {
   if (active()) groups_.break_motion(group_, now_.tick);
   disarm();
 }
 
 /// Motions that begin together end together: by a stop, even if a fault ended the other one.
-void MotionAxis::stop_with_group() {
+void MotionAxis::Impl::stop_with_group() {
   if (inputs_.peers == Peers::broken && armed_.waiting()) drop({.cause = Cause::group_stopped});
   // This stop has the dynamics of the axis, so it is never rejected: the answer of the command of
   // this tick stays.
   if (inputs_.group_broken && active() && ending_ == Ending::none) end_motion(Ending::group);
 }
 
-MotionAxis::Rejection MotionAxis::hold(bool on) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::hold(bool on) {
   if (base_ == Base::live) return Refusal{Cause::not_on_path};
   if (ending_ != Ending::none) return Refusal{Cause::halting};
   if (!on && on_path())
@@ -161,12 +162,12 @@ MotionAxis::Rejection MotionAxis::hold(bool on) {
 }
 
 /// Applies a new rate: changes that of a path, or plans a move again.
-MotionAxis::Rejection MotionAxis::replan() {
+MotionAxis::Impl::Rejection MotionAxis::Impl::replan() {
   const bool done = on_path() ? replan_path() : replan_move();
   return done ? std::nullopt : Rejection(Refusal{Cause::no_such_move});
 }
 
-MotionAxis::Rejection MotionAxis::act(const command::Override& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Override& what) {
   const double factor = what.factor;
   if (!(factor >= 0 && factor <= 2)) return Refusal{Cause::no_value, factor, 2};
   // The superimposed move was planned within the limits that the factor left.
@@ -183,7 +184,7 @@ MotionAxis::Rejection MotionAxis::act(const command::Override& what) {
 }
 
 /// Agito StopRep: finishes the stroke; the next one does not begin.
-MotionAxis::Rejection MotionAxis::act(const command::Finish& /*it*/) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Finish& /*it*/) {
   if (!on_path() && !repetition_) return Refusal{Cause::not_on_path};
   if (ending_ != Ending::none) return Refusal{Cause::halting};
   if (repetition_) {

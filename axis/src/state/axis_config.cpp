@@ -3,10 +3,11 @@
 
 #include <string>
 
-#include "jounce/axis/homing.hpp"
 #include "jounce/axis/inputs.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
+
+#include "axis/src/homing/homing.hpp"
 
 namespace jounce {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/outputs.hpp"
+#include "axis/src/state/outputs.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/supervision.hpp"
+#include "axis/src/state/supervision.hpp"
 
 #include <cmath>
 #include <limits>

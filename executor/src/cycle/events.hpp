@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "jounce/axis/axis.hpp"
+#include "jounce/axis/tick.hpp"
 #include "jounce/cam/switches/cam_switch.hpp"
 #include "jounce/stream/message/message.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/axis/axis.hpp"
+#include "jounce/axis/tick.hpp"
 #include "jounce/executor/executor_options.hpp"
 
 namespace jounce {

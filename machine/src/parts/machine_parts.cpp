@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/axis/homing.hpp"
+#include "jounce/axis/homing_method.hpp"
 #include "jounce/axis/machine.hpp"
 #include "jounce/base/file.hpp"
 #include "jounce/base/nearest.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/message/refusal.hpp"
+#include "stream/src/message/refusal.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/receiver/assembly.hpp"
+#include "stream/src/receiver/assembly.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/receiver/challenges.hpp"
+#include "stream/src/receiver/challenges.hpp"
 
 namespace jounce {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/receiver/last_command.hpp"
+#include "stream/src/receiver/last_command.hpp"
 
 #include <type_traits>
 #include <utility>

@@ -4,11 +4,12 @@
 #include <utility>
 
 #include "jounce/command/command_table.hpp"
-#include "jounce/stream/receiver/receiver.hpp"
+
+#include "stream/src/receiver/receiver_impl.hpp"
 
 namespace jounce {
 
-void Receiver::take(const wire::Arm& arm) {
+void Receiver::Impl::take(const wire::Arm& arm) {
   if (!command_.begin(LastCommand::Kind::arm, arm.command)) return;
   armed_ = false;
   armed_queue_.reset();
@@ -31,7 +32,7 @@ void Receiver::take(const wire::Arm& arm) {
       ArmRequested{session_.id(), arm.command, arm.mode, *slave, master, arm.coupling, arm.end});
 }
 
-void Receiver::arm_queue(const wire::Arm& arm) {
+void Receiver::Impl::arm_queue(const wire::Arm& arm) {
   if (!queues_.accepts(arm.queue)) {
     return command_.settle(
         {wire::Refusal::queue_missing, "queue " + std::to_string(arm.queue) + " is not open"});
@@ -40,7 +41,7 @@ void Receiver::arm_queue(const wire::Arm& arm) {
   events_.emplace_back(QueueArmRequested{session_.id(), arm.command, arm.queue, arm.bank});
 }
 
-void Receiver::take(const wire::Start& start) {
+void Receiver::Impl::take(const wire::Start& start) {
   if (!command_.begin(LastCommand::Kind::start, start.command)) return;
   if (!armed_) return command_.settle({wire::Refusal::not_armed, {}});
   if (armed_queue_) {
@@ -55,19 +56,19 @@ void Receiver::take(const wire::Start& start) {
       StartRequested{session_.id(), start.command, start.tick, start.when, start.position});
 }
 
-void Receiver::take(const wire::Stop& stop) {
+void Receiver::Impl::take(const wire::Stop& stop) {
   if (!command_.begin(LastCommand::Kind::stop, stop.command)) return;
   armed_ = false;
   events_.emplace_back(StopRequested{session_.owner(), stop.command, stop.mode});
 }
 
-void Receiver::take(const wire::Heartbeat& heartbeat) {
+void Receiver::Impl::take(const wire::Heartbeat& heartbeat) {
   if (!command_.begin(LastCommand::Kind::heartbeat, heartbeat.command)) return;
   command_.settle({});
   if (heartbeat.release) end(SessionEnded::Why::released);
 }
 
-void Receiver::take(const wire::Command& command) {
+void Receiver::Impl::take(const wire::Command& command) {
   if (!command_.begin(LastCommand::Kind::command, command.command)) return;
   if (Refused refused = misses(command)) return command_.settle(std::move(refused));
   const ClientCommand what = command_of(command.kind, command.value);
@@ -77,7 +78,7 @@ void Receiver::take(const wire::Command& command) {
 }
 
 /// Reason why a command cannot be passed to the axis.
-Refused Receiver::misses(const wire::Command& command) const {
+Refused Receiver::Impl::misses(const wire::Command& command) const {
   if (std::string rule = contradiction(command.kind, command.value); !rule.empty())
     return {wire::Refusal::bad_order, std::move(rule)};
   const auto queue_is_missing = [&](const auto& what) {
@@ -91,13 +92,13 @@ Refused Receiver::misses(const wire::Command& command) const {
 
 // ---- the axis's answers -------------------------------------------------------------------------
 
-LastCommand* Receiver::pending(std::int64_t session, std::int32_t command) {
+LastCommand* Receiver::Impl::pending(std::int64_t session, std::int32_t command) {
   if (session != 0 && session != session_.owner()) return nullptr;
   LastCommand& record = session == 0 ? operator_ : command_;
   return record.waits(command) ? &record : nullptr;
 }
 
-void Receiver::accept(std::int64_t session, std::int32_t command) {
+void Receiver::Impl::accept(std::int64_t session, std::int32_t command) {
   LastCommand* const record = pending(session, command);
   if (record == nullptr) return;
   record->settle({});
@@ -105,7 +106,7 @@ void Receiver::accept(std::int64_t session, std::int32_t command) {
 }
 
 /// Applies the effects of an accepted command.
-void Receiver::done(const LastCommand& record) {
+void Receiver::Impl::done(const LastCommand& record) {
   if (record.kind() == LastCommand::Kind::arm) armed_ = true;
   if (record.kind() == LastCommand::Kind::start) armed_ = false;
   if (!record.what()) return;
@@ -113,8 +114,8 @@ void Receiver::done(const LastCommand& record) {
     queues_.clear_bank(clear->queue, clear->bank, clear->seq);
 }
 
-void Receiver::refuse(std::int64_t session, std::int32_t command, std::string reason,
-                      std::int32_t cause) {
+void Receiver::Impl::refuse(std::int64_t session, std::int32_t command, std::string reason,
+                            std::int32_t cause) {
   if (LastCommand* const record = pending(session, command))
     record->settle({wire::Refusal::axis, std::move(reason)}, cause);
 }
@@ -123,7 +124,7 @@ void Receiver::refuse(std::int64_t session, std::int32_t command, std::string re
 
 /// Each operator command invalidates the challenge that it carries. Without a key, a stop with a
 /// wrong challenge is executed nevertheless: this is safe, and faster.
-void Receiver::receive_operators(const wire::Message& message) {
+void Receiver::Impl::receive_operators(const wire::Message& message) {
   const std::int32_t number = command_number(message.body);
   const auto* const stop = std::get_if<wire::Stop>(&message.body);
   const auto* const command = std::get_if<wire::Command>(&message.body);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/receiver/row_intake.hpp"
+#include "stream/src/receiver/row_intake.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/receiver/session.hpp"
+#include "stream/src/receiver/session.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/receiver/table_intake.hpp"
+#include "stream/src/receiver/table_intake.hpp"
 
 #include <new>
 #include <utility>

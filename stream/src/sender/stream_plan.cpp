@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/message/refusal.hpp"
+
+#include "stream/src/message/refusal.hpp"
 
 namespace jounce {
 namespace {

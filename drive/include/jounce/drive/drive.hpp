@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "jounce/axis/axis.hpp"
+#include "jounce/axis/command.hpp"
 #include "jounce/axis/inputs.hpp"
+#include "jounce/axis/tick.hpp"
 
 namespace jounce {
 

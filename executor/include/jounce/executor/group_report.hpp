@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "jounce/axis/axis.hpp"
+#include "jounce/axis/tick.hpp"
 #include "jounce/executor/executor_options.hpp"
 #include "jounce/executor/group_queue.hpp"
 #include "jounce/path/plan_progress.hpp"

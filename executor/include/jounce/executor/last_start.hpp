@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "jounce/axis/axis.hpp"
+#include "jounce/axis/tick.hpp"
 #include "jounce/stream/message/message.hpp"
 
 namespace jounce {

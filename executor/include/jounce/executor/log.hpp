@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "jounce/axis/axis.hpp"
+#include "jounce/axis/tick.hpp"
 #include "jounce/base/hash.hpp"
 
 namespace jounce {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "jounce/axis/axis.hpp"
 #include "jounce/axis/group_program.hpp"
+#include "jounce/axis/tick.hpp"
 #include "jounce/stream/message/message.hpp"
 
 namespace jounce {

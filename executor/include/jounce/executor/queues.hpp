@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/axis/axis.hpp"
 #include "jounce/axis/fifo_movement.hpp"
+#include "jounce/axis/tick.hpp"
 #include "jounce/stream/receiver/receiver.hpp"
 
 namespace jounce {

@@ -10,11 +10,11 @@
 #include <variant>
 #include <vector>
 
-#include "jounce/axis/axis.hpp"
 #include "jounce/axis/group_program.hpp"
 #include "jounce/axis/job.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/axis/master.hpp"
+#include "jounce/axis/tick.hpp"
 #include "jounce/base/hash.hpp"
 #include "jounce/executor/queues.hpp"
 #include "jounce/executor/recorded_output.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "jounce/axis/outputs.hpp"
+#include "jounce/axis/axis_compare.hpp"
 
 namespace jounce {
 

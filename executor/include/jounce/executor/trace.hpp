@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/axis/axis.hpp"
+#include "jounce/axis/tick.hpp"
 #include "jounce/executor/executor_options.hpp"
 #include "jounce/stream/receiver/table_store.hpp"
 

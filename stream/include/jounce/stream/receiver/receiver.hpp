@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/message/refusal.hpp"
-#include "jounce/stream/receiver/challenges.hpp"
-#include "jounce/stream/receiver/last_command.hpp"
-#include "jounce/stream/receiver/queue_intake.hpp"
-#include "jounce/stream/receiver/session.hpp"
-#include "jounce/stream/receiver/table_intake.hpp"
+#include "jounce/stream/receiver/queue_level.hpp"
+#include "jounce/stream/receiver/table_store.hpp"
 #include "jounce/stream/security/key.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
@@ -142,6 +139,10 @@ class Receiver {
   /// `boot` > 0: a random number, different at each start. Throws InputError for an invalid name,
   /// and for a credit outside 1 to 64.
   Receiver(ReceiverOptions options, std::int64_t boot);
+  ~Receiver();
+  /// Leaves `other` without an axis: only assign to it, or destroy it.
+  Receiver(Receiver&& other) noexcept;
+  Receiver& operator=(Receiver&& other) noexcept;
 
   /// Processes a message that has arrived at the time `now`.
   void receive(const wire::Message& message, Nanos now);
@@ -170,69 +171,26 @@ class Receiver {
   /// Rejects a row of a queue. `row`: index in its bank, from 0.
   void refuse_row(std::uint32_t queue, std::uint64_t row, std::string reason);
 
-  [[nodiscard]] std::int64_t session() const { return session_.id(); }  ///< 0: the axis is free
+  [[nodiscard]] std::int64_t session() const;  ///< 0: the axis is free
   /// True if an arm was accepted, until the next arm, an accepted start, a stop, or the end of the
   /// session. Only then is a start passed to the axis.
-  [[nodiscard]] bool armed() const { return armed_; }
+  [[nodiscard]] bool armed() const;
   /// The complete tables.
-  [[nodiscard]] const TableStore& store() const { return tables_.store(); }
+  [[nodiscard]] const TableStore& store() const;
   /// Name of the axis.
-  [[nodiscard]] const std::string& executor() const { return options_.executor; }
+  [[nodiscard]] const std::string& executor() const;
   /// The number of this start of the executor.
-  [[nodiscard]] std::int64_t boot() const { return boot_; }
+  [[nodiscard]] std::int64_t boot() const;
   /// Challenges of the messages of a session, and of an operator.
-  [[nodiscard]] std::int64_t challenge() const { return challenges_.session(); }
-  [[nodiscard]] std::int64_t operators_challenge() const { return challenges_.operators(); }
+  [[nodiscard]] std::int64_t challenge() const;
+  [[nodiscard]] std::int64_t operators_challenge() const;
 
   /// Returns the status as a message: with name, session and challenge.
   [[nodiscard]] wire::Message status(const wire::Status& status) const;
 
  private:
-  void take(const wire::Header& header) { take_table(header.table, tables_.add(header)); }
-  void take(const wire::Chunk& chunk) { take_table(chunk.table, tables_.add(chunk)); }
-  void take(const wire::Queue& queue);
-  void take(const wire::Rows& rows);
-  void take(const wire::Arm& arm);
-  void take(const wire::Start& start);
-  void take(const wire::Stop& stop);
-  void take(const wire::Heartbeat& heartbeat);
-  void take(const wire::Command& command);
-  template <class Other>
-  void take(const Other& /*from an executor*/) {}
-
-  void open(std::int64_t session);
-  void end(SessionEnded::Why why);
-  void expire(Nanos now);
-
-  void receive_operators(const wire::Message& message);
-  void take_table(std::uint32_t table, Refused refused);
-  void arm_queue(const wire::Arm& arm);
-  [[nodiscard]] Refused misses(const wire::Command& command) const;
-  [[nodiscard]] LastCommand* pending(std::int64_t session, std::int32_t command);
-  void done(const LastCommand& record);
-
-  void answer_barred(const wire::Message& message, Refused refused);
-  void refuse_table(std::int64_t session, std::uint32_t table, Refused refused);
-  void refuse_queue_of(std::int64_t session, std::uint32_t queue, Refused refused);
-  void refuse_command(std::int64_t session, std::int32_t command, Refused refused);
-  void answer_stranger(std::int64_t session, wire::Body body);
-  void send(std::int64_t session, wire::Body body);
-
-  ReceiverOptions options_;
-  std::int64_t boot_;
-  Challenges challenges_;
-  Session session_;
-  TableIntake tables_;
-  QueueIntake queues_;
-  LastCommand command_;   // newest command of the present session, or of the last one
-  LastCommand operator_;  // newest command of session 0
-  std::int64_t operators_last_challenge_ = 0;  // challenge of the last command in session 0
-
-  bool armed_ = false;
-  std::optional<std::pair<std::uint32_t, std::uint8_t>> armed_queue_;  // queue and bank armed last
-
-  std::vector<wire::Message> outgoing_;
-  std::deque<StreamEvent> events_;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace jounce

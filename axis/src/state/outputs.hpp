@@ -6,24 +6,12 @@
 #include <limits>
 #include <optional>
 
+#include "jounce/axis/axis_compare.hpp"
 #include "jounce/cam/switches/cam_switches.hpp"
 #include "jounce/pvt/live_compare.hpp"
 #include "jounce/pvt/live_plane_compare.hpp"
 
 namespace jounce {
-
-/// The position compare of an axis: one list of positions. The list starts again with each motion
-/// that begins from rest.
-struct AxisCompare {
-  /// The compared position: `position` (of the setpoint) or `actual`.
-  SwitchesOf of = SwitchesOf::position;
-  std::optional<PositionCompare> list = {};  ///< the list; nullopt: no position compare
-  /// For a group: position compare of two of its axes; nullopt: none. Its outputs are those of
-  /// Tick::switches, so a group with it has no cam switches.
-  std::optional<PlaneCompare> plane = {};
-  /// Places of these two axes in the group, from 0.
-  std::array<std::size_t, 2> plane_axes = {0, 1};
-};
 
 /// Inputs of Outputs::step() in one tick. Units: u is the unit of the axis, m the unit of its
 /// master.

@@ -5,7 +5,8 @@
 #include <optional>
 
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/message/refusal.hpp"
+
+#include "stream/src/message/refusal.hpp"
 
 namespace jounce {
 

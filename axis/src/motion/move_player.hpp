@@ -5,10 +5,11 @@
 #include <optional>
 
 #include "jounce/axis/axis_config.hpp"
-#include "jounce/axis/move_plan.hpp"
 #include "jounce/axis/movement.hpp"
 #include "jounce/profiles/curve/modulo.hpp"
 #include "jounce/profiles/moves/profile.hpp"
+
+#include "axis/src/motion/move_plan.hpp"
 
 namespace jounce {
 

@@ -5,11 +5,12 @@
 #include <optional>
 
 #include "jounce/axis/axis_config.hpp"
-#include "jounce/axis/move_plan.hpp"
 #include "jounce/axis/movement.hpp"
 #include "jounce/command/cause.hpp"
 #include "jounce/command/commands.hpp"
 #include "jounce/profiles/moves/profile.hpp"
+
+#include "axis/src/motion/move_plan.hpp"
 
 namespace jounce {
 

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/message/refusal.hpp"
-#include "jounce/stream/receiver/assembly.hpp"
 #include "jounce/stream/receiver/table_store.hpp"
+
+#include "stream/src/message/refusal.hpp"
+#include "stream/src/receiver/assembly.hpp"
 
 namespace jounce {
 

@@ -7,17 +7,11 @@
 #include <vector>
 
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/message/refusal.hpp"
+#include "jounce/stream/receiver/queue_level.hpp"
+
+#include "stream/src/message/refusal.hpp"
 
 namespace jounce {
-
-/// Progress of a queue on an axis. Arrays have one entry for each of the two banks.
-struct QueueLevel {
-  /// Number of rows that were freed since the queue was opened.
-  std::array<std::uint64_t, 2> freed{};
-  std::int64_t played = 0;  ///< number of rows that were played since the queue was opened
-  wire::Progress progress = wire::Progress::none;  ///< progress of the motion
-};
 
 /// The arriving rows of one queue. The class puts them into order, checks them, and never accepts
 /// more rows than the free space holds. It keeps at most `credit` messages that have arrived before

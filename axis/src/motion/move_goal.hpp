@@ -4,11 +4,12 @@
 #include <optional>
 
 #include "jounce/axis/axis_config.hpp"
-#include "jounce/axis/move_plan.hpp"
-#include "jounce/axis/waiting_moves.hpp"
 #include "jounce/command/cause.hpp"
 #include "jounce/command/commands.hpp"
 #include "jounce/profiles/moves/profile.hpp"
+
+#include "axis/src/motion/move_plan.hpp"
+#include "axis/src/motion/waiting_moves.hpp"
 
 namespace jounce {
 

@@ -5,8 +5,9 @@
 #include <deque>
 
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/message/refusal.hpp"
 #include "jounce/stream/transport/transport.hpp"
+
+#include "stream/src/message/refusal.hpp"
 
 namespace jounce {
 

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/message/refusal.hpp"
-#include "jounce/stream/receiver/row_intake.hpp"
+
+#include "stream/src/message/refusal.hpp"
+#include "stream/src/receiver/row_intake.hpp"
 
 namespace jounce {
 

@@ -8,8 +8,9 @@
 
 #include "jounce/base/hash.hpp"
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/message/refusal.hpp"
 #include "jounce/stream/receiver/table_store.hpp"
+
+#include "stream/src/message/refusal.hpp"
 
 namespace jounce {
 

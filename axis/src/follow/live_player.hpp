@@ -6,7 +6,8 @@
 
 #include "jounce/axis/axis_config.hpp"
 #include "jounce/axis/movement.hpp"
-#include "jounce/axis/phase_player.hpp"
+
+#include "axis/src/follow/phase_player.hpp"
 
 namespace jounce {
 
