@@ -6,7 +6,8 @@
 #include <bit>
 
 #include "jounce/io/detail/table_parts.hpp"
-#include "jounce/io/table_npy.hpp"
+
+#include "io/src/table_npy.hpp"
 
 namespace jounce {
 namespace {

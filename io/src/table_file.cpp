@@ -9,8 +9,9 @@
 #include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/detail/table_parts.hpp"
-#include "jounce/io/table_npy.hpp"
 #include "jounce/profiles/error.hpp"
+
+#include "io/src/table_npy.hpp"
 
 namespace jounce {
 

@@ -28,11 +28,11 @@
 #include "jounce/stream/sender/client.hpp"
 #include "jounce/stream/sender/driver.hpp"
 #include "jounce/stream/sender/group.hpp"
-#include "jounce/stream/transport/lossy_transport.hpp"
 
 #include "executor/log_judge.hpp"
 #include "executor/log_line.hpp"
 #include "executor/site.hpp"
+#include "stream/src/transport/lossy_transport.hpp"
 #include "support/random.hpp"
 
 namespace jounce::test {

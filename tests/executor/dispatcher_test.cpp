@@ -12,10 +12,10 @@
 #include <unistd.h>
 
 #include "jounce/stream/sender/client.hpp"
-#include "jounce/stream/transport/lossy_transport.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
+#include "stream/src/transport/lossy_transport.hpp"
 
 namespace jounce::dispatcher_test {
 namespace {

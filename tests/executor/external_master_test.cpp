@@ -19,11 +19,11 @@
 #include "jounce/gear/follow.hpp"
 #include "jounce/pvt/segment_row.hpp"
 #include "jounce/stream/sender/client.hpp"
-#include "jounce/stream/transport/lossy_transport.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
 #include "gear/follow_tables.hpp"
+#include "stream/src/transport/lossy_transport.hpp"
 
 namespace jounce::external_master_test {
 namespace {

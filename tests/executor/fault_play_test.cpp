@@ -6,10 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/stream/transport/lossy_transport.hpp"
-
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
+#include "stream/src/transport/lossy_transport.hpp"
 #include "support/random.hpp"
 
 namespace jounce::fault_play_test {

@@ -13,9 +13,9 @@
 #include <gtest/gtest.h>
 
 #include "jounce/path/arc.hpp"
-#include "jounce/stream/transport/memory_transport.hpp"
 
 #include "executor/sent_plotter.hpp"
+#include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::group_outputs_test {
 namespace {

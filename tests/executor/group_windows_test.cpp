@@ -15,9 +15,9 @@
 #include "jounce/executor/group_plan.hpp"
 #include "jounce/path/arc.hpp"
 #include "jounce/stream/sender/operate.hpp"
-#include "jounce/stream/transport/memory_transport.hpp"
 
 #include "executor/sent_plotter.hpp"
+#include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::group_windows_test {
 namespace {

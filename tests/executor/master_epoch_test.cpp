@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/executor/masters.hpp"
-#include "jounce/stream/transport/memory_transport.hpp"
+
+#include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::master_epoch_test {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/sender.hpp"
-#include "jounce/stream/transport/memory_transport.hpp"
 
 #include "axis/tables.hpp"
+#include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::run_executor_test {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "jounce/executor/dispatcher.hpp"
 #include "jounce/executor/replay.hpp"
-#include "jounce/stream/transport/memory_transport.hpp"
 
 #include "executor/src/record/run_record.hpp"
 #include "executor/virtual_pacer.hpp"
+#include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::test {
 

@@ -7,11 +7,11 @@
 
 #include "jounce/executor/dispatcher.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/transport/memory_transport.hpp"
 
 #include "executor/virtual_pacer.hpp"
 #include "fuzz/packets.hpp"
 #include "stream/harness.hpp"
+#include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::fuzz {
 namespace {

@@ -3,10 +3,10 @@
 // breaks. The values pinned here as upper limits were measured; what must hold besides is proven.
 #include <gtest/gtest.h>
 
-#include "jounce/optimize/bound.hpp"
 #include "jounce/optimize/optimize.hpp"
 
 #include "optimize/rest_to_rest.hpp"
+#include "optimize/src/knots/bound.hpp"
 
 namespace jounce::fig614_test {
 namespace {

@@ -5,9 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/optimize/bound.hpp"
-
 #include "optimize/rest_to_rest.hpp"
+#include "optimize/src/knots/bound.hpp"
 
 namespace jounce::optimize_test {
 namespace {

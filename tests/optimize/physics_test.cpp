@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "jounce/cam/laws/law.hpp"
-#include "jounce/optimize/bound.hpp"
 #include "jounce/optimize/detail/pointwise.hpp"
 #include "jounce/optimize/shape.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/vibration/shaper.hpp"
 #include "jounce/profiles/vibration/vibration_band.hpp"
 
+#include "optimize/src/knots/bound.hpp"
 #include "support/random.hpp"
 
 namespace jounce::physics_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/transport/address.hpp"
+#include "stream/src/transport/address.hpp"
 
 #include <gtest/gtest.h>
 

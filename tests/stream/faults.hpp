@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/stream/transport/lossy_transport.hpp"
+#include "stream/src/transport/lossy_transport.hpp"
 
 /// The faults of docs/stream-faults.md.
 namespace jounce::test {

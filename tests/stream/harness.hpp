@@ -13,8 +13,9 @@
 
 #include "jounce/command/command_table.hpp"
 #include "jounce/stream/sender/driver.hpp"
-#include "jounce/stream/transport/lossy_transport.hpp"
-#include "jounce/stream/transport/memory_transport.hpp"
+
+#include "stream/src/transport/lossy_transport.hpp"
+#include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/transport/lossy_transport.hpp"
+#include "stream/src/transport/lossy_transport.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/transport/memory_transport.hpp"
+
+#include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::lossy_transport_test {
 namespace {

@@ -6,8 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "jounce/stream/sender/driver.hpp"
-#include "jounce/stream/transport/lossy_transport.hpp"
-#include "jounce/stream/transport/memory_transport.hpp"
+
+#include "stream/src/transport/lossy_transport.hpp"
+#include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::master_intake_test {
 namespace {

@@ -19,8 +19,9 @@
 #include <vector>
 
 #include "jounce/stream/sender/driver.hpp"
-#include "jounce/stream/transport/lossy_transport.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
+
+#include "stream/src/transport/lossy_transport.hpp"
 
 namespace {
 

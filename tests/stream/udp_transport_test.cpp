@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Over multicast on the loopback interface, which leaves this machine nowhere and needs no route.
-#include "jounce/stream/transport/udp_transport.hpp"
+#include "stream/src/transport/udp_transport.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/pareto.hpp"
+#include "study/src/sweep/pareto.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/optimize/bound.hpp"
+#include "optimize/src/knots/bound.hpp"
 
 #include <algorithm>
 #include <array>

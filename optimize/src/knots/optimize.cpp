@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "jounce/optimize/bound.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "optimize/src/knots/bound.hpp"
 #include "optimize/src/knots/convex_bound.hpp"
 #include "optimize/src/knots/multi_start.hpp"
 #include "optimize/src/search/findings.hpp"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/optimize/bound.hpp"
+#include "optimize/src/knots/bound.hpp"
 
 // The energy E = f'^2 / 2 has the power f' f'' = E'. With |E'| <= P and x measured from the start,
 //

@@ -3,8 +3,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "jounce/optimize/bound.hpp"
-
+#include "optimize/src/knots/bound.hpp"
 #include "optimize/src/shapes/shape_report.hpp"
 
 // Let g = f^(n), L the length, d the displacement, and r_j, j = 0 ... n - 1, the difference at the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/spec/detail/of_follow.hpp"
 #include "jounce/spec/sync_spec.hpp"
+
+#include "spec/src/cams/of_follow.hpp"
 
 namespace jounce {
 namespace {

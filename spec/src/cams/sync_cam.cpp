@@ -6,8 +6,9 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/spec/detail/in_document.hpp"
-#include "jounce/spec/detail/of_follow.hpp"
 #include "jounce/spec/sync_spec.hpp"
+
+#include "spec/src/cams/of_follow.hpp"
 
 namespace jounce {
 namespace {

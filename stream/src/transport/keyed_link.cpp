@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/stream/transport/keyed_link.hpp"
 
-#include "jounce/stream/transport/address.hpp"
-#include "jounce/stream/transport/lossy_transport.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
+
+#include "stream/src/transport/address.hpp"
+#include "stream/src/transport/lossy_transport.hpp"
 
 namespace jounce {
 

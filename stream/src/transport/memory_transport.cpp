@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/transport/memory_transport.hpp"
+#include "stream/src/transport/memory_transport.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -5,10 +5,11 @@
 #include <thread>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/transport/address.hpp"
-#include "jounce/stream/transport/memory_transport.hpp"
-#include "jounce/stream/transport/udp_transport.hpp"
-#include "jounce/stream/transport/unix_transport.hpp"
+
+#include "stream/src/transport/address.hpp"
+#include "stream/src/transport/memory_transport.hpp"
+#include "stream/src/transport/udp_transport.hpp"
+#include "stream/src/transport/unix_transport.hpp"
 
 namespace jounce {
 namespace {

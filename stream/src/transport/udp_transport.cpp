@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/transport/udp_transport.hpp"
+#include "stream/src/transport/udp_transport.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/transport/unix_transport.hpp"
+#include "stream/src/transport/unix_transport.hpp"
 
 #include <cassert>
 #include <cerrno>

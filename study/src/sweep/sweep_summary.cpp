@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "jounce/study/pareto.hpp"
+#include "study/src/sweep/pareto.hpp"
 
 namespace jounce {
 namespace {

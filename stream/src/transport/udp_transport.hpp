@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "jounce/stream/transport/address.hpp"
 #include "jounce/stream/transport/transport.hpp"
+
+#include "stream/src/transport/address.hpp"
 
 namespace jounce {
 
