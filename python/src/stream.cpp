@@ -207,21 +207,26 @@ void bind_power(py::class_<AxisClient>& c) {
       .def(
           "home",
           [](AxisClient& self, double position) {
-            self.call([&](Client& k) { return k.home(position); });
+            self.call([&](Client& k) {
+              return k.command(
+                  command::Home{.offset = position, .method = command::Home::without_motion});
+            });
           },
           "position"_a,
           "Homes at the present position without motion: assigns this value (u) to it.")
       .def(
           "set_position",
           [](AxisClient& self, double position, bool relative) {
-            self.call([&](Client& k) { return k.set_position(position, relative); });
+            self.call([&](Client& k) {
+              return k.command(command::SetPosition{.position = position, .relative = relative});
+            });
           },
           "position"_a, py::kw_only(), "relative"_a = false,
           "Assigns a value (u) to the present position, or adds it (MC_SetPosition).")
       .def(
           "set_override",
           [](AxisClient& self, double factor) {
-            self.call([&](Client& k) { return k.override_(factor); });
+            self.call([&](Client& k) { return k.command(command::Override{factor}); });
           },
           "factor"_a, "Sets the override, 0 to 2 (MC_SetOverride).");
 }
@@ -233,24 +238,32 @@ void bind_motion(py::class_<AxisClient>& c) {
   };
   bind(
       "move_relative", "distance",
-      [](Client& k, double x, const MoveDynamics& d) { return k.move_relative(x, d); },
+      [](Client& k, double x, const MoveDynamics& d) {
+        return k.command(command::MoveRelative{.distance = x, .dynamics = d});
+      },
       "Moves by a distance (u) (MC_MoveRelative). Dynamics as for move_absolute().");
   bind(
       "move_additive", "distance",
-      [](Client& k, double x, const MoveDynamics& d) { return k.move_additive(x, d); },
+      [](Client& k, double x, const MoveDynamics& d) {
+        return k.command(command::MoveAdditive{.distance = x, .dynamics = d});
+      },
       "Moves the present target by a distance (u) (MC_MoveAdditive). Dynamics as for "
       "move_absolute().");
   bind(
       "move_superimposed", "distance",
-      [](Client& k, double x, const MoveDynamics& d) { return k.move_superimposed(x, d); },
+      [](Client& k, double x, const MoveDynamics& d) {
+        return k.command(command::MoveSuperimposed{.distance = x, .dynamics = d});
+      },
       "Adds a move by a distance (u) to the present motion (MC_MoveSuperimposed).");
   c.def(
       "move_absolute",
       [](AxisClient& self, double position, Number velocity, Number acceleration,
          Number deceleration, Number jerk, int direction) {
         self.call([&](Client& k) {
-          return k.move_absolute(position, dynamics(velocity, acceleration, deceleration, jerk),
-                                 direction);
+          return k.command(command::MoveAbsolute{
+              .position = position,
+              .dynamics = dynamics(velocity, acceleration, deceleration, jerk),
+              .direction = static_cast<Direction>(direction)});
         });
       },
       "position"_a, py::kw_only(), "velocity"_a = py::none(), "acceleration"_a = py::none(),
@@ -263,7 +276,8 @@ axis: 1 or -1; 0: the shorter way.)");
       "move_velocity",
       [](AxisClient& self, double velocity, Number acceleration, Number deceleration, Number jerk) {
         self.call([&](Client& k) {
-          return k.move_velocity(velocity, dynamics({}, acceleration, deceleration, jerk));
+          return k.command(command::MoveVelocity{
+              .velocity = velocity, .dynamics = dynamics({}, acceleration, deceleration, jerk)});
         });
       },
       "velocity"_a, py::kw_only(), "acceleration"_a = py::none(), "deceleration"_a = py::none(),
@@ -272,14 +286,18 @@ axis: 1 or -1; 0: the shorter way.)");
   c.def(
       "halt",
       [](AxisClient& self, Number deceleration, Number jerk) {
-        self.call([&](Client& k) { return k.halt(dynamics({}, {}, deceleration, jerk)); });
+        self.call([&](Client& k) {
+          return k.command(command::Halt{dynamics({}, {}, deceleration, jerk)});
+        });
       },
       py::kw_only(), "deceleration"_a = py::none(), "jerk"_a = py::none(),
       "Brings the axis to rest (MC_Halt).");
   c.def(
       "gear_in",
       [](AxisClient& self, std::int32_t numerator, std::int32_t denominator) {
-        self.call([&](Client& k) { return k.gear_in(numerator, denominator); });
+        self.call([&](Client& k) {
+          return k.command(command::GearIn{.numerator = numerator, .denominator = denominator});
+        });
       },
       "numerator"_a, "denominator"_a, "Couples the axis to its master by a ratio (MC_GearIn).");
 }

@@ -292,7 +292,7 @@ TEST(Dispatcher, RetiringWaitsForAMoveToEnd) {
   options.axis.limits = limits(1000, 100);
   Site site({options});
   Client client(site.link, "feeder", {}, site.clock);
-  ASSERT_TRUE(client.move_velocity(100).ok());
+  ASSERT_TRUE(client.command(command::MoveVelocity{.velocity = 100}).ok());
   ASSERT_TRUE(client.release().ok());
   site.advance(1500ms);
   EXPECT_EQ(site.last().velocity, 100);

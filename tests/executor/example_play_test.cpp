@@ -369,7 +369,8 @@ TEST(ExamplePlay, Pmc600Example61) {
     const double k = static_cast<double>(numerator) / denominator;
     Follower site;
     Client knife(site.link, "knife", {}, site.clock);
-    ASSERT_TRUE(knife.gear_in(numerator, denominator).ok());
+    ASSERT_TRUE(
+        knife.command(command::GearIn{.numerator = numerator, .denominator = denominator}).ok());
     ASSERT_TRUE(knife.release().ok());
     site.each_tick = [&](const Tick& feeder, const Tick& slave) {
       ASSERT_NEAR(slave.position, k * feeder.position, 1e-7);
@@ -377,7 +378,9 @@ TEST(ExamplePlay, Pmc600Example61) {
     };
     Client feeder(site.link, "feeder", {}, site.clock);
     for (const double to : {20000.0, 0.0, 20000.0}) {
-      ASSERT_TRUE(feeder.move_absolute(to, {10000, 10000, 10000}).ok());
+      ASSERT_TRUE(
+          feeder.command(command::MoveAbsolute{.position = to, .dynamics = {10000, 10000, 10000}})
+              .ok());
       ASSERT_TRUE(feeder.release().ok());
       site.advance(3100ms);
       EXPECT_NEAR(site.feeder().position, to, 1e-9);
@@ -391,7 +394,13 @@ TEST(ExamplePlay, Pmc600Example61) {
 TEST(ExamplePlay, Pmc600Example62Looped) {
   Follower site;
   Client knife(site.link, "knife", {}, site.clock);
-  ASSERT_TRUE(knife.gear_in_pos(1, 2, 5000, 2000, 4000).ok());
+  ASSERT_TRUE(knife
+                  .command(command::GearInPos{.numerator = 1,
+                                              .denominator = 2,
+                                              .master_sync_position = 5000,
+                                              .slave_sync_position = 2000,
+                                              .master_start_distance = 4000})
+                  .ok());
   ASSERT_TRUE(knife.release().ok());
   bool in_sync = false;
   double furthest = 0;
@@ -407,7 +416,9 @@ TEST(ExamplePlay, Pmc600Example62Looped) {
   };
   Client feeder(site.link, "feeder", {}, site.clock);
   for (const double to : {10000.0, 0.0, 10000.0, 0.0}) {
-    ASSERT_TRUE(feeder.move_absolute(to, {10000, 100000, 100000}).ok());
+    ASSERT_TRUE(
+        feeder.command(command::MoveAbsolute{.position = to, .dynamics = {10000, 100000, 100000}})
+            .ok());
     ASSERT_TRUE(feeder.release().ok());
     site.advance(1200ms);
   }
@@ -429,7 +440,8 @@ TEST(ExamplePlay, Pmc600Example67OfLineFollow) {
     peak = std::max(peak, knife.velocity);
   };
   Client feeder(site.link, "feeder", {}, site.clock);
-  ASSERT_TRUE(feeder.move_absolute(4000, {2000, 4000, 4000}).ok());
+  ASSERT_TRUE(
+      feeder.command(command::MoveAbsolute{.position = 4000, .dynamics = {2000, 4000, 4000}}).ok());
   ASSERT_TRUE(feeder.release().ok());
   site.advance(2600ms);
   EXPECT_NEAR(peak, 1000, 1e-6) << "notes: slave peak 1000";

@@ -184,10 +184,10 @@ TEST(ExternalMasterRun, ALostMasterStopsItsFollowerAndNothingElse) {
     Line site;
     site.advance(500ms);
     Client label(site.link, "label", {}, site.clock);
-    ASSERT_TRUE(label.gear_in(1, 2).ok());
+    ASSERT_TRUE(label.command(command::GearIn{.numerator = 1, .denominator = 2}).ok());
     ASSERT_TRUE(label.release().ok());
     Client knife(site.link, "knife", {}, site.clock);
-    ASSERT_TRUE(knife.gear_in(1, 1).ok());
+    ASSERT_TRUE(knife.command(command::GearIn{.numerator = 1, .denominator = 1}).ok());
     ASSERT_TRUE(knife.release().ok());
     site.advance(1s);
     ASSERT_EQ(site.knife().state, State::synchronized_motion);
@@ -235,7 +235,7 @@ TEST(ExternalMasterRun, SamplesOfBeforeDoNothing) {
     };
     site.advance(500ms);
     Client knife(site.link, "knife", {}, site.clock);
-    EXPECT_TRUE(knife.gear_in(1, 1).ok());
+    EXPECT_TRUE(knife.command(command::GearIn{.numerator = 1, .denominator = 1}).ok());
     EXPECT_TRUE(knife.release().ok());
     std::vector<double> positions;
     for (int i = 0; i < 2000; ++i) {
@@ -288,7 +288,7 @@ TEST(ExternalMasterRun, AMasterAboveItsVelocityIsReportedAndThenLost) {
   site.line.position = [](double t) { return t < 2 ? 1000 * t : 2000 + 5000 * (t - 2); };
   site.advance(500ms);
   Client knife(site.link, "knife", {}, site.clock);
-  ASSERT_TRUE(knife.gear_in(1, 1).ok());
+  ASSERT_TRUE(knife.command(command::GearIn{.numerator = 1, .denominator = 1}).ok());
   ASSERT_TRUE(knife.release().ok());
   site.advance(3s);
   EXPECT_EQ(site.knife().fault, Cause::master_lost);
@@ -383,7 +383,11 @@ TEST(ExternalMasterRun, AGearIsInStepWithTheRecordedMaster) {
   site.line.position = [](double t) { return std::max(0.0, 1000 * (t - 1)); };
   site.advance(600ms);
   Client knife(site.link, "knife", {}, site.clock);
-  const auto in = knife.gear_in_pos(1, 2, 1500, 400, 800);
+  const auto in = knife.command(command::GearInPos{.numerator = 1,
+                                                   .denominator = 2,
+                                                   .master_sync_position = 1500,
+                                                   .slave_sync_position = 400,
+                                                   .master_start_distance = 800});
   ASSERT_TRUE(in.ok()) << in.reason;
   ASSERT_TRUE(knife.release().ok());
   site.advance(4s);

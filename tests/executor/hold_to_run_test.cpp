@@ -41,7 +41,8 @@ TEST(HoldToRun, RunsWhileItsSessionIsHeardAndStopsWhenThatIsSilent) {
   options.stop_when_silent = false;  // that is for other motions
   options.receiver.session_timeout = 10s;
   Jogging site(options);
-  ASSERT_TRUE(site.client.jog(100).ok());
+  ASSERT_TRUE(
+      site.client.command(command::MoveVelocity{.velocity = 100, .hold_to_run = true}).ok());
   for (int i = 0; i < 20; ++i) {
     site.advance(150ms);
     ASSERT_EQ(site.last().velocity, 100) << i;
@@ -57,7 +58,8 @@ TEST(HoldToRun, RunsWhileItsSessionIsHeardAndStopsWhenThatIsSilent) {
 
 TEST(HoldToRun, StopsWhenItsSessionIsReleased) {
   Jogging site(feeder());
-  ASSERT_TRUE(site.client.jog(-100).ok());
+  ASSERT_TRUE(
+      site.client.command(command::MoveVelocity{.velocity = -100, .hold_to_run = true}).ok());
   site.advance(100ms);
   EXPECT_EQ(site.last().velocity, -100);
   ASSERT_TRUE(site.client.release().ok());
@@ -67,7 +69,8 @@ TEST(HoldToRun, StopsWhenItsSessionIsReleased) {
 // It ends the session, too; the end of the session must not take its place.
 TEST(HoldToRun, AnOperatorsStopIsConfirmedAndStaysAStop) {
   Jogging site(feeder());
-  ASSERT_TRUE(site.client.jog(100).ok());
+  ASSERT_TRUE(
+      site.client.command(command::MoveVelocity{.velocity = 100, .hold_to_run = true}).ok());
   site.advance(50ms);
   EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::stop, 1s, site.clock));
   site.advance(100ms);
@@ -80,16 +83,17 @@ TEST(HoldToRun, AnOperatorsStopIsConfirmedAndStaysAStop) {
 TEST(HoldToRun, NothingElseInTheSessionTurnsItIntoAMotionThatRunsOn) {
   for (int which = 0; which < 4; ++which) {
     Jogging site(feeder());
-    ASSERT_TRUE(site.client.jog(100).ok());
+    ASSERT_TRUE(
+        site.client.command(command::MoveVelocity{.velocity = 100, .hold_to_run = true}).ok());
     site.advance(50ms);
     if (which == 0) {
-      EXPECT_FALSE(site.client.move_velocity(2000).ok());
+      EXPECT_FALSE(site.client.command(command::MoveVelocity{.velocity = 2000}).ok());
     } else if (which == 1) {
-      EXPECT_TRUE(site.client.override_(0.5).ok());
+      EXPECT_TRUE(site.client.command(command::Override{0.5}).ok());
     } else if (which == 2) {
       EXPECT_TRUE(site.client.hold().ok() && site.client.resume().ok());
     } else {
-      EXPECT_TRUE(site.client.move_velocity(200).ok());
+      EXPECT_TRUE(site.client.command(command::MoveVelocity{.velocity = 200}).ok());
     }
     site.advance(150ms);
     EXPECT_GT(site.last().velocity, 0);
@@ -100,11 +104,11 @@ TEST(HoldToRun, NothingElseInTheSessionTurnsItIntoAMotionThatRunsOn) {
 
 TEST(HoldToRun, AJogWithoutItGoesOn) {
   Jogging site(feeder());
-  ASSERT_TRUE(site.client.move_velocity(100).ok());
+  ASSERT_TRUE(site.client.command(command::MoveVelocity{.velocity = 100}).ok());
   ASSERT_TRUE(site.client.release().ok());
   site.advance(1s);
   EXPECT_EQ(site.last().velocity, 100);
-  ASSERT_TRUE(site.client.jog(0).ok());
+  ASSERT_TRUE(site.client.command(command::MoveVelocity{.velocity = 0, .hold_to_run = true}).ok());
   site.advance(100ms);
   EXPECT_EQ(site.last().state, State::standstill);
 }

@@ -74,7 +74,7 @@ TEST(OrderedHoming, TheLogKeepsTheLimitsAndTheRecordReplays) {
       options.log = csv;
       Slide site(options);
       const std::int64_t sent = site.last().tick;
-      ASSERT_TRUE(site.client.search_home(method, 7).ok());
+      ASSERT_TRUE(site.client.command(command::Home{.offset = 7, .method = method}).ok());
       const std::vector<Accepted> orders{{.what = Accepted::What::homes,
                                           .sent = sent,
                                           .answered = site.last().tick,
@@ -118,30 +118,32 @@ TEST(OrderedHoming, ItsEndIsInTheStatus) {
     return site.dispatcher.server().status();
   };
   EXPECT_FALSE(status().homed);
-  ASSERT_TRUE(site.client.search_home().ok());
+  ASSERT_TRUE(site.client.command(command::Home{}).ok());
   EXPECT_EQ(status().state, State::homing);
   EXPECT_EQ(status().progress, wire::Progress::running);
   site.finish();
   EXPECT_TRUE(status().homed);
   EXPECT_EQ(status().state, State::standstill);
   EXPECT_EQ(status().finished, 1);
-  ASSERT_TRUE(site.client.search_home().ok());
+  ASSERT_TRUE(site.client.command(command::Home{}).ok());
   EXPECT_FALSE(status().homed) << "it searches anew";
 }
 
 TEST(OrderedHoming, OtherOrdersAreRefusedMeanwhile) {
   Slide site(slide(-50));
-  ASSERT_TRUE(site.client.search_home().ok());
+  ASSERT_TRUE(site.client.command(command::Home{}).ok());
   site.advance(200ms);
   for (const CallOutcome& outcome :
-       {site.client.search_home(), site.client.move_absolute(5), site.client.move_velocity(5),
-        site.client.set_position(0), site.client.hold()}) {
+       {site.client.command(command::Home{}),
+        site.client.command(command::MoveAbsolute{.position = 5}),
+        site.client.command(command::MoveVelocity{.velocity = 5}),
+        site.client.command(command::SetPosition{.position = 0}), site.client.hold()}) {
     EXPECT_EQ(outcome.error, StreamError::refused);
     EXPECT_EQ(outcome.cause, static_cast<std::int32_t>(Cause::in_motion)) << outcome.reason;
   }
   EXPECT_EQ(site.last().state, State::homing);
   Client other(site.link, "slide", {}, site.clock);
-  EXPECT_EQ(other.search_home().refusal, wire::Refusal::busy);
+  EXPECT_EQ(other.command(command::Home{}).refusal, wire::Refusal::busy);
   const StreamOutcome streamed = site.play(*trapezoid_table(50, 10, 20, 20));
   EXPECT_FALSE(streamed.ok());
   EXPECT_EQ(streamed.refusal, wire::Refusal::busy);
@@ -151,15 +153,18 @@ TEST(OrderedHoming, OtherOrdersAreRefusedMeanwhile) {
 
 TEST(OrderedHoming, IsRefusedWhileATableIsPlayed) {
   Slide site(slide(-50));
-  ASSERT_TRUE(site.client.move_relative(50, {.velocity = 10}).ok());
+  ASSERT_TRUE(
+      site.client.command(command::MoveRelative{.distance = 50, .dynamics = {.velocity = 10}})
+          .ok());
   site.advance(100ms);
-  EXPECT_EQ(site.client.search_home().cause, static_cast<std::int32_t>(Cause::in_motion));
+  EXPECT_EQ(site.client.command(command::Home{}).cause,
+            static_cast<std::int32_t>(Cause::in_motion));
   EXPECT_EQ(site.last().state, State::discrete_motion);
 }
 
 TEST(OrderedHoming, StopsByAnOperatorAndBySilence) {
   Slide stopped(slide(-50));
-  ASSERT_TRUE(stopped.client.search_home().ok());
+  ASSERT_TRUE(stopped.client.command(command::Home{}).ok());
   stopped.advance(300ms);
   ASSERT_TRUE(operator_stop(stopped.link, "slide", wire::StopMode::stop, 2s, stopped.clock));
   stopped.advance(500ms);
@@ -168,7 +173,7 @@ TEST(OrderedHoming, StopsByAnOperatorAndBySilence) {
   EXPECT_FALSE(stopped.last().homed);
 
   Slide silent(slide(-50));
-  ASSERT_TRUE(silent.client.search_home(18).ok());
+  ASSERT_TRUE(silent.client.command(command::Home{.method = 18}).ok());
   silent.advance(1800ms);
   EXPECT_EQ(silent.last().reason, Cause::stopped);
   EXPECT_FALSE(silent.last().homed);
@@ -200,7 +205,9 @@ TEST(OrderedHoming, AnAxisThatRequiresItRefusesTablesBefore) {
   ASSERT_TRUE(site.client.release().ok());
   const Table table = *trapezoid_table(50, 10, 20, 20);
   EXPECT_NE(site.play(table).reason.find("not_homed"), std::string::npos);
-  ASSERT_TRUE(site.client.home(0).ok());
+  ASSERT_TRUE(
+      site.client.command(command::Home{.offset = 0, .method = command::Home::without_motion})
+          .ok());
   ASSERT_TRUE(site.client.release().ok());
   EXPECT_TRUE(site.play(table).ok());
 }

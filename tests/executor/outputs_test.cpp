@@ -82,10 +82,12 @@ TEST(Outputs, OfAComparePassOverTheWireWithTheirInstants) {
 
 void run(Site& site) {
   Client client(site.link, "feeder", {}, site.clock);
-  ASSERT_TRUE(client.move_absolute(30, {.velocity = 77}).ok());
+  ASSERT_TRUE(
+      client.command(command::MoveAbsolute{.position = 30, .dynamics = {.velocity = 77}}).ok());
   site.advance(700ms);
-  ASSERT_TRUE(client.set_position(3).ok());
-  ASSERT_TRUE(client.move_absolute(25, {.velocity = 33}).ok());
+  ASSERT_TRUE(client.command(command::SetPosition{.position = 3}).ok());
+  ASSERT_TRUE(
+      client.command(command::MoveAbsolute{.position = 25, .dynamics = {.velocity = 33}}).ok());
   site.pacer.delay = 4'000'000;  // a late cycle
   site.advance(900ms);
   ASSERT_TRUE(client.release().ok());

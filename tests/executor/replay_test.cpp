@@ -132,7 +132,8 @@ class Recorded : public Site {
     Client client(link, "feeder", {.patience = 300ms}, clock);
     client.reset();
     client.enable();
-    client.move_relative(random_.uniform(-40, 40), {.velocity = random_.uniform(20, 400)});
+    client.command(command::MoveRelative{.distance = random_.uniform(-40, 40),
+                                         .dynamics = {.velocity = random_.uniform(20, 400)}});
     client.release();
     advance(std::chrono::milliseconds(random_.below(300)));
   }
@@ -141,14 +142,20 @@ class Recorded : public Site {
     Client client(link, name, {.patience = 300ms}, clock);
     client.reset();
     client.enable();
-    const bool ok = client.gear_in(1 + random_.below(3), 1 + random_.below(3)).ok();
+    const bool ok = client
+                        .command(command::GearIn{.numerator = 1 + random_.below(3),
+                                                 .denominator = 1 + random_.below(3)})
+                        .ok();
     if (random_.below(3) == 0)
-      client.gear_in_pos(1, 1 + random_.below(2), random_.uniform(-10, 10),
-                         random_.uniform(-10, 10), random_.uniform(1, 5));
+      client.command(command::GearInPos{.numerator = 1,
+                                        .denominator = 1 + random_.below(2),
+                                        .master_sync_position = random_.uniform(-10, 10),
+                                        .slave_sync_position = random_.uniform(-10, 10),
+                                        .master_start_distance = random_.uniform(1, 5)});
     client.release();
     feed();
     if (random_.below(2) == 0) client.gear_out();
-    client.halt();
+    client.command(command::Halt{});
     client.release();
     return ok;
   }
@@ -201,8 +208,8 @@ class Recorded : public Site {
       count("order", order(client).ok());
       advance(std::chrono::milliseconds(random_.below(60)));
     }
-    client.override_(1);
-    client.halt();
+    client.command(command::Override{1});
+    client.command(command::Halt{});
     client.release();
   }
 
@@ -210,17 +217,21 @@ class Recorded : public Site {
     const MoveDynamics pacing{.velocity = random_.uniform(10, 900)};
     switch (random_.below(13)) {
       case 0:
-        return client.move_absolute(random_.uniform(-50, 50), pacing);
+        return client.command(
+            command::MoveAbsolute{.position = random_.uniform(-50, 50), .dynamics = pacing});
       case 1:
-        return client.move_relative(random_.uniform(-50, 50), pacing);
+        return client.command(
+            command::MoveRelative{.distance = random_.uniform(-50, 50), .dynamics = pacing});
       case 2:
-        return client.move_additive(random_.uniform(-5, 5), pacing);
+        return client.command(
+            command::MoveAdditive{.distance = random_.uniform(-5, 5), .dynamics = pacing});
       case 3:
-        return client.move_superimposed(random_.uniform(-5, 5), pacing);
+        return client.command(
+            command::MoveSuperimposed{.distance = random_.uniform(-5, 5), .dynamics = pacing});
       case 4:
-        return client.move_velocity(random_.uniform(-100, 100));
+        return client.command(command::MoveVelocity{.velocity = random_.uniform(-100, 100)});
       case 5:
-        return client.override_(random_.uniform(0, 2));
+        return client.command(command::Override{random_.uniform(0, 2)});
       case 6:
         return client.hold();
       case 7:
@@ -230,9 +241,11 @@ class Recorded : public Site {
       case 9:
         return client.stop(wire::StopMode::abort);
       case 10:
-        return client.set_position(random_.uniform(-5, 5), true);
+        return client.command(
+            command::SetPosition{.position = random_.uniform(-5, 5), .relative = true});
       case 11:
-        return client.home(random_.uniform(-5, 5));
+        return client.command(command::Home{.offset = random_.uniform(-5, 5),
+                                            .method = command::Home::without_motion});
       default:
         return random_.below(3) == 0 ? client.disable() : client.enable();
     }

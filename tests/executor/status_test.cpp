@@ -26,7 +26,8 @@ struct Shown : ::testing::Test {
 
 TEST_F(Shown, AMoveRunsIsHeldAndRunsAgain) {
   EXPECT_EQ(status().progress, wire::Progress::none);
-  ASSERT_TRUE(client.move_absolute(300, {.velocity = 100}).ok());
+  ASSERT_TRUE(
+      client.command(command::MoveAbsolute{.position = 300, .dynamics = {.velocity = 100}}).ok());
   EXPECT_EQ(status().progress, wire::Progress::running);
   EXPECT_FALSE(status().held);
   ASSERT_TRUE(client.hold().ok());
@@ -43,15 +44,16 @@ TEST_F(Shown, AMoveRunsIsHeldAndRunsAgain) {
 }
 
 TEST_F(Shown, AJogRunsUntilItIsStopped) {
-  ASSERT_TRUE(client.move_velocity(50).ok());
+  ASSERT_TRUE(client.command(command::MoveVelocity{.velocity = 50}).ok());
   EXPECT_EQ(status().progress, wire::Progress::running);
-  ASSERT_TRUE(client.halt().ok());
+  ASSERT_TRUE(client.command(command::Halt{}).ok());
   site.advance(200ms);
   EXPECT_EQ(status().progress, wire::Progress::none);
 }
 
 TEST_F(Shown, AHeldMotionThatIsStoppedIsHeldNoMore) {
-  ASSERT_TRUE(client.move_absolute(300, {.velocity = 100}).ok());
+  ASSERT_TRUE(
+      client.command(command::MoveAbsolute{.position = 300, .dynamics = {.velocity = 100}}).ok());
   ASSERT_TRUE(client.hold().ok());
   site.advance(200ms);
   ASSERT_TRUE(client.stop().ok());

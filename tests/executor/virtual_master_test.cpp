@@ -41,7 +41,7 @@ struct Line : Site {
 TEST(VirtualMaster, IsStartedByAnOrderHeldAndFollowed) {
   Line site;
   Client knife(site.link, "knife", {}, site.clock);
-  ASSERT_TRUE(knife.gear_in(1, 2).ok());
+  ASSERT_TRUE(knife.command(command::GearIn{.numerator = 1, .denominator = 2}).ok());
   ASSERT_TRUE(knife.release().ok());
   const CallOutcome start = site.order("line", CommandKind::start_table);
   ASSERT_TRUE(start.ok()) << start.reason;
@@ -67,7 +67,7 @@ TEST(VirtualMaster, StartsOnlyWhereItsTableBegins) {
   site.advance(3s);
   EXPECT_THAT(site.order("line", CommandKind::start_table).reason, HasSubstr("start_position"));
   Client line(site.link, "line", {}, site.clock);
-  ASSERT_TRUE(line.set_position(0).ok());
+  ASSERT_TRUE(line.command(command::SetPosition{.position = 0}).ok());
   ASSERT_TRUE(line.release().ok());
   EXPECT_TRUE(site.order("line", CommandKind::start_table).ok());
   site.advance(3s);
@@ -83,7 +83,7 @@ TEST(VirtualMaster, OneThatIsRefusedStartsNothingElse) {
   ASSERT_TRUE(
       rows.fill(0, {{.x_end = 1, .p_end = 5, .order = wire::RowOrder::cubic, .last = true}}).ok());
   ASSERT_TRUE(rows.arm().ok());
-  ASSERT_TRUE(line.set_position(7).ok());
+  ASSERT_TRUE(line.command(command::SetPosition{.position = 7}).ok());
   EXPECT_THAT(line.command(command::StartTable{}).reason, HasSubstr("start_position"));
   site.advance(500ms);
   EXPECT_EQ(site.last(0).state, State::standstill);

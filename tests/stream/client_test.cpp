@@ -29,8 +29,9 @@ TEST(Client, TellsTheAxisOneThingAfterAnother) {
   World world;
   Client client(world.link, "feeder", {}, world.clock);
   EXPECT_TRUE(client.enable().ok());
-  EXPECT_TRUE(client.move_absolute(120, {.velocity = 200}).ok());
-  EXPECT_TRUE(client.override_(0.5).ok());
+  EXPECT_TRUE(
+      client.command(command::MoveAbsolute{.position = 120, .dynamics = {.velocity = 200}}).ok());
+  EXPECT_TRUE(client.command(command::Override{0.5}).ok());
   EXPECT_TRUE(client.stop().ok());
   const std::string session = std::to_string(client.session());
   EXPECT_TRUE(client.release().ok());
@@ -47,7 +48,7 @@ TEST(Client, EachOrderIsGivenOnceOnABadLink) {
   Client client(bad, "feeder", {}, world.clock);
   std::vector<std::string> told;
   for (int i = 0; i < 20; ++i) {
-    ASSERT_TRUE(client.move_relative(1).ok()) << i;
+    ASSERT_TRUE(client.command(command::MoveRelative{.distance = 1}).ok()) << i;
     told.push_back("move_relative " + std::to_string(client.session()));
   }
   EXPECT_EQ(world.executor->log, told);
@@ -57,7 +58,7 @@ TEST(Client, SaysWhyTheAxisRefuses) {
   World world;
   world.executor->objection = "not_enabled";
   Client client(world.link, "feeder", {}, world.clock);
-  const CallOutcome outcome = client.move_relative(5);
+  const CallOutcome outcome = client.command(command::MoveRelative{.distance = 5});
   EXPECT_EQ(outcome.error, StreamError::refused);
   EXPECT_EQ(outcome.refusal, Refusal::axis);
   EXPECT_EQ(outcome.cause, 41);
@@ -70,7 +71,7 @@ TEST(Client, DoesNotTakeAnAxisThatIsOwned) {
   ASSERT_TRUE(owner.enable().ok());
   Client second(world.link, "feeder", {}, world.clock);
   EXPECT_EQ(second.disable().refusal, Refusal::busy);
-  EXPECT_TRUE(owner.move_relative(5).ok());
+  EXPECT_TRUE(owner.command(command::MoveRelative{.distance = 5}).ok());
   ASSERT_TRUE(owner.release().ok());
   EXPECT_TRUE(second.disable().ok());
 }
@@ -81,7 +82,7 @@ TEST(Client, BeginsAnewAfterALongPause) {
   ASSERT_TRUE(client.enable().ok());
   const auto before = client.session();
   world.pass(2s);
-  EXPECT_TRUE(client.move_relative(1).ok());
+  EXPECT_TRUE(client.command(command::MoveRelative{.distance = 1}).ok());
   EXPECT_NE(client.session(), before);
 }
 
@@ -90,7 +91,7 @@ TEST(Client, NeverTellsAnExecutorThatHasRestartedWhatWasMeantForTheOneBefore) {
   Client client(world.link, "feeder", {}, world.clock);
   ASSERT_TRUE(client.enable().ok());
   world.boot(101);
-  EXPECT_EQ(client.move_relative(1).error, StreamError::restarted);
+  EXPECT_EQ(client.command(command::MoveRelative{.distance = 1}).error, StreamError::restarted);
   EXPECT_TRUE(world.executor->log.empty());
 }
 
@@ -105,10 +106,11 @@ TEST(Client, SaysThatNobodyAnswers) {
 TEST(Client, RefusesValuesThatNoAxisCanTake) {
   World world;
   Client client(world.link, "feeder", {}, world.clock);
-  EXPECT_THROW(client.override_(2.5), InputError);
-  EXPECT_THROW(client.move_absolute(NAN), InputError);
-  EXPECT_THROW(client.move_relative(1, {.velocity = -1}), InputError);
-  EXPECT_THROW(client.gear_in(1, 0), InputError);
+  EXPECT_THROW(client.command(command::Override{2.5}), InputError);
+  EXPECT_THROW(client.command(command::MoveAbsolute{.position = NAN}), InputError);
+  EXPECT_THROW(client.command(command::MoveRelative{.distance = 1, .dynamics = {.velocity = -1}}),
+               InputError);
+  EXPECT_THROW(client.command(command::GearIn{.numerator = 1, .denominator = 0}), InputError);
   EXPECT_THROW(Client(world.link, "two words"), InputError);
 }
 
@@ -163,7 +165,7 @@ TEST(Key, NothingThatWasRecordedHasAnyEffectAgain) {
       tap.subscribe(wire::channel("feeder", lane), 100'000);
     Client client(world.link, "feeder", {.key = used}, world.clock);
     ASSERT_TRUE(client.enable().ok());
-    ASSERT_TRUE(client.move_relative(100).ok());
+    ASSERT_TRUE(client.command(command::MoveRelative{.distance = 100}).ok());
     const auto held = operator_command(
         world.link, "feeder", wire::Command{.kind = CommandKind::hold}, used, 1s, world.clock);
     ASSERT_EQ(held.outcome, wire::Outcome::accepted);

@@ -79,7 +79,7 @@ TEST_P(BadLink, AnOrderIsGivenOnceOrNot) {
     std::size_t given = 0;
     for (int i = 0; i < 20; ++i) {
       const std::size_t before = world.executor->log.size();
-      const CallOutcome outcome = client.move_relative(1);
+      const CallOutcome outcome = client.command(command::MoveRelative{.distance = 1});
       std::size_t now = 0;
       for (std::size_t k = before; k < world.executor->log.size(); ++k)
         now += world.executor->log[k].starts_with("move_relative") ? 1 : 0;

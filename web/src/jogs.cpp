@@ -108,7 +108,9 @@ CallOutcome Jogs::jog(const std::string& axis, double velocity, std::int64_t num
     // The button may be released while the session opens, which may take seconds.
     CallOutcome outcome = held->client->beat();
     if (outcome.ok())
-      outcome = held->ends_within(Nanos{}) ? has_ended(axis) : held->client->jog(velocity);
+      outcome = held->ends_within(Nanos{}) ? has_ended(axis)
+                                           : held->client->command(command::MoveVelocity{
+                                                 .velocity = velocity, .hold_to_run = true});
     if (outcome.ok())
       held->keeper = std::thread([raw = held.get()] { raw->keep(); });
     else

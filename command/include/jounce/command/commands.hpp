@@ -197,13 +197,14 @@ constexpr void each_field(C& c, F f) {
 /// uses the value in HomingSpec.
 struct Home {
   static constexpr auto kind = CommandKind::home;
-  double offset = as_configured;           ///< position value of the axis at the home position, u
-  int method = 0;                          ///< homing method of CiA 402 (object 6098h)
-  double search_velocity = as_configured;  ///< velocity of the search for a switch, u/s, > 0
-  double index_velocity = as_configured;   ///< velocity for the edge and the index, u/s, > 0
-  double acceleration = as_configured;     ///< acceleration, u/s^2, > 0
-  double timeout = as_configured;          ///< time limit of the whole homing, s, > 0
-  double distance = as_configured;         ///< greatest length of each search, u, > 0
+  static constexpr int without_motion = 37;  ///< method: home is the present position
+  double offset = as_configured;             ///< position value of the axis at the home position, u
+  int method = 0;                            ///< homing method of CiA 402 (object 6098h)
+  double search_velocity = as_configured;    ///< velocity of the search for a switch, u/s, > 0
+  double index_velocity = as_configured;     ///< velocity for the edge and the index, u/s, > 0
+  double acceleration = as_configured;       ///< acceleration, u/s^2, > 0
+  double timeout = as_configured;            ///< time limit of the whole homing, s, > 0
+  double distance = as_configured;           ///< greatest length of each search, u, > 0
 };
 template <Of<Home> C, class F>
 constexpr void each_field(C& c, F f) {

@@ -20,12 +20,12 @@ struct ClientOptions {
 };
 
 /// Sends commands to an axis of an executor, one call after another, like the function blocks of
-/// PLCopen. Each function sends the command of the same name (jounce/command/commands.hpp).
+/// PLCopen. jounce/command/commands.hpp contains the commands.
 ///
 ///     Client client(link, "feeder");
 ///     if (const auto outcome = client.enable(); !outcome.ok()) return outcome.reason;
-///     client.move_absolute(120, {.velocity = 200});   // accepted: the axis moves
-///     client.override_(0.5);
+///     client.command(command::MoveAbsolute{.position = 120, .dynamics = {.velocity = 200}});
+///     client.command(command::Override{0.5});         // the axis moves at half speed
 ///     client.release();                               // the motion continues
 ///
 /// A call returns when the axis has accepted or rejected the command; the motion may not have ended
@@ -45,43 +45,13 @@ class Client {
   CallOutcome enable() { return command(command::Enable{}); }
   CallOutcome disable() { return command(command::Disable{}); }
   CallOutcome reset() { return command(command::Reset{}); }
-  /// Assigns a value to the present position, or adds the value to the present position
-  /// (`relative`).
-  CallOutcome set_position(double position, bool relative = false);
-  /// Homes at the present position, without motion: assigns the value `position` to it.
-  CallOutcome home(double position);
-  /// Starts a homing by a method of CiA 402. `offset`: position value of the axis at the home
-  /// position. Method 0 and offset NaN: as configured. The call returns when the search has begun;
-  /// see await_home() (operate.hpp).
-  CallOutcome search_home(int method = 0, double offset = as_configured);
   CallOutcome hold() { return command(command::Hold{}); }
   CallOutcome resume() { return command(command::Resume{}); }
-  /// Sets the override, 0 to 2.
-  CallOutcome override_(double factor);
-
-  /// `direction` on a modulo axis: 1 or -1; 0: the shorter way.
-  CallOutcome move_absolute(double position, const MoveDynamics& dynamics = {}, int direction = 0);
-  CallOutcome move_relative(double distance, const MoveDynamics& dynamics = {});
-  CallOutcome move_additive(double distance, const MoveDynamics& dynamics = {});
-  /// dynamics.velocity is the velocity of the added move alone.
-  CallOutcome move_superimposed(double distance, const MoveDynamics& dynamics = {});
-  /// `velocity` is signed; 0 brings the axis to rest. dynamics.velocity is not sent.
-  CallOutcome move_velocity(double velocity, const MoveDynamics& dynamics = {});
-  /// Like move_velocity(), but as a hold-to-run jog: the axis stops when this session ends, or when
-  /// this client sends no message for 0.2 s. beat() keeps the jog running.
-  CallOutcome jog(double velocity, const MoveDynamics& dynamics = {});
   /// Sends a heartbeat. `patience`: see request().
   CallOutcome beat(Nanos patience = Nanos::max()) { return request(wire::Heartbeat{}, patience); }
-  /// Sends dynamics.deceleration and dynamics.jerk only.
-  CallOutcome halt(const MoveDynamics& dynamics = {});
   /// Stops the axis and ends its motion.
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
 
-  CallOutcome gear_in(std::int32_t numerator, std::int32_t denominator,
-                      const MoveDynamics& dynamics = {});
-  CallOutcome gear_in_pos(std::int32_t numerator, std::int32_t denominator, double master_sync,
-                          double slave_sync, double master_start_distance,
-                          bool avoid_reversal = false);
   CallOutcome gear_out() { return command(command::GearOut{}); }
   CallOutcome cam_out() { return command(command::CamOut{}); }
 
