@@ -12,6 +12,7 @@
 #include "jounce/executor/replay.hpp"
 #include "jounce/stream/transport/memory_transport.hpp"
 
+#include "executor/src/cycle/motion_server.hpp"
 #include "executor/src/record/run_record.hpp"
 #include "executor/virtual_pacer.hpp"
 
