@@ -415,7 +415,7 @@ TEST(FifoFollow, AStartThatWouldJumpIsNoFault) {
       EXPECT_EQ(now.state, possible ? State::synchronized_motion : State::standstill);
       EXPECT_NEAR(now.position, possible ? 100 * std::abs(speed) / 2 * 1e-3 : 0, 1e-9) << dir;
       if (possible) continue;
-      // Where its master stands, the same table begins, also after a start that was rejected.
+      // If its master stands, the same table begins, also after a start that was rejected.
       ASSERT_FALSE(bench.step({command::Arm{.movement = &follow}}, at_master(0, 0)).refused);
       EXPECT_FALSE(bench.step({command::Start{}}, at_master(0, 0)).refused);
       EXPECT_EQ(bench.step({}, at_master(0, 0)).job, 1U);

@@ -100,7 +100,7 @@ class MotionServer {
   virtual void release() {}
   /// Drops the commands that have not reached the axis.
   virtual void clear_commands();
-  /// Receives an answer of the axis to a request. Returns true if nobody else needs it.
+  /// Receives an answer of the axis to a request. Returns true if the request needs no answer yet.
   virtual bool takes_answer(const CommandQueue::Reply& /*reply*/) { return false; }
   /// Receives a tick of the axis, after last().
   virtual void follow(const Tick& /*tick*/) {}
