@@ -382,6 +382,47 @@ TEST(FifoFollow, ThatEndsAtARatioBrakesWithinTheLimits) {
 }
 
 // Example 7-7: PASS at 50000 of a master that speeds up by 1 pulse/ms^2 to 50 pulse/ms.
+// A table whose first row moves, started behind a master that moves: an axis that cannot jump to its velocity
+// rejects the start and stays at rest. The velocity is that of the master times the rate of the first row.
+TEST(FifoFollow, AStartThatWouldJumpIsNoFault) {
+  for (const int dir : {0, 1, -1}) {
+    const double speed = dir < 0 ? -500 : 500;
+    for (const double acceleration : {2e4, 6e5}) {  // permits a step of 20 or 600 in a tick
+      FifoFollow follow(1, {.stream = false}, {.dir = dir});
+      push(follow.fifos(), 0, {500, 250, PtType::even});  // rate 0.5 from its beginning
+      push(follow.fifos(), 0, {1000, 500, PtType::even});
+      Bench bench({.limits = limits(3000, acceleration)});
+      bench.send(Kind::enable);
+      const auto step = [&](const Command& command = {}) {
+        ++bench.tick;
+        return bench.axis.step(
+            bench.tick, command,
+            at_master(speed * 1e-3 * static_cast<double>(bench.tick), speed));
+      };
+      ASSERT_FALSE(step({command::Arm{.movement = &follow}}).refused);
+      const Tick start = step({command::Start{}});
+      const bool possible = acceleration > 2e5;
+      EXPECT_EQ(refusal(start), possible ? Cause::none : Cause::start_jump) << dir;
+      if (!possible) {
+        EXPECT_NEAR(start.refused->value, std::abs(speed) / 2, 1e-9) << dir;
+        EXPECT_EQ(start.refused->limit, 0);
+      }
+      Tick now = start;
+      for (int k = 0; k < 100; ++k) {
+        now = step();
+        ASSERT_EQ(now.fault, Cause::none) << dir << ' ' << k;
+      }
+      EXPECT_EQ(now.state, possible ? State::synchronized_motion : State::standstill);
+      EXPECT_NEAR(now.position, possible ? 100 * std::abs(speed) / 2 * 1e-3 : 0, 1e-9) << dir;
+      if (possible) continue;
+      // If its master stands, the same table begins, also after a start that was rejected.
+      ASSERT_FALSE(bench.step({command::Arm{.movement = &follow}}, at_master(0, 0)).refused);
+      EXPECT_FALSE(bench.step({command::Start{}}, at_master(0, 0)).refused);
+      EXPECT_EQ(bench.step({}, at_master(0, 0)).job, 1U);
+    }
+  }
+}
+
 TEST(FifoFollow, PlaysExample77) {
   FifoFollow follow(1, {.each = 16, .stream = false, .loops = 0},
                     {.event = {FollowEvent::pass, 50000}});

@@ -11,10 +11,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/executor/group_queue.hpp"
 #include "jounce/path/direct.hpp"
 
 #include "executor/judged_plotter.hpp"
+#include "executor/src/cycle/group_queue.hpp"
 #include "support/random.hpp"
 
 namespace jounce::group_commands_test {

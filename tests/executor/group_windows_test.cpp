@@ -65,6 +65,20 @@ struct GroupWindows : SentPlotter {
     }
     return away;
   }
+  /// Duration of one plan of the whole program, s.
+  double duration_of_whole(const LimitedProgram& program) {
+    return planned_program(program.program, program.limits, *site.axes[Plotter::group].group)
+        ->plan->duration();
+  }
+  /// The group moves, or rests between two windows.
+  [[nodiscard]] bool playing(const LimitedProgram& program) {
+    const Point end = program.program.position();
+    return site.last(group).job != 0 || std::hypot(place()[0] - end[0], place()[1] - end[1]) > 1e-9;
+  }
+  void play_to_the_end(const LimitedProgram& program) {
+    for (int k = 0; k < 600 && playing(program); ++k) site.advance(100ms);
+    ASSERT_FALSE(playing(program));
+  }
   std::vector<At> places;
   std::set<std::uint64_t> movements;
   std::int64_t begin = -1;
@@ -98,6 +112,85 @@ TEST_F(GroupWindows, TheStatusCountsTheWholeProgram) {
   EXPECT_TRUE(status->estimated);
   EXPECT_NEAR(static_cast<double>(status->commands) + status->line, 501, 1);
   EXPECT_EQ(site.dispatcher.server(group).status().queue_rows, 0U);
+}
+
+/// The wave as sequence of short lines, which averages make smooth.
+LimitedProgram averaged(GroupWindows& test, const std::vector<At>& points) {
+  LimitedProgram program = test.lines(points);
+  Program smooth(2);
+  smooth.set({.velocity = 100, .corner = Corner::average, .value = 0.1});
+  for (std::size_t k = 0; k < points.size(); ++k)
+    smooth.line({points[k][0], points[k][1]}, static_cast<int>(k) + 1);
+  program.program = smooth;
+  test.site.requested.tolerance = 0.1 + 1e-9;
+  return program;
+}
+
+/// Lines and arcs in turns, with rounded corners: a staircase of quarters of circles, which goes up and
+/// comes back.
+LimitedProgram arcs(GroupWindows& test, int pairs, At from = {0, 0}) {
+  Program program(2, {from[0], from[1]});
+  program.set({.velocity = 100, .corner = Corner::deviation, .value = 0.05});
+  Requested& requested = test.site.requested;
+  for (int k = 0; k < pairs; ++k) {
+    const double side = k < pairs / 2 ? 1 : -1;
+    const double r = 1 + 0.3 * std::sin(1.3 * k);
+    const At middle{from[0] + side * (0.8 + 0.2 * std::sin(0.9 * k)), from[1]};
+    program.line({middle[0], middle[1]}, 2 * k + 1);
+    requested.lines.push_back({from[0], from[1], middle[0], middle[1]});
+    const At end{middle[0] + side * r, middle[1] + side * r};
+    program.arc(arc_about({middle[0], middle[1]}, {middle[0], end[1]}, {end[0], end[1]},
+                          Plane{0, 1}, ArcRotation::counterclockwise),
+                2 * k + 2);
+    requested.circles.push_back({middle[0], end[1], r});
+    from = end;
+  }
+  requested.tolerance = 0.05 + 1e-9;
+  return {program, {.axes = std::vector<Limits>(2, test::limits(200, 2000, 1e5))}, {"x", "y"}, {}};
+}
+
+/// Two plans of averages, or of rounded arcs, are not equal in their common commands. The group then rests
+/// between two windows. The judge of the fixture checks
+/// the path and the limits in every tick.
+TEST_F(GroupWindows, AveragesKeepTheirPathAndLimits) {
+  const LimitedProgram program = averaged(*this, wave(500));
+  ASSERT_TRUE(stream(program).ok());
+  play_to_the_end(program);
+  EXPECT_EQ(place(), wave(500).back());
+  EXPECT_LE(site.last(group).finished, 5U) << "120 commands each";
+  EXPECT_LT(static_cast<double>(places.size()) * dt, duration_of_whole(program) * 1.01);
+  expect_same_replay();
+}
+
+TEST_F(GroupWindows, ArcsKeepTheirPathAndLimits) {
+  const LimitedProgram program = arcs(*this, 200);
+  ASSERT_TRUE(stream(program).ok());
+  play_to_the_end(program);
+  EXPECT_LE(site.last(group).finished, 4U) << "120 commands each";
+  EXPECT_LT(static_cast<double>(places.size()) * dt, duration_of_whole(program) * 1.01);
+  expect_same_replay();
+}
+
+TEST_F(GroupWindows, HoldsAndOverridesOnAveragesAndArcsKeepTheLimits) {
+  for (const bool averages : {true, false}) {
+    const At from = place();
+    const LimitedProgram program = averages ? averaged(*this, wave(300)) : arcs(*this, 150, from);
+    ASSERT_TRUE(stream(program).ok());
+    std::size_t seen = movements.size();
+    for (int k = 0; k < 6000 && playing(program); ++k) {
+      site.advance(10ms);
+      if (movements.size() == seen) continue;
+      seen = movements.size();  // a window has just begun
+      accepts(command::Override{seen % 2 == 0 ? 0.4 : 1.0});
+      accepts(command::Hold{});
+      site.advance(300ms);
+      accepts(command::Resume{});
+    }
+    const Point end = program.program.position();
+    EXPECT_NEAR(place()[0], end[0], 1e-9) << averages;
+    EXPECT_NEAR(place()[1], end[1], 1e-9) << averages;
+    EXPECT_EQ(site.last(group).fault, Cause::none);
+  }
 }
 
 TEST_F(GroupWindows, HoldsAndOverridesChangeNoWindow) {

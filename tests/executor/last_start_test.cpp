@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/last_start.hpp"
+#include "executor/src/cycle/last_start.hpp"
 
 #include <gtest/gtest.h>
 

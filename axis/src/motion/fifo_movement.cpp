@@ -246,6 +246,12 @@ Cause FifoFollow::begin(const MotionState& axis, const Moment& now) noexcept {
   return Cause::none;
 }
 
+std::optional<MotionState> FifoFollow::first_setpoint(const Moment& now) const noexcept {
+  const auto first = first_step(run_, fifos_, {now.t, now.master});
+  if (!first) return std::nullopt;
+  return state_of(axis_detail::setpoint(now.master, chained(*first, now.master)));
+}
+
 Setpoint FifoFollow::at(const Moment& now) noexcept {
   events_.clear();
   if (progress_ >= Progress::done) return last_;

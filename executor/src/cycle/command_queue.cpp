@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/command_queue.hpp"
+#include "executor/src/cycle/command_queue.hpp"
 
 #include <utility>
 

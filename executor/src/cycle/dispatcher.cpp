@@ -6,6 +6,9 @@
 
 #include "jounce/executor/recorder.hpp"
 
+#include "executor/src/cycle/axis_server.hpp"
+#include "executor/src/cycle/group_server.hpp"
+
 namespace jounce {
 namespace {
 
@@ -49,8 +52,13 @@ Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes
     pump_.subscribe_claims([this](const wire::Message& said) { claim_->receive(said, clock_()); });
   const Nanos now = clock_();
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    servers_.emplace_back(axes[i], pump_.receiver(i), exchange, i, worker_,
-                          [this](std::size_t axis) { return servers_[axis].last().position; });
+    if (axes[i].group)
+      servers_.push_back(std::make_unique<GroupServer>(
+          axes[i], pump_.receiver(i), exchange, i, worker_,
+          [this](std::size_t axis) { return servers_[axis]->last().position; }));
+    else
+      servers_.push_back(
+          std::make_unique<AxisServer>(axes[i], pump_.receiver(i), exchange, i, worker_));
     // Distributed over the period: the statuses of 64 axes do not come in one burst.
     const auto share = static_cast<std::int64_t>(i) * axes[i].status_period.count() /
                        static_cast<std::int64_t>(axes.size());
@@ -58,14 +66,20 @@ Dispatcher::Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes
   }
 }
 
+Dispatcher::~Dispatcher() = default;
+
+const Tick& Dispatcher::last(std::size_t axis) const {
+  return servers_[axis]->last();
+}
+
 void Dispatcher::turn(Nanos timeout) {
   cycle_.alive.fetch_add(1, std::memory_order_relaxed);
   pump_.run(busy() ? std::min(timeout, a_while_) : timeout);
   masters_.turn();
   for (std::size_t i = 0; i < servers_.size(); ++i) {
-    servers_[i].turn();
-    for (const wire::Event& event : servers_[i].take_events()) announce(event, i);
-    if (clock_() - published_[i] >= servers_[i].options().status_period) publish(i);
+    servers_[i]->turn();
+    for (const wire::Event& event : servers_[i]->take_events()) announce(event, i);
+    if (clock_() - published_[i] >= servers_[i]->options().status_period) publish(i);
   }
   if (claim_)
     for (const wire::Message& said : claim_->poll(clock_())) pump_.send(said);
@@ -74,29 +88,26 @@ void Dispatcher::turn(Nanos timeout) {
 }
 
 void Dispatcher::retire() {
-  for (AxisServer& server : servers_) server.retire();
+  for (const auto& server : servers_) server->retire();
 }
 
 void Dispatcher::close() {
   for (std::size_t i = 0; i < servers_.size(); ++i) {
-    servers_[i].close();
+    servers_[i]->close();
     publish(i);
   }
 }
 
 bool Dispatcher::moving() const {
-  return std::any_of(servers_.begin(), servers_.end(),
-                     [](const AxisServer& s) { return s.moving(); });
+  return std::any_of(servers_.begin(), servers_.end(), [](const auto& s) { return s->moving(); });
 }
 
 bool Dispatcher::settled() const {
-  return std::all_of(servers_.begin(), servers_.end(),
-                     [](const AxisServer& s) { return s.settled(); });
+  return std::all_of(servers_.begin(), servers_.end(), [](const auto& s) { return s->settled(); });
 }
 
 bool Dispatcher::owned() const {
-  return std::any_of(servers_.begin(), servers_.end(),
-                     [](const AxisServer& s) { return s.owned(); });
+  return std::any_of(servers_.begin(), servers_.end(), [](const auto& s) { return s->owned(); });
 }
 
 std::string Dispatcher::lost_name() const {
@@ -104,8 +115,7 @@ std::string Dispatcher::lost_name() const {
 }
 
 bool Dispatcher::busy() const {
-  return std::any_of(servers_.begin(), servers_.end(),
-                     [](const AxisServer& s) { return s.busy(); });
+  return std::any_of(servers_.begin(), servers_.end(), [](const auto& s) { return s->busy(); });
 }
 
 /// Sent at once, and again with the next status: one of the two may be lost.
@@ -115,8 +125,8 @@ void Dispatcher::announce(const wire::Event& event, std::size_t axis) {
 }
 
 void Dispatcher::publish(std::size_t axis) {
-  pump_.publish(servers_[axis].status(), axis);
-  if (auto group = servers_[axis].group_status()) pump_.publish_group(std::move(*group), axis);
+  pump_.publish(servers_[axis]->status(), axis);
+  if (auto group = servers_[axis]->group_status()) pump_.publish_group(std::move(*group), axis);
   masters_.publish(axis);
   const auto repeat = [&](const auto& entry) {
     if (entry.first != axis) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/group_dynamics.hpp"
+#include "executor/src/cycle/group_dynamics.hpp"
 
 #include <algorithm>
 #include <cmath>

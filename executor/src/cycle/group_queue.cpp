@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/group_queue.hpp"
+#include "executor/src/cycle/group_queue.hpp"
 
 #include <algorithm>
 #include <array>

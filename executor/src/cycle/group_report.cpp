@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/group_report.hpp"
+#include "executor/src/cycle/group_report.hpp"
 
 #include <algorithm>
 

@@ -8,8 +8,9 @@
 
 #include "jounce/axis/group_program.hpp"
 #include "jounce/executor/group_plan.hpp"
-#include "jounce/executor/group_queue.hpp"
 #include "jounce/profiles/error.hpp"
+
+#include "executor/src/cycle/group_queue.hpp"
 
 namespace jounce {
 

@@ -7,9 +7,10 @@
 #include <new>
 #include <utility>
 
-#include "jounce/executor/group_queue.hpp"
 #include "jounce/path/command_times.hpp"
 #include "jounce/profiles/error.hpp"
+
+#include "executor/src/cycle/group_queue.hpp"
 
 namespace jounce {
 

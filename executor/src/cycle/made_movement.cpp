@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/made_movement.hpp"
+#include "executor/src/cycle/made_movement.hpp"
 
 #include <new>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/movement_builder.hpp"
+#include "executor/src/cycle/movement_builder.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/passed_m_words.hpp"
+#include "executor/src/cycle/passed_m_words.hpp"
 
 #include <algorithm>
 #include <utility>

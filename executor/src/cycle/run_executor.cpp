@@ -10,6 +10,7 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "executor/src/cycle/motion_server.hpp"
 #include "executor/src/record/run_record.hpp"
 
 namespace jounce {
@@ -160,7 +161,7 @@ CycleOptions cycle_of(const std::vector<ExecutorOptions>& axes, const RunOptions
   return options;
 }
 
-AxisSummary summary_of(const AxisServer& server) {
+AxisSummary summary_of(const MotionServer& server) {
   const Tick& last = server.last();
   return {.name = server.options().receiver.executor,
           .finished = last.finished - server.ended_with_group(),

@@ -23,6 +23,20 @@ double travel(FollowRun& run, double master) {
   return run.furthest;
 }
 
+/// True while a slave that follows one direction waits for the master to come back. Call it before
+/// travel().
+bool is_back(const FollowRun& run, const Sample& now) {
+  const double behind = run.furthest - run.dir * (now.master[0] - run.origin);
+  return run.dir != 0 && (behind > 0 || (behind == 0 && run.dir * now.master[1] < 0));
+}
+
+/// The values of the tables, with respect to the master.
+Jet over_master(const FollowRun& run, const Jet& f, bool back) {
+  if (back) return {f[0], 0, 0, 0};
+  // Derivatives with respect to a master that moves backwards.
+  return run.dir < 0 ? Jet{f[0], -f[1], f[2], -f[3]} : f;
+}
+
 }  // namespace
 
 void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave) {
@@ -35,13 +49,15 @@ Jet step(FollowRun& run, SegmentFifos& fifos, const Sample& before, const Sample
   if (run.waiting)
     if (const auto at = begin_of(run.event, before, now)) follow_from(run, fifos, at->master[0]);
   if (run.waiting) return {run.slave, 0, 0, 0};
-  const double behind = run.furthest - run.dir * (now.master[0] - run.origin);
-  const bool back = behind > 0 || (behind == 0 && run.dir * now.master[1] < 0);
-  Jet f = fifos.at(travel(run, now.master[0]));
-  if (run.dir != 0 && back) return {f[0], 0, 0, 0};
-  // Derivatives with respect to a master that moves backwards.
-  if (run.dir < 0) f = {f[0], -f[1], f[2], -f[3]};
-  return f;
+  const bool back = is_back(run, now);
+  return over_master(run, fifos.at(travel(run, now.master[0])), back);
+}
+
+std::optional<Jet> first_step(FollowRun run, const SegmentFifos& fifos, const Sample& now) {
+  if (run.waiting) return std::nullopt;
+  const bool back = is_back(run, now);
+  const auto f = fifos.first(travel(run, now.master[0]));
+  return f ? std::optional(over_master(run, *f, back)) : std::nullopt;
 }
 
 }  // namespace jounce

@@ -402,6 +402,23 @@ Jet SegmentFifos::here(double u) const {
   return f;
 }
 
+std::optional<Jet> SegmentFifos::first(double x) const {
+  const double u = x - origin_.x;
+  if (!moving() || !std::isfinite(u)) return std::nullopt;
+  if (u < before(0).x) return Jet{origin_.position + before(0).position, 0, 0, 0};
+  double rate = 0;
+  for (std::size_t slot = 0; slot < seen_; ++slot) {
+    const SegmentRow& row = playing().slots[slot].row;
+    if (u < row.x_end) {
+      Jet f = point(row, before(slot), rate, u);
+      f[0] += origin_.position;
+      return f;
+    }
+    rate = rates(row, before(slot), rate).end;
+  }
+  return std::nullopt;
+}
+
 Jet SegmentFifos::at(double x) {
   ends_count_ = 0;
   if (moving() && !std::isfinite(x)) lose();

@@ -148,6 +148,8 @@ class FifoFollow final : public Movement {
   [[nodiscard]] Progress progress() const noexcept override { return progress_; }
   [[nodiscard]] Cause cause() const noexcept override { return cause_; }
   [[nodiscard]] bool absolute() const noexcept override { return origin_.has_value(); }
+  [[nodiscard]] std::optional<MotionState> first_setpoint(
+      const Moment& now) const noexcept override;
   /// The greatest slopes of the rows so far.
   [[nodiscard]] std::array<double, 3> slopes() const noexcept override;
   /// The begin of each table, and the ends of its passes.

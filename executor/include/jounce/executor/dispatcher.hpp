@@ -2,22 +2,25 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "jounce/executor/axis_server.hpp"
+#include "jounce/executor/executor_options.hpp"
 #include "jounce/executor/masters.hpp"
+#include "jounce/executor/worker.hpp"
 #include "jounce/stream/message/claim.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 namespace jounce {
 
+class MotionServer;
+
 /// The communication thread of an executor. It passes requests from one link to the axes of a
-/// machine, and returns their answers. Each axis has its own name, its own sessions and its own
-/// AxisServer.
+/// machine, and returns their answers. Each axis, or group, has its own name, its own sessions and its own
+/// server.
 ///
 ///     Dispatcher dispatcher(link, {feeder, knife}, exchange);
 ///     while (!quit) dispatcher.turn(2ms);
@@ -32,6 +35,9 @@ class Dispatcher {
   Dispatcher(Transport& link, const std::vector<ExecutorOptions>& axes, MachineExchange& exchange,
              Clock clock = steady_now, std::vector<MachineMaster> masters = {},
              std::optional<Claim> claim = {});
+  ~Dispatcher();
+  Dispatcher(const Dispatcher&) = delete;
+  Dispatcher& operator=(const Dispatcher&) = delete;
 
   /// Executes one iteration: waits for messages for at most `timeout`, does all pending work, and
   /// sends a heartbeat to the cycle.
@@ -46,14 +52,15 @@ class Dispatcher {
   /// The masters of the machine.
   [[nodiscard]] const MasterServer& masters() const { return masters_; }
   /// Returns the server of an axis.
-  [[nodiscard]] const AxisServer& server(std::size_t axis = 0) const { return servers_[axis]; }
+  [[nodiscard]] const MotionServer& server(std::size_t axis = 0) const { return *servers_[axis]; }
   /// Number of axes.
   [[nodiscard]] std::size_t size() const { return servers_.size(); }
   /// Returns the newest tick of an axis.
-  [[nodiscard]] const Tick& last(std::size_t axis = 0) const { return servers_[axis].last(); }
-  [[nodiscard]] bool moving() const;   ///< true if any axis moves
-  [[nodiscard]] bool settled() const;  ///< true if all axes are settled, see AxisServer
-  [[nodiscard]] bool owned() const;    ///< true if any axis has a session
+  [[nodiscard]] const Tick& last(std::size_t axis = 0) const;
+  [[nodiscard]] bool moving() const;  ///< true if any axis moves
+  [[nodiscard]] bool settled()
+      const;                         ///< true if all axes are at rest and no command is in transit
+  [[nodiscard]] bool owned() const;  ///< true if any axis has a session
   /// A name of this executor that another executor also owns; this executor must then end. "" if no
   /// name is lost.
   [[nodiscard]] std::string lost_name() const;
@@ -69,7 +76,7 @@ class Dispatcher {
   std::optional<Claim> claim_;
   ReceiverPump pump_;
   MasterServer masters_;
-  std::deque<AxisServer> servers_;
+  std::vector<std::unique_ptr<MotionServer>> servers_;
   Recorder* recorder_;
   std::vector<Nanos> published_;                            // time of each axis's last status
   std::vector<std::pair<std::size_t, wire::Event>> again_;  // events to send again, by axis

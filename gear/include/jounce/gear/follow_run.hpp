@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "jounce/gear/follow_start.hpp"
 #include "jounce/pvt/segment_fifos.hpp"
 
@@ -39,5 +41,9 @@ void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave);
 /// while the slave follows, the state of the FIFOs becomes SegmentFifos::State::lost. Does not
 /// allocate.
 Jet step(FollowRun& run, SegmentFifos& fifos, const Sample& before, const Sample& now);
+
+/// Returns what the first step() after begin() would return, without a change. Returns nullopt while the
+/// slave waits for the event, and if the master has passed the end of the first table.
+std::optional<Jet> first_step(FollowRun run, const SegmentFifos& fifos, const Sample& now);
 
 }  // namespace jounce

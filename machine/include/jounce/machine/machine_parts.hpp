@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/axis_server.hpp"
+#include "jounce/executor/executor_options.hpp"
 #include "jounce/executor/masters.hpp"
 #include "jounce/executor/recorder.hpp"
 #include "jounce/spec/machine_spec.hpp"

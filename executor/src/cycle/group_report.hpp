@@ -7,9 +7,10 @@
 
 #include "jounce/axis/tick.hpp"
 #include "jounce/executor/executor_options.hpp"
-#include "jounce/executor/group_queue.hpp"
 #include "jounce/path/plan_progress.hpp"
 #include "jounce/stream/message/message.hpp"
+
+#include "executor/src/cycle/group_queue.hpp"
 
 namespace jounce {
 

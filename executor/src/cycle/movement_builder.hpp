@@ -9,9 +9,10 @@
 #include <optional>
 #include <utility>
 
-#include "jounce/executor/made_movement.hpp"
 #include "jounce/executor/worker.hpp"
 #include "jounce/stream/receiver/receiver.hpp"
+
+#include "executor/src/cycle/made_movement.hpp"
 
 namespace jounce {
 

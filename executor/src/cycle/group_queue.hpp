@@ -15,9 +15,10 @@
 
 #include "jounce/axis/path_commands.hpp"
 #include "jounce/axis/plan_agreement.hpp"
-#include "jounce/executor/command_queue.hpp"
 #include "jounce/executor/executor_options.hpp"
 #include "jounce/executor/worker.hpp"
+
+#include "executor/src/cycle/command_queue.hpp"
 
 namespace jounce {
 
