@@ -210,7 +210,8 @@ bool join_ramps(std::vector<Unit>& units, std::vector<double>& v) {
       const Unit& before = units[count - 1];
       const double from = v[count - 1];
       const Unit longer = joined(before, unit);
-      if (std::max(from, end) > longer.box.velocity) break;
+      // Rounding does not decide: an end at the velocity of one box is often that of the other box, too.
+      if (std::max(from, end) > longer.box.velocity * (1 + rounded_input)) break;
       const double direct =
           ramp_distance(from, end, end > from ? longer.box.acceleration : longer.box.deceleration,
                         longer.box.jerk);

@@ -13,8 +13,6 @@ namespace {
 constexpr double same = 1e-9;
 /// Rounding of the points bends two lines in one direction; they are planned with 1e-7 less (decision 0090, 15).
 constexpr double nearly_straight = 1e-7;
-/// Short lines that are averaged: rounding may decide between two windows or two places of stations.
-constexpr double tied = 0.02;
 
 double duration_of(const Case& c, int parts = 1) {
   return plan(program_of(c, parts), c.limits).duration();
@@ -40,10 +38,7 @@ bool goes_straight(const Case& c) {
 Outcome compared(const Case& c, double T, double twin, const std::string& how) {
   const double tolerance = goes_straight(c) ? nearly_straight : same;
   if (std::abs(twin - T) <= tolerance * T) return {};
-  Outcome found = outcome(c, "lasts " + text(T) + " s, " + how + ": " + text(twin));
-  found.tie =
-      c.legs.front().settings.corner == Corner::average && std::abs(twin - T) <= tied * T;
-  return found;
+  return outcome(c, "lasts " + text(T) + " s, " + how + ": " + text(twin));
 }
 
 Case mirrored(const Case& c) {

@@ -14,9 +14,6 @@ namespace jounce::path_proof {
 struct Outcome {
   std::string why;   ///< the fault, or ""
   std::string spec;  ///< spec that repeats a failure
-  /// True if the failure is only that rounding decided between two windows of an average, or between two places of
-  /// stations, which makes another plan within all limits and of nearly the same duration.
-  bool tie = false;
 };
 
 /// A kind of random programs.
