@@ -34,6 +34,8 @@ constexpr double tangent =
 constexpr int most_halvings = 20;  ///< greatest number of times that the trim of a blend is halved
 constexpr double most_of_side = 0.99;  ///< share of a side up to a rest that a corner may take
 constexpr double widest_trim = 1.0;    ///< rad of an arc that a blend may replace
+constexpr double least_share =
+    0.25;  ///< share of the least trim of a blend that is more than rounding
 
 /// Both sides of a joint.
 struct Sides {
@@ -234,9 +236,10 @@ class Shapes {
     const PathSettings& asked = view_.settings(k);
     double trim = room;
     bool fits = true;
-    // The least trim for which holds(trim) is true and that is more than rounding, or `most`.
+    // The least trim for which holds(trim) is true and that is more than rounding, or `most`. Two corners that share a
+    // side get at least half of what they want: that must be more than rounding, too.
     const auto least = [&](double most, auto holds) {
-      const auto enough = [&](double d) { return !is_rounding(k, d) && holds(d); };
+      const auto enough = [&](double d) { return !is_rounding(k, least_share * d) && holds(d); };
       if (!(fits = enough(most))) return most;
       double low = 0;
       double high = most;
