@@ -199,7 +199,8 @@ class Rounding {
     append_corner(k, s, PieceKind::blend);
     const Blend blend = blend_of(view_.route.path, k - 1, s.trim);
     const std::size_t path_axes = view_.rates.path_axes;
-    append_curve(blend.segments(), numbers_);
+    // Between two lines, the last coefficient is zero or rounding. The degree decides how tight Bernstein bounds are.
+    append_curve(blend.segments(), numbers_, 5);
     numbers_.push_back(least_distance(blend.segments(), view_.corner(k), path_axes));
     numbers_.push_back(distance_from_sides(view_.route.path, k - 1, blend, path_axes));
   }

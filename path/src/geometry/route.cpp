@@ -107,8 +107,7 @@ void extend_arc(double* arc, double sweep, const double* to, std::size_t axes) {
 
 }  // namespace
 
-void append_curve(std::span<const Segment> axes, std::vector<double>& numbers) {
-  int degree = 1;
+void append_curve(std::span<const Segment> axes, std::vector<double>& numbers, int degree) {
   for (const Segment& f : axes) degree = std::max(degree, f.degree);
   numbers.push_back(degree);
   for (const Segment& f : axes)

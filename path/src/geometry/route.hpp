@@ -34,7 +34,7 @@ Route route_of(const Program& program);
 void append_part(const Path& from, std::size_t k, double u0, double u1,
                  std::vector<PathPiece>& pieces, std::vector<double>& numbers);
 
-/// Appends the numbers of a curve. All axes get the highest degree of any of them.
-void append_curve(std::span<const Segment> axes, std::vector<double>& numbers);
+/// Appends the numbers of a curve. All axes get the highest degree of any of them, at least `degree`.
+void append_curve(std::span<const Segment> axes, std::vector<double>& numbers, int degree = 1);
 
 }  // namespace jounce
