@@ -10,6 +10,7 @@
 #include "jounce/path/shapes.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/query.hpp"
+#include "jounce/profiles/vibration/moving_average.hpp"
 
 #include "path/src/corners/blend.hpp"
 #include "path/src/corners/turn.hpp"
@@ -24,10 +25,13 @@
 //   5            OfSquaresWithOverlap, OfThePeaksOfAnOverlap     10, 11   OfALineAndAnArc, Blend.TrimsOfALineAndAnArc
 //   6, 7         OfTheRampsOnACircle, Plan.TheBoundOfACircle     12  OfAHelix, Plan.AHelixIsAsLongAsItsSpatialCurve
 //
-// Row 13, the chord of an arc of linear segments, has no function: no export divides arcs into chords. The manuals:
+//   13           OfTheChordsOfACircle
 //
-//   PMC600       Plan.TrapezoidsOfTheSeeds, PathExamples.OfThePmc600TakeTheirTimes, GroupExamples, OfThePmc600
-//   HIMC         PathExamples.OfHimcTakeTheirTimes (Ex 1: 1.540705 s; the controller's own law takes 1.634214 s),
+// The manuals:
+//
+//   PMC600       Plan.TrapezoidsOfTheSeeds, PathExamples.OfThePmc600TakeTheirTimes, GroupExamples, OfThePmc600,
+//                OfTheFilletsOfThePmc600
+//   HIMC         PathExamples.OfHimcTakeTheirTimes, OfTheSmoothingTimeOfHimc (Ex 1),
 //                Arc.HimcTurns (rows 6 to 9), OfTheCornersOfHimc (row 13), Frame (rows 16 to 20)
 namespace jounce::closed_form_test {
 namespace {
@@ -39,6 +43,10 @@ const nlohmann::json& forms() {
       nlohmann::json::parse(std::ifstream(JOUNCE_SOURCE_DIR "/tests/oracle/path.json"))
           .at("closed_forms");
   return all;
+}
+
+double peak(const Trajectory& f, int order) {
+  return std::abs(extrema(f, order).peak().value);
 }
 
 Program square(const PathSettings& settings) {
@@ -202,7 +210,7 @@ TEST(ClosedForms, OfTheCornersOfHimc) {
 }
 
 /// The recomputed examples of the PMC600 manual that are no plans of other tests: 8.3 with a total acceleration, 8.4,
-/// 8.5 and 8.6. The circular fillets of 8.6 are R tan(t / 2) long; the planner has no such corner.
+/// 8.5 and 8.6.
 TEST(ClosedForms, OfThePmc600) {
   const GroupLimits total{.axes = std::vector<Limits>(2), .path = {.total_acceleration = 20000}};
   Program half(2);
@@ -236,6 +244,86 @@ TEST(ClosedForms, OfThePmc600) {
   lines.line({3000, 2000});
   lines.line({4000, 0});
   EXPECT_NEAR(plan(lines, {.axes = std::vector<Limits>(2)}).duration(), 1.869310, 5e-7);
+}
+
+/// The circular fillets of example 8.6, as a CAM program has them: tangent arcs between the lines, with the trims
+/// R tan(t / 2). The plan passes them without a stop, and they leave the corners by R (1 / cos(t / 2) - 1).
+TEST(ClosedForms, OfTheFilletsOfThePmc600) {
+  const Point corners[] = {{0, 0}, {1000, 1000}, {3000, 2000}, {4000, 0}};
+  const double printed[][2] = {{16.2278, 1.3081},
+                               {100.0, 41.4214}};  // trim and deviation for R 100
+  const auto toward = [&](std::size_t k, std::size_t other) {
+    const double x = corners[other][0] - corners[k][0];
+    const double y = corners[other][1] - corners[k][1];
+    return Point{x / std::hypot(x, y), y / std::hypot(x, y)};
+  };
+  for (const double radius : {100.0, 50.0}) {
+    Program p(2);
+    p.set({.velocity = 10000, .acceleration = 20000});
+    for (std::size_t k = 1; k < 3; ++k) {
+      const Point back = toward(k, k - 1);
+      const Point on = toward(k, k + 1);
+      const double cosine = -(back[0] * on[0] + back[1] * on[1]);
+      const double trim = radius * std::sqrt((1 - cosine) / (1 + cosine));
+      EXPECT_NEAR(trim, printed[k - 1][0] * radius / 100, 5e-5);
+      const Point begin{corners[k][0] + trim * back[0], corners[k][1] + trim * back[1]};
+      p.line(begin);
+      p.arc(arc_of_radius(begin, radius,
+                          {corners[k][0] + trim * on[0], corners[k][1] + trim * on[1]}, Plane{0, 1},
+                          ArcRotation::clockwise));
+    }
+    p.line(corners[3]);
+    const Plan made = plan(p, {.axes = std::vector<Limits>(2)});
+    EXPECT_TRUE(std::ranges::none_of(made.joints(), &JointMark::rests));
+    const Path& path = made.path();
+    ASSERT_EQ(path.pieces().size(), 5U);
+    for (const std::size_t k : {1U, 2U}) {
+      const Point middle = path.point(2 * k - 1, path.pieces()[2 * k - 1].length / 2);
+      EXPECT_NEAR(std::hypot(middle[0] - corners[k][0], middle[1] - corners[k][1]),
+                  printed[k - 1][1] * radius / 100, 5e-5);
+    }
+  }
+}
+
+/// HIMC 8.1.6, example 1: the profile 100/5000/5000/200 over a diagonal of 100 mm. The smoothing time is the window of an
+/// average of the trapezoid: s / v + v / a + Ts. Its jerk is a / Ts. A plan with this jerk is 0.0935 s faster, because a
+/// window always adds Ts, although the acceleration reaches only v / Ts, a tenth of its limit; the shortest ramp with
+/// this jerk reaches 1581 mm/s^2.
+TEST(ClosedForms, OfTheSmoothingTimeOfHimc) {
+  Program p(2);
+  p.set({.velocity = 100, .acceleration = 5000});
+  p.line({100, 100});
+  const Plan trapezoid = plan(p, {.axes = std::vector<Limits>(2)});
+  const Trajectory smoothed = moving_average(trapezoid.law().curve(), 0.2);
+  EXPECT_NEAR(smoothed.end() - smoothed.start(), 1.634214, 5e-7);
+  EXPECT_NEAR(peak(smoothed, 2), 100 / 0.2, 1e-6);
+  EXPECT_NEAR(peak(smoothed, 3), 5000 / 0.2, 1e-3);
+
+  p = Program(2);
+  p.set({.velocity = 100, .acceleration = 5000, .jerk = 25000});
+  p.line({100, 100});
+  const Plan fastest = plan(p, {.axes = std::vector<Limits>(2)});
+  EXPECT_NEAR(fastest.duration(), 1.540705, 5e-7);
+  EXPECT_NEAR(peak(fastest.law().curve(), 2), std::sqrt(100 * 25000.0), 1e-6);
+}
+
+/// Row 13: at this velocity, the straight lines between points 1 ms apart leave a circle by 1 um.
+TEST(ClosedForms, OfTheChordsOfACircle) {
+  const double velocity = forms().at("13_chord_cap");
+  EXPECT_NEAR(velocity, 632.456587, 1e-6);  // the note rounds up its last digit
+  Program p(2, {50, 0});
+  p.set({.velocity = velocity, .acceleration = 1e6});
+  p.arc(arc_about({50, 0}, {0, 0}, {50, 0}, Plane{0, 1}, ArcRotation::counterclockwise), 1);
+  const Plan round = plan(p, {.axes = std::vector<Limits>(2)});
+  std::vector<Motion> from(2);
+  std::vector<Motion> to(2);
+  for (int k = 1; k < 400; ++k) {
+    round.at(0.001 * k, from);
+    round.at(0.001 * (k + 1), to);
+    const double off =
+        50 - std::hypot(from[0].position + to[0].position, from[1].position + to[1].position) / 2;
+    EXPECT_NEAR(off, 0.001, 1e-9) << k;
+  }
 }
 
 /// Row 8: a constant velocity v on a circle has the jerk v^3 / R^2.
