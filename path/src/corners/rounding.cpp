@@ -11,6 +11,7 @@
 #include "path/src/corners/blend.hpp"
 #include "path/src/corners/route_view.hpp"
 #include "path/src/geometry/pieces.hpp"
+#include "path/src/kept_memory.hpp"
 #include "path/src/tolerances.hpp"
 
 namespace jounce {
@@ -97,7 +98,7 @@ class Rounding {
       if (s.is_round()) ++corners;
     }
     reserve_large(joints_, marks);
-    reserve_large(units_, count + corners);
+    units_ = path_detail::with_kept_memory<Unit>(count + corners);
     if (sharp) return;
     reserve_large(pieces_, count + corners);
     reserve_large(numbers_, numbers);
@@ -223,8 +224,8 @@ Lines lines_of(const Route& route, const Program& program, const Rates& rates) {
   const std::size_t n = rates.axes;
   const auto pieces = route.path.pieces();
   Lines lines;
-  reserve_large(lines.directions, n * pieces.size());
-  reserve_large(lines.boxes, pieces.size());
+  lines.directions = path_detail::with_kept_memory<double>(n * pieces.size());
+  lines.boxes = path_detail::with_kept_memory<Box>(pieces.size());
   Point direction{};
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const bool is_line = pieces[k].kind == PieceKind::line;

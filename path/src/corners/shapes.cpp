@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "jounce/profiles/curve/query.hpp"
-#include "jounce/profiles/detail/large_pages.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
@@ -12,6 +11,7 @@
 #include "path/src/corners/turn.hpp"
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
+#include "path/src/kept_memory.hpp"
 #include "path/src/timing/stretch.hpp"
 
 namespace jounce {
@@ -79,7 +79,7 @@ class Shapes {
 
   std::vector<CornerShape> run() {
     const std::size_t count = view_.count();
-    profiles_detail::reserve_large(shapes_, count + 1);
+    shapes_ = path_detail::with_kept_memory<CornerShape>(count + 1);
     shapes_.resize(count + 1);
     shapes_[0].how = shapes_[count].how = How::rest;
     for (std::size_t k = 1; k < count; ++k) {

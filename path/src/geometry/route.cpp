@@ -12,6 +12,7 @@
 
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
+#include "path/src/kept_memory.hpp"
 
 namespace jounce {
 namespace {
@@ -118,10 +119,10 @@ Route route_of(const Program& program) {
   const std::size_t n = program.axes();
   std::vector<PathPiece> pieces;
   std::vector<double> numbers;
-  std::vector<Joint> joints{{0, true}};
+  std::vector<Joint> joints = path_detail::with_kept_memory<Joint>(program.commands().size() + 1);
+  joints.push_back({0, true});
   std::vector<std::int32_t> empty;
   reserve_large(pieces, program.commands().size());
-  reserve_large(joints, program.commands().size() + 1);
   reserve_large(numbers, program.commands().size() * 2 * n);
   Point at = program.start();
   double length = 0;

@@ -9,6 +9,7 @@
 #include "path/src/corners/rounding.hpp"
 #include "path/src/geometry/average.hpp"
 #include "path/src/geometry/route.hpp"
+#include "path/src/kept_memory.hpp"
 #include "path/src/maps/joined.hpp"
 #include "path/src/timing/laws.hpp"
 
@@ -86,7 +87,7 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
   const auto law_of = [&](Jointed& path, const Route& route, bool times_only = false) {
     return fastest_law(path.rounded, joined.rates(), program, route, times_only);
   };
-  const Lines lines = lines_of(sharp, program, shaping);
+  Lines lines = lines_of(sharp, program, shaping);
   const auto shapes_with_stops = [&] {
     return shapes_of(sharp, lines, program, shaping, std::vector<bool>(sharp.joints.size(), true));
   };
@@ -114,6 +115,7 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
         law = law_of(result, sharp);
       }
     }
+    path_detail::keep_memory(std::move(shapes));
     if (law.rests.back().time <= stop_duration) from = &sharp;
   } else if (!options.stop_at_corners) {
     const Lines averages = lines_of(*averaged, program, shaping);
@@ -130,6 +132,10 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
     law = law_of(result, sharp);
     stop_duration = law.rests.back().time;
   }
+  path_detail::keep_memory(std::move(lines.directions));
+  path_detail::keep_memory(std::move(lines.boxes));
+  path_detail::keep_memory(std::move(sharp.joints));
+  path_detail::keep_memory(std::move(result.rounded.units));
   Rounded& made = result.rounded;
   return {made.path ? std::move(*made.path) : std::move(from->path),
           TimingLaw(std::move(law.stretches)),

@@ -9,6 +9,7 @@
 #include "jounce/profiles/detail/ramps.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "path/src/kept_memory.hpp"
 #include "path/src/timing/stretch.hpp"
 #include "path/src/tolerances.hpp"
 
@@ -266,6 +267,7 @@ std::vector<LawInterval> stations(std::vector<Unit> units) {
     if (end_of(next) >= end_of(best)) break;
     best = std::move(next);
   }
+  path_detail::keep_memory(std::move(units));
   return best;
 }
 
