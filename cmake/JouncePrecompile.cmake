@@ -8,9 +8,10 @@
 #
 # A precompiled header comes before a file's own first line, so it hides what that file forgot to
 # include. It is therefore left out where a launcher (ccache, which gains nothing from it) or clang-tidy
-# looks at every file: there each stands on its own includes.
+# looks at every file: there each stands on its own includes. A project that adds Jounce with add_subdirectory gets
+# neither precompiled headers nor batches, unless it sets the options.
 set(default ON)
-if(CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_CXX_CLANG_TIDY)
+if(CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_CXX_CLANG_TIDY OR NOT PROJECT_IS_TOP_LEVEL)
   set(default OFF)
 endif()
 option(JOUNCE_PCH "Precompile the headers that many files include" ${default})

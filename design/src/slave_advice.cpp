@@ -19,11 +19,11 @@ namespace jounce::design_detail {
 namespace {
 
 constexpr double straight = 1e-9;  ///< share of the peak: a smaller acceleration of a segment is 0
-constexpr int halvings = 60;       ///< of an interval, to the last digits of a double
+constexpr int halvings = 60;       ///< enough for the last digit of a double
 
 /// A segment of a spec between two segments without acceleration (dwells or lines).
 struct Between {
-  double length = 0;        ///< of the master
+  double length = 0;        ///< travel of the master
   double from = 0, to = 0;  ///< positions of the slave
   double slope_from = 0, slope_to = 0;
 
@@ -142,11 +142,16 @@ std::string least_text(const Finding& f, std::size_t order, const Between& part,
     text += "no motion keeps the other limits";
   if (shown <= limit) return f.advice + "; " + text;
   const SpeedUnit unit = master_speed_unit(spec);
-  return text + fmt::format(
-                    "{}. Slow the master down to {} {}, lengthen the segment, or raise the "
-                    "limit",
-                    std::isfinite(least) ? ", above the limit" : "",
-                    six_digits_down(fastest(part, spec.slave, speed) / unit.size), unit.name);
+  const double most = fastest(part, spec.slave, speed) / unit.size;
+  text += std::isfinite(least) ? ", above the limit. " : ". ";
+  if (master_rates(spec).acceleration > 0)  // the ramp of the master needs a reserve
+    return text + fmt::format(
+                      "Slow the master down to less than {} {}, lengthen the segment, or raise "
+                      "the limit",
+                      six_digits_down(most), unit.name);
+  return text +
+         fmt::format("Slow the master down to {} {}, lengthen the segment, or raise the limit",
+                     six_digits_down(most), unit.name);
 }
 
 }  // namespace
@@ -154,7 +159,7 @@ std::string least_text(const Finding& f, std::size_t order, const Between& part,
 void advise_on_slave(const Input& input, Report& report) {
   const Spec& spec = *input.spec;
   if (!std::holds_alternative<CamSpec>(spec.subject) || input.against || !spec.then.empty() ||
-      spec.polydyne || !(spec.master->velocity > 0) || master_rates(spec).acceleration > 0)
+      spec.polydyne || !(spec.master->velocity > 0))
     return;
   const Cam& cam = std::get<Cam>(*input.curve);
   std::set<std::string> advised;

@@ -230,7 +230,7 @@ t is one number, or an array that is broadcast with the shape of the moves. NaN 
         "duration"_a = py::none(), "threads"_a = py::none(),
         R"(Returns the time-optimal move between two states that keeps the bounds.
 
-start, target: State, or a position (u) at rest. With `duration` (s), the move takes exactly this time. If all
+start, target: State, or a position (u) at rest. With `duration` (s), the move takes this time, to rounding. If all
 arguments are numbers, the result is a Move; MoveError is raised if no move exists. If any argument is an array, the
 arrays are broadcast and the result is Moves: one loop without the GIL. `threads`: greatest number of threads for many
 moves; None: one for each core.

@@ -239,8 +239,11 @@ py::object motion_at(const Profile& move, const Column& t) {
                              [&](std::size_t i) { return jet_at(move, times[i]); });
 }
 
-py::tuple sampled_move(const Profile& move, double step) {
-  const py::array_t<double> t = taken(instants(0, move.duration(), step));
+py::tuple sampled_move(const Profile& move, double step, bool uniform) {
+  std::vector<double> places = instants(0, move.duration(), step);
+  // Only the last place may be no multiple: the move holds its end until the next one.
+  if (uniform && places.size() > 1) places.back() = static_cast<double>(places.size() - 1) * step;
+  const py::array_t<double> t = taken(std::move(places));
   Column column;
   column.array = Doubles(t);
   return py::make_tuple(t, motion_at(move, column));
@@ -371,9 +374,11 @@ Outside [0, duration], the state at the nearer end applies, with jerk 0.)")
            R"(Returns position, velocity, acceleration and jerk at t (s), as a Motion.
 
 The members are numbers, or arrays of the shape of t: u, u/s, u/s^2, u/s^3.)")
-      .def("sample", sampled_move, "step"_a,
-           "Returns the times 0, step, 2 step, ... and the end (s), and the motion there, as (t, "
-           "motion).")
+      .def("sample", sampled_move, "step"_a, py::kw_only(), "uniform"_a = false,
+           R"(Returns the times 0, step, 2 step, ... and the end (s), and the motion there, as (t, motion).
+
+With `uniform`, all times are multiples of the step: the last one is at or after the end, where the move
+holds its last position.)")
       .def_property_readonly("curve", &Profile::curve,
                              "The same motion as a Trajectory, for exact extrema, checks and "
                              "tables. Raises InputError "

@@ -84,7 +84,11 @@ TEST_F(GroupShown, WithAnOverrideItIsAnEstimateAndInAHoldUnknown) {
   ASSERT_TRUE(site.order("plotter", command::Hold{}).ok());
   site.advance(500ms);
   const wire::GroupStatus held = status();
-  EXPECT_TRUE(std::isnan(held.remaining_s));
+  EXPECT_TRUE(held.estimated);
+  site.advance(500ms);
+  EXPECT_EQ(status().remaining_s, held.remaining_s) << "a hold does not count";
+  EXPECT_LT(held.remaining_s, half.remaining_s);
+  EXPECT_GT(held.remaining_s, half.remaining_s - 1);
   EXPECT_EQ(held.feed, 0);
   EXPECT_NEAR(held.length, full.length, 1e-9);
   EXPECT_LT(held.position, held.length);

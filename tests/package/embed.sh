@@ -1,28 +1,20 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Builds a program that adds Jounce's sources with add_subdirectory, as FetchContent does, and `profiles` of it: no other
-# library is looked for, and neither tests nor programs are added.
-#   embed.sh JOUNCE_SOURCE_DIR MAIN
+# Builds examples/library with its CMakeLists.txt, which adds Jounce's sources with add_subdirectory, and `profiles` of them:
+# no other library is looked for, neither tests nor programs are added, and headers are not precompiled.
+#   embed.sh JOUNCE_SOURCE_DIR
 set -eu
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-cat > "$scratch/CMakeLists.txt" <<END
-cmake_minimum_required(VERSION 3.25)
-project(embedder CXX)
-set(JOUNCE_MODULES profiles)
-include(FetchContent)
-FetchContent_Declare(jounce SOURCE_DIR "$1")
-FetchContent_MakeAvailable(jounce)
-foreach(target jounce_cam jounce_base jounce_cli test_profiles)
-  if(TARGET \${target})
-    message(FATAL_ERROR "\${target} is added")
-  endif()
-endforeach()
-add_executable(embedder "$2")
-target_link_libraries(embedder PRIVATE jounce::profiles)
-END
 logged() { "$@" >> "$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }; }
-logged cmake -G Ninja -S "$scratch" -B "$scratch/build" -DCMAKE_BUILD_TYPE= -DCMAKE_CXX_FLAGS=-O0 -DJOUNCE_PCH=ON
+logged cmake -G Ninja -S "$1/examples/library" -B "$scratch/build" -DCMAKE_BUILD_TYPE= -DCMAKE_CXX_FLAGS=-O0
 if grep -iE 'nlopt|sundials|fmt|Eigen|lcm' "$scratch/log"; then exit 1; fi
-logged cmake --build "$scratch/build" --target embedder
-[ "$("$scratch/build/embedder")" = "1300 ms, at most 50 pulse/ms" ]
+targets=$(cmake --build "$scratch/build" --target help)
+for target in jounce_cam jounce_base jounce_cli test_profiles cmake_pch Unity; do
+  case $targets in *$target*) echo "$target is added"; exit 1 ;; esac
+done
+grep -q '^JOUNCE_PCH:BOOL=OFF$' "$scratch/build/CMakeCache.txt"
+grep -q '^JOUNCE_UNITY:BOOL=OFF$' "$scratch/build/CMakeCache.txt"
+logged cmake --build "$scratch/build" --target first_move
+sed -n 's|^// > ||p' "$1/examples/library/01_move.cpp" > "$scratch/wanted"
+"$scratch/build/first_move" | diff "$scratch/wanted" -

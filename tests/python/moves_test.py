@@ -68,6 +68,17 @@ class OneMove(unittest.TestCase):
         self.assertAlmostEqual(v, 0, delta=1e-13)
         self.assertAlmostEqual(t, move.duration, delta=1e-14)
 
+    def test_a_uniform_grid_ends_at_or_after_the_end(self) -> None:
+        for duration, count in ((0.8005, 802), (0.8, 801), (0.80099, 802)):
+            move = jounce.move_to(0, 1, jounce.Bounds(velocity=20, acceleration=100, jerk=1000), duration=duration)
+            t, motion = move.sample(0.001, uniform=True)
+            self.assertEqual(len(t), count)
+            np.testing.assert_array_equal(t, np.arange(count) * 0.001)
+            np.testing.assert_allclose(motion.position[-1], 1, atol=1e-12)
+            plain = move.sample(0.001)[0]
+            np.testing.assert_array_equal(plain[:-1], t[:-1])
+            self.assertEqual(plain[-1], move.duration)
+
     def test_a_requested_duration_is_kept(self) -> None:
         move = jounce.move_to(0, 1, AXIS, duration=1.25)
         self.assertAlmostEqual(move.duration, 1.25, delta=1e-15)

@@ -9,11 +9,11 @@ namespace jounce {
 namespace {
 
 /// The time to the end of the path, if the group moves. At another rate than 1, it is an estimate:
-/// the time of the path at the override that is set.
+/// the time of the path at the override that is set, at 100 % if it is 0. A hold does not count.
 void add_remaining(wire::GroupStatus& status, const Tick& tick, double remaining, bool exact) {
   if (tick.state != State::discrete_motion) return;
   status.estimated = !exact || tick.held || tick.rate != 1 || tick.override_ != 1;
-  if (!tick.held && tick.override_ > 0) status.remaining_s = remaining / tick.override_;
+  status.remaining_s = remaining / (tick.override_ > 0 ? tick.override_ : 1);
 }
 
 /// The coordinates in the frame of the commands.
