@@ -53,13 +53,13 @@ ValueCheck one_of(std::vector<std::string> words) {
   return check;
 }
 
-ValueCheck whole(std::int64_t low, std::int64_t high) {
+ValueCheck whole(std::int64_t low, std::int64_t high, const std::string& what) {
   return [=](const std::string& text) -> std::string {
     const auto value = number_in<std::int64_t>(text);
     if (value && *value >= low && *value <= high) return "";
     if (high == std::numeric_limits<std::int64_t>::max())
-      return fmt::format("must be a whole number of at least {}", low);
-    return fmt::format("must be a whole number from {} to {}", low, high);
+      return fmt::format("must be {}a whole number of at least {}", what, low);
+    return fmt::format("must be {}a whole number from {} to {}", what, low, high);
   };
 }
 

@@ -191,10 +191,22 @@ InputError scaled(const InputError& error, const Document::Given& given) {
   return InputError(given.key, converted_text(value * given.factor), error.rule());
 }
 
-/// The error of a number that the text does not have.
-InputError missing(const std::string& key, const std::string& unit) {
+/// The error of a number that the text does not have. `reason`: "" or why the number is needed.
+InputError missing(const std::string& key, const std::string& unit, const std::string& reason) {
   const std::string name = key.substr(key.rfind('.') + 1);
-  return {key, "", "is missing: add " + name + " = NUMBER" + (is_pure(unit) ? "" : ", in " + unit)};
+  return {key, "",
+          "is missing: add " + name + " = NUMBER" + (is_pure(unit) ? "" : ", in " + unit) +
+              (reason.empty() ? "" : ": " + reason)};
+}
+
+/// The reason of an error that reports a missing number without the form to add; otherwise nullopt.
+std::optional<std::string> reason_of_missing(const InputError& error) {
+  static const std::string begin = "is missing: ";
+  const std::string& rule = error.rule();
+  if (!error.value().empty() || !rule.starts_with(begin)) return std::nullopt;
+  const std::string reason = rule.substr(begin.size());
+  if (reason.starts_with("add ") || reason.starts_with("give ")) return std::nullopt;
+  return reason;
 }
 
 }  // namespace
@@ -207,8 +219,10 @@ InputError Document::located(const InputError& unplaced) const {
   const auto unit = known.find(own.key());
   const bool absent = unit != known.end() && !places.contains(own.key()) && own.value() == "0" &&
                       own.rule().starts_with("must be greater than 0");
-  const InputError error = absent ? missing(own.key(), unit->second)
-                                  : with_unit(own, is_converted ? other->second.factor : 1, *this);
+  const auto reason = absent ? "" : reason_of_missing(own);
+  const InputError error = reason && unit != known.end()
+                               ? missing(own.key(), unit->second, *reason)
+                               : with_unit(own, is_converted ? other->second.factor : 1, *this);
   for (std::string key = error.key();; key.erase(key.find_last_of(".["))) {
     if (const auto it = places.find(key); it != places.end())
       return error.at(name, it->second.line, it->second.column);

@@ -50,7 +50,11 @@ std::vector<std::string> axes_of(const OrderArguments& options, KeyedLink& link)
   if (!names_axes(options.words)) return {};
   const auto group =
       present_group(link.transport(), options.executor, std::chrono::seconds(1), link.key());
-  if (!group) throw InputError("NAME", options.executor, "must be a group: the command names axes");
+  if (!group)
+    throw InputError(
+        "NAME", options.executor,
+        "is a single axis, without coordinates: name its group, or send `jounce order " +
+            options.executor + " move --to POSITION`");
   return group->axes;
 }
 
@@ -154,7 +158,7 @@ void add_order(CommandLine& line) {
       .check(seconds());
   verb.option("--at", options->at,
               "Tick of the executor at which the command takes effect; default: at once")
-      .check(whole(0, std::numeric_limits<std::int64_t>::max()));
+      .check(whole(0, std::numeric_limits<std::int64_t>::max(), "a tick of the executor, "));
   add_link_options(verb, options->link);
   verb.flag("--json", options->json, "Outcome as JSON");
   verb.work([options] { return run_order(*options); });

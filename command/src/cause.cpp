@@ -125,7 +125,8 @@ constexpr std::array entries{
         "master."},
     Entry{Cause::no_movement, "no_movement",
           "The command changes a motion, but no motion is in progress.",
-          "Start a motion first. With --at-next-cut, a cam must be in progress."},
+          "Start a motion first. With --at-next-cut, a cam must be in progress.",
+          "Start a motion first.", "With --at-next-cut, a cam must be in progress."},
     Entry{Cause::not_synchronized, "not_synchronized", "The axis is not following a master.",
           "For phasing: engage the axis with its master first (`jounce order NAME gear-in 1:1`, or "
           "`jounce stream --live`). For gear-out and cam-out: nothing, the axis is not engaged."},
@@ -287,7 +288,7 @@ constexpr std::array entries{
         Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
         "Use `jounce order NAME move --to POSITION`. For a table: choose one axis of the path with "
         "--axis.",
-        "Send the command to a group, or move the axis: `jounce order NAME move --to POSITION`.",
+        "Send the command to a group.",
         "Choose one axis of the path with --axis, or send the path to a group."},
     Entry{
         Cause::no_trigger_input, "no_trigger_input",
@@ -396,6 +397,10 @@ constexpr const char* engage_first =
     "First engage the axis with its master: `jounce order NAME gear-in 1:1`, or `jounce "
     "stream --live`.";
 
+constexpr const char* move_instead =
+    "Send the command to a group, or move the axis: `jounce order NAME move --to POSITION`.";
+constexpr const char* nothing_to_hold = "Nothing moves: no hold is needed.";
+
 constexpr std::array order_remedies{
     OrderRemedy{Cause::position_limit, CommandKind::move_velocity, "Jog in the other direction."},
     OrderRemedy{Cause::position_limit, CommandKind::move_relative, other_way},
@@ -409,6 +414,20 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::acceleration_limit, CommandKind::gear_in_pos, longer_start},
     OrderRemedy{Cause::jerk_limit, CommandKind::gear_in, longer_clutch},
     OrderRemedy{Cause::jerk_limit, CommandKind::gear_in_pos, longer_start},
+    OrderRemedy{Cause::no_movement, CommandKind::hold, nothing_to_hold},
+    OrderRemedy{Cause::not_a_group, CommandKind::move_linear_absolute, move_instead},
+    OrderRemedy{Cause::not_a_group, CommandKind::move_linear_relative, move_instead},
+    OrderRemedy{Cause::not_a_group, CommandKind::move_circular_absolute, move_instead},
+    OrderRemedy{Cause::not_a_group, CommandKind::move_circular_relative, move_instead},
+    OrderRemedy{Cause::not_a_group, CommandKind::move_direct_absolute, move_instead},
+    OrderRemedy{Cause::not_a_group, CommandKind::move_direct_relative, move_instead},
+    OrderRemedy{Cause::not_a_group, CommandKind::group_set_override,
+                "Send the command to a group, or override the axis: `jounce order NAME override "
+                "50%`."},
+    OrderRemedy{Cause::single_axis, CommandKind::home,
+                "Send the command to each axis of the group, while the group is disabled."},
+    OrderRemedy{Cause::single_axis, CommandKind::override_,
+                "Override the group: `jounce order NAME set-override --velocity-factor 50%`."},
     OrderRemedy{Cause::no_movement, CommandKind::resume, "Nothing is held: no resume is needed."},
     OrderRemedy{Cause::not_synchronized, CommandKind::gear_out, "No gear-out is needed."},
     OrderRemedy{Cause::not_synchronized, CommandKind::cam_out, "No cam-out is needed."},

@@ -59,9 +59,13 @@ std::string identification_text(const Identification& found, const std::string& 
         fmt::format("  residual of {:<16} {:>12} {:>12} {:>12}   {} rms\n", e.quantity,
                     rounded(e.before), rounded(e.after), "", unit_of_quantity(e.quantity, unit));
   for (const Entangled& e : found.entangled)
-    text += fmt::format("  - {} and {} are hardly distinguishable (correlation {:.4f})\n", e.first,
-                        e.second, e.correlation);
-  for (const std::string& note : found.notes) text += fmt::format("  - {}\n", note);
+    if (found.reason.find(e.first + " and " + e.second + " cannot") == std::string::npos)
+      text += fmt::format(
+          "  - {} and {} act nearly alike in this recording (correlation {:.4f}). Their intervals "
+          "include this\n",
+          e.first, e.second, e.correlation);
+  for (const std::string& note : found.notes)
+    if (note != found.reason) text += fmt::format("  - {}\n", note);
   return text;
 }
 

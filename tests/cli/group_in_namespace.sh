@@ -38,7 +38,7 @@ refused 1 'the command has no coordinate: give at least one' plotter move-linear
 refused 1 'the path already ends at (0, 0)' plotter move-linear x=0
 got=0
 order x move-linear x=5 || got=$?
-[ $got = 2 ] && grep -q 'must be a group' out || fail "a coordinate of a single axis: $got, $(cat out)"
+[ $got = 2 ] && grep -q 'is a single axis, without coordinates' out || fail "a coordinate of a single axis: $got, $(cat out)"
 got=0
 order plotter move-linear z=5 || got=$?
 [ $got = 2 ] && grep -q 'names z, but the axes of the group are x, y' out || fail "an unknown axis: $got, $(cat out)"

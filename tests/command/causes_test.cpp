@@ -56,6 +56,13 @@ TEST(Causes, ARemedyOfAnOrderSuitsItsKind) {
             "Give a longer --clutch, or slow the master down.");
   EXPECT_EQ(remedy_of_order(Cause::not_enabled, CommandKind::home),
             "Enable it: `jounce order NAME enable`.");
+  EXPECT_EQ(remedy_of_order(Cause::no_movement, CommandKind::hold),
+            "Nothing moves: no hold is needed.");
+  EXPECT_EQ(remedy_of_order(Cause::no_movement, CommandKind::finish), "Start a motion first.");
+  EXPECT_THAT(remedy_of_order(Cause::not_a_group, CommandKind::group_set_override),
+              testing::HasSubstr("`jounce order NAME override 50%`"));
+  EXPECT_EQ(remedy_of_order(Cause::not_a_group, CommandKind::group_wait),
+            "Send the command to a group.");
   for (const CauseInfo& one : all_causes()) {
     EXPECT_EQ(remedy_of_order(one.cause, CommandKind::move_absolute).find("For a table"),
               std::string::npos)

@@ -213,7 +213,7 @@ TEST(CommandWords, CommandsThatChangeAMotion) {
   EXPECT_DOUBLE_EQ(change.position, 100);
   EXPECT_EQ(change.direction, Direction::negative);
   EXPECT_EQ(test::error_of([] { command_of({.what = "combine", .value = "1:1"}, mm); }),
-            "--second: is missing: give a ratio, such as 3:2");
+            "--second: is missing: give a ratio, such as --second 3:2");
   EXPECT_THAT(
       test::error_of([] {
         command_of(
@@ -269,6 +269,8 @@ TEST(CommandWords, AMissingValueIsNamedWithAnExample) {
             "VALUE is missing: give a velocity, such as 12.5mm/s");
   EXPECT_EQ(test::rule_of([] { command_of({.what = "gear-in"}, mm); }),
             "VALUE is missing: give a ratio, such as 3:2");
+  EXPECT_EQ(test::rule_of([] { command_of({.what = "combine"}, mm); }),
+            "VALUE is missing: give two ratios, such as combine 3:2 --second 1:2");
   EXPECT_EQ(test::rule_of([] { command_of({.what = "override"}, mm); }),
             "VALUE is missing: give a factor, such as 50%");
 }

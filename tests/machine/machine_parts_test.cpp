@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/machine/group_position.hpp"
+
 #include "support/errors.hpp"
 
 namespace jounce::machine_parts_test {
@@ -264,6 +266,18 @@ TEST_F(MachineGroups, OfJointsHaveTheCoordinatesOfTheirTool) {
   EXPECT_EQ(gantry.group->coordinates().size(), 3U);
   EXPECT_EQ(gantry.group->sent->stages.front().program->first, 3U);
   EXPECT_EQ(gantry.group->sent->stages.front().program->axes.size(), 4U);
+}
+
+/// The arms are 300 and 250 mm long. On the line y = 250 mm they reach to x = sqrt(550^2 - 250^2).
+TEST(GroupPosition, APositionOutOfReachNamesTheLastOneInReach) {
+  EXPECT_THAT(test::error_of([] {
+                (void)converted_position(JOUNCE_SOURCE_DIR "/examples/scara/machine.toml", "",
+                                         {"x=900", "y=250", "z=0"});
+              }),
+              testing::HasSubstr(
+                  "is out of reach of the joints. From the start position of the joints (x = "
+                  "300 mm, y = 250 mm, z = 0 mm), the tool can move toward it as far as x = "
+                  "489.898 mm, y = 250 mm, z = 0 mm"));
 }
 
 TEST_F(MachineGroups, RejectAKinematicsOfOtherJoints) {

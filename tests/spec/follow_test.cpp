@@ -102,7 +102,16 @@ TEST(FollowSpecFile, ErrorsNameTheirPlace) {
               HasSubstr("follow.law"));
   EXPECT_THAT(error_of(""), HasSubstr("segment: is missing"));
   EXPECT_THAT(error_of("[[point]]\nmaster = 1\nslave = 1\n[[segment]]\nmaster = 1\nslave = 1\n"),
-              HasSubstr("replaces [[segment]]"));
+              HasSubstr("[[segment]]: cannot be combined with [[point]] and [[zone]]"));
+  EXPECT_EQ(
+      error_of("[follow]\nform = \"smooth\"\nperiodic = true\n[[point]]\nmaster = 1\nslave = 1\n"
+               "[[zone]]\nfrom = 0\nto = 1\nratio = 1\n[[segment]]\nmaster = 1\nslave = 1\n"),
+      "f.toml:14:1: [[segment]]: cannot be combined with [[point]] and [[zone]]: leave out the "
+      "one or the other");
+  EXPECT_EQ(
+      error_of("[follow]\nlaw = \"quintic\"\n[[segment]]\nmaster = 1\nslave = 1\n"),
+      "f.toml:5:7: follow.law = \"quintic\": applies only to [[point]] and [[zone]]: leave it "
+      "out");
   EXPECT_THAT(error_of("[follow]\npass = { position = 1, direction = 2 }\n[[segment]]\nmaster = "
                        "1\nslave = 1\n"),
               HasSubstr("must be 1 or -1"));

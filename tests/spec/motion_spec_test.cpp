@@ -674,7 +674,8 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml:22:8: command[3].mode = \"blending_high\": does not apply to a dwell, which "
             "begins and ends at rest: use buffered"},
         BadMotion{with(queue_spec, "issued = 3\n", ""),
-                  "a.toml:25:1: command[5].issued: is missing: an aborting command needs the time "
+                  "a.toml:25:1: command[5].issued: is missing: add issued = NUMBER, in s: an "
+                  "aborting command needs the time "
                   "at which it is issued"},
         BadMotion{with(queue_spec, "direction = -1", "direction = 2"),
                   "a.toml:24:13: command[4].direction = 2: must be 1 or -1"},
@@ -692,8 +693,10 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml:14:8: axis[2].name = \"x\": is the name of two axes: rename one"},
         BadMotion{with(axes_spec, "\"c\"", "\"a/b\""),
                   "a.toml:14:8: axis[2].name = \"a/b\": must consist of letters, digits, - and _"},
-        BadMotion{with(axes_spec, "to = 90\n", ""),
-                  "a.toml:13:1: axis[2].to: is missing: add to = NUMBER, the target position"},
+        BadMotion{
+            with(axes_spec, "to = 90\n", ""),
+            "a.toml:13:1: axis[2].to: is missing: add to = NUMBER, in deg: each axis needs its "
+            "target position"},
         BadMotion{
             with(axes_spec, "jerk = 100000\nlimits", "jerk = 100000\nto_velocity = 9\nlimits"),
             "a.toml:14:1: axis[2]: the velocities and accelerations of start and target are not "
@@ -709,7 +712,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"
                   "axis = [{ name = \"x\", to = 1, velocity = 1, acceleration = 1 }]\n"
                   "[norm]\nvelocity = 1\n",
-                  "a.toml:5:1: norm = { ... }: applies to a motion through [[point]] only"},
+                  "a.toml:5:1: [norm]: applies only to a motion through [[point]]: add "
+                  "[[point]], or leave it out"},
+        BadMotion{
+            with(axes_spec, "jounce = 1\n", "jounce = 1\ntimes = \"shortest\"\n"),
+            "a.toml:2:9: times = \"shortest\": applies only to a motion through [[point]]: add "
+            "[[point]], or leave it out"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"
                   "axis = [{ name = \"x\", velocity = 1, acceleration = 1 }]\n"
                   "point = [{ position = [1] }, { position = [1, 2] }]\n",

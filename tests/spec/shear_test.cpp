@@ -105,7 +105,8 @@ TEST(ShearSpec, ErrorsStandWhereTheUserWroteThem) {
           "1000 mm/s, with cut_length greater than 1713.29 mm; at this stroke, line_speed "
           "must be at most 566.41 mm/s"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1", "deg")),
-              HasSubstr("shear.ratio: is missing: the line counts in deg, the carriage in mm"));
+              HasSubstr("shear.ratio: is missing: add ratio = NUMBER, in mm/deg: the travel of the "
+                        "carriage per deg of the line in the sync zone"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1\nangle = 90")),
               HasSubstr("shear.angle = 90 deg: must be greater than -90 deg and less than 90 deg"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1")), HasSubstr("shear.sync_time"));

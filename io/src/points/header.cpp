@@ -144,8 +144,7 @@ PointColumn column_of(std::string_view cell) {
   if (cell.find('=') != cell.npos)
     throw InputError(
         "", "",
-        "is not a header: it must name the columns, such as time [s],position [mm]. Is "
-        "the file a spec?");
+        "is a line of a spec, not a header with the names of columns: give a CSV file with points");
   PointColumn column = split(cell);
   if (column.name.empty() || begins_with_number(column.name))
     throw InputError("header", std::string(cell),

@@ -119,7 +119,11 @@ Form form_of(const CommandWords& words) {
     chosen = &form;
   }
   if (chosen == nullptr && forms.front().selector() == value_word) return forms.front();
-  if (chosen == nullptr) throw InputError(words.what, "", "needs one of " + list);
+  if (chosen == nullptr)
+    throw InputError(
+        words.what, "",
+        "needs one of " + list +
+            (words.what.starts_with("move-") ? ", or coordinates, such as x=10mm" : std::string()));
   return *chosen;
 }
 
@@ -216,7 +220,8 @@ double factor_of(const std::string& name, const std::string& text) {
 
 /// "3:2" or "3".
 std::pair<double, double> ratio_of(const std::string& name, const std::string& text) {
-  if (text.empty()) throw InputError(name, "", "is missing: give a ratio, such as 3:2");
+  if (text.empty())
+    throw InputError(name, "", "is missing: give a ratio, such as " + name + " 3:2");
   const auto colon = text.find(':');
   const auto numerator = csv_number(text.substr(0, colon));
   const auto denominator = csv_number(colon == std::string::npos ? "1" : text.substr(colon + 1));
@@ -374,6 +379,8 @@ std::size_t coordinates(const Form& form, const std::string& option) {
 }
 
 InputError value_missing(const std::string& word, const Field& field, const std::string& unit) {
+  if (word == "combine")
+    return {word, "", "VALUE is missing: give two ratios, such as combine 3:2 --second 1:2"};
   const bool is_ratio =
       field.range == FieldRange::whole || field.range == FieldRange::whole_nonzero;
   const bool is_factor = field.range == FieldRange::factor;

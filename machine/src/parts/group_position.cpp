@@ -28,6 +28,7 @@ using Parts = std::vector<ConvertedPosition::Part>;
 struct GroupPlaces {
   std::vector<AxisPart> coordinates, joints;
   std::shared_ptr<const AxisMap> map;
+  std::vector<double> start;  ///< start position of each joint
 };
 
 const MachineSpec::Group& group_named(const MachineSpec& machine, const std::string& name) {
@@ -60,14 +61,18 @@ GroupPlaces places_of(const MachineSpec& machine, const MachineSpec::Group& grou
   if (path == nullptr || !path->joints)
     throw machine.document.located(InputError(group.key + ".kinematics", group.kinematics,
                                               "must be a spec of kind \"path\" with [kinematics]"));
-  GroupPlaces places{.coordinates = spec.parts(), .joints = {}, .map = path->joints->map};
+  GroupPlaces places{
+      .coordinates = spec.parts(), .joints = {}, .map = path->joints->map, .start = {}};
   const auto tool = places.coordinates.begin() + static_cast<std::ptrdiff_t>(path->program.axes());
   places.joints.assign(tool, places.coordinates.end());
   places.coordinates.erase(tool, places.coordinates.end());
+  places.start.resize(places.joints.size());
   for (const MachineSpec::Axis& one : machine.axes) {
     const Spec axis = read_spec(one.spec);
-    for (AxisPart& joint : places.joints) {
+    for (std::size_t k = 0; k < places.joints.size(); ++k) {
+      AxisPart& joint = places.joints[k];
       if (joint.name != axis.name) continue;
+      places.start[k] = std::get<AxisSpec>(axis.subject).position;
       const Limits range = axis.parts().front().limits;
       joint.limits.position_min = narrower(joint.limits.position_min, range.position_min, true);
       joint.limits.position_max = narrower(joint.limits.position_max, range.position_max, false);
@@ -153,23 +158,57 @@ Parts with_ranges(std::span<const double> positions, const std::vector<AxisPart>
   return all;
 }
 
+/// "x = 900 mm, y = 0 mm".
+std::string position_text(std::span<const double> at, const std::vector<AxisPart>& parts) {
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    text += (k == 0 ? "" : ", ") + parts[k].name + " = " + six_digits(at[k]) + " " +
+            parts[k].units.position;
+  return text;
+}
+
+/// The last position in reach on the straight line to `tool` from the position of the tool at which
+/// the joints start, as a remedy. `tool` is out of reach.
+std::string last_in_reach(const std::array<double, max_axes>& tool, const GroupPlaces& places) {
+  const auto start = places.map->tool(places.start);
+  if (!start) return ": give another position";
+  const std::size_t axes = places.coordinates.size();
+  const auto at = [&](double share) {
+    std::array<double, max_axes> point{};
+    for (std::size_t i = 0; i < axes; ++i) point[i] = (*start)[i] + share * (tool[i] - (*start)[i]);
+    return point;
+  };
+  const auto reaches = [&](double share) {
+    std::array<Jet, max_axes> point{};
+    std::array<Jet, max_axes> joints{};
+    const auto p = at(share);
+    for (std::size_t i = 0; i < axes; ++i) point[i] = {p[i], 0, 0, 0};
+    return places.map->jets(std::span(point).first(places.map->axes()),
+                            std::span(joints).first(places.map->joints())) == MapState::ok;
+  };
+  if (!reaches(0)) return ": give another position";
+  double near = 0;
+  double far = 1;
+  for (int k = 0; k < 40; ++k) {
+    const double half = (near + far) / 2;
+    (reaches(half) ? near : far) = half;
+  }
+  return ". From the start position of the joints (" + position_text(*start, places.coordinates) +
+         "), the tool can move toward it as far as " + position_text(at(near), places.coordinates);
+}
+
 Parts joints_at(const std::array<double, max_axes>& tool, const GroupPlaces& places) {
   std::array<Jet, max_axes> point{};
   std::array<Jet, max_axes> joints{};
   std::array<double, max_axes> positions{};
-  std::string text;
-  for (std::size_t i = 0; i < places.coordinates.size(); ++i) {
-    point[i] = {tool[i], 0, 0, 0};
-    const AxisPart& part = places.coordinates[i];
-    text +=
-        (i == 0 ? "" : ", ") + part.name + " = " + six_digits(tool[i]) + " " + part.units.position;
-  }
+  for (std::size_t i = 0; i < places.coordinates.size(); ++i) point[i] = {tool[i], 0, 0, 0};
+  const std::string text = position_text(tool, places.coordinates);
   const MapState state = places.map->jets(std::span(point).first(places.map->axes()),
                                           std::span(joints).first(places.map->joints()));
   if (state == MapState::out_of_reach)
-    throw InputError("VALUE", text, "is out of reach of the joints: give another position");
+    throw InputError("VALUE", text, "is out of reach of the joints" + last_in_reach(tool, places));
   if (state == MapState::singular)
-    throw InputError("VALUE", text, "is a singular position of the joints");
+    throw InputError("VALUE", text, "is a singular position of the joints: give another position");
   for (std::size_t k = 0; k < places.joints.size(); ++k) positions[k] = joints[k][0];
   return with_ranges(positions, places.joints);
 }

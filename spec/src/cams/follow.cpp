@@ -179,9 +179,16 @@ FollowPart read_follow(TomlReader& top, const Units& units) {
   part.start = read_start(follow, units);
   part.direction = read_direction(top, follow);
   const bool plan = top.has("point") || top.has("zone");
-  if (plan && (top.has("segment") || follow.has("table")))
-    top.fail(top.has("point") ? "point" : "zone", "",
-             "replaces [[segment]] and [[follow.table]]: leave them out");
+  if (plan) {
+    const std::string rule =
+        "cannot be combined with [[point]] and [[zone]]: leave out the one or the other";
+    for (const char* key : {"segment", "points"}) top.refuse_here(key, rule);
+    for (const char* key : {"table", "controller", "end", "increments", "loops"})
+      follow.refuse_here(key, rule);
+  } else {
+    for (const char* key : {"periodic", "form", "law", "whole_master"})
+      follow.refuse_here(key, "applies only to [[point]] and [[zone]]: leave it out");
+  }
   if (plan)
     part.slave = read_plan(top, follow, units, ratio);
   else

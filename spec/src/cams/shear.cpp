@@ -15,9 +15,9 @@ double ratio_of(TomlReader& shear, const Units& units) {
   try {
     return conversion(units.x, units.position);
   } catch (const InputError&) {
-    shear.fail("ratio", "",
-               "is missing: the line counts in " + units.x + ", the carriage in " + units.position +
-                   ". Add ratio, the travel of the carriage per " + units.x + " in the sync zone");
+    shear.fail(
+        "ratio", "",
+        "is missing: the travel of the carriage per " + units.x + " of the line in the sync zone");
   }
 }
 

@@ -33,7 +33,7 @@ AxisMove read_axis_move(MotionFields& f, bool through_points) {
     move.from = f.state("from");
     move.to = f.state("to");
     if (!f.reader().has("to"))
-      f.reader().fail("to", "", "is missing: add to = NUMBER, the target position");
+      f.reader().fail("to", "", "is missing: each axis needs its target position");
   }
   move.bounds = f.bounds();
   return move;
@@ -156,6 +156,9 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
       top.refuse_here(key, "does not apply to a motion through [[point]]: leave it out");
   }
   if (!through_points) {
+    for (const char* key : {"times", "norm"})
+      top.refuse_here(key,
+                      "applies only to a motion through [[point]]: add [[point]], or leave it out");
     if (const auto sync = top.optional_choice("sync", syncs)) axes.sync = static_cast<Sync>(*sync);
     axes.duration = top.optional_number("duration", spec.units.x).value_or(0);
     if (!(axes.duration >= 0)) top.fail("duration", number(axes.duration), "must not be negative");
@@ -174,10 +177,10 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
   if (axes.axes.empty()) top.fail("axis", "", "is missing: add [[axis]] for each axis");
   if (axes.shortest_times) {
     axes.points = read_positions(top, spec.axes);
+    top.refuse_here("norm", "cannot be combined with times = \"shortest\": leave it out");
   } else {
     read_points(top, spec.axes, axes);
     axes.via.norm = through_points ? read_norm(top, spec.axes) : Limits{};
-    if (!through_points) top.refuse_here("norm", "applies to a motion through [[point]] only");
   }
   return axes;
 }

@@ -248,7 +248,7 @@ MoveSpec read_pmc600_position_to_velocity(MotionFields& f) {
   f.may("from", 0, m.from);
   m.relative = f.reader().optional_flag("relative").value_or(false);
   if (!f.reader().has("end_pos"))
-    f.reader().fail("end_pos", "", "is missing: add end_pos = NUMBER, the target position");
+    f.reader().fail("end_pos", "", "is missing: the motion needs its target position");
   read_both(f, "end_pos", 0, m.end_pos);
   read_both(f, "velocity", 1, m.velocity);
   read_both(f, "acceleration", 2, m.acceleration);

@@ -73,17 +73,23 @@ Arc read_arc_about(TomlReader& command, const PathAxes& axes, const Point& from,
                    : arc_about(from, center, to, plane, rotation, turns);
 }
 
+constexpr const char* one_definition =
+    "cannot be combined with another definition of the arc: give only one of center, radius and "
+    "via";
+
 /// Reads an arc by one of its definitions. finish() then rejects the keys of the others, which were
 /// not read.
 Arc read_arc(TomlReader& command, const PathAxes& axes, const Point& from, const Point* origin) {
   if (command.has("via")) {
     command.describe("an arc with via");
+    for (const char* key : {"center", "radius"}) command.refuse_here(key, one_definition);
     const Point via = read_position(command, "via", axes, base(origin));
     const Point to = read_end(command, axes, from, origin);
     return arc_through(from, via, to, axes.path_axes, read_turns(command));
   }
   if (command.has("radius")) {
     command.describe("an arc with radius");
+    command.refuse_here("center", one_definition);
     const Plane plane = read_plane(command, axes);
     const double radius = command.number("radius", axes.unit(0));
     const Point to = read_end(command, axes, from, origin);

@@ -528,7 +528,9 @@ void TomlReader::refuse_here(const char* key, const std::string& where) {
   if (node == nullptr) return;
   known_.insert(key);
   const auto at = place(node->source());
-  report(InputError(path(key), shown(*node), where).at(document_->name, at.line, at.column));
+  const std::string header = header_of(*node, path(key));
+  report(InputError(header.empty() ? path(key) : header, header.empty() ? shown(*node) : "", where)
+             .at(document_->name, at.line, at.column));
 }
 
 void TomlReader::finish() {

@@ -80,21 +80,35 @@ void test_residuals(const VectorXd& before, const VectorXd& after, Explained& e)
   e.worsening = worsening({before.data(), r.size()}, r);
 }
 
+/// The objections of one test, in one sentence for all quantities; "": none.
+std::string doubt(const std::vector<Explained>& all, ResidualTest Explained::*test,
+                  const char* what, const char* statistic) {
+  std::string quantities;
+  const ResidualTest* worst = nullptr;
+  for (const Explained& e : all) {
+    const ResidualTest& own = e.*test;
+    if (!own.failed()) continue;
+    quantities += (quantities.empty() ? "" : ", ") + e.quantity;
+    if (worst == nullptr || own.value / own.limit > worst->value / worst->limit) worst = &own;
+  }
+  if (worst == nullptr) return "";
+  return fmt::format(
+      "the differences between the recorded and the computed {} {} ({} = {:.4g}, limit {:.4g}). "
+      "The "
+      "model lacks an effect of their size, and the intervals are too narrow: add the effect to "
+      "the "
+      "spec of the drive, or its number to --fit",
+      quantities, what, statistic, worst->value, worst->limit);
+}
+
 /// The objections of the tests to the model.
-std::vector<std::string> doubts(const Explained& e) {
-  std::vector<std::string> all;
-  const auto doubt = [&](const ResidualTest& test, const char* what, const char* statistic) {
-    if (test.failed())
-      all.push_back(fmt::format(
-          "the differences between the recorded and the computed {} {} ({} = {:.4g}, "
-          "limit {:.4g}; a complete model is above it in 0.1 % of all cases). The model "
-          "lacks an effect of the machine, and the intervals are too narrow",
-          e.quantity, what, statistic, test.value, test.limit));
-  };
-  doubt(e.white, "are not random, but correlated over time", "Ljung-Box Q");
-  doubt(e.growth, "grow along the recording", "Goldfeld-Quandt F");
-  doubt(e.worsening, "are greater than with the given drive", "F");
-  return all;
+std::vector<std::string> doubts(const std::vector<Explained>& all) {
+  std::vector<std::string> texts{
+      doubt(all, &Explained::white, "are not random, but correlated over time", "Ljung-Box Q"),
+      doubt(all, &Explained::growth, "grow along the recording", "Goldfeld-Quandt F"),
+      doubt(all, &Explained::worsening, "are greater than with the given drive", "F")};
+  std::erase(texts, "");
+  return texts;
 }
 
 void explain(const Recording& recording, const IdentifySpec& spec, const Fitted& fit,
@@ -109,9 +123,9 @@ void explain(const Recording& recording, const IdentifySpec& spec, const Fitted&
     for (std::size_t i = 0; i < d.size(); ++i) e.model[i] = d[i] + r[static_cast<Index>(i)];
     if (e.after > std::max(significant(d, spec.tolerance), resolution(d) / 2))
       test_residuals(fit.block(fit.before, at), r, e);
-    for (const std::string& doubt : doubts(e)) answer.notes.push_back(doubt);
     answer.explained.push_back(std::move(e));
   }
+  answer.notes = doubts(answer.explained);
 }
 
 /// A note on the change of the controller.
@@ -121,23 +135,32 @@ void note(const IdentifySpec& spec, Identification& answer) {
         "the model replaces the sampled controller by a continuous one, one cycle later");
   const double before = spec.drive.controller.torque_feed_forward;
   const double after = answer.drive.controller.torque_feed_forward;
-  if (before != after)
+  const std::string rounded = fmt::format("{:.4g}", after);
+  if (rounded != fmt::format("{:.4g}", before))
     answer.notes.push_back(
         fmt::format("the torque feed-forward of the controller still uses {:.4g} times the given "
                     "inertia, {:.4g} kg m^2. To keep its torque with the fitted inertia, set "
-                    "controller.torque_feed_forward = {:.4g}",
-                    before, inertia(spec.drive), after));
+                    "controller.torque_feed_forward = {}",
+                    before, inertia(spec.drive), rounded));
 }
 
 std::string not_determined(const std::string& unknown, const Identification& answer) {
-  if (answer.entangled.empty())
-    return "this recording does not determine " + unknown +
-           ": record a motion that depends on it, with acceleration and a change of direction";
-  const Entangled& e = answer.entangled.front();
-  return fmt::format(
-      "this recording does not determine {}; {} and {} cannot be distinguished "
-      "(correlation {:.4f})",
-      unknown, e.first, e.second, e.correlation);
+  const std::string reason = "this recording does not determine " + unknown;
+  const auto is_open = [&](const std::string& key) {
+    const auto& all = answer.numbers;
+    return std::any_of(all.begin(), all.end(), [&](const FittedNumber& n) {
+      return n.key == key && !(std::log(n.high / n.low) / 2 <= known);
+    });
+  };
+  for (const Entangled& e : answer.entangled)
+    if (is_open(e.first) || is_open(e.second))
+      return fmt::format(
+          "{}: in it, {} and {} cannot be distinguished (correlation {:.4f}). Fit only one of the "
+          "two",
+          reason, e.first, e.second, e.correlation);
+  return reason +
+         ": leave out of --fit what it does not determine, or record a motion that depends on it, "
+         "with acceleration and a change of direction";
 }
 
 void conclude(const IdentifySpec& spec, const Fitted& fit, const std::string& unknown,
@@ -154,8 +177,8 @@ void conclude(const IdentifySpec& spec, const Fitted& fit, const std::string& un
         Status::stalled,
         fmt::format("no convergence within {} iterations: start closer, or fit fewer numbers",
                     spec.max_iterations));
-  for (const Explained& e : answer.explained)
-    if (const auto all = doubts(e); !all.empty()) return end(Status::misfit, all.front());
+  if (const auto all = doubts(answer.explained); !all.empty())
+    return end(Status::misfit, all.front());
   end(Status::converged,
       fmt::format("{} number{} fitted to {} samples in {} iterations", answer.numbers.size(),
                   answer.numbers.size() == 1 ? "" : "s", samples, answer.iterations));

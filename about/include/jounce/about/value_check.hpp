@@ -30,8 +30,8 @@ namespace checks {
 
 /// One of these words. The rule names the nearest word.
 ValueCheck one_of(std::vector<std::string> words);
-/// A whole number from `low` to `high`, both included.
-ValueCheck whole(std::int64_t low, std::int64_t high);
+/// A whole number from `low` to `high`, both included. `what`: its meaning, such as "a tick, ".
+ValueCheck whole(std::int64_t low, std::int64_t high, const std::string& what = "");
 /// A number from `low` to `high`, both included; nan is rejected.
 ValueCheck within(double low, double high);
 /// A number of seconds, from 0.001 to 1e12.

@@ -10,7 +10,7 @@
 namespace jounce {
 
 /// The saved user table of a HIWIN HIMC controller (HMPL manual, chapter 11): numbers under the
-/// indices of the controller. Correction tables are in it.
+/// indices of the controller. It also contains the correction tables.
 ///
 ///     UserTable table;
 ///     table.set(1, {-2, 0, 2, 6, 4});                      // SetUserTable

@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// The command of a session that has no outcome yet, and is repeated until it has one. Every
-/// streamer, client and operator sends its commands through this class.
+/// The command of a session that still waits for its outcome. It is sent again until the outcome
+/// arrives. Every streamer, client and operator sends its commands through this class.
 class CommandSlot {
  public:
   /// `last` is the number of the last command of the session; the next command gets the next
@@ -24,7 +24,7 @@ class CommandSlot {
   /// Makes the next due() return the command at once. Call when the command has changed.
   void hurry() { hurried_ = true; }
 
-  /// Returns the command if it must be sent now: at first, and then once in each time `repeat`.
+  /// Returns the command if it must be sent now: once at first, then again after each `repeat`.
   /// nullopt: nothing to send.
   [[nodiscard]] std::optional<wire::Body> due(Nanos now, Nanos repeat);
 
