@@ -10,7 +10,9 @@
 #include <variant>
 #include <vector>
 
+#include "jounce/axis/command.hpp"
 #include "jounce/axis/group_program.hpp"
+#include "jounce/axis/inputs.hpp"
 #include "jounce/axis/job.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/axis/master.hpp"
