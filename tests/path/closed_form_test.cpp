@@ -285,10 +285,10 @@ TEST(ClosedForms, OfTheFilletsOfThePmc600) {
   }
 }
 
-/// HIMC 8.1.6, example 1: the profile 100/5000/5000/200 over a diagonal of 100 mm. The smoothing time is the window of an
-/// average of the trapezoid: s / v + v / a + Ts. Its jerk is a / Ts. A plan with this jerk is 0.0935 s faster, because a
-/// window always adds Ts, although the acceleration reaches only v / Ts, a tenth of its limit; the shortest ramp with
-/// this jerk reaches 1581 mm/s^2.
+/// HIMC 8.1.6, example 1: the profile 100/5000/5000/200 over a diagonal of 100 mm. The smoothing time
+/// is the window of an average of the trapezoid: s / v + v / a + Ts. Its jerk is a / Ts. A plan with
+/// this jerk is 0.0935 s faster, because a window always adds Ts, although the acceleration reaches
+/// only v / Ts, a tenth of its limit; the shortest ramp with this jerk reaches 1581 mm/s^2.
 TEST(ClosedForms, OfTheSmoothingTimeOfHimc) {
   Program p(2);
   p.set({.velocity = 100, .acceleration = 5000});

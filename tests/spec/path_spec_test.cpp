@@ -182,7 +182,7 @@ TEST(PathSpecFile, PlacesItsErrors) {
       complaint(command("type = \"arc\"\nradius = 3\nto = [100, 0, 0]\nrotation = \"clockwise\"")),
       HasSubstr(
           "path.toml:19:10: command[1].radius = 3 mm: must be at least 50 mm, half the distance "
-          "from start to end"));
+          "from the start (0, 0) to the end (100, 0)"));
   EXPECT_THAT(complaint(command("type = \"arc\"\ncenter = [60, 0, 0]\nto = [100, 0, 0]\nrotation = "
                                 "\"clockwise\"")),
               HasSubstr("path.toml:19:10: command[1].center"));

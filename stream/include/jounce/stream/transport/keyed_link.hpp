@@ -20,7 +20,8 @@ struct LinkOptions {
 };
 
 /// True if every machine of a network can command the axes of this bus: its packets leave this
-/// machine, and there is no key. Throws InputError (key "url") like is_local().
+/// machine, and there is no key. Throws InputError (key "url") for an invalid address, like
+/// open_transport().
 bool is_unprotected(const LinkOptions& options);
 
 /// Danger of an unprotected link, and its remedy.
