@@ -317,7 +317,9 @@ void write_files(const std::vector<Output>& files) {
     for (std::size_t k = 0; k < i; ++k)
       if (is_same(files[i].path, files[k].path))
         throw InputError("output", files[i].path,
-                         "is the name of two outputs: give each its own name");
+                         files[i].path == "-"
+                             ? "is standard output, for two outputs: give a file for one of them"
+                             : "is the name of two outputs: give each its own name");
   std::vector<Temporary> written;
   for (const Output& file : files)
     if (file.path != "-" && !is_special(file.path)) {

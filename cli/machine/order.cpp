@@ -51,10 +51,9 @@ std::vector<std::string> axes_of(const OrderArguments& options, KeyedLink& link)
   const auto group =
       present_group(link.transport(), options.executor, std::chrono::seconds(1), link.key());
   if (!group)
-    throw InputError(
-        "NAME", options.executor,
-        "is a single axis, without coordinates: name its group, or send `jounce order " +
-            options.executor + " move --to POSITION`");
+    throw InputError("NAME", options.executor,
+                     "is a single axis, without coordinates: name a group, or send `jounce order " +
+                         options.executor + " move --to POSITION`");
   return group->axes;
 }
 

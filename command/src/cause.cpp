@@ -220,7 +220,8 @@ constexpr std::array entries{
           "accelerations."},
     Entry{Cause::wrong_unit, "wrong_unit",
           "The unit of the table differs from the unit of the axis.",
-          "Correct units in the spec of the table or of the axis: both need the same unit."},
+          "Change the units in the spec of the table, or in the spec of the axis: both must be the "
+          "same."},
     Entry{Cause::no_master_input, "no_master_input",
           "The axis has no live master: its spec has no [follow], or the master sends no "
           "position in the unit that [follow] expects.",
@@ -375,7 +376,8 @@ constexpr std::array entries{
           "disable-compensation`."},
     Entry{Cause::compensation_inactive, "compensation_inactive",
           "The compensation of the axis is not active.", "Nothing."},
-    Entry{Cause::enabled, "enabled", "The axis is enabled (HIMC error 0x83aa006e).",
+    Entry{Cause::enabled, "enabled",
+          "The command needs a disabled axis, and the axis is enabled (HIMC error 0x83aa006e).",
           "Disable the axis, send the command, and enable the axis again."},
 };
 
@@ -398,7 +400,7 @@ constexpr const char* engage_first =
     "stream --live`.";
 
 constexpr const char* move_instead =
-    "Send the command to a group, or move the axis: `jounce order NAME move --to POSITION`.";
+    "Move the axis: `jounce order NAME move --to POSITION`. A coordinate move needs a group.";
 constexpr const char* nothing_to_hold = "Nothing moves: no hold is needed.";
 
 constexpr std::array order_remedies{
@@ -424,6 +426,9 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::not_a_group, CommandKind::group_set_override,
                 "Send the command to a group, or override the axis: `jounce order NAME override "
                 "50%`."},
+    OrderRemedy{Cause::not_a_group, CommandKind::group_set_limits,
+                "Send the command to a group. For an axis, give the limits with each move, or in "
+                "[limits] of its spec."},
     OrderRemedy{Cause::single_axis, CommandKind::home,
                 "Send the command to each axis of the group, while the group is disabled."},
     OrderRemedy{Cause::single_axis, CommandKind::override_,

@@ -26,7 +26,7 @@ constexpr double fit_share = 1e-9;  ///< default tolerance, as a share of the le
 const Cam& cam_in(const Input& input) {
   if (const auto* cam = std::get_if<Cam>(&*input.curve)) return *cam;
   throw InputError("FILE", design_detail::file_name(input),
-                   "is over time: only a cam has an inverse");
+                   "is a motion over time; only a cam has an inverse");
 }
 
 std::optional<double> given(const char* key, const std::string& text, const std::string& unit) {

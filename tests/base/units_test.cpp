@@ -57,7 +57,7 @@ TEST(Quantity, SaysWhatIsWrongAndWhatFits) {
     EXPECT_EQ(complaint(text, "mm"),
               "must be a finite number, with or without a unit, such as \"12.5 mm\"")
         << text;
-  EXPECT_EQ(complaint("1,5 mm", "mm"), "\",5 mm\" is not a known unit; give the value in mm");
+  EXPECT_EQ(complaint("1,5 mm", "mm"), "has a decimal comma: write a point, \"1.5 mm\"");
 }
 
 TEST(RateUnit, ReadsAsPeopleWriteIt) {

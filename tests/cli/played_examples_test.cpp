@@ -56,6 +56,7 @@ const std::map<std::string, std::string> no_tables{
     {"measured-cam/measured.csv", "the points of measured-cam/spline.toml, which is played"},
     {"pmc600-path/sequence.csv", "the records of pmc600-path/sequence.toml, which is played"},
     {"gcode-part/machine.toml", "a machine, which needs a program"},
+    {"library/CMakeLists.txt", "a build, which tests/package runs"},
     {"points-file/points.csv", "the knots of points-file/pvt.toml, which is played"},
     {"points-file/points.xlsx", "the same knots, in a workbook"}};
 

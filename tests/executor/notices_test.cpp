@@ -65,7 +65,7 @@ TEST(Notices, ARejectionNamesThePresentFault) {
   const ExecutorOptions options;
   const Tick now{.fault = Cause::negative_soft_limit};
   for (const Cause cause : {Cause::in_error, Cause::not_enabled}) {
-    EXPECT_THAT(refusal_text({cause}, now, options), HasSubstr("negative_soft_limit: "));
+    EXPECT_THAT(refusal_text({cause}, now, options), HasSubstr("negative_soft_limit. "));
     EXPECT_THAT(refusal_text({cause}, {}, options),
                 ::testing::StartsWith(std::string(name(cause)) + ": The axis "));
   }

@@ -75,7 +75,8 @@ TEST(PositionCompare, FiresAListInItsOrderAndWaitsForWhatIsMissed) {
   EXPECT_FALSE(report.ok());
   EXPECT_EQ(report.findings[0].rule, "compare/missed");
   EXPECT_EQ(report.findings[0].advice,
-            "point 3 at 4000 is not passed after point 2, and blocks the following points");
+            "point 3 at 4000 is not passed between point 2 and the end of the motion, and blocks "
+            "the following points");
   EXPECT_EQ(check(pulses_at({-900}), motion, {}).findings[0].advice,
             "point 1 at -900 is never passed");
 }

@@ -67,10 +67,18 @@ void require_within(const PlannedAxis& axis, int order, const Extremum& peak,
 void require_inside(const PlannedAxis& axis, const Range& position) {
   const Limits& limits = axis.config.limits;
   const double near = admitted_excess * (position.max.value - position.min.value);
+  const std::string unit = axis.unit.empty() ? "" : " " + axis.unit;
+  const double span = position.max.value - position.min.value;
+  const double room =
+      limits.position_max.value_or(INFINITY) - limits.position_min.value_or(-INFINITY);
+  const std::string remedy = span > room ? "make the path smaller, because it spans " +
+                                               six_digits(span) + unit + " of the " +
+                                               six_digits(room) + unit + " that the axis has"
+                                         : "shift the path";
   const auto reject = [&](const Extremum& end, const char* rule, double limit) {
-    throw axis.error(0, end.value, end.where,
-                     at_time(end.where) + rule + " of the axis, " + six_digits(limit) +
-                         (axis.unit.empty() ? "" : " " + axis.unit) + ": shift the path");
+    throw axis.error(
+        0, end.value, end.where,
+        at_time(end.where) + rule + " of the axis, " + six_digits(limit) + unit + ": " + remedy);
   };
   if (limits.position_max && position.max.value > *limits.position_max + near)
     reject(position.max, " exceeds position_max", *limits.position_max);

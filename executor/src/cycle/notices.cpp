@@ -157,7 +157,7 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
       name(now.fault);
   const std::string numbers =
       numbers_of(now, options.units.position, options.axis, group_names(options), true);
-  const std::string means = why + ": " + meaning(now.fault);
+  const std::string means = why + ". " + meaning(now.fault);
   // The most complete text that fits into the field of the reason.
   for (const std::string& reason :
        {means + numbers, numbers.empty() ? means : why + "." + numbers, means})

@@ -47,8 +47,8 @@ Finding contact(const RotaryKnifeFigures& f) {
   finding.broken = finding.margin < -rounding;
   if (std::abs(finding.margin) <= rounding) finding.margin = 0;
   if (finding.broken)
-    finding.advice = "the blade touches the web before it is in step: let sync_angle be " +
-                     number(touches) + " at least";
+    finding.advice = "the blade touches the web before it is in step: set sync_angle to at least " +
+                     number(touches);
   return finding;
 }
 

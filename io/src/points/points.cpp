@@ -130,6 +130,7 @@ class Reader {
     }
     for (const std::string_view cell : cells) add_column(cell);
     header_ = true;
+    points_.header = line_;
   }
 
   void add_column(std::string_view cell) {

@@ -60,6 +60,7 @@ class SheetReader {
            "is a value, but the sheet has no header above it: add a row above it that names the "
            "columns");
     }
+    points_.header = row.first;
     for (const auto& [column, cell] : cells) {
       try {
         PointColumn named = column_of(trimmed(cell.text));

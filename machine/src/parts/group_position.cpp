@@ -167,8 +167,8 @@ std::string position_text(std::span<const double> at, const std::vector<AxisPart
   return text;
 }
 
-/// The last position in reach on the straight line to `tool` from the position of the tool at which
-/// the joints start, as a remedy. `tool` is out of reach.
+/// The last position in reach, within the ranges of the joints, as a remedy. It is on the straight
+/// line to `tool` from the position of the tool at which the joints start. `tool` is out of reach.
 std::string last_in_reach(const std::array<double, max_axes>& tool, const GroupPlaces& places) {
   const auto start = places.map->tool(places.start);
   if (!start) return ": give another position";
@@ -183,8 +183,13 @@ std::string last_in_reach(const std::array<double, max_axes>& tool, const GroupP
     std::array<Jet, max_axes> joints{};
     const auto p = at(share);
     for (std::size_t i = 0; i < axes; ++i) point[i] = {p[i], 0, 0, 0};
-    return places.map->jets(std::span(point).first(places.map->axes()),
-                            std::span(joints).first(places.map->joints())) == MapState::ok;
+    if (places.map->jets(std::span(point).first(places.map->axes()),
+                         std::span(joints).first(places.map->joints())) != MapState::ok)
+      return false;
+    std::array<double, max_axes> positions{};
+    for (std::size_t k = 0; k < places.joints.size(); ++k) positions[k] = joints[k][0];
+    return std::ranges::all_of(with_ranges(positions, places.joints),
+                               [](const auto& part) { return part.broken.empty(); });
   };
   if (!reaches(0)) return ": give another position";
   double near = 0;
@@ -193,6 +198,7 @@ std::string last_in_reach(const std::array<double, max_axes>& tool, const GroupP
     const double half = (near + far) / 2;
     (reaches(half) ? near : far) = half;
   }
+  near -= near * 1e-3;  // the rounded digits are in reach, too
   return ". From the start position of the joints (" + position_text(*start, places.coordinates) +
          "), the tool can move toward it as far as " + position_text(at(near), places.coordinates);
 }

@@ -56,7 +56,8 @@ Finding missed(std::size_t fired, std::size_t points, const std::string& next,
           .segment = {},
           .advice = broken ? point(fired) + " at " + next +
                                  (fired == 0 ? " is never passed"
-                                             : " is not passed after " + point(fired - 1)) +
+                                             : " is not passed between " + point(fired - 1) +
+                                                   " and the end of the motion") +
                                  (fired + 1 < points ? ", and blocks the following points" : "")
                            : "",
           .unit = "1"};

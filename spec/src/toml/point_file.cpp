@@ -32,7 +32,7 @@ std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
     if (std::find(columns.begin(), columns.end(), column.name) == columns.end())
       throw InputError(column.name, "",
                        "is not a column of this table; possible columns: " + listed(columns))
-          .at(points.document, 1);
+          .at(points.document, static_cast<int>(points.header));
   return points;
 }
 

@@ -49,6 +49,7 @@ struct PointColumn {
 struct Points {
   std::string document;              ///< name of the file
   std::vector<PointColumn> columns;  ///< the columns, in the order of the file
+  std::uint32_t header = 1;          ///< line of the header in the file
   std::vector<std::uint32_t> lines;  ///< for each point, its line in the file
 
   /// Number of points.
