@@ -146,15 +146,17 @@ TEST(PathSpecFile, ReadsEachDefinitionOfAnArc) {
 }
 
 TEST(PathSpecFile, ReportsNoErrorThatOnlyFollowsFromAnother) {
-  const std::string text = head + command("type = \"line\"\nto = [100, 0]") +
-                           "[[command]]\ntype = \"arc\"\ncenter = [50, 0, 0]\nto = [0, 30, 0]\n"
-                           "rotation = \"clockwise\"\n";
-  try {
-    (void)parse_spec(text, "path.toml");
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    ASSERT_EQ(all_errors(error).size(), 1U);
-    EXPECT_EQ(error.key(), "command[1].to");
+  for (const char* first : {"type = \"line\"\nto = [100, 0]", "type = \"line\""}) {
+    const std::string text = head + command(first) +
+                             "[[command]]\ntype = \"arc\"\ncenter = [50, 0, 0]\nto = [0, 30, 0]\n"
+                             "rotation = \"clockwise\"\n";
+    try {
+      (void)parse_spec(text, "path.toml");
+      FAIL() << "accepted";
+    } catch (const InputError& error) {
+      ASSERT_EQ(all_errors(error).size(), 1U) << first;
+      EXPECT_EQ(error.key(), "command[1].to");
+    }
   }
 }
 
@@ -182,7 +184,7 @@ TEST(PathSpecFile, PlacesItsErrors) {
       complaint(command("type = \"arc\"\nradius = 3\nto = [100, 0, 0]\nrotation = \"clockwise\"")),
       HasSubstr(
           "path.toml:19:10: command[1].radius = 3 mm: must be at least 50 mm, half the distance "
-          "from start to end"));
+          "from the start (0, 0) to the end (100, 0)"));
   EXPECT_THAT(complaint(command("type = \"arc\"\ncenter = [60, 0, 0]\nto = [100, 0, 0]\nrotation = "
                                 "\"clockwise\"")),
               HasSubstr("path.toml:19:10: command[1].center"));
