@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/common/option_names.hpp"
 
-#include "jounce/base/units.hpp"
-
 namespace jounce::cli {
 
 std::string option_of(const std::string& key) {
@@ -13,14 +11,6 @@ std::string option_of(const std::string& key) {
   std::string option = "--" + key;
   std::replace(option.begin(), option.end(), '_', '-');
   return option;
-}
-
-double quantity_of(const std::string& option, const std::string& text, const std::string& unit) {
-  try {
-    return quantity(text, unit);
-  } catch (const InputError& error) {
-    throw InputError(option, text, error.rule());
-  }
 }
 
 }  // namespace jounce::cli

@@ -14,9 +14,6 @@ namespace jounce::cli {
 /// "--resolution" for x_step.
 std::string option_of(const std::string& key);
 
-/// The number of an option that is a quantity, such as "12 mm". Errors name the option.
-double quantity_of(const std::string& option, const std::string& text, const std::string& unit);
-
 /// The result of `act`. An InputError that it throws gets the name of the option.
 template <class Act>
 auto under_option(const std::string& option, const Act& act) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "jounce/base/progress_line.hpp"
+#include "jounce/base/units.hpp"
 #include "jounce/machine/line_master.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -38,7 +39,7 @@ struct MasterArguments {
 /// A quantity of the table's unit; empty: 0.
 double magnitude_of(const char* option, const std::string& text, const std::string& unit) {
   if (text.empty()) return 0;
-  const double value = quantity_of(option, text, unit);
+  const double value = under_option(option, [&] { return quantity(text, unit); });
   if (!(value >= 0 && value <= 1e9))
     throw InputError(option, text, "must be from 0 to 1e9 " + unit);
   return value;

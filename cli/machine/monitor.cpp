@@ -41,15 +41,13 @@ int give_up(const std::string& who, double seconds, const std::string& url, Keye
 }
 
 int print_all(Watch& watch, const MonitorArguments& options, KeyedLink& link) {
-  const auto print = [&](const std::string& axis, const auto& status) {
-    fmt::print("{}\n", options.json ? status_json(axis, status) : status_text(axis, status));
+  const auto print = [&](const std::string& axis, const auto& status, const auto&... unit) {
+    fmt::print("{}\n",
+               options.json ? status_json(axis, status) : status_text(axis, status, unit...));
     std::fflush(stdout);
   };
   const auto print_group = [&](const std::string& group, const wire::GroupStatus& status) {
-    const std::string text = options.json ? status_json(group, status)
-                                          : status_text(group, status, watch.unit_of(group));
-    fmt::print("{}\n", text);
-    std::fflush(stdout);
+    print(group, status, watch.unit_of(group));
   };
   for (const Duration duration(options.seconds); duration.goes_on();) {
     options.events ? watch.run(turn, {}, {}, print)
@@ -70,9 +68,6 @@ std::vector<std::string> state_words() {
 /// Waits until all axes are in the state `until`, and prints their last statuses.
 int wait_for(Watch& watch, const MonitorArguments& options, KeyedLink& link) {
   const State wanted = *state_of(options.until);
-  const auto print = [&](const std::string& axis, const auto& status) {
-    fmt::print("{}\n", options.json ? status_json(axis, status) : status_text(axis, status));
-  };
   const dashboard::Watched* other = nullptr;
   for (const Duration duration(options.seconds); duration.goes_on();) {
     watch.run(turn);
@@ -84,7 +79,9 @@ int wait_for(Watch& watch, const MonitorArguments& options, KeyedLink& link) {
   }
   if (const std::string who = watch.missing(); !who.empty())
     return give_up(who, options.seconds, options.link.url, link);
-  for (const dashboard::Watched& axis : watch.axes()) print(axis.name, *axis.status);
+  for (const dashboard::Watched& axis : watch.axes())
+    fmt::print("{}\n", options.json ? status_json(axis.name, *axis.status)
+                                    : status_text(axis.name, *axis.status));
   if (other == nullptr) return fine;
   fmt::print(stderr, "jounce: {} is in the state {}, not {}\n", other->name,
              name(other->status->state), options.until);

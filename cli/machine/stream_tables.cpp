@@ -9,6 +9,7 @@
 
 #include "jounce/base/interrupt.hpp"
 #include "jounce/base/progress_line.hpp"
+#include "jounce/base/units.hpp"
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/machine/watch.hpp"
 #include "jounce/profiles/error.hpp"
@@ -51,7 +52,8 @@ StreamPlan plan_of(const StreamArguments& options, const std::string& executor,
   plan.await = !options.no_wait;
   if (!options.start_at.empty()) {
     plan.when = StartAt::master_position;
-    plan.position = quantity_of("--start-at", options.start_at, plan.tables.front().units.x);
+    plan.position = under_option(
+        "--start-at", [&] { return quantity(options.start_at, plan.tables.front().units.x); });
   }
   plan.goal = goal_of(options);
   return plan;

@@ -22,12 +22,15 @@ struct EventsArguments {
 
 int run_events(const EventsArguments& options) {
   require_other_file(options.file, options.output);
+  if (options.json && options.output.ends_with(".csv"))
+    throw InputError("--json", "", "cannot be combined with .csv: end the output in .json");
+  const bool json = options.json || options.output.ends_with(".json");
   const std::vector<Input> axes = load_axes(options.file);
   if (!axes.front().spec)
     throw InputError("FILE", options.file,
                      "is a table: outputs need a spec with [compare] or [[switch]]");
   const OutputEvents events = output_events(axes);
-  write_file(options.output, options.json ? to_json(events) : to_csv(events));
+  write_file(options.output, json ? to_json(events) : to_csv(events));
   for (const Finding& f : events.report.findings) {
     if (!f.broken) continue;
     fmt::print(stderr, "jounce: {}: {}\n", f.rule.text(), sentence(f, events.labels));
@@ -47,7 +50,7 @@ void add_events(CommandLine& line) {
               "Spec of a motion with [compare], of a path, or of a cam with [[switch]] and "
               "[master]; - is standard input")
       .required();
-  verb.option("-o,--output", options->output, "CSV to write; - is standard output")
+  verb.option("-o,--output", options->output, "CSV or JSON to write; - is standard output")
       .check(output_file({".csv", ".json"}));
   verb.flag("--json", options->json, "Events as JSON");
   verb.work([options] { return run_events(*options); });

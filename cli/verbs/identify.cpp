@@ -58,6 +58,8 @@ int run_identify(const IdentifyArguments& options) {
                fitted_drive_text(found, *spec.drive, spec.units,
                                  fmt::format("{} with numbers fitted to {} by jounce identify",
                                              options.drive, options.log)));
+  if (!options.output.empty() && found.status != Identification::Status::converged)
+    fmt::print(stderr, "jounce: wrote {}, although the fit is not accepted\n", options.output);
   if (!options.plot.empty())
     write_picture(options.plot,
                   identification_figure(found, recording, "identification from " + options.log, u));

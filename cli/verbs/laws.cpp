@@ -52,11 +52,15 @@ void add_laws(CommandLine& line) {
   const auto options = std::make_shared<LawsArguments>();
   const Verb verb = line.verb("laws", "List the motion laws of cams, or describe one",
                               "jounce laws modified_sine -o modified_sine.svg");
-  verb.option("LAW", options->law, "Name of a law, as in a spec").completed_by(law_names);
-  verb.option("-o,--output", options->output, "Picture of the law to write, .svg or .png")
-      .check(output_file({".svg", ".png"}));
-  verb.flag("--markdown", options->markdown, "Print the whole guide (docs/laws.md)");
-  verb.flag("--json", options->json, "All results as JSON, numbers with all digits");
+  const Option law =
+      verb.option("LAW", options->law, "Name of a law, as in a spec").completed_by(law_names);
+  const Option picture =
+      verb.option("-o,--output", options->output, "Picture of the law to write, .svg or .png")
+          .check(output_file({".svg", ".png"}));
+  verb.flag("--markdown", options->markdown, "Print the whole guide (docs/laws.md)")
+      .excludes({law, picture,
+                 verb.flag("--json", options->json, "All results as JSON, numbers with all digits")
+                     .excludes({picture})});
   verb.work([options] { return run_laws(*options); });
 }
 

@@ -523,6 +523,13 @@ TEST_F(Cli, EventsSayWhenOutputsSwitch) {
   EXPECT_THAT(events.out, ::testing::StartsWith("time [s],output,on,position [mm]\n"));
   EXPECT_EQ(std::count(events.out.begin(), events.out.end(), '\n'), 23);  // 11 pulses, both edges
   EXPECT_THAT(run("events " + scan + " --json").out, HasSubstr("\"output\": \"compare\""));
+  EXPECT_EQ(run("events " + scan + " -o e.csv --json").err,
+            "jounce: --json: cannot be combined with .csv: end the output in .json\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "e.csv"));
+  EXPECT_EQ(run("events " + scan + " -o e.json").status, 0);
+  EXPECT_THAT(slurp(folder / "e.json"), StartsWith("{"));
+  for (const char* both : {"laws --markdown --json", "laws quintic -o q.svg --json"})
+    EXPECT_EQ(run(both).status, 2) << both;
   EXPECT_EQ(run("check " + scan).status, 0);
   EXPECT_THAT(run("events " + examples + "spring-coiler/cam.toml").err,
               HasSubstr("switch: is missing"));

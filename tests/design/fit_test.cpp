@@ -164,8 +164,9 @@ TEST_F(FitFile, ACamBeyondTheToleranceOfAPointIsBroken) {
 }
 
 TEST_F(FitFile, RejectsWithTheLineOfTheFile) {
-  EXPECT_THAT(complaint("master,slave\n0,0\n1,1\n1,2\n2,2\n3,3\n", {.tolerance = "1"}),
-              HasSubstr("master_unit: is missing: the file names no unit"));
+  EXPECT_THAT(
+      complaint("master,slave\n0,0\n1,1\n1,2\n2,2\n3,3\n", {.tolerance = "1"}),
+      HasSubstr("master_unit: is missing, and --position-unit, too: the file names no units"));
   const std::string head = "master [deg],slave [mm]\n";
   EXPECT_EQ(complaint(head + "0,0\n1,1\n1,2\n2,2\n3,3\n", {.tolerance = "1"}),
             ":4: master = 1: must be greater than 1 deg, the previous point");

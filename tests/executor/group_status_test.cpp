@@ -33,6 +33,7 @@ TEST_F(GroupShown, AGroupAtRestHasNoPath) {
   const wire::GroupStatus rests = status();
   EXPECT_EQ(rests.axes, (std::vector<std::string>{"x", "y"}));
   EXPECT_EQ(rests.place, (std::vector<double>{0, 0}));
+  EXPECT_EQ(rests.units.size(), rests.axes.size());
   EXPECT_TRUE(std::isnan(rests.length) && std::isnan(rests.remaining_s) &&
               std::isnan(rests.look_ahead));
   EXPECT_EQ(rests.line, 0);

@@ -103,6 +103,36 @@ TEST(Notices, ARejectionNamesWhatTheSpecLacks) {
     EXPECT_LT(refusal_text({cause}, {}, ExecutorOptions{}).size(), wire::reason_bytes);
 }
 
+TEST(Notices, ARejectedDistanceComesWithThePossibleOnes) {
+  ExecutorOptions options;
+  options.units.position = "mm";
+  options.axis.limits.position_min = -10;
+  options.axis.limits.position_max = 300;
+  const Refusal beyond{.cause = Cause::position_limit, .value = 400, .limit = 300};
+  const auto text_at = [&](double position, State state = State::standstill) {
+    Tick now{.state = state};
+    now.position = position;
+    return refusal_text(beyond, now, options, CommandKind::move_relative);
+  };
+  EXPECT_EQ(text_at(0),
+            "400 mm is outside the position range, -10 mm to 300 mm: give at most 300 mm forward, "
+            "or 10 mm back");
+  EXPECT_THAT(text_at(300), ::testing::EndsWith("give at most 310 mm back"));
+  EXPECT_THAT(text_at(-10), ::testing::EndsWith("give at most 310 mm forward"));
+  EXPECT_THAT(text_at(-11), ::testing::StartsWith("position_limit: ")) << "outside the range";
+  EXPECT_THAT(text_at(0, State::discrete_motion), ::testing::StartsWith("position_limit: "))
+      << "the start of the move is not known";
+}
+
+TEST(Notices, AMemberOfAGroupNamesTheOrderToTheGroup) {
+  ExecutorOptions options;
+  options.groups = {"plotter"};
+  EXPECT_THAT(refusal_text({Cause::in_group}, {}, options, CommandKind::hold),
+              ::testing::EndsWith("send `jounce order plotter hold`"));
+  EXPECT_THAT(refusal_text({Cause::in_group}, {}, options, CommandKind::move_absolute),
+              ::testing::EndsWith("send `jounce order plotter disable` first"));
+}
+
 // The field of the reason on the wire cuts a longer text.
 TEST(Notices, ARejectionFitsIntoItsField) {
   const ExecutorOptions options;

@@ -330,7 +330,7 @@ TEST(Dashboard, ShowsThePlaceOfAGroupOnItsPath) {
   take(axes, "plotter",
        wire::GroupStatus{.boot = 7,
                          .tick = 10,
-                         .axes = {"x", "y"},
+                         .axes = {"x", "c"},
                          .place = {10, -2.5},
                          .framed = true,
                          .line = 12,
@@ -340,11 +340,12 @@ TEST(Dashboard, ShowsThePlaceOfAGroupOnItsPath) {
                          .length = 400,
                          .feed = 80,
                          .remaining_s = 4.25,
-                         .look_ahead = 380});
+                         .look_ahead = 380,
+                         .units = {"mm", "deg"}});
   std::string all;
   for (const Row& row : rows_of(axes, {.height = 40, .now = 1s}))
     for (const Span& span : row) all += span.text;
-  EXPECT_THAT(all, HasSubstr("frame x 10 y -2.5; path 12.5 mm of 400 mm, line 12"));
+  EXPECT_THAT(all, HasSubstr("frame x 10 mm c -2.5 deg; path 12.5 mm of 400 mm, line 12"));
   EXPECT_THAT(all, HasSubstr("4.25 s (estimate), 3 commands, look-ahead 380 mm"));
 }
 

@@ -302,6 +302,7 @@ TEST_F(MachineGroups, RejectAKinematicsOfOtherJoints) {
   belt("x", core_xy);
   const auto parts = machine_parts({.files = {machine(keys, part())}});
   EXPECT_EQ(parts.axes[2].group->coordinates(), (std::vector<std::string>{"u", "v"}));
+  EXPECT_EQ(parts.axes[2].group->coordinate_units(), (std::vector<std::string>{"mm", "mm"}));
   EXPECT_THAT(error(keys + "program = \"part.toml\"\n"),
               HasSubstr("must be u, v, the coordinates of the group"));
   EXPECT_THAT(error("axes = [\"x\", \"y\"]\nkinematics = \"part.toml\"\n"),

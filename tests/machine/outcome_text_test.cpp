@@ -64,6 +64,12 @@ TEST(OutcomeText, AGearInPositionNamesTheBeginOfItsEngagement) {
 TEST(OutcomeText, AnAcceptedOrderNamesItsEffect) {
   wire::Status status;
   EXPECT_EQ(accepted_text({.what = "override"}, status, "knife"), "override accepted");
+  EXPECT_EQ(accepted_text({.what = "set-coordinate-transform", .options = {{"zyz", ""}}}, status,
+                          "plotter"),
+            "set-coordinate-transform accepted: without values, it removes the frame");
+  EXPECT_EQ(accepted_text({.what = "set-coordinate-transform", .options = {{"offset", "1"}}},
+                          status, "plotter"),
+            "set-coordinate-transform accepted");
   EXPECT_EQ(accepted_text({.what = "cut", .options = {{"length", "300"}}}, status, "knife"),
             "cut accepted");
   EXPECT_EQ(accepted_text({.what = "cut", .options = {{"position", "900"}}}, status, "knife"),

@@ -98,6 +98,9 @@ TEST(FollowSpecFile, ErrorsNameTheirPlace) {
       HasSubstr("f.toml:5:12: follow.periodic = true: needs the same ratio at start and end"));
   EXPECT_THAT(error_of("[[segment]]\nmaster = 1\nslave = 1\nrepeat = 3\n"),
               HasSubstr("needs increments = true"));
+  EXPECT_THAT(error_of("[follow]\nform = \"table\"\nlaw = \"quintic\"\n[[point]]\nmaster = 1\n"
+                       "slave = 1\n"),
+              HasSubstr("follow.law = \"quintic\": does not apply to form = \"table\""));
   EXPECT_THAT(error_of("[follow]\nlaw = \"parabola\"\n[[point]]\nmaster = 1\nslave = 1\n"),
               HasSubstr("follow.law"));
   EXPECT_THAT(error_of(""), HasSubstr("segment: is missing"));

@@ -146,15 +146,17 @@ TEST(PathSpecFile, ReadsEachDefinitionOfAnArc) {
 }
 
 TEST(PathSpecFile, ReportsNoErrorThatOnlyFollowsFromAnother) {
-  const std::string text = head + command("type = \"line\"\nto = [100, 0]") +
-                           "[[command]]\ntype = \"arc\"\ncenter = [50, 0, 0]\nto = [0, 30, 0]\n"
-                           "rotation = \"clockwise\"\n";
-  try {
-    (void)parse_spec(text, "path.toml");
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    ASSERT_EQ(all_errors(error).size(), 1U);
-    EXPECT_EQ(error.key(), "command[1].to");
+  for (const char* first : {"type = \"line\"\nto = [100, 0]", "type = \"line\""}) {
+    const std::string text = head + command(first) +
+                             "[[command]]\ntype = \"arc\"\ncenter = [50, 0, 0]\nto = [0, 30, 0]\n"
+                             "rotation = \"clockwise\"\n";
+    try {
+      (void)parse_spec(text, "path.toml");
+      FAIL() << "accepted";
+    } catch (const InputError& error) {
+      ASSERT_EQ(all_errors(error).size(), 1U) << first;
+      EXPECT_EQ(error.key(), "command[1].to");
+    }
   }
 }
 

@@ -129,8 +129,20 @@ inline std::vector<wire::Message> samples() {
       {name, 0, wire::MasterStatus{983, "line", "mm", 5000, false, 359.25, -7.5, 0.004, 1234, 56}},
       {name, 0, wire::Claim{983, 982, true}},
       {name, 0,
-       wire::GroupStatus{
-           983, 5001, {"x", "y"}, {1.5, -2.5}, true, 17, 3, true, 12.5, 400, 80, 4.25, 380}},
+       wire::GroupStatus{983,
+                         5001,
+                         {"x", "y"},
+                         {1.5, -2.5},
+                         true,
+                         17,
+                         3,
+                         true,
+                         12.5,
+                         400,
+                         80,
+                         4.25,
+                         380,
+                         {"mm", "deg"}}},
   };
 }
 
@@ -216,6 +228,7 @@ struct Text {
            m.length, m.feed, m.remaining_s, m.look_ahead);
     for (const std::string& axis : m.axes) fields(axis);
     for (const double place : m.place) fields(place);
+    for (const std::string& unit : m.units) fields(unit);
   }
   void operator()(const wire::Claim& m) { fields("claim", m.boot, m.rival, m.up); }
   void operator()(const wire::Event& m) {

@@ -142,8 +142,20 @@ std::vector<Message> messages() {
        wire::MasterStatus{77, "line", "mm", 5000, false, 359.25, -7.5, 0.004, 1234, 56}},
       {"feeder", 0, wire::Claim{77, 78, true}},
       {"feeder", 0,
-       wire::GroupStatus{
-           77, 5000, {"x", "y"}, {10, -2.5}, true, 12, 3, true, 12.5, 400, 80, 4.25, 380}},
+       wire::GroupStatus{77,
+                         5000,
+                         {"x", "y"},
+                         {10, -2.5},
+                         true,
+                         12,
+                         3,
+                         true,
+                         12.5,
+                         400,
+                         80,
+                         4.25,
+                         380,
+                         {"mm", "deg"}}},
   };
 }
 

@@ -87,7 +87,7 @@ TEST(Wire, TypesAreThoseOfVersionTwo) {
   expect_type<jounce_lcm::chunk_t>(0x15e7a1ad123b3fb0, 100);
   expect_type<jounce_lcm::claim_t>(0xcfa72b3fe99a4735, 93);
   expect_type<jounce_lcm::event_t>(0xf5bb83ca4a1124a5, 122);
-  expect_type<jounce_lcm::group_status_t>(0xbf7e0d564dd7f81d, 434);
+  expect_type<jounce_lcm::group_status_t>(0xff55d60bf6fc5218, 578);
   expect_type<jounce_lcm::header_t>(0x38846353a6819b65, 163);
   expect_type<jounce_lcm::heartbeat_t>(0x1249b7b537d13d0d, 81);
   expect_type<jounce_lcm::master_status_t>(0xb47ced7b012d6442, 173);
@@ -300,6 +300,8 @@ TEST(Wire, RefusesGroupsOutOfRange) {
   EXPECT_EQ(status(fields + 313, 0x80), Reject::bad_field) << "commands < 0";
   EXPECT_EQ(status(fields + 317, 2), Reject::bad_field) << "estimated 2";
   EXPECT_EQ(status(fields + 318, 0xBF), Reject::bad_field) << "position < 0";
+  EXPECT_EQ(status(fields + 358 + 2 * 16, 'm'), Reject::bad_field) << "a unit beyond the axes";
+  EXPECT_EQ(status(fields + 358, '\n'), Reject::bad_field) << "a control character in a unit";
   EXPECT_EQ(status(fields + 326, 0xBF), Reject::bad_field) << "length < 0";
 }
 

@@ -310,8 +310,9 @@ TEST(Identify, SaysThatTheModelMissesSomething) {
   EXPECT_TRUE(found.usable());
   EXPECT_THAT(
       found.reason,
-      HasSubstr("the recorded and the computed torque are not random, but correlated over time "
-                "(Ljung-Box Q"));
+      HasSubstr("the recorded and the computed torque (the residuals) are correlated over time, "
+                "which noise is not (Ljung-Box test: "));
+  EXPECT_THAT(found.reason, HasSubstr("find the effect with --plot, then add it"));
   EXPECT_THAT(found.notes, ::testing::Contains(found.reason));
 }
 

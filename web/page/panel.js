@@ -32,7 +32,7 @@ const wordsOf = (master, modulo) => master.lost ? `${master.name} is lost`
 
 /// The place of a group on its path, with the line of the source.
 const coordinatesOf = (group) => (group.framed ? 'in the frame: ' : '')
-  + group.axes.map((axis, k) => `${axis} ${number(group.place[k], axes.get(axis)?.units.unit)}`).join(', ');
+  + group.axes.map((axis, k) => `${axis} ${number(group.place[k], group.units[k])}`).join(', ');
 const placeOf = (group, unit) => group.length === null ? number(group.position, unit)
   : `${number(group.position, unit)} of ${number(group.length, unit)}, line ${group.line}`;
 /// What remains of the path of a group, and how much of it is planned without braking.

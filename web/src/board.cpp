@@ -74,17 +74,10 @@ ordered_json facts(const wire::MasterStatus& m) {
 }
 
 ordered_json facts(const wire::GroupStatus& g) {
-  return {{"axes", g.axes},
-          {"place", g.place},
-          {"framed", g.framed},
-          {"position", g.position},
-          {"length", g.length},
-          {"feed", g.feed},
-          {"remaining", g.remaining_s},
-          {"estimated", g.estimated},
-          {"line", g.line},
-          {"commands", g.commands},
-          {"look_ahead", g.look_ahead}};
+  return {{"axes", g.axes},     {"place", g.place},           {"units", g.units},
+          {"framed", g.framed}, {"position", g.position},     {"length", g.length},
+          {"feed", g.feed},     {"remaining", g.remaining_s}, {"estimated", g.estimated},
+          {"line", g.line},     {"commands", g.commands},     {"look_ahead", g.look_ahead}};
 }
 
 }  // namespace

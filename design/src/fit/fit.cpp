@@ -53,6 +53,11 @@ std::string unit_of(const char* key, const std::string& in_file, const std::stri
 }
 
 Units units_of(const Units& in_file, const FitOptions& options) {
+  if (in_file.x.empty() && in_file.position.empty() && options.master_unit.empty() &&
+      options.position_unit.empty())
+    throw InputError("master_unit", "",
+                     "is missing, and --position-unit, too: the file names no units. Give both, "
+                     "such as --master-unit deg --position-unit mm");
   return {unit_of("master_unit", in_file.x, options.master_unit, "deg"),
           unit_of("position_unit", in_file.position, options.position_unit, "mm")};
 }

@@ -39,7 +39,8 @@ wire::GroupStatus GroupReport::status(const ExecutorGroup& group, const Tick& ti
                            .framed = queue.frame() != Frame{},
                            .commands = static_cast<std::uint32_t>(queue.size(tick)),
                            .position = std::max(0.0, tick.position),
-                           .feed = std::max(0.0, tick.velocity)};
+                           .feed = std::max(0.0, tick.velocity),
+                           .units = group.coordinate_units()};
   if (program_ != program) {
     program_ = program;
     progress_.reset();

@@ -376,7 +376,7 @@ void MotionServer::answer(const Request& request, const std::optional<Refusal>& 
   // A stop that an axis in a fault rejects still counts as accepted: the axis does not move.
   if (!refused || request.kind == Kind::stop)
     return receiver_.accept(request.session, request.command);
-  const std::string reason = refusal_text(*refused, last_, options_);
+  const std::string reason = refusal_text(*refused, last_, options_, request.kind);
   receiver_.refuse(request.session, request.command, reason,
                    static_cast<std::int32_t>(refused->cause));
   notify("rejected: " + reason);

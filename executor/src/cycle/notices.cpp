@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "jounce/command/command_table.hpp"
 #include "jounce/command/refusal_text.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/stream/message/message.hpp"
@@ -74,12 +75,14 @@ std::string fault_text(const Tick& now, const std::string& unit, const AxisConfi
 namespace {
 
 /// A reason with its remedy, for an axis of these groups.
-std::string in_group_text(const std::vector<std::string>& groups) {
+std::string in_group_text(const std::vector<std::string>& groups, CommandKind order) {
   std::string names;
   for (const std::string& group : groups) names += (names.empty() ? "" : " or ") + group;
-  return "the enabled group " + names +
-         " alone moves this axis: command the group, or stop it and send `jounce order " +
-         groups.front() + " disable` first";
+  const std::string reason = "the enabled group " + names + " alone moves this axis: ";
+  const std::string to_group = "`jounce order " + groups.front();
+  if (order == CommandKind::hold || order == CommandKind::resume || order == CommandKind::halt)
+    return reason + "send " + to_group + " " + info(order).word + "`";
+  return reason + "command the group, or stop it and send " + to_group + " disable` first";
 }
 
 }  // namespace
@@ -89,6 +92,26 @@ namespace {
 std::string in_units(double number, const ExecutorOptions& options) {
   const std::string& unit = options.units.position;
   return six_digits(number) + (unit.empty() ? "" : " " + unit);
+}
+
+/// The reason and its remedy, for a relative move of an axis at rest that leaves the position range:
+/// the distances to its ends. "" for another refusal, or outside the range.
+std::string distance_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options,
+                          CommandKind order) {
+  const bool relative = order == CommandKind::move_relative || order == CommandKind::move_additive;
+  const Limits& limits = options.axis.limits;
+  if (refusal.cause != Cause::position_limit || !relative || now.state != State::standstill ||
+      !limits.position_min || !limits.position_max)
+    return "";
+  const double forward = *limits.position_max - now.position;
+  const double back = now.position - *limits.position_min;
+  if (!(forward >= 0) || !(back >= 0)) return "";
+  std::string most;
+  if (forward > 0) most = in_units(forward, options) + " forward";
+  if (back > 0) most += (most.empty() ? "" : ", or ") + in_units(back, options) + " back";
+  return in_units(refusal.value, options) + " is outside the position range, " +
+         in_units(*limits.position_min, options) + " to " +
+         in_units(*limits.position_max, options) + ": give at most " + most;
 }
 
 /// The reason and its remedy, for what the spec of the axis lacks; "" for another refusal.
@@ -133,9 +156,12 @@ std::string start_position_text(const Refusal& refusal, const Tick& now,
 
 }  // namespace
 
-std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options) {
+std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options,
+                         CommandKind order) {
   if (refusal.cause == Cause::in_group && !options.groups.empty())
-    return in_group_text(options.groups);
+    return in_group_text(options.groups, order);
+  if (const std::string most = distance_text(refusal, now, options, order); !most.empty())
+    return most;
   if (const std::string missing = missing_part_text(refusal.cause, options); !missing.empty())
     return missing;
   if (refusal.cause == Cause::start_position) return start_position_text(refusal, now, options);

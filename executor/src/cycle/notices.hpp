@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jounce/axis/tick.hpp"
+#include "jounce/command/commands.hpp"
 #include "jounce/executor/executor_options.hpp"
 
 namespace jounce {
@@ -20,8 +21,10 @@ std::string fault_text(const Tick& now, const std::string& unit, const AxisConfi
                        std::span<const std::string> axes = {});
 
 /// Returns text() of a rejection, with the state of the axis in this tick: the present fault for
-/// in_error and not_enabled, the reason for no_master_input, the present motion for start_position.
-std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options);
+/// in_error and not_enabled, the reason for no_master_input, the present motion for start_position,
+/// the possible distances for a relative move. `order`: kind of the rejected command.
+std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options,
+                         CommandKind order = CommandKind::none);
 
 /// Returns the changes of an axis between two of its ticks as sentences: "started at tick 1600". For
 /// the other parameters, see fault_text().

@@ -109,6 +109,7 @@ std::string status_json(const std::string& group, const wire::GroupStatus& g) {
                   {"tick", g.tick},
                   {"axes", g.axes},
                   {"place", g.place},
+                  {"units", g.units},
                   {"framed", g.framed},
                   {"path_position", g.position},
                   {"path_length", g.length},
@@ -124,7 +125,8 @@ std::string status_json(const std::string& group, const wire::GroupStatus& g) {
 std::string place_text(const wire::GroupStatus& group, const std::string& unit) {
   std::string place = group.framed ? "frame" : "";
   for (std::size_t k = 0; k < group.axes.size() && k < group.place.size(); ++k)
-    place += fmt::format("{}{} {:.6g}", place.empty() ? "" : " ", group.axes[k], group.place[k]);
+    place += (place.empty() ? "" : " ") + group.axes[k] + " " +
+             number_text(group.place[k], k < group.units.size() ? group.units[k] : "");
   const std::string position = place + "; path " + number_text(group.position, unit);
   if (std::isnan(group.length)) return position + ", no path";
   return fmt::format("{} of {}, line {}", position, number_text(group.length, unit), group.line);

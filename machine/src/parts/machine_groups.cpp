@@ -123,6 +123,7 @@ GroupKinematics kinematics_of(const std::string& file, const ExecutorGroup& grou
   std::vector<std::string> joints;
   for (std::size_t k = 0; k < parts.size(); ++k)
     (k < tool ? made.names : joints).push_back(parts[k].name);
+  for (std::size_t k = 0; k < tool; ++k) made.units.push_back(parts[k].units.position);
   if (joints != group.names)
     throw InputError("kinematics", file,
                      "has the joints " + listed(joints) + ", but the axes of the group are " +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/machine/outcome_text.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -104,6 +105,10 @@ std::string accepted_text(const CommandWords& words, const wire::Status& before,
   if (word == "gear-in-pos") return word + " accepted: " + start_of_gear(words, before.units.x);
   if (word == "cut" && !words.options.contains("length") && !words.options.contains("waste"))
     return "cut accepted; it replaces a cut on demand that still waits";
+  if (word == "set-coordinate-transform" &&
+      std::all_of(words.options.begin(), words.options.end(),
+                  [](const auto& option) { return option.second.empty(); }))
+    return word + " accepted: without values, it removes the frame";
   if (word == "override" && before.gear > wire::GearState::disengaged)
     return "override accepted; no effect while the axis follows its master";
   if (word == "set-position" && before.homed)

@@ -139,7 +139,10 @@ FollowPlan read_plan(TomlReader& top, TomlReader& follow, const Units& units,
   plan.start_ratio = follow.optional_number("start_ratio", ratio);
   plan.periodic = follow.optional_flag("periodic").value_or(false);
   plan.form = static_cast<FollowForm>(follow.optional_choice("form", forms).value_or(0));
-  plan.law = read_follow_law(follow);
+  if (plan.form == FollowForm::table)
+    follow.refuse_here("law", "does not apply to form = \"table\": leave one of the two out");
+  else
+    plan.law = read_follow_law(follow);
   plan.whole_master = follow.optional_flag("whole_master").value_or(false);
   read_points(top, units, ratio, plan);
   return plan;

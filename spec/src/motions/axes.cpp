@@ -150,6 +150,7 @@ AxisPart read_axis_part(TomlReader& axis, const Units& units, std::set<std::stri
 AxesSpec read_axes(TomlReader& top, Spec& spec) {
   AxesSpec axes;
   const bool through_points = top.has("point");
+  top.refuse_here("points", "does not apply to kind = \"axes\": give the points as [[point]]");
   if (through_points) {
     axes.shortest_times = wants_shortest_times(top);
     for (const char* key : {"sync", "duration"})

@@ -114,15 +114,19 @@ std::string read_gcode_table(TomlReader& top, const PathAxes& axes, GcodeMachine
   return (std::filesystem::path(top.document().name).parent_path() / file).string();
 }
 
-/// After a placeholder, the positions are unknown: an error of the geometry of a later command may only follow from it.
+/// After a placeholder or a wrong command, the positions are unknown: an error of the geometry of a
+/// later command may only follow from it.
 void read_commands(TomlReader& top, const PathAxes& axes, PathSettings settings, Program& program) {
   const std::size_t before = top.placeholders();
+  bool lost = false;
   top.for_each("command", [&](TomlReader& command) {
     try {
       read_path_command(command, axes, settings, program);
     } catch (const InputError& error) {
       const bool of_geometry = error.document().empty();
-      if (!of_geometry || top.placeholders() == before) throw;
+      const bool follows = of_geometry && (lost || top.placeholders() != before);
+      lost = true;
+      if (!follows) throw;
     }
   });
 }

@@ -174,6 +174,9 @@ bool get(const jounce_lcm::master_status_t& from, MasterStatus& to) {
 void put(const GroupStatus& from, jounce_lcm::group_status_t& to) {
   if (from.axes.empty() || from.axes.size() > GroupStatus::most_axes)
     throw InputError("axes", std::to_string(from.axes.size()), "must be 1 to 9");
+  if (from.units.size() > from.axes.size())
+    throw InputError("units", std::to_string(from.units.size()),
+                     "must be at most one for each axis");
   to.boot = from.boot;
   to.tick = from.tick;
   to.axes = static_cast<std::int32_t>(from.axes.size());
@@ -190,10 +193,13 @@ void put(const GroupStatus& from, jounce_lcm::group_status_t& to) {
   to.feed = from.feed;
   to.remaining_s = from.remaining_s;
   to.look_ahead = from.look_ahead;
+  for (std::size_t k = 0; k < from.units.size(); ++k)
+    put_unit("units", from.units[k], to.units + k * unit_bytes);
 }
 
 bool get(const jounce_lcm::group_status_t& from, GroupStatus& to) {
   static_assert(sizeof from.names == GroupStatus::most_axes * executor_bytes);
+  static_assert(sizeof from.units == GroupStatus::most_axes * unit_bytes);
   const auto counts = [](double value) { return std::isfinite(value) && value >= 0; };
   const auto is_known = [](double value) { return !std::isinf(value) && !(value < 0); };
   to.boot = from.boot;
@@ -213,6 +219,10 @@ bool get(const jounce_lcm::group_status_t& from, GroupStatus& to) {
     if (wanted) to.axes.push_back(std::move(axis));
     if (wanted) to.place.push_back(from.place[k]);
     if (std::isinf(from.place[k]) || (!wanted && !std::isnan(from.place[k]))) return false;
+    std::string unit;
+    if (!get_text(from.units + k * unit_bytes, unit_bytes, unit)) return false;
+    if (!wanted && !unit.empty()) return false;
+    if (wanted) to.units.push_back(std::move(unit));
   }
   return to.boot >= 1 && to.tick >= 0 && to.line >= 0 && get_count(from.commands, to.commands) &&
          get_flag(from.framed, to.framed) && get_flag(from.estimated, to.estimated) &&

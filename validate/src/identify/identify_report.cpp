@@ -93,20 +93,20 @@ std::string doubt(const std::vector<Explained>& all, ResidualTest Explained::*te
   }
   if (worst == nullptr) return "";
   return fmt::format(
-      "the differences between the recorded and the computed {} {} ({} = {:.4g}, limit {:.4g}). "
-      "The "
-      "model lacks an effect of their size, and the intervals are too narrow: add the effect to "
-      "the "
-      "spec of the drive, or its number to --fit",
+      "the differences between the recorded and the computed {} (the residuals) {} ({} {:.4g}, "
+      "limit {:.4g}). The model lacks an effect of their size, and the intervals are too narrow: "
+      "find the effect with --plot, then add it to the spec of the drive, or its number to --fit",
       quantities, what, statistic, worst->value, worst->limit);
 }
 
 /// The objections of the tests to the model.
 std::vector<std::string> doubts(const std::vector<Explained>& all) {
   std::vector<std::string> texts{
-      doubt(all, &Explained::white, "are not random, but correlated over time", "Ljung-Box Q"),
-      doubt(all, &Explained::growth, "grow along the recording", "Goldfeld-Quandt F"),
-      doubt(all, &Explained::worsening, "are greater than with the given drive", "F")};
+      doubt(all, &Explained::white, "are correlated over time, which noise is not",
+            "Ljung-Box test:"),
+      doubt(all, &Explained::growth, "grow along the recording", "Goldfeld-Quandt test:"),
+      doubt(all, &Explained::worsening, "are greater than with the given drive",
+            "ratio of the variances")};
   std::erase(texts, "");
   return texts;
 }

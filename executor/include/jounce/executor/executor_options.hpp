@@ -32,6 +32,8 @@ struct GroupKinematics {
   JointSpace joints;
   GroupLimits limits;     ///< limits of the axes of the tool, and of its path
   std::string unit = {};  ///< unit of the path axes; "": not known
+  /// Units of the axes of the tool; none: not known.
+  std::vector<std::string> units = {};
 };
 
 /// A group of an executor (docs/executor/groups.md).
@@ -48,6 +50,12 @@ struct ExecutorGroup {
   /// Names of the coordinates of commands: the axes of the tool, or of the group.
   [[nodiscard]] const std::vector<std::string>& coordinates() const {
     return kinematics ? kinematics->names : names;
+  }
+  /// Units of the coordinates of commands, one for each; "": not known.
+  [[nodiscard]] std::vector<std::string> coordinate_units() const {
+    if (kinematics && kinematics->units.size() == kinematics->names.size())
+      return kinematics->units;
+    return std::vector<std::string>(coordinates().size(), kinematics ? kinematics->unit : unit);
   }
 };
 

@@ -384,6 +384,8 @@ struct GroupStatus {
   double remaining_s = Status::unknown;
   /// Distance to the place where the group brakes for the end of its path, u; NaN: no path.
   double look_ahead = Status::unknown;
+  /// Units of the coordinates, one for each name, or none; "": not known.
+  std::vector<std::string> units{};
 };
 
 // ---- between executors --------------------------------------------------------------------------
