@@ -6,13 +6,11 @@
 #include <fmt/format.h>
 
 #include "jounce/lint/accepted.hpp"
-
-#include "lint/src/with_unit.hpp"
+#include "jounce/report/report_text.hpp"
 
 namespace jounce {
 namespace {
 
-using lint_detail::with_unit;
 using What = FileChange::What;
 
 constexpr std::array words{std::pair{What::wrong, "not compared (wrong)"},

@@ -15,14 +15,12 @@
 #include "jounce/lint/find_files.hpp"
 #include "jounce/lint/lint.hpp"
 #include "jounce/plot/input_figure.hpp"
-
-#include "lint/src/with_unit.hpp"
+#include "jounce/report/report_text.hpp"
 
 namespace jounce {
 namespace {
 
 namespace fs = std::filesystem;
-using lint_detail::with_unit;
 using What = FileChange::What;
 
 Diagnostic diagnostic(const char* rule, Level level, const std::string& file, std::string message) {

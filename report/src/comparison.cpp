@@ -11,8 +11,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/table.hpp"
-
-#include "report/src/words.hpp"
+#include "jounce/report/report_text.hpp"
 
 namespace jounce {
 namespace {

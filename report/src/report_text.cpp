@@ -12,8 +12,6 @@
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/check.hpp"
 
-#include "report/src/words.hpp"
-
 namespace jounce {
 namespace {
 
@@ -101,7 +99,7 @@ std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels, std
 }
 
 std::string rounded(double value) {
-  return fmt::format("{:.6g}", value);
+  return six_digits(value);
 }
 
 std::string rounded(double value, double scale) {

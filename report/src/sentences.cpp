@@ -8,8 +8,6 @@
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
-#include "report/src/words.hpp"
-
 // The sentences of all findings, by the family of their rule. The meaning and the remedy of each rule: rules.cpp.
 
 namespace jounce {

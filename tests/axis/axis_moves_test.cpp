@@ -26,18 +26,19 @@ struct Moves : Bench {
     EXPECT_FALSE(now.refused) << now.refused->text();
     return now;
   }
-  /// Steps to the end of the motion, keeping every tick.
-  const Tick& finish() {
-    do ticks.push_back(step());
-    while (ticks.back().state != State::standstill && ticks.size() < 100'000);
+  /// Steps until this holds, and keeps every tick. Fails after 100 s.
+  template <class Condition>
+  const Tick& until(Condition condition) {
+    for (int i = 0; i < 100'000; ++i) {
+      ticks.push_back(step());
+      if (condition(ticks.back())) return ticks.back();
+    }
+    ADD_FAILURE() << "the axis does not get there in 100 s";
     return ticks.back();
   }
-  /// Steps until this holds.
-  template <class Condition>
-  Tick until(Condition condition) {
-    do ticks.push_back(step());
-    while (!condition(ticks.back()) && ticks.size() < 100'000);
-    return ticks.back();
+  /// Steps to the end of the motion.
+  const Tick& finish() {
+    return until([](const Tick& t) { return t.state == State::standstill; });
   }
   std::vector<Tick> ticks;
 };
@@ -67,10 +68,10 @@ TEST(AxisMoves, Figure56AbsoluteAfterAbsolute) {
   instead.move(Kind::move_absolute, 6000);
   instead.until([](const Tick& t) { return t.velocity == 3000; });
   EXPECT_EQ(instead.move(Kind::move_absolute, 10'000).reason, Cause::replaced);
-  while (instead.ticks.back().position < 9000) {
-    instead.ticks.push_back(instead.step());
-    ASSERT_NEAR(instead.ticks.back().velocity, 3000, 1e-9);
-  }
+  const std::size_t replaced = instead.ticks.size();
+  instead.until([](const Tick& t) { return t.position >= 9000; });
+  for (std::size_t i = replaced; i < instead.ticks.size(); ++i)
+    ASSERT_NEAR(instead.ticks[i].velocity, 3000, 1e-9);
   EXPECT_EQ(instead.finish().position, 10'000);
   EXPECT_EQ(instead.ticks.back().finished, 1U);
 }
@@ -111,12 +112,15 @@ TEST(AxisMoves, Figure59StopLocks) {
   Moves moves;
   moves.move(Kind::move_velocity, 3000);
   moves.run(1000);
-  Tick tick = moves.step({command::Stop{.dynamics = {.deceleration = 10'000}}});
-  EXPECT_EQ(tick.state, State::stopping);
+  const Tick first = moves.step({command::Stop{.dynamics = {.deceleration = 10'000}}});
+  EXPECT_EQ(first.state, State::stopping);
   for (const Kind kind : {Kind::move_absolute, Kind::move_velocity, Kind::halt, Kind::hold})
     EXPECT_EQ(refusal(moves.send(kind)), Cause::stopping);
-  EXPECT_NEAR(moves.until([](const Tick& t) { return t.velocity == 0; }).velocity, 0, 1e-12);
-  tick = moves.step();
+  // v^2 / 2a = 450 and v / a = 0.3 s from the tick before; the first tick has moved 2.995.
+  const Tick rest = moves.until([](const Tick& t) { return t.velocity == 0; });
+  EXPECT_EQ(rest.tick - first.tick, 299);
+  EXPECT_NEAR(rest.position - first.position, 450 - 2.995, 1e-9);
+  const Tick tick = moves.step();
   EXPECT_EQ(tick.state, State::standstill);
   EXPECT_EQ(tick.reason, Cause::stopped);
   EXPECT_EQ(tick.stopped, 1U);
@@ -317,12 +321,13 @@ TEST(AxisMoves, AMoveTakesOverFromATableWithoutALeap) {
   Tick last = bench.run(250);  // 5 u/s, 20 u/s^2
   Tick tick = bench.step({command::MoveAbsolute{.position = -1}});
   EXPECT_EQ(tick.handed_back[0], &job);
-  while (tick.state == State::discrete_motion) {
+  for (int i = 0; i < 100'000 && tick.state == State::discrete_motion; ++i) {
     ASSERT_LE(std::abs(tick.velocity - last.velocity), 0.02 * (1 + 1e-9));
     ASSERT_NEAR(tick.position - last.position, (tick.velocity + last.velocity) / 2e3, 1e-5);
     last = tick;
     tick = bench.step();
   }
+  EXPECT_EQ(tick.state, State::standstill);
   EXPECT_EQ(tick.position, -1);
 }
 

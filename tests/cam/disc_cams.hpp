@@ -9,6 +9,7 @@
 #include "jounce/cam/disc/disc.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "support/draw_until.hpp"
 #include "support/random.hpp"
 
 namespace jounce::test {
@@ -56,35 +57,39 @@ inline Cam random_cam(Random& random) {
   return design(spec).cam;
 }
 
-/// Random cams on random geometry of either kind, until one is a disc.
-inline RandomDisc random_disc(Random& random) {
-  while (true) {
-    DiscSpec spec{.base_radius = random.log_uniform(3, 100),
-                  .roller_radius = random.log_uniform(1, 20)};
-    if (random.below(2) == 0) {
-      spec.offset = random.uniform(-1, 1) * spec.base_radius;
-    } else {
-      spec.follower = Follower::oscillating;
-      spec.arm_length = random.log_uniform(20, 200);
-      spec.center_distance = random.log_uniform(20, 200);
-    }
-    if (random.below(2) == 0) spec.rotation = Rotation::clockwise;
-    const Cam cam = random_cam(random);
-    std::ostringstream text;
-    text.precision(17);
-    text << "base " << spec.base_radius << " roller " << spec.roller_radius << " offset "
-         << spec.offset << " arm " << spec.arm_length << " distance " << spec.center_distance
-         << (spec.rotation == Rotation::clockwise ? " clockwise" : "") << " knots";
-    for (std::size_t i = 0; i < cam.breaks().size(); ++i) {
-      const Transfer p = cam.at(cam.breaks()[i]);
-      text << " (" << cam.breaks()[i] << ", " << p.position << ", " << p.geo_velocity << ", "
-           << p.geo_acceleration << ")";
-    }
-    try {
-      return {Disc(cam, spec), text.str()};
-    } catch (const InputError&) {  // such an arm does not reach
-    }
+/// A random cam on random geometry of either kind; nullopt if such an arm does not reach.
+inline std::optional<RandomDisc> random_disc_or_none(Random& random) {
+  DiscSpec spec{.base_radius = random.log_uniform(3, 100),
+                .roller_radius = random.log_uniform(1, 20)};
+  if (random.below(2) == 0) {
+    spec.offset = random.uniform(-1, 1) * spec.base_radius;
+  } else {
+    spec.follower = Follower::oscillating;
+    spec.arm_length = random.log_uniform(20, 200);
+    spec.center_distance = random.log_uniform(20, 200);
   }
+  if (random.below(2) == 0) spec.rotation = Rotation::clockwise;
+  const Cam cam = random_cam(random);
+  std::ostringstream text;
+  text.precision(17);
+  text << "base " << spec.base_radius << " roller " << spec.roller_radius << " offset "
+       << spec.offset << " arm " << spec.arm_length << " distance " << spec.center_distance
+       << (spec.rotation == Rotation::clockwise ? " clockwise" : "") << " knots";
+  for (std::size_t i = 0; i < cam.breaks().size(); ++i) {
+    const Transfer p = cam.at(cam.breaks()[i]);
+    text << " (" << cam.breaks()[i] << ", " << p.position << ", " << p.geo_velocity << ", "
+         << p.geo_acceleration << ")";
+  }
+  try {
+    return RandomDisc{Disc(cam, spec), text.str()};
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+inline RandomDisc random_disc(Random& random) {
+  return *draw_until([&random] { return random_disc_or_none(random); },
+                     [](const std::optional<RandomDisc>& drawn) { return drawn.has_value(); });
 }
 
 }  // namespace jounce::test

@@ -8,7 +8,7 @@
 #include "jounce/axis/movement.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "executor/src/cycle/commands.hpp"
+#include "executor/src/cycle/executed_command.hpp"
 
 namespace jounce::gear_command_test {
 namespace {

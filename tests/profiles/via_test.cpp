@@ -81,9 +81,15 @@ bool goes_forward(std::span<const AxisMove> moves, std::span<const Profile> prof
 double best_of_grid(const ViaSpec& spec, int steps, bool accelerations) {
   const std::size_t n = spec.axes.size();
   const std::size_t variables = accelerations ? 2 * n : n;
+  int states = 1;
+  for (std::size_t k = 0; k < variables; ++k) states *= steps + 1;
   std::vector<int> at(variables, 0);
   double best = std::numeric_limits<double>::infinity();
-  for (;;) {
+  for (int state = 0; state < states; ++state) {
+    for (int digits = state; int& step : at) {
+      step = digits % (steps + 1);
+      digits /= steps + 1;
+    }
     std::vector<AxisMove> first(n), second(n);
     for (std::size_t i = 0; i < n; ++i) {
       const double share = static_cast<double>(at[i]) / steps;
@@ -101,10 +107,8 @@ double best_of_grid(const ViaSpec& spec, int steps, bool accelerations) {
     if (a.status == MoveStatus::ok && b.status == MoveStatus::ok && goes_forward(first, one) &&
         goes_forward(second, two))
       best = std::min(best, a.duration + b.duration);
-    std::size_t k = 0;
-    while (k < variables && ++at[k] > steps) at[k++] = 0;
-    if (k == variables) return best;
   }
+  return best;
 }
 
 TEST(Via, NoGridOfInteriorStatesIsShorterForOneAxis) {

@@ -82,7 +82,8 @@ def robot():
 def plotter():
     """The set positions of the axes are on the planned path; their place is in the text."""
     assert browser.run("[...document.querySelector('[data-path=x]').options].map((o) => o.value).join()") == "x,y"
-    browser.wait_for("path.trail().places.length > 500")
+    browser.wait_for("path.trail().places.length > 500 && path.trail().places.some(([x, y], i, [[left, lower]]) =>"
+                     " Math.hypot(x - left, y - lower) > 10)")
     line, places = browser.run("path.planned()"), browser.run("path.trail().places")
     moved = max(math.hypot(x - places[0][0], y - places[0][1]) for x, y in places)
     most = max(distance_to(line, place) for place in places[::10])

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 // The quintic from rest to the slope k (or from k to rest) with stroke h over length b,
 // accelerations zero. With z = x / b and rho = k b / h,
@@ -48,13 +48,6 @@ struct Group {
 
 int sign(double x) {
   return x > 0 ? 1 : (x < 0 ? -1 : 0);
-}
-
-/// Rounds to six digits, for messages.
-std::string rounded(double x) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", x);
-  return text.data();
 }
 
 class Inspection {
@@ -157,10 +150,10 @@ class Inspection {
     const double h = g.end[0] - g.begin[0];
     if (!k || !g.quintic || h * *k <= 0) return "move the knots, or use another law";
     const auto from_to = [](double a, double b) {
-      return rounded(std::min(a, b)) + " to " + rounded(std::max(a, b));
+      return six_digits(std::min(a, b)) + " to " + six_digits(std::max(a, b));
     };
     std::string text = "the slope of its moving end, times its length, divided by its stroke is " +
-                       rounded(*k * g.length / h) + ", but must be 5/3 to 5/2: use ";
+                       six_digits(*k * g.length / h) + ", but must be 5/3 to 5/2: use ";
     if (!repeats(cam_.outside()) || rho_most * h / *k < cam_.length())
       text += "a length from " + from_to(rho_least * h / *k, rho_most * h / *k) + ", or ";
     return text + "a stroke from " + from_to(*k * g.length / rho_most, *k * g.length / rho_least);

@@ -7,7 +7,7 @@
 #include "jounce/executor/recorder.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "executor/src/cycle/commands.hpp"
+#include "executor/src/cycle/executed_command.hpp"
 
 namespace jounce {
 namespace {

@@ -15,7 +15,7 @@
 #include "jounce/base/detail/lcm_log.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "executor/src/cycle/commands.hpp"
+#include "executor/src/cycle/executed_command.hpp"
 #include "executor/src/record/remade_masters.hpp"
 
 namespace jounce {

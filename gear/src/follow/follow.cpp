@@ -10,6 +10,7 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/follow/follow_passes.hpp"
 
@@ -73,9 +74,9 @@ std::int64_t shown(const FollowTable& table, const FollowPass& first) {
 
 namespace gear_detail {
 
-std::string rounded(double x, int digits) {
+std::string place(double x) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, x);
+  std::snprintf(text.data(), text.size(), "%.12g", x);
   return text.data();
 }
 
@@ -139,8 +140,7 @@ std::vector<SyncZone> zones_of(const Cam& cam, const std::vector<PtRate>& ratios
     if (goes_on)
       zones.back().to = cam.breaks()[i + 1];
     else
-      zones.push_back(
-          {cam.breaks()[i], cam.breaks()[i + 1], "ratio " + gear_detail::rounded(start)});
+      zones.push_back({cam.breaks()[i], cam.breaks()[i + 1], "ratio " + six_digits(start)});
   }
   return zones;
 }

@@ -7,6 +7,7 @@
 
 #include "jounce/gear/follow.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/follow/follow_passes.hpp"
 
@@ -14,7 +15,6 @@ namespace jounce {
 namespace {
 
 using gear_detail::FollowPass;
-using gear_detail::rounded;
 
 using profiles_detail::rounded_input;
 
@@ -54,18 +54,20 @@ bool is_odd(double travel, std::optional<double> usual) {
 std::string advice(const FollowSpec& spec, std::size_t table, std::size_t i, double start) {
   const auto [master, slave] = travel_of(spec.tables[table], i);
   const auto misprint = [&](const char* whose, double is, double would_be, double end) {
-    return std::string("in this segment, the ") + whose + " travels " + rounded(is) + ", " +
-           rounded(std::abs(is) / would_be) + " times as far as in the other segments, where the " +
-           whose + " travels " + rounded(would_be) +
-           ": check it. With that travel, the segment would end at the ratio " + rounded(end);
+    return std::string("in this segment, the ") + whose + " travels " + six_digits(is) + ", " +
+           six_digits(std::abs(is) / would_be) +
+           " times as far as in the other segments, where the " + whose + " travels " +
+           six_digits(would_be) +
+           ": check it. With that travel, the segment would end at the ratio " + six_digits(end);
   };
   const auto m = usual(spec, table, i, &Travel::master);
   if (is_odd(master, m)) return misprint("master", master, *m, 2 * slave / *m - start);
   const auto s = usual(spec, table, i, &Travel::slave);
   if (is_odd(slave, s))
     return misprint("slave", slave, *s, std::copysign(2 * *s, slave) / master - start);
-  return "from the ratio " + rounded(start) + ", the slave travels " + rounded(start * master / 2) +
-         " until it stands, and then " + rounded(slave - start * master / 2) + " to the point" +
+  return "from the ratio " + six_digits(start) + ", the slave travels " +
+         six_digits(start * master / 2) + " until it stands, and then " +
+         six_digits(slave - start * master / 2) + " to the point" +
          ": move the point, or put one where it stands";
 }
 
@@ -112,7 +114,7 @@ class Inspection {
   void step(const FollowPass& pass, std::size_t i, double where, double from, double to) {
     if (!counts(to - from)) return;
     const bool start = first_ == 0 && i == 0;
-    const std::string ratios = "from " + rounded(from) + " to " + rounded(to);
+    const std::string ratios = "from " + six_digits(from) + " to " + six_digits(to);
     Finding f = finding("follow/ratio_step", first_ + i, where, std::abs(to - from));
     f.quantity = "step of geo_velocity";
     f.advice = "the ratio steps " + ratios + ": make its travel fit, or the segment normal";
@@ -173,8 +175,8 @@ class Inspection {
     const bool alternates = !counts(later - ratio);
     f.broken = !alternates;
     if (alternates) f.severity = Severity::warning;
-    f.advice = "after " + rounded(ratio) + " the next pass ends at this ratio, then at " +
-               rounded(later) + ": end the table with the ratio that it begins with";
+    f.advice = "after " + six_digits(ratio) + " the next pass ends at this ratio, then at " +
+               six_digits(later) + ": end the table with the ratio that it begins with";
     add(std::move(f));
   }
 
@@ -184,7 +186,7 @@ class Inspection {
     if (!counts(to - from)) return;
     Finding f = finding("follow/wrap_step", first_ - 1, where, std::abs(to - from));
     f.quantity = "step of geo_velocity";
-    f.advice = wrap_advice("from " + rounded(from) + " to " + rounded(to));
+    f.advice = wrap_advice("from " + six_digits(from) + " to " + six_digits(to));
     add(std::move(f));
   }
 
@@ -216,11 +218,12 @@ class Inspection {
     f.limit = of_master ? table.end->master : table.end->slave;
     f.has_limit = true;
     f.margin = -std::abs((f.value - f.limit) / f.value);
-    f.advice = "the segments end at master " + rounded(table.segments.back().x) + ", slave " +
-               rounded(table.segments.back().position) + ", but the spec gives the end as master " +
-               rounded(table.end->master) + ", slave " + rounded(table.end->slave) + ": master " +
-               rounded(missing.master) + " and slave " + rounded(missing.slave) + " are missing" +
-               as_segment(table, missing);
+    f.advice = "the segments end at master " + six_digits(table.segments.back().x) + ", slave " +
+               six_digits(table.segments.back().position) +
+               ", but the spec gives the end as master " + six_digits(table.end->master) +
+               ", slave " + six_digits(table.end->slave) + ": master " +
+               six_digits(missing.master) + " and slave " + six_digits(missing.slave) +
+               " are missing" + as_segment(table, missing);
     return f;
   }
 

@@ -25,10 +25,7 @@ std::vector<FollowPass> follow_passes(const FollowSpec& spec);
 /// same.
 bool repeats(const FollowSpec& spec, const std::vector<FollowPass>& passes);
 
-/// A number for messages, with `digits` significant digits.
-std::string rounded(double x, int digits = 6);
-inline std::string place(double x) {
-  return rounded(x, 12);
-}
+/// A position for messages, with 12 significant digits.
+std::string place(double x);
 
 }  // namespace jounce::gear_detail

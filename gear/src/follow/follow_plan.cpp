@@ -17,8 +17,6 @@
 namespace jounce {
 namespace {
 
-using gear_detail::rounded;
-
 using gear_detail::FollowGap;
 using gear_detail::FollowKnot;
 using gear_detail::FollowPiece;
@@ -90,7 +88,7 @@ FollowSpec table_spec(const FollowPlan& plan) {
 std::vector<SyncZone> zones_of(const FollowPlan& plan) {
   std::vector<SyncZone> zones;
   for (const FollowZone& z : plan.zones)
-    zones.push_back({z.from, z.to, z.name.empty() ? "ratio " + rounded(z.ratio) : z.name});
+    zones.push_back({z.from, z.to, z.name.empty() ? "ratio " + six_digits(z.ratio) : z.name});
   return zones;
 }
 
@@ -154,8 +152,8 @@ std::string away_from_zero(double travel) {
 }
 
 std::string travel_advice(const FollowGap& g, const FollowPlan& plan, double from, double to) {
-  const std::string where = "between master " + rounded(from) + " and master " + rounded(to) +
-                            ", the slave travels " + rounded(g.travel);
+  const std::string where = "between master " + six_digits(from) + " and master " + six_digits(to) +
+                            ", the slave travels " + six_digits(g.travel);
   const double least = least_travel(g, plan);
   if (plan.form == FollowForm::table || gear_detail::way(g) * g.travel <= 0)
     return where +

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/check.hpp"
 
 namespace jounce {
@@ -17,13 +17,6 @@ namespace {
 
 using profiles_detail::rounded_input;
 using profiles_detail::rounded_value;
-
-/// For people: six digits.
-std::string rounded(double x) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", x);
-  return text.data();
-}
 
 /// The slopes at both ends; one that is only rounding beside the other is 0.
 std::array<double, 2> end_slopes(const Segment& f) {
@@ -41,12 +34,12 @@ std::string advice_against_overshoot(const Segment& f, const std::string& unit) 
   const auto [a, b] = end_slopes(f);
   const double mean = (value(f, 1) - value(f, 0)) / f.length;
   const std::string of_unit = unit.empty() ? "" : " " + unit;
-  const std::string ends = "the velocity is " + rounded(a) + of_unit +
-                           " at the start of the segment and " + rounded(b) + of_unit +
-                           " at its end, on average " + rounded(mean) + of_unit + ": ";
+  const std::string ends = "the velocity is " + six_digits(a) + of_unit +
+                           " at the start of the segment and " + six_digits(b) + of_unit +
+                           " at its end, on average " + six_digits(mean) + of_unit + ": ";
   if (mean == 0) return ends + "let both velocities be 0";
   return ends + "the segment does not overshoot if both velocities are between 0 and " +
-         rounded(3 * mean) + of_unit;
+         six_digits(3 * mean) + of_unit;
 }
 
 /// The end of the segment's range that lies further beyond its knots.

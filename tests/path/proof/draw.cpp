@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/draw_until.hpp"
+
 namespace jounce::path_proof {
 namespace {
 
@@ -17,6 +19,10 @@ double direction_along(const Point& u, const Point& w) {
   return sum;
 }
 
+double length_of(const Point& u) {
+  return std::sqrt(direction_along(u, u));
+}
+
 /// u + factor * w.
 Point plus(Point u, double factor, const Point& w) {
   for (std::size_t i = 0; i < max_axes; ++i) u[i] += factor * w[i];
@@ -25,23 +31,23 @@ Point plus(Point u, double factor, const Point& w) {
 
 /// A random direction of length 1 in the first axes.
 Point direction(Random& r, std::size_t axes) {
-  for (;;) {
+  const auto once = [&r, axes] {
     Point u{};
     for (std::size_t i = 0; i < axes; ++i) u[i] = r.uniform(-1, 1);
-    const double length = std::sqrt(direction_along(u, u));
-    if (length < 0.1) continue;
-    return plus({}, 1 / length, u);
-  }
+    return u;
+  };
+  const Point u = test::draw_until(once, [](const Point& d) { return length_of(d) >= 0.1; });
+  return plus({}, 1 / length_of(u), u);
 }
 
 /// A direction perpendicular to another one.
 Point perpendicular(Random& r, std::size_t axes, const Point& u) {
-  for (;;) {
+  const auto once = [&r, axes, &u] {
     const Point w = direction(r, axes);
-    const Point n = plus(w, -direction_along(u, w), u);
-    const double length = std::sqrt(direction_along(n, n));
-    if (length > 0.1) return plus({}, 1 / length, n);
-  }
+    return plus(w, -direction_along(u, w), u);
+  };
+  const Point n = test::draw_until(once, [](const Point& d) { return length_of(d) > 0.1; });
+  return plus({}, 1 / length_of(n), n);
 }
 
 double some_rate(Random& r, double probability, double least, double most) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "profiles/proof/reachable.hpp"
+#include "support/draw_until.hpp"
 
 namespace jounce::proof {
 
@@ -25,8 +26,8 @@ namespace {
 /// Draws again until the target can be reached.
 template <class F>
 Case reachable_case(Random& random, F once) {
-  for (;;)
-    if (const Case c = once(random); safe_target(c.to, c.bounds)) return c;
+  return test::draw_until([&] { return once(random); },
+                          [](const Case& c) { return safe_target(c.to, c.bounds); });
 }
 
 struct Chance {
@@ -150,8 +151,9 @@ Case decades(Random& random) {
             part(c.bounds.acceleration_max)};
     return c;
   };
-  for (;;)  // a start that is not safe here would pass its limits a million times over
-    if (const Case c = reachable_case(random, once); safe_start(c.from, c.bounds)) return c;
+  // A start that is not safe here would pass its limits a million times over.
+  return test::draw_until([&] { return reachable_case(random, once); },
+                          [](const Case& c) { return safe_start(c.from, c.bounds); });
 }
 
 /// Almost there already: what a controller is left with at the end of a move (pantor/ruckig#160).
@@ -236,10 +238,9 @@ Case of_unequal_limits(Random& r, double decades) {
   return c;
 }
 Case unequal(Random& random) {
-  for (;;)
-    if (const Case c = reachable_case(random, [](Random& r) { return of_unequal_limits(r, 4); });
-        safe_start(c.from, c.bounds))
-      return c;
+  const auto once = [](Random& r) { return of_unequal_limits(r, 4); };
+  return test::draw_until([&] { return reachable_case(random, once); },
+                          [](const Case& c) { return safe_start(c.from, c.bounds); });
 }
 
 /// From rest to rest, each direction on its own or not.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "support/draw_until.hpp"
+
 namespace jounce::proof {
 
 void Tally::fail(const std::string& why, const std::string& asked) {
@@ -83,11 +85,10 @@ void compare(Real is, const Reference& reference, const Case& c, Tally& tally) {
 }
 
 Case any(Random& r) {
-  for (;;)
-    if (const Draw& d =
-            draws()[static_cast<std::size_t>(r.below(static_cast<int>(draws().size())))];
-        !d.alone)
-      return d.draw(r);
+  const auto one = [&r] {
+    return draws()[static_cast<std::size_t>(r.below(static_cast<int>(draws().size())))];
+  };
+  return test::draw_until(one, [](const Draw& d) { return !d.alone; }).draw(r);
 }
 
 Case far_apart(Random& r) {

@@ -2,6 +2,8 @@
 // Several axes, against the witness.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <stdexcept>
 
 #include "jounce/profiles/sequences/synchronize.hpp"
 
@@ -38,7 +40,9 @@ bool check_axes(std::span<const AxisMove> axes, std::span<const Profile> profile
 
 /// The earliest T, not before `least`, that is possible for all.
 Real common(const std::vector<std::vector<Span>>& axes, Real least) {
-  for (;;) {
+  std::size_t rounds = 1;  // each but the last begins at another span
+  for (const std::vector<Span>& spans : axes) rounds += spans.size();
+  for (; rounds > 0; --rounds) {
     Real T = least;
     for (const std::vector<Span>& spans : axes) {
       const auto next =
@@ -49,6 +53,7 @@ Real common(const std::vector<std::vector<Span>>& axes, Real least) {
     if (T == least) return T;
     least = T;
   }
+  throw std::logic_error("the spans of the axes are not in order");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "jounce/profiles/sequences/synchronize.hpp"
 
 #include "profiles/proof/judge.hpp"
+#include "support/draw_until.hpp"
 
 namespace jounce::proof {
 
@@ -211,10 +212,11 @@ std::optional<Journey> driven(Random& r, const Bounds& b, Real T) {
 }
 
 Bounds any_bounds(Random& r) {
-  for (;;)
-    if (const Bounds b = of_all(r).bounds;
-        third(b) && std::isfinite(b.velocity_max) && std::isfinite(b.acceleration_max))
-      return b;
+  return test::draw_until([&r] { return of_all(r).bounds; },
+                          [](const Bounds& b) {
+                            return third(b) && std::isfinite(b.velocity_max) &&
+                                   std::isfinite(b.acceleration_max);
+                          });
 }
 
 /// The witness excludes the duration for data that are a little harder: its end was rounded.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "profiles/proof/judge.hpp"
+#include "support/draw_until.hpp"
 
 namespace jounce::proof {
 
@@ -41,10 +42,11 @@ namespace {
 
 /// Any but those that are almost there from the start.
 Case journey(Random& r) {
-  for (;;)
-    if (const Case c = any(r);
-        std::abs(c.to.position - c.from.position) > 1e-6 * std::abs(c.to.position))
-      return c;
+  return test::draw_until([&r] { return any(r); },
+                          [](const Case& c) {
+                            return std::abs(c.to.position - c.from.position) >
+                                   1e-6 * std::abs(c.to.position);
+                          });
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "executor/src/cycle/commands.hpp"
+#include "executor/src/cycle/executed_command.hpp"
 
 #include <cmath>
 #include <type_traits>
