@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cerrno>
-#include <fstream>
 #include <memory>
 #include <optional>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -41,9 +38,6 @@ ReplayedFile replayed(const ReplayArguments& options) {
 int run_replay(const ReplayArguments& options) {
   for (const auto& [option, path] : {std::pair{"--plot", options.plot}, {"--csv", options.csv}})
     if (!path.empty()) require_other_file(options.file, path);
-  if (!std::ifstream(options.file, std::ios::binary))
-    throw InputError("FILE", options.file,
-                     "cannot be read: " + std::generic_category().message(errno));
   if (const bool writes = !options.plot.empty() || !options.csv.empty();
       !writes && (!options.axis.empty() || options.last))
     throw InputError(options.last ? "--last" : "--axis", "",

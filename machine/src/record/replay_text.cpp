@@ -2,8 +2,10 @@
 #include "jounce/machine/replay_text.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,9 +18,17 @@
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
+namespace {
 
-RecordedAxis recorded_axis(const std::string& file, const std::string& wanted) {
+std::ifstream opened(const std::string& file) {
+  errno = 0;
   std::ifstream in(file, std::ios::binary);
+  if (!in)
+    throw InputError("", "", "cannot be read: " + std::generic_category().message(errno)).at(file);
+  return in;
+}
+
+RecordedAxis axis_in(std::istream& in, const std::string& file, const std::string& wanted) {
   const Replay names = replay(in, file);
   for (const RecordedAxis& axis : names.axes)
     if (wanted.empty() || axis.name == wanted) return axis;
@@ -26,8 +36,6 @@ RecordedAxis recorded_axis(const std::string& file, const std::string& wanted) {
   for (const RecordedAxis& axis : names.axes) known += (known.empty() ? "" : ", ") + axis.name;
   throw InputError("axis", wanted, "is not an axis of the record, which has: " + known).at(file);
 }
-
-namespace {
 
 /// The name of the axis, or the master, that came out otherwise.
 const std::string& whose(const Replay& r) {
@@ -127,10 +135,16 @@ Figure tick_figure(const std::deque<Tick>& ticks, const RecordedAxis& axis) {
 
 ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& options) {
   constexpr std::size_t usual_ticks = 5000;
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in = opened(path);
   RecordedAxis axis;
   const bool is_listed = !options.csv.empty();
-  if (options.ticks || is_listed) axis = recorded_axis(path, options.axis);
+  if (options.ticks || is_listed) {
+    axis = axis_in(in, path, options.axis);
+    in.clear();
+    if (!in.seekg(0))
+      throw InputError("", "", "is a pipe, but the ticks of an axis need two passes: give a file")
+          .at(path);
+  }
   LastTicks ticks(axis.axis, options.last.value_or(usual_ticks));
   std::optional<TickLog> csv;
   if (is_listed)

@@ -12,10 +12,6 @@
 /// The record of an executor and its replay, as text, JSON and a figure.
 namespace jounce {
 
-/// Returns the axis with this name in the record `file`; "" means the first axis. Reads the whole
-/// file. Throws InputError (key "axis") for an unknown name, and like replay().
-RecordedAxis recorded_axis(const std::string& file, const std::string& name = "");
-
 /// Returns the axes, cycles and masters of a record, and the first difference of its replay, as
 /// text. `file` is the name of the record.
 std::string replay_text(const Replay& replay, const std::string& file);
@@ -67,7 +63,8 @@ struct ReplayedFile {
 };
 
 /// Replays a record, and writes its ticks while it reads the record, so the record may be larger
-/// than memory. Throws InputError like recorded_axis(), and std::system_error for the CSV file.
+/// than memory. Throws InputError for a file that cannot be read, for a pipe if ticks are kept, with
+/// the key "axis" for an unknown axis, and like replay(); std::system_error for the CSV file.
 ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& options = {});
 
 }  // namespace jounce
