@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -183,33 +182,6 @@ TEST(Corner, CommandsWithoutDistanceAreLeftOutAndReported) {
   ASSERT_EQ(plan_of.corners().size(), 1u);
   EXPECT_EQ(plan_of.corners()[0].line, 2);
   EXPECT_EQ(plan_of.corners()[0].note, JointNote::no_distance);
-}
-
-/// Lines `first` + 1 to `last` of a curve in steps of about 0.01 mm; their corners take their whole sides.
-Program dense_lines(int first, int last) {
-  const auto at = [](int k) { return Point{80 * std::sin(2.5e-4 * k), 60 * std::sin(1.9e-4 * k)}; };
-  Program p(2, at(first));
-  p.set({.velocity = 100, .corner = Corner::deviation, .value = 0.002});
-  for (int k = first + 1; k <= last; ++k) p.line(at(k), k);
-  return p;
-}
-
-TEST(Corner, TurnsThatShareTheirSidesLeaveRoomToChangeTheVelocity) {
-  // All turns of a chain had the velocity of the slowest: 21.3 s for all lines, but 16.1 s with a rest in the middle.
-  const GroupLimits limits{
-      .axes = std::vector<Limits>(2, {.velocity = 200, .acceleration = 2000, .jerk = 1e5})};
-  const Plan all = plan(dense_lines(4000, 6000), limits);
-  const double halves = plan(dense_lines(4000, 5000), limits).duration() +
-                        plan(dense_lines(5000, 6000), limits).duration();
-  EXPECT_LE(all.duration(), halves);
-  double slowest = INFINITY;
-  double fastest = 0;
-  for (const CornerRecord& corner : all.corners()) {
-    EXPECT_LE(corner.deviation, 0.002 * (1 + 1e-12));
-    slowest = std::min(slowest, corner.velocity);
-    fastest = std::max(fastest, corner.velocity);
-  }
-  EXPECT_GT(fastest, 2 * slowest);
 }
 
 }  // namespace

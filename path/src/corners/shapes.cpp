@@ -31,7 +31,6 @@ constexpr double blend_resolution = 1e-12;      ///< relative, of a bisection
 constexpr double deviation_resolution = 1e-13;  ///< relative
 constexpr double tangent =
     1e-9;  ///< a change of direction below this is none: a step of the velocity, relative
-constexpr double room_resolution = 1e-12;  ///< relative, of a trim and of a velocity
 constexpr int most_halvings = 20;  ///< greatest number of times that the trim of a blend is halved
 constexpr double most_of_side = 0.99;  ///< share of a side up to a rest that a corner may take
 constexpr double widest_trim = 1.0;    ///< rad of an arc that a blend may replace
@@ -98,11 +97,6 @@ class Shapes {
       for (std::size_t k = 1; k < count; ++k)
         if (leave_rest(k, k - 1, k - 1) || leave_rest(k, k + 1, k)) changed = true;
     }
-    for (std::size_t k = 1; k < count; ++k) {
-      view_.rates.require_wanted();
-      make_room(k, k - 1, k - 1);
-    }
-    for (std::size_t k = count; k-- > 1;) make_room(k, k + 1, k);
     return std::move(shapes_);
   }
 
@@ -459,49 +453,6 @@ class Shapes {
     if (shapes_[k].trim <= most_of_side * length) return false;
     shapes_[k] = shape(k, length / 2);
     return true;
-  }
-
-  /// The velocity of a turn is constant, so turns that meet all have that of the slowest. Reduces the trim of turn k
-  /// until the side up to a slower corner or a rest has room for the ramp between both. The slower corner does not
-  /// change, and turn k remains faster.
-  void make_room(std::size_t k, std::size_t other, std::size_t side) {
-    if (shapes_[k].how != How::turn) return;
-    const double slow = end_velocity(other);
-    const CornerShape now = shapes_[k];
-    if (!(now.velocity > slow)) return;
-    const Box& box = view_.lines.boxes[side];
-    const Ramp ramp{other < k ? box.acceleration : box.deceleration, box.jerk};
-    const double length = view_.piece(side).length - shapes_[other].trim;
-    if (ramp_distance(slow, now.velocity, ramp.acceleration, ramp.jerk) <= length - now.trim)
-      return;
-    // The velocity of the turn minus that of the ramp; it grows with the trim.
-    const auto over = [&](const CornerShape& s) {
-      const double room = std::max(0.0, length - s.trim);
-      return s.velocity - entry_velocity(room, slow, ramp).value_or(slow);
-    };
-    double low = 0;
-    double high = now.trim;
-    double f_low = -entry_velocity(length, slow, ramp).value_or(slow);
-    double f_high = over(now);
-    for (int i = 0; i < 60 && f_high > 0 && high - low > room_resolution * now.trim;
-         ++i) {  // regula falsi, Illinois
-      double middle = low + (high - low) * f_low / (f_low - f_high);
-      if (!(middle > low && middle < high)) middle = (low + high) / 2;
-      CornerShape s = shape(k, middle);
-      const double f = over(s);
-      if (f <= 0) {
-        low = middle;
-        f_low = f;
-        f_high /= 2;
-        s.wanted = now.wanted;
-        if (s.velocity >= slow) shapes_[k] = s;
-        if (f > -room_resolution * now.velocity) break;
-      } else {
-        high = middle;
-        f_high = f;
-        f_low /= 2;
-      }
-    }
   }
 
   [[nodiscard]] Box box(std::size_t k) const {

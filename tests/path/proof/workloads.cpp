@@ -16,8 +16,6 @@ const std::vector<Workload>& workloads() {
        200},
       {"twins-arcs", "the same with arcs", twins_of_arcs, 20},
       {"twins-averages", "the same with averages", twins_of_averages, 5},
-      {"halves", "dense short lines: a plan of all, and two plans with a rest between them",
-       halves_of_dense, 10},
       {"hold", "halted at any instant, and resumed", holds, 60},
       {"override", "played with an override", overrides, 40},
       {"retreat", "back along the path, and on", retreats, 20},
