@@ -54,7 +54,7 @@ tail -1 run.virtual.csv | cut -d, -f6 | grep -qx 50 || fail "the log of the virt
 "$1" stream line.toml --to nobody --patience 1 2> said && fail "somebody answered"
 grep -q 'no answer from.*check that it is running, with the same --url and the same --key' said || fail "no hint: $(cat said)"
 "$1" master line.toml --as line --noise 5deg 2> said && fail "degrees of a line in mm"
-grep -q -- '--noise = 5deg' said || fail "--noise is not named: $(cat said)"
+grep -q -- '--noise = "5deg"' said || fail "--noise is not named: $(cat said)"
 "$1" master line.toml --as line --noise 20um --resolution 0.05 --epoch 3 --seconds 0.2 --before 0 --json > said ||
   fail "a master with noise"
 sed 's/feeder.toml/nowhere.toml/' machine.toml > other.toml
