@@ -126,7 +126,7 @@ int play(int count, double pace) {
     cycles.push_back(seconds_since(begun));
     site.dispatcher.turn(0ns);
     const Tick& group = site.last(Plotter::group);
-    for (const std::size_t i : {0, 1}) {
+    for (const std::size_t i : {0U, 1U}) {
       if (site.last(i).tick == was[i].tick) continue;
       broken += !keeps_limits(axis, was[i], site.last(i), true);
       was[i] = site.last(i);
