@@ -157,11 +157,11 @@ EngageState engage_state(const Input& input, const EngageTexts& texts) {
     if (text.empty()) return;
     if (!input.spec || !input.spec->coupling)
       throw InputError(key, text,
-                       input.labels.over_master && std::string(key) == "master_velocity"
+                       std::string(key) != "master_velocity" ? "needs a spec with [coupling]"
+                       : input.labels.over_master
                            ? "needs a spec with [coupling], or a limit over time (--limit "
-                             "velocity, acceleration "
-                             "or jerk)"
-                           : "needs a spec with [coupling]");
+                             "velocity, acceleration or jerk)"
+                           : "applies to a cam, and this motion is over time: leave it out");
     try {
       value = quantity(text, unit);
     } catch (const InputError& error) {
