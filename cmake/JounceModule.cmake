@@ -15,9 +15,12 @@
 #
 # The sources are compiled in batches, but those in APART (see jounce_unity).
 #
-# The release build compiles a module at -O3. A PLANNING module computes motions before they begin, and evaluates none in a
-# cycle: it is compiled at -O2, in six sevenths of the time. A LIGHT module reads, writes and prints, or spends its time in the
-# modules and libraries that it calls: -O1, in two thirds.
+# JOUNCE_LEVELS: builds of the types Release and RelWithDebInfo compile a module at -O3. A PLANNING module computes motions
+# before they begin, and evaluates none in a cycle: it is compiled at -O2, in six sevenths of the time. A LIGHT module reads,
+# writes and prints, or spends its time in the modules and libraries that it calls: -O1, in two thirds. OFF leaves the level to
+# CMAKE_CXX_FLAGS and the build type.
+option(JOUNCE_LEVELS "Optimize each module at its own level" ${PROJECT_IS_TOP_LEVEL})
+
 set(JOUNCE_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   list(APPEND JOUNCE_WARNINGS -Wno-restrict)  # false alarms on std::string (GCC bug 105651)
@@ -40,14 +43,16 @@ function(jounce_module_options target)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
-function(jounce_release_option target option)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${option}>)
+function(jounce_level target level)
+  if(JOUNCE_LEVELS)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:${level}>)
+  endif()
 endfunction()
 
 # At -O1 GCC takes the storage of an empty std::optional for uninitialised.
 function(jounce_light_options target)
-  jounce_release_option(${target} -O1)
-  jounce_release_option(${target} $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  jounce_level(${target} -O1)
+  jounce_level(${target} $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endfunction()
 
 jounce_parsed(modules)
@@ -108,7 +113,9 @@ function(jounce_module name)
   if(MODULE_LIGHT)
     jounce_light_options(jounce_${name})
   elseif(MODULE_PLANNING)
-    jounce_release_option(jounce_${name} -O2)
+    jounce_level(jounce_${name} -O2)
+  else()
+    jounce_level(jounce_${name} $<$<CONFIG:RelWithDebInfo>:-O3>)  # Release has it
   endif()
   jounce_unity(jounce_${name} ${MODULE_APART})
   if(NOT JOUNCE_UNITY)  # a batch parses these headers as fast as the compiler loads them

@@ -7,20 +7,14 @@
 # header of -O3 takes as long as at -O3.
 #
 # A precompiled header comes before a file's own first line, so it hides what that file forgot to
-# include. It is therefore left out where a launcher (ccache, which gains nothing from it) or clang-tidy
-# looks at every file: there each stands on its own includes. A project that adds Jounce with add_subdirectory gets
-# neither precompiled headers nor batches, unless it sets the options.
-set(default ON)
-if(CMAKE_CXX_COMPILER_LAUNCHER OR CMAKE_CXX_CLANG_TIDY OR NOT PROJECT_IS_TOP_LEVEL)
-  set(default OFF)
-endif()
-option(JOUNCE_PCH "Precompile the headers that many files include" ${default})
+# include. The presets tidy and ccache therefore compile each file alone; ccache gains nothing from a precompiled header. A
+# project that adds Jounce with add_subdirectory gets neither precompiled headers nor batches, unless it sets the options.
+option(JOUNCE_PCH "Precompile the headers that many files include" ${PROJECT_IS_TOP_LEVEL})
 
 # jounce_unity(TARGET [file ...]): joins the sources of TARGET, but the given ones, into batches of equal size, each compiled as
 # one file. All sources of a batch share what they instantiate, so they compile in a third of the time. Names of unnamed
 # namespaces are then unique in a target.
-option(JOUNCE_UNITY "Compile many sources at a time" ${default})
-unset(default)
+option(JOUNCE_UNITY "Compile many sources at a time" ${PROJECT_IS_TOP_LEVEL})
 
 set(JOUNCE_BATCH 35)  # sources, at most
 

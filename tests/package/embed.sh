@@ -15,6 +15,7 @@ for target in jounce_cam jounce_base jounce_cli test_profiles cmake_pch Unity; d
 done
 grep -q '^JOUNCE_PCH:BOOL=OFF$' "$scratch/build/CMakeCache.txt"
 grep -q '^JOUNCE_UNITY:BOOL=OFF$' "$scratch/build/CMakeCache.txt"
+grep -q '^JOUNCE_LEVELS:BOOL=OFF$' "$scratch/build/CMakeCache.txt"
 logged cmake --build "$scratch/build" --target first_move
 sed -n 's|^// > ||p' "$1/examples/library/01_move.cpp" > "$scratch/wanted"
 "$scratch/build/first_move" | diff "$scratch/wanted" -
