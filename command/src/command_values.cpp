@@ -67,6 +67,44 @@ const char* broken(FieldRange range, double value) {
   return rule(is_whole(value) && value >= 0, "must be a whole number from 0 to 2147483647");
 }
 
+/// The number of a field of the command C among its fields.
+template <class C, class Member>
+std::size_t number_of(Member C::*member) {
+  C command{};
+  std::size_t i = 0;
+  std::size_t found = 0;
+  command::each_field(command, [&](const Field& /*field*/, const auto& each) {
+    if (static_cast<const void*>(&each) == &(command.*member)) found = i;
+    ++i;
+  });
+  return found;
+}
+
+/// The fields whose value is not the default of the command.
+std::bitset<most_fields> given_in(CommandKind kind, const CommandValues& values) {
+  const CommandValues defaults = values_of(command_of(kind));
+  std::bitset<most_fields> given;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    given[i] = values[i] != defaults[i] && !(std::isnan(values[i]) && std::isnan(defaults[i]));
+  return given;
+}
+
+/// Rejects more than one of the fields of a command.
+std::optional<FieldConflict> more_than_one(const Fields& fields,
+                                           const std::bitset<most_fields>& given,
+                                           const FieldName& name) {
+  if (given.count() < 2) return std::nullopt;
+  std::size_t first = 0;
+  while (!given[first]) ++first;
+  std::size_t second = first + 1;
+  while (!given[second]) ++second;
+  std::string all;
+  for (const Field& field : fields) all += (all.empty() ? "" : ", ") + name(field);
+  return FieldConflict{
+      second, "cannot be combined with " + name(fields[first]) + ": give at most one of " + all,
+      std::nullopt};
+}
+
 }  // namespace
 
 CommandValues values_of(const ClientCommand& command) {
@@ -79,6 +117,17 @@ CommandValues values_of(const ClientCommand& command) {
   return values;
 }
 
+std::optional<FieldConflict> field_conflict(CommandKind kind, const std::bitset<most_fields>& given,
+                                            const FieldName& name) {
+  const Fields& fields = info(kind).fields;
+  if (kind == CommandKind::cut) return more_than_one(fields, given, name);
+  if (kind != CommandKind::change_velocity) return std::nullopt;
+  const std::size_t position = number_of(&command::ChangeVelocity::position);
+  const std::size_t direction = number_of(&command::ChangeVelocity::direction);
+  if (!given[direction] || given[position]) return std::nullopt;
+  return FieldConflict{direction, "has no effect without " + name(fields[position]), position};
+}
+
 std::string contradiction(CommandKind kind, const CommandValues& values) {
   const CommandInfo& about = info(kind);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -89,7 +138,12 @@ std::string contradiction(CommandKind kind, const CommandValues& values) {
     const char* const rule = broken(about.fields[i].range, values[i]);
     if (*rule != 0) return std::string(about.fields[i].name) + " " + rule;
   }
-  return "";
+  const FieldName name = [](const Field& field) { return std::string(field.name); };
+  if (about.number < 0) return "";
+  const auto conflict = field_conflict(kind, given_in(kind, values), name);
+  if (!conflict) return "";
+  return name(about.fields[conflict->field]) + " " + conflict->rule +
+         (conflict->missing ? ": give the " + name(about.fields[*conflict->missing]) : "");
 }
 
 std::string contradiction(const ClientCommand& command) {

@@ -2,6 +2,8 @@
 #include "jounce/machine/command_words.hpp"
 
 #include <algorithm>
+#include <bitset>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -564,17 +566,24 @@ void require_held(const CommandWords& words, const std::string& seconds) {
 
 namespace {
 
-/// Rejects more than one of these options.
-void require_one(const CommandWords& words, const std::vector<std::string>& options) {
-  std::string first;
-  for (const std::string& option : options) {
-    if (text_of(words, option).empty()) continue;
-    if (!first.empty())
-      throw InputError(dashed(option), text_of(words, option),
-                       "cannot be combined with " + dashed(first) + ": give at most one of " +
-                           listed(options, dashed));
-    first = option;
+/// Rejects options of a command that do not suit each other.
+void require_suitable(const CommandWords& words, const Form& form) {
+  const Fields& fields = form.command->fields;
+  std::bitset<most_fields> given;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    given[i] = !text_of(words, form.option(fields[i])).empty();
+  const auto name = [&](const Field& field) { return dashed(form.option(field)); };
+  const auto conflict = field_conflict(form.command->kind, given, name);
+  if (!conflict) return;
+  std::string remedy;
+  if (conflict->missing) {
+    const Field& missing = fields[*conflict->missing];
+    remedy = ": add " + name(missing) + " ";
+    for (const char c : std::string(missing.name))
+      remedy += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
+  const std::string option = form.option(fields[conflict->field]);
+  throw InputError(dashed(option), text_of(words, option), conflict->rule + remedy);
 }
 
 /// The index of an axis among the axes of the group. `one`: the coordinate as given.
@@ -696,12 +705,9 @@ ClientCommand command_of(const CommandWords& given, const Units& units,
       require_coordinates(dashed(form.option(field)), text_of(words, form.option(field)),
                           coordinates(form, form.option(field)));
   }
+  require_suitable(words, form);
   if (const std::string rule = contradiction(kind, values); !rule.empty())
     throw InputError(words.value.empty() ? words.what : value_word, words.value, "the " + rule);
-  if (kind == CommandKind::cut) require_one(words, {"length", "position", "waste"});
-  if (const std::string direction = text_of(words, "direction");
-      kind == CommandKind::change_velocity && !direction.empty() && text_of(words, "past").empty())
-    throw InputError("--direction", direction, "has no effect without --past: add --past POSITION");
   if (const std::string distance = text_of(words, "start-distance");
       !distance.empty() && quantity(distance, units.x) == 0)
     throw InputError("--start-distance", distance,
