@@ -2,6 +2,8 @@
 #include "jounce/command/command_values.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -12,37 +14,36 @@ namespace jounce::command_values_test {
 namespace {
 
 /// A value of the range that is no default.
-double some(FieldRange range, double number) {
-  switch (range) {
-    case FieldRange::finite:
-      return -number / 4;
-    case FieldRange::given:
-    case FieldRange::coordinate:
-    case FieldRange::positive:
-    case FieldRange::not_negative:
-      return number / 4;
-    case FieldRange::flag:
-      return 1;
-    case FieldRange::direction:
-      return -1;
-    case FieldRange::factor:
-      return 0.5;
-    case FieldRange::buffer_mode:
-    case FieldRange::path_buffer:
-      return 4;
-    case FieldRange::whole:
-      return -number;
-    case FieldRange::trigger_input:
-      return 3;
-    case FieldRange::trigger_edge:
-      return 2;
-    case FieldRange::share:
-      return 1 / number;
-    case FieldRange::whole_nonzero:
-    case FieldRange::count:
-      break;
-  }
-  return number;
+double some(const FieldRange& range, double number) {
+  for (const double value :
+       {-number / 4, number / 4, -number, number, 1 / number, 4.0, 3.0, 2.0, -1.0, 1.0})
+    if (broken_rule(range, value).empty()) return value;
+  ADD_FAILURE() << "no value is " << range.words;
+  return 0;
+}
+
+/// True if the words have the number.
+bool have(const std::string& words, double number) {
+  return words.find(std::to_string(static_cast<std::int64_t>(number))) != std::string::npos;
+}
+
+TEST(CommandValues, TheWordsOfARangeHaveItsBounds) {
+  for (const CommandInfo& about : all_commands())
+    for (const auto& [name, quantity, range] : about.fields) {
+      if (!std::isinf(range.least)) {
+        EXPECT_TRUE(have(range.words, range.least)) << about.name << ": " << name;
+        EXPECT_EQ(broken_rule(range, range.least - 1), "must be " + std::string(range.words));
+        EXPECT_EQ(broken_rule(range, range.least).empty(), !range.not_zero || range.least < 0);
+      }
+      if (!std::isinf(range.most)) {
+        EXPECT_TRUE(have(range.words, range.most)) << about.name << ": " << name;
+        EXPECT_EQ(broken_rule(range, range.most + 1), "must be " + std::string(range.words));
+        EXPECT_EQ(broken_rule(range, range.most), "");
+      }
+      EXPECT_EQ(broken_rule(range, NAN).empty(), range.may_be_nan) << about.name << ": " << name;
+      EXPECT_EQ(broken_rule(range, HUGE_VAL), "must be finite");
+      EXPECT_EQ(broken_rule(range, 1), "") << about.name << ": " << name;
+    }
 }
 
 TEST(CommandValues, EveryFieldHasAPlaceOfItsOwn) {
@@ -130,6 +131,7 @@ TEST(CommandValues, OutOfRangeAreNamed) {
       {CommandKind::gear_in,
        {1, 2147483648.0},
        "denominator must be a whole number from -2147483647 to 2147483647"},
+      {CommandKind::gear_in_pos, {1, 1, 5, 5, 0}, "master start distance must not be 0"},
       {CommandKind::gear_in_pos, {1, 1, 1, 1, 1, 3}, "avoid reversal must be 0 or 1"},
       {CommandKind::gear_in, {1, 1, NAN, NAN, NAN, -1}, "clutch must be 0 or more"},
       {CommandKind::combine_axes, {1, 1, 1, 0}, "denominator of the second master must not be 0"},

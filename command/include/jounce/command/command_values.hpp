@@ -49,8 +49,7 @@ ClientCommand command_of(CommandKind kind, const CommandValues& values);
 /// that clients do not send.
 ClientCommand command_of(CommandKind kind);
 
-/// Returns the range of a field in words, for the documentation: "0 or 1"; "" for any finite
-/// number.
-const char* words(FieldRange range);
+/// Returns the rule that a value breaks: "must be 0 or 1"; "" if the range permits the value.
+std::string broken_rule(const FieldRange& range, double value);
 
 }  // namespace jounce
