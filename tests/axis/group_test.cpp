@@ -9,6 +9,7 @@
 
 #include "axis/group_rig.hpp"
 #include "support/errors.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::group_test {
 namespace {
@@ -354,7 +355,7 @@ TEST(Group, APathThatIsArmedDuringAHoldDoesNotMoveTheEndOfTheHeldOne) {
   ASSERT_EQ(rig.at(group).rate, 0);
   EXPECT_EQ(rig.send(group, command::Arm{&next}), Cause::none);
   EXPECT_EQ(rig.send(group, command::Resume{}), Cause::none);
-  while (rig.at(group).job != 0) {
+  for (test::LoopLimit loop; rig.at(group).job != 0 && loop.goes_on();) {
     rig.step();
     expect_on_path(rig);
   }
