@@ -13,12 +13,12 @@ namespace jounce {
 /// Name of the argument of a command in messages and in FieldOption::option.
 inline constexpr const char* value_word = "VALUE";
 
-/// How `jounce order` takes a field of a command.
+/// The option of `jounce order` for a field of a command.
 struct FieldOption {
   const char* command;    ///< name of the command; "": every command without an entry of its own
   const char* field;      ///< name of the field
   const char* option;     ///< name of the option without dashes, or "VALUE"
-  OptionForm form;        ///< how the text gives the value
+  OptionForm form;        ///< form in which the text gives the value
   const char* help = "";  ///< help text of the option
   /// Permitted values, if their words differ from those of the field, or if they are fewer.
   std::optional<FieldRange> range = std::nullopt;

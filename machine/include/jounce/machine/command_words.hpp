@@ -37,7 +37,7 @@ const std::vector<std::string>& command_words();
 /// `name`: the name of the executor, as given.
 std::string meant_command(const std::string& name, const std::string& word);
 
-/// How the text of an option gives a value.
+/// Form in which the text of an option gives a value.
 enum class OptionForm : std::uint8_t {
   flag,           ///< no text
   number,         ///< "120mm"
@@ -55,7 +55,7 @@ enum class OptionForm : std::uint8_t {
 struct CommandOption {
   std::string name;                       ///< name without dashes
   std::string help;                       ///< help text
-  OptionForm form = OptionForm::number;   ///< how its text gives the value
+  OptionForm form = OptionForm::number;   ///< form in which its text gives the value
   Quantity quantity = Quantity::none;     ///< physical quantity
   std::vector<std::string> choices = {};  ///< permitted words; empty: a number or a list
 };
