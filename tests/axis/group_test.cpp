@@ -15,12 +15,10 @@ namespace jounce::group_test {
 namespace {
 
 using namespace test;
+using namespace test::on_plotter;
 using ::jounce::test::error_of;
 using ::testing::HasSubstr;
 
-constexpr auto x = Plotter::x;
-constexpr auto y = Plotter::y;
-constexpr auto group = Plotter::group;
 constexpr double on_path = 1e-12;  ///< u, rounding of the closed form
 
 void expect_on_path(const Plotter& rig) {
