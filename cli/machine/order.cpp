@@ -103,14 +103,14 @@ int run_order(OrderArguments& options) {
 
 /// The options that the commands have.
 void add_options(const Verb& verb, CommandWords& words) {
-  for (const auto& [name, help, range, quantity, choices] : command_options()) {
-    if (range == FieldRange::flag) {
+  for (const auto& [name, help, form, quantity, choices] : command_options()) {
+    if (form == OptionForm::flag) {
       verb.flag("--" + name, words.flags[name], help);
       continue;
     }
     const Option option = verb.option("--" + name, words.options[name], help);
     if (!choices.empty()) option.check(one_of(choices));
-    if (range != FieldRange::buffer_mode) continue;
+    if (form != OptionForm::blend) continue;
     verb.flag("--buffered", words.flags["buffered"],
               "move, jog, and moves of a group: begin when the present motion has ended");
   }

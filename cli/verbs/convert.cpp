@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/design/convert.hpp"
 
+#include <array>
 #include <memory>
 
 #include <fmt/format.h>
@@ -75,7 +76,7 @@ int run_convert(const ConvertArguments& options) {
 }
 
 /// The options for a table of fewest knots: the keys of [table].
-std::vector<Option> add_target_options(const Verb& verb, TargetTexts& texts) {
+std::array<Option, 8> add_target_options(const Verb& verb, TargetTexts& texts) {
   std::vector<std::string> names;
   for (const ControllerTable& each : controller_tables()) names.emplace_back(each.name);
   return {
@@ -121,10 +122,11 @@ void add_convert(CommandLine& line) {
               "For csv, json, lcm-log and mcap: linear, cubic_hermite, quintic_hermite; default: "
               "unchanged")
       .check(one_of({"linear", "cubic_hermite", "quintic_hermite"}));
-  const auto target = add_target_options(verb, options->target);
+  const auto [controller, tolerance, velocity_tolerance, most, spacing, x_step, p_step, v_step] =
+      add_target_options(verb, options->target);
   verb.option("--intervals", options->intervals, "New knots at this number of equal intervals")
       .check(whole(1, 10'000'000))
-      .excludes({target.begin(), target.begin() + 5});  // a step or a count may be given
+      .excludes({controller, tolerance, velocity_tolerance, most, spacing});
   verb.option("--every", options->every,
               "Write samples (CSV) instead of a table: the position and its first two derivatives, "
               "at this interval of the first column, such as \"1 ms\"");

@@ -8,6 +8,7 @@
 
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
+#include "support/loop_limit.hpp"
 #include "support/random.hpp"
 
 namespace jounce::axis_buffer_test {
@@ -73,7 +74,7 @@ TEST(AxisBuffer, ABufferedMoveBeginsWhereTheOneBeforeHasEnded) {
   Tick tick = axis.step();
   EXPECT_TRUE(tick.waiting);
   EXPECT_TRUE(in_motion(tick));
-  while (tick.finished == 0) tick = axis.step();
+  for (test::LoopLimit loop; tick.finished == 0 && loop.goes_on();) tick = axis.step();
   EXPECT_EQ(tick.position, 50);
   EXPECT_EQ(tick.velocity, 0);
   EXPECT_EQ(tick.state, State::discrete_motion) << "no standstill between";
@@ -130,7 +131,7 @@ TEST(AxisBuffer, BlendsAtTheVelocityOfItsMode) {
     bool passed = false;
     Tick tick;
     const double begun = told.time;
-    while (!passed) {
+    for (test::LoopLimit loop; !passed && loop.goes_on();) {
       tick = axis.step();
       passed = tick.position >= 100;
       if (!passed) before = tick.velocity;
@@ -167,7 +168,7 @@ TEST(AxisBuffer, AMoveBackComesToRestFirst) {
   axis.step(to(100, 100));
   axis.step(to(20, 100, BufferMode::blending_high));
   double furthest = 0;
-  while (axis.last.state != State::standstill) {
+  for (test::LoopLimit loop; axis.last.state != State::standstill && loop.goes_on();) {
     axis.last = axis.step();
     furthest = std::max(furthest, axis.last.position);
   }

@@ -8,6 +8,7 @@
 
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::axis_coincidence_test {
 namespace {
@@ -100,7 +101,7 @@ TEST(AxisCoincidence, ABlendedMoveIsTakenBackWithoutALeap) {
   axis.step(first);
   ASSERT_EQ(refusal(axis.step(to(52, 100, BufferMode::blending_previous))), Cause::none);
   Tick last = axis.step();
-  while (last.position < 48) last = axis.step();
+  for (test::LoopLimit loop; last.position < 48 && loop.goes_on();) last = axis.step();
   ASSERT_GT(last.velocity, 90);
   Tick tick = axis.send(Kind::disarm);
   for (int i = 0; i < 3000; ++i) {
@@ -123,7 +124,8 @@ TEST(AxisCoincidence, OntoALimitSwitchAtThePassedTarget) {
     axis.step(to(50, 100), inputs);
     axis.step(to(80, 100, BufferMode::blending_previous), inputs);
     Tick tick = axis.step({}, inputs);
-    while (tick.position + tick.velocity * 1e-3 < 50) tick = axis.step({}, inputs);
+    for (test::LoopLimit loop; tick.position + tick.velocity * 1e-3 < 50 && loop.goes_on();)
+      tick = axis.step({}, inputs);
     ASSERT_EQ(tick.finished, 0U);
     inputs.positive_switch = true;
     tick = geared ? axis.step({command::Couple{.movement = &gear}}, inputs) : axis.step({}, inputs);

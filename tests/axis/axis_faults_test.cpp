@@ -10,6 +10,7 @@
 
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::axis_faults_test {
 namespace {
@@ -42,7 +43,7 @@ TEST(AxisFaults, AVelocityMoveStopsBeforeTheSoftLimit) {
     Bench bench(ranged(-50, 50));
     cruise(bench, 10, direction);
     Tick tick = bench.step();
-    while (tick.fault == Cause::none) tick = bench.step();
+    for (test::LoopLimit loop; tick.fault == Cause::none && loop.goes_on();) tick = bench.step();
     EXPECT_EQ(tick.fault, direction > 0 ? Cause::positive_soft_limit : Cause::negative_soft_limit);
     EXPECT_EQ(tick.state, State::error_stop);
     EXPECT_NE(tick.velocity, 0);
@@ -65,7 +66,7 @@ TEST(AxisFaults, ALimitSwitchStopsAndBlocksItsDirection) {
   Tick tick = bench.step({}, on);
   EXPECT_EQ(tick.fault, Cause::positive_switch);
   EXPECT_NEAR(tick.velocity, before.velocity - 2, 1e-9);  // stop_acceleration, 2000 u/s^2
-  while (tick.velocity != 0) tick = bench.step({}, on);
+  for (test::LoopLimit loop; tick.velocity != 0 && loop.goes_on();) tick = bench.step({}, on);
   bench.step({command::Reset{}}, on);
   const auto move = [&](double distance) {
     return refusal(bench.step({command::MoveRelative{.distance = distance}}, on));
@@ -174,7 +175,7 @@ TEST(AxisFaults, TheWatchdogStopsOnThePathAndIsNoFaultAtRest) {
   EXPECT_EQ(tick.fault, Cause::watchdog);
   EXPECT_EQ(tick.state, State::error_stop);
   EXPECT_EQ(tick.job, 1U);
-  while (tick.job != 0) tick = bench.step({}, silent);
+  for (test::LoopLimit loop; tick.job != 0 && loop.goes_on();) tick = bench.step({}, silent);
   EXPECT_NEAR(tick.position, from + 0.01 + 3.75, 1e-9);  // same distance as a stop: axis_test.cpp
   EXPECT_EQ(tick.velocity, 0);
   EXPECT_EQ(tick.state, State::error_stop);
@@ -203,10 +204,10 @@ TEST(AxisFaults, AnUnderrunStopsOnThePathAndResumes) {
   bench.step({command::Arm{.movement = &feed}});
   Tick tick = bench.send(Kind::start);
   const auto on_path = [&](double p) { return p >= 0 && p <= 10; };
-  while (tick.fault == Cause::none) tick = bench.step();
+  for (test::LoopLimit loop; tick.fault == Cause::none && loop.goes_on();) tick = bench.step();
   EXPECT_EQ(tick.fault, Cause::underrun);
   EXPECT_EQ(tick.state, State::error_stop);
-  while (tick.velocity != 0) {
+  for (test::LoopLimit loop; tick.velocity != 0 && loop.goes_on();) {
     tick = bench.step();
     ASSERT_TRUE(on_path(tick.position));
   }

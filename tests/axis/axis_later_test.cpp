@@ -6,6 +6,7 @@
 
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::axis_later_test {
 namespace {
@@ -143,7 +144,7 @@ TEST(AxisSwap, FromRowsOntoATableWhereTheyEnd) {
   ASSERT_EQ(refusal(axis.step({command::Start{.when = end}})), Cause::none);
   rows.add(0.3004, 3, true);  // between two ticks
   Tick tick = axis.step();
-  while (tick.job == 1) {
+  for (test::LoopLimit loop; tick.job == 1 && loop.goes_on();) {
     ASSERT_EQ(tick.state, State::discrete_motion);
     tick = axis.step();
   }
@@ -213,7 +214,7 @@ TEST(AxisSwap, OntoRowsComesDownToFullSpeedOrDoesNotTakePlace) {
     Tick tick = axis.step({command::Start{.when = end}});
     ASSERT_EQ(refusal(tick), Cause::none);
     Cause why = Cause::none;
-    while (tick.job == 1) {
+    for (test::LoopLimit loop; tick.job == 1 && loop.goes_on();) {
       tick = axis.step();
       if (tick.dropped) why = tick.dropped->cause;
     }

@@ -7,6 +7,7 @@
 #include "jounce/axis/axis.hpp"
 
 #include "axis/bench.hpp"
+#include "support/loop_limit.hpp"
 #include "support/random.hpp"
 
 // An override, or the velocity of another command, that is lower than the axis goes: it neither passes
@@ -42,7 +43,7 @@ TEST(AxisLowered, AnOverrideInFrontOfTheTargetDoesNotPassIt) {
   Bench bench({.limits = limits(926, 6000, 12000)});
   bench.send(Kind::enable);
   bench.step({command::MoveAbsolute{.position = 2000}});
-  while (bench.step().position < 2000 - 265.4) continue;
+  for (test::LoopLimit loop; bench.step().position < 2000 - 265.4 && loop.goes_on();) continue;
   bench.step({command::Override{.factor = 385.0 / 926}});
   const Seen seen = watched(bench, 2000, 10'000);
   EXPECT_TRUE(seen.finished);
@@ -69,7 +70,7 @@ void lowered(Random& random, const Kinds& kinds, bool by_command) {
   bench.send(Kind::enable);
   bench.step({command::MoveAbsolute{.position = target, .dynamics = d}});
   const double way = target * random.uniform(0.02, 0.999);
-  while (bench.step().position < way) continue;
+  for (test::LoopLimit loop; bench.step().position < way && loop.goes_on();) continue;
   const double factor = random.uniform(0.1, 0.95);
   if (by_command) {
     d.velocity *= factor;

@@ -8,6 +8,7 @@
 
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::axis_swap_test {
 namespace {
@@ -143,7 +144,8 @@ TEST(AxisSwap, ACamIsChangedWhereItsMasterPassesAPosition) {
       refusal(bench.step({command::Start{.when = StartAt::master_position, .position = 225}})),
       Cause::none);
   Tick tick = bench.step();
-  while (tick.job == 1) tick = bench.step({command::SetPosition{.position = 1}});
+  for (test::LoopLimit loop; tick.job == 1 && loop.goes_on();)
+    tick = bench.step({command::SetPosition{.position = 1}});
   EXPECT_EQ(tick.job, 2U);
   EXPECT_EQ(refusal(tick), Cause::synchronized) << "the swap does not obey this tick's command";
   EXPECT_NEAR(tick.master, 225, 0.72);  // passed within the tick, and the master goes on
@@ -231,7 +233,8 @@ TEST(AxisSwap, ACamThatDoesNotMeetThereIsHandedBackAndTheFirstGoesOn) {
   bench.step({command::Start{.when = StartAt::master_position, .position = 405}});
   Tick tick = bench.step();
   // A command of that very tick has an answer of its own.
-  while (tick.waiting) tick = bench.step({command::SetPosition{.position = 1}});
+  for (test::LoopLimit loop; tick.waiting && loop.goes_on();)
+    tick = bench.step({command::SetPosition{.position = 1}});
   EXPECT_EQ(refusal(tick), Cause::synchronized);
   ASSERT_TRUE(tick.dropped);
   EXPECT_EQ(tick.dropped->cause, Cause::start_position);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "axis/tables.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::axis_test {
 namespace {
@@ -90,7 +91,8 @@ TEST(MotionAxis, Example43RunsThreeEqualPeriods) {
   Bench bench({.limits = limits(700, 7000)});
   std::vector<Tick> ticks{bench.play(job)};
   EXPECT_EQ(ticks[0].state, State::synchronized_motion);
-  while (ticks.back().state == State::synchronized_motion) ticks.push_back(bench.step());
+  for (test::LoopLimit loop; ticks.back().state == State::synchronized_motion && loop.goes_on();)
+    ticks.push_back(bench.step());
   ASSERT_EQ(ticks.size(), 5401U);  // 5.4 s
 
   for (std::size_t k = 0; k < 5400; ++k) {
@@ -194,7 +196,8 @@ TEST(MotionAxis, StopStaysOnTheCamAndWithinTheStopLimits) {
     std::vector<Tick> ticks{bench.play(job)};
     for (std::int64_t k = 1; k < when; ++k) ticks.push_back(bench.step());
     ticks.push_back(bench.send(Kind::stop));
-    while (ticks.back().state == State::stopping) ticks.push_back(bench.step());
+    for (test::LoopLimit loop; ticks.back().state == State::stopping && loop.goes_on();)
+      ticks.push_back(bench.step());
     ticks.push_back(bench.step());
     ASSERT_EQ(ticks.back().state, State::standstill);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
@@ -217,7 +220,8 @@ TEST(MotionAxis, StopWithAJerkLimitKeepsTheStopJerk) {
     bench.play(job);
     std::vector<Tick> ticks{bench.run(when)};
     ticks.push_back(bench.send(Kind::stop));
-    while (ticks.back().state == State::stopping) ticks.push_back(bench.step());
+    for (test::LoopLimit loop; ticks.back().state == State::stopping && loop.goes_on();)
+      ticks.push_back(bench.step());
     for (std::size_t i = 1; i < ticks.size(); ++i) {
       const double seen = (ticks[i].acceleration - ticks[i - 1].acceleration) * 1000;
       ASSERT_LE(std::abs(seen), 2 * jerk * (1 + 1e-9)) << when << " + " << i;
@@ -325,11 +329,13 @@ TEST(MotionAxis, ASetpointThatNoAdmittedTableCanAskForIsAFault) {
     const double before = bench.run(1000).position;
     *table = *other;
     Tick tick = bench.step();
-    while (tick.state == State::discrete_motion) tick = bench.step();
+    for (test::LoopLimit loop; tick.state == State::discrete_motion && loop.goes_on();)
+      tick = bench.step();
     EXPECT_EQ(tick.state, State::error_stop);
     EXPECT_GE(tick.position, before);
     const double good = tick.position;
-    while (tick.velocity != 0) {  // no leap: it brakes with 40 u/s^2 from 10 u/s
+    // no leap: it brakes with 40 u/s^2 from 10 u/s
+    for (test::LoopLimit loop; tick.velocity != 0 && loop.goes_on();) {
       const Tick next = bench.step();
       EXPECT_EQ(next.state, State::error_stop);
       EXPECT_NEAR(next.velocity, std::max(tick.velocity - 0.04, 0.0), 1e-9);

@@ -5,6 +5,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "axis/tables.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::coupling_test {
 namespace {
@@ -37,7 +38,7 @@ Tick run(Job& job, double position, double& largest_step) {
   Tick last = bench.send(Kind::start);
   EXPECT_DOUBLE_EQ(last.position, position) << "local time 0: it is where it stood";
   largest_step = 0;
-  while (last.job != 0) {
+  for (test::LoopLimit loop; last.job != 0 && loop.goes_on();) {
     const Tick now = bench.step();
     largest_step = std::max(largest_step, std::abs(now.position - last.position));
     last = now;
@@ -114,7 +115,7 @@ TEST(CoupledJob, AStopInTheRampStaysOnItsPath) {
   Bench bench(axis_at(-30));
   bench.play(job, 150);
   Tick last = bench.send(Kind::stop);
-  while (last.job != 0) {
+  for (test::LoopLimit loop; last.job != 0 && loop.goes_on();) {
     const Tick now = bench.step();
     EXPECT_LE(std::abs(now.velocity - last.velocity), 20000 * 1e-3 + 1e-9);
     last = now;

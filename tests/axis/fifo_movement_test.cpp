@@ -17,6 +17,7 @@
 #include "axis/tables.hpp"
 #include "gear/follow_tables.hpp"
 #include "support/googol_7_4.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::fifo_movement_test {
 namespace {
@@ -216,7 +217,7 @@ TEST(FifoPath, ThatStarvesInALateCycleStopsOnItsPathAsWell) {
       double before = now.velocity;
       now = bench.step();
       ASSERT_LE(std::abs(now.velocity - before), 0.04 * static_cast<double>(skipped + 1) + 1e-9);
-      while (now.velocity > 0) {
+      for (test::LoopLimit loop; now.velocity > 0 && loop.goes_on();) {
         before = now.velocity;
         now = bench.step();
         ASSERT_LE(std::abs(now.velocity - before), 0.04 + 1e-9) << now.tick;
@@ -395,9 +396,8 @@ TEST(FifoFollow, AStartThatWouldJumpIsNoFault) {
       bench.send(Kind::enable);
       const auto step = [&](const Command& command = {}) {
         ++bench.tick;
-        return bench.axis.step(
-            bench.tick, command,
-            at_master(speed * 1e-3 * static_cast<double>(bench.tick), speed));
+        return bench.axis.step(bench.tick, command,
+                               at_master(speed * 1e-3 * static_cast<double>(bench.tick), speed));
       };
       ASSERT_FALSE(step({command::Arm{.movement = &follow}}).refused);
       const Tick start = step({command::Start{}});

@@ -20,11 +20,8 @@ namespace jounce::group_model_test {
 namespace {
 
 using namespace test;
+using namespace test::on_plotter;
 using test::Random;
-
-constexpr auto x = Plotter::x;
-constexpr auto y = Plotter::y;
-constexpr auto group = Plotter::group;
 
 bool enabled(const Tick& tick) {
   return tick.state != State::disabled && tick.state != State::error_stop;

@@ -125,4 +125,13 @@ struct Plotter {
   std::int64_t tick = -1;
 };
 
+/// Short names of the axes of a plotter.
+namespace on_plotter {
+
+inline constexpr std::size_t x = Plotter::x;
+inline constexpr std::size_t y = Plotter::y;
+inline constexpr std::size_t group = Plotter::group;
+
+}  // namespace on_plotter
+
 }  // namespace jounce::test

@@ -9,17 +9,16 @@
 
 #include "axis/group_rig.hpp"
 #include "support/errors.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::group_test {
 namespace {
 
 using namespace test;
+using namespace test::on_plotter;
 using ::jounce::test::error_of;
 using ::testing::HasSubstr;
 
-constexpr auto x = Plotter::x;
-constexpr auto y = Plotter::y;
-constexpr auto group = Plotter::group;
 constexpr double on_path = 1e-12;  ///< u, rounding of the closed form
 
 void expect_on_path(const Plotter& rig) {
@@ -354,7 +353,7 @@ TEST(Group, APathThatIsArmedDuringAHoldDoesNotMoveTheEndOfTheHeldOne) {
   ASSERT_EQ(rig.at(group).rate, 0);
   EXPECT_EQ(rig.send(group, command::Arm{&next}), Cause::none);
   EXPECT_EQ(rig.send(group, command::Resume{}), Cause::none);
-  while (rig.at(group).job != 0) {
+  for (test::LoopLimit loop; rig.at(group).job != 0 && loop.goes_on();) {
     rig.step();
     expect_on_path(rig);
   }

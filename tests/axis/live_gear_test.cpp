@@ -10,6 +10,7 @@
 #include "axis/bench.hpp"
 #include "axis/live.hpp"
 #include "axis/tables.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::live_gear_test {
 namespace {
@@ -149,9 +150,11 @@ TEST(LiveGearInPos, PlaysExample62Looped) {
   Follower slave{gear, to_and_fro(trapezoid_table(10000, 10000, 100000, 100000), 10000)};
   ASSERT_EQ(slave.begin({}), Cause::none);
   Setpoint now;
-  while ((now = slave.step()).master < 1000) ASSERT_EQ(now.slave[0], 0);
+  for (test::LoopLimit loop; (now = slave.step()).master < 1000 && loop.goes_on();)
+    ASSERT_EQ(now.slave[0], 0);
   EXPECT_EQ(gear.progress(), Progress::engaging) << "notes: starts at master 1000";
-  while ((now = slave.step()).master < 5000) ASSERT_EQ(gear.progress(), Progress::engaging);
+  for (test::LoopLimit loop; (now = slave.step()).master < 5000 && loop.goes_on();)
+    ASSERT_EQ(gear.progress(), Progress::engaging);
   EXPECT_EQ(gear.progress(), Progress::running);
   EXPECT_NEAR(now.slave[0], 2000 + (now.master - 5000) / 2, 1e-9);
   EXPECT_NEAR(now.slave[1], 5000, 1e-9) << "notes: then 5000 pulse/s";

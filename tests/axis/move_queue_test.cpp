@@ -11,6 +11,7 @@
 
 #include "axis/src/motion/move_plan.hpp"
 #include "axis/tables.hpp"
+#include "support/loop_limit.hpp"
 #include "support/random.hpp"
 
 namespace jounce::move_queue_test {
@@ -56,7 +57,7 @@ TEST(Blending, ALateCycleMayPassSeveralTargets) {
       each->step(to(100, 50, BufferMode::aborting));
       for (int i = 1; i <= 6; ++i) each->step(to(100 + 0.5 * i, 50, BufferMode::blending_previous));
       each->step(to(150, 50, BufferMode::blending_previous));
-      while (each->step().position < 99.5) continue;
+      for (test::LoopLimit loop; each->step().position < 99.5 && loop.goes_on();) continue;
     }
     const Tick there = in_time.run(late);
     too_late.tick += late - 1;

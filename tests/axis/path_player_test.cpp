@@ -8,6 +8,7 @@
 
 #include "axis/model_movements.hpp"
 #include "axis/tables.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::path_player_test {
 namespace {
@@ -106,7 +107,7 @@ TEST(PathPlayer, ReportsTheLastTickInWhichAGrowingPathCanStop) {
   player.begin(feed, 0, 1.5, 0);
   EXPECT_EQ(player.time(0).rate, 1) << "it begins at full speed";
   std::int64_t tick = 0;
-  while (!player.starves({.tick = tick})) {
+  for (test::LoopLimit loop; !player.starves({.tick = tick}) && loop.goes_on();) {
     ASSERT_LT(tick, 1000);
     play(player, tick++);
   }

@@ -17,6 +17,7 @@
 
 #include "axis/group_rig.hpp"
 #include "support/errors.hpp"
+#include "support/loop_limit.hpp"
 
 namespace jounce::plan_agreement_test {
 namespace {
@@ -99,7 +100,7 @@ TEST(PlanAgreement, APlanFromALaterCommandAgreesAfterItsApproach) {
   ASSERT_TRUE(where);
   EXPECT_GT(where->shift, 0);
   double t = 0;
-  while (before.law().at(t).position < q) t += 1e-3;
+  for (test::LoopLimit loop; before.law().at(t).position < q && loop.goes_on();) t += 1e-3;
   ASSERT_GT(where->until, t);
   EXPECT_LT(apart(before, after, *where, t, where->until), 1e-9);
   // At the start of the later command, the group moves in one plan and rests in the other.

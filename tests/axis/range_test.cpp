@@ -11,6 +11,7 @@
 #include "axis/model_movements.hpp"
 #include "axis/src/motion/setpoint_check.hpp"
 #include "axis/tables.hpp"
+#include "support/loop_limit.hpp"
 #include "support/random.hpp"
 
 // The rule of the position range: docs/executor/axis.md, "The position range".
@@ -139,7 +140,7 @@ TEST(Range, AStopBesideTheLimitStaysInside) {
   for (int when = 0; when < 200; ++when) {
     Watched axis(between(-300, 300, curves));
     axis.step({command::MoveAbsolute{.position = 300}});
-    while (axis.step().position < 200) continue;
+    for (test::LoopLimit loop; axis.step().position < 200 && loop.goes_on();) continue;
     axis.step({command::MoveAbsolute{.position = 0}});
     for (int i = 0; i < when; ++i) axis.last = axis.step();
     axis.high = axis.last.position;

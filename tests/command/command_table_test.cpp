@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/command/command_table.hpp"
 
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/command/command_values.hpp"
+
+#include "support/page_table.hpp"
 
 namespace jounce::command_table_test {
 namespace {
@@ -19,27 +20,15 @@ std::string unit_of(Quantity quantity) {
   return units[static_cast<std::size_t>(quantity)];
 }
 
-std::vector<std::string> lines_of(const std::string& page) {
-  std::ifstream file(std::string(JOUNCE_SOURCE_DIR) + "/docs/" + page);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);) lines.push_back(line);
-  return lines;
-}
-
-/// The table of a page that begins with this line.
-std::string table_in(const std::string& page, const std::string& heading) {
-  std::string table;
-  for (const std::string& line : lines_of(page))
-    if (table.empty() ? line == heading : line.rfind('|', 0) == 0)
-      table += line + "\n";
-    else if (!table.empty())
-      break;
-  return table;
-}
-
 /// The commands in the order of their numbers on the wire.
 std::vector<const CommandInfo*> sent() {
   return {sent_commands().begin(), sent_commands().end()};
+}
+
+std::string words_of(const FieldRange& range) {
+  const std::string words = range.words;
+  if (!range.not_zero || range.least >= 0) return words;
+  return words.empty() ? "not 0" : words + ", not 0";
 }
 
 /// Number of fields from this one on that have the same name: coordinates.
@@ -78,7 +67,7 @@ TEST(CommandTable, IsThatOfTheProtocolPage) {
     for (std::size_t i = 0; i < row->fields.size(); ++i) {
       const Field& field = row->fields[i];
       const std::size_t alike = equal_from(row->fields, i);
-      const std::string range = words(field.range);
+      const std::string range = words_of(field.range);
       values += (values.empty() ? "" : "; ") + (alike > 1 ? std::to_string(alike) + " x " : "") +
                 std::string(field.name) + unit_of(field.quantity) +
                 (range.empty() ? "" : " (" + range + ")");
@@ -87,26 +76,7 @@ TEST(CommandTable, IsThatOfTheProtocolPage) {
     table += "| " + std::to_string(row->number) + " | " + row->name + " | " + row->plcopen + " | " +
              (row->sender == CommandSender::anyone ? "anyone" : "owner") + " | " + values + " |\n";
   }
-  EXPECT_EQ(table_in("stream-protocol.md", heading), table);
-}
-
-TEST(CommandTable, IsThatOfThePageOfJounceOrder) {
-  const std::string heading = "| `jounce order AXIS ...` | options | command | PLCopen |";
-  std::string table = heading + "\n|---|---|---|---|\n";
-  for (const CommandInfo* const row : sent()) {
-    if (*row->word == 0) continue;
-    std::string options;
-    std::string before;
-    for (const Field& field : row->fields) {
-      const std::string name = field.option;
-      if (name == before) continue;  // a ratio, or coordinates
-      before = name;
-      options += (options.empty() ? "" : " ") + (name == "VALUE" ? name : "`--" + name + "`");
-    }
-    table += std::string("| ") + row->word + " | " + options + " | " + row->name + " | " +
-             row->plcopen + " |\n";
-  }
-  EXPECT_EQ(table_in("executor/orders.md", heading), table);
+  EXPECT_EQ(test::table_in("stream-protocol.md", heading), table);
 }
 
 }  // namespace

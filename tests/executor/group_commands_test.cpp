@@ -21,12 +21,9 @@ namespace jounce::group_commands_test {
 namespace {
 
 using namespace test;
+using namespace test::on_plotter;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
-
-constexpr std::size_t x = Plotter::x;
-constexpr std::size_t y = Plotter::y;
-constexpr std::size_t group = Plotter::group;
 
 TEST(GroupCommands, ALineMovesBothAxesAndRestsAtItsEnd) {
   Judged site;

@@ -11,12 +11,9 @@ namespace jounce::group_handshake_test {
 namespace {
 
 using namespace test;
+using namespace test::on_plotter;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
-
-constexpr std::size_t x = Plotter::x;
-constexpr std::size_t y = Plotter::y;
-constexpr std::size_t group = Plotter::group;
 
 const command::PathDynamics buffered{.along = {.velocity = 100}, .buffer = PathBuffer::buffered};
 

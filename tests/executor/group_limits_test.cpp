@@ -14,11 +14,9 @@ namespace jounce::group_limits_test {
 namespace {
 
 using namespace test;
+using namespace test::on_plotter;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
-
-constexpr std::size_t x = Plotter::x;
-constexpr std::size_t group = Plotter::group;
 
 /// The greatest magnitudes of the axis x since the last reset.
 struct Seen {

@@ -21,11 +21,9 @@ namespace jounce::group_outputs_test {
 namespace {
 
 using namespace test;
+using namespace test::on_plotter;
 using namespace std::chrono_literals;
 
-constexpr std::size_t x = Plotter::x;
-constexpr std::size_t y = Plotter::y;
-constexpr std::size_t group = Plotter::group;
 constexpr double dt = 1e-3;
 
 ProgramWord output(std::int32_t number, std::size_t command) {

@@ -19,12 +19,9 @@ namespace jounce::group_play_test {
 namespace {
 
 using namespace test;
+using namespace test::on_plotter;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
-
-constexpr std::size_t x = Plotter::x;
-constexpr std::size_t y = Plotter::y;
-constexpr std::size_t group = Plotter::group;
 
 void expect_on_path(const Site& site) {
   const auto [px, py] = contour_at(site.last(group).position);

@@ -15,10 +15,9 @@ namespace jounce::group_sent_test {
 namespace {
 
 using namespace test;
+using namespace test::on_plotter;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
-
-constexpr std::size_t group = Plotter::group;
 
 struct GroupSent : SentPlotter {};
 

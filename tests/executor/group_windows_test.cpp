@@ -23,12 +23,10 @@ namespace jounce::group_windows_test {
 namespace {
 
 using namespace test;
+using namespace test::on_plotter;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 
-constexpr std::size_t x = Plotter::x;
-constexpr std::size_t y = Plotter::y;
-constexpr std::size_t group = Plotter::group;
 constexpr double dt = 1e-3;
 
 /// Lines of about 2 mm, which turn by different angles.

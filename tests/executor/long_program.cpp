@@ -11,7 +11,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <numeric>
 #include <set>
 #include <thread>
 #include <utility>
@@ -20,7 +19,6 @@
 #include <sys/resource.h>
 
 #include "jounce/executor/group_plan.hpp"
-#include "jounce/path/program_numbers.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/plotter_site.hpp"
@@ -57,20 +55,6 @@ LimitedProgram lines(int count) {
           {}};
 }
 
-StreamPlan sent(const LimitedProgram& program) {
-  Columns columns;
-  columns.p = numbers_of(program);
-  columns.x.resize(columns.p.size());
-  std::iota(columns.x.begin(), columns.x.end(), 0.0);
-  StreamPlan plan;
-  plan.executor = "plotter";
-  plan.mode = wire::ArmMode::path;
-  plan.tables.push_back(
-      {Table(Domain::master, Interpolation::linear, Extrapolation::hold, std::move(columns)),
-       {"", "mm"}});
-  return plan;
-}
-
 /// The distance of a place from the lines near the line `near`, which it moves on.
 double away_from_lines(const std::array<double, 2>& at, int& near, int count) {
   const auto distance = [&](int k) {
@@ -98,7 +82,7 @@ int play(int count, double pace) {
   std::size_t bytes = 0;
   {
     const LimitedProgram program = lines(count);
-    StreamPlan plan = sent(program);
+    StreamPlan plan = stream_of(program);
     bytes = plan.tables.front().table.size() * 2 * sizeof(double);
     const StreamOutcome outcome = site.stream(std::move(plan));
     if (!outcome.ok()) {

@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "jounce/executor/sent_program.hpp"
+#include "jounce/path/program_numbers.hpp"
 #include "jounce/stream/sender/client.hpp"
 
 #include "axis/group_rig.hpp"
@@ -34,6 +36,21 @@ inline std::vector<ExecutorOptions> plotter(const Limits& axis, const PlanWindow
       {.program = contour(150), .limits = {.axes = std::vector<Limits>(2, planned)}}, *all.group);
   axes.push_back(std::move(all));
   return axes;
+}
+
+/// The plan of a stream that sends this program to a plotter.
+inline StreamPlan stream_of(const LimitedProgram& program) {
+  Columns columns;
+  columns.p = numbers_of(program);
+  columns.x.resize(columns.p.size());
+  std::iota(columns.x.begin(), columns.x.end(), 0.0);
+  StreamPlan plan;
+  plan.executor = "plotter";
+  plan.mode = wire::ArmMode::path;
+  plan.tables.push_back(
+      {Table(Domain::master, Interpolation::linear, Extrapolation::hold, std::move(columns)),
+       {"", "mm"}});
+  return plan;
 }
 
 /// A site with a plotter. each_tick is called after every cycle.

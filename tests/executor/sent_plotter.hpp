@@ -5,14 +5,11 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#include "jounce/path/program_numbers.hpp"
 
 #include "executor/judged_plotter.hpp"
 
@@ -44,19 +41,7 @@ struct SentPlotter : ::testing::Test {
     return {
         program, {.axes = std::vector<Limits>(2, test::limits(200, 2000, 1e5))}, {"x", "y"}, words};
   }
-  StreamOutcome stream(const LimitedProgram& program) {
-    Columns columns;
-    columns.p = numbers_of(program);
-    columns.x.resize(columns.p.size());
-    std::iota(columns.x.begin(), columns.x.end(), 0.0);
-    StreamPlan plan;
-    plan.executor = "plotter";
-    plan.mode = wire::ArmMode::path;
-    plan.tables.push_back(
-        {Table(Domain::master, Interpolation::linear, Extrapolation::hold, std::move(columns)),
-         {"", "mm"}});
-    return site.stream(std::move(plan));
-  }
+  StreamOutcome stream(const LimitedProgram& program) { return site.stream(stream_of(program)); }
   void accepts(const ClientCommand& command) {
     const CallOutcome outcome = site.order("plotter", command);
     ASSERT_TRUE(outcome.ok()) << outcome.reason;

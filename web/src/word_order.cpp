@@ -85,7 +85,7 @@ std::string word_orders_json() {
     for (const CommandOption& option : options_of(word)) {
       if (option.name == held_option) continue;
       ordered_json kind = "text";
-      if (option.range == FieldRange::flag) kind = "flag";
+      if (option.form == OptionForm::flag) kind = "flag";
       if (!option.choices.empty()) kind = option.choices;
       options.push_back({{"name", option.name},
                          {"help", option.help},

@@ -47,14 +47,18 @@ const std::string& unit_of(const ExecutorGroup& group) {
   return group.kinematics ? group.kinematics->unit : group.unit;
 }
 
-/// The option for a field of a command of groups, such as "--corner-distance" for corner_distance;
-/// "" for another key.
+/// Keys of the errors of a path that are options of `jounce order`: corner_distance is
+/// "--corner-distance".
+constexpr std::array option_keys{
+    "to",   "by",   "via",       "center",          "radius",   "clockwise",    "turns",
+    "fast", "axis", "deviation", "corner_distance", "velocity", "acceleration", "deceleration",
+    "jerk", "zyz",  "along",     "offset",          "rotation", "blend"};
+
+/// The option for a key; "" for another key.
 std::string option_of(std::string key) {
+  if (std::find(option_keys.begin(), option_keys.end(), key) == option_keys.end()) return "";
   std::replace(key.begin(), key.end(), '_', '-');
-  for (const CommandInfo* const command : sent_commands())
-    for (const Field& field : command->fields)
-      if (is_path_kind(command->kind) && key == field.option) return "--" + key;
-  return "";
+  return "--" + key;
 }
 
 /// The sentence of an error, with units. A coordinate, such as "to[1]", has the name of its axis.

@@ -2,9 +2,9 @@
 #include "jounce/machine/command_words.hpp"
 
 #include <algorithm>
+#include <bitset>
+#include <cctype>
 #include <cmath>
-#include <cstring>
-#include <limits>
 #include <utility>
 
 #include "jounce/base/csv.hpp"
@@ -13,10 +13,11 @@
 #include "jounce/command/command_values.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "machine/src/operate/order_options.hpp"
+
 namespace jounce {
 namespace {
 
-constexpr const char* value_word = "VALUE";
 constexpr const char* move_word = "move";
 
 /// A word with one of its commands. `inch` is move_relative with its distance as VALUE, unbuffered.
@@ -25,11 +26,15 @@ struct Form {
   const CommandInfo* command;
 
   [[nodiscard]] bool inches() const { return word == "inch"; }
+  [[nodiscard]] const FieldOption& about(const Field& field) const {
+    return field_option(*command, field);
+  }
+  [[nodiscard]] OptionForm form(const Field& field) const { return about(field).form; }
   [[nodiscard]] bool takes(const Field& field) const {
-    return *field.option != 0 && !(inches() && field.range == FieldRange::buffer_mode);
+    return !(inches() && form(field) == OptionForm::blend);
   }
   [[nodiscard]] std::string option(const Field& field) const {
-    return inches() && &field == command->fields.begin() ? value_word : field.option;
+    return inches() && &field == command->fields.begin() ? value_word : about(field).option;
   }
   /// The option that selects it among the forms of its word.
   [[nodiscard]] std::string selector() const { return option(command->fields[0]); }
@@ -64,17 +69,12 @@ void add_once(std::vector<std::string>& names, const std::string& name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-std::vector<std::string> choices_of(FieldRange range) {
-  switch (range) {
-    case FieldRange::direction:
-      return {"shortest", "positive", "negative"};
-    case FieldRange::buffer_mode:
-      return {"low", "previous", "next", "high"};
-    case FieldRange::path_buffer:
-      return {"low", "previous", "next", "high", "look-ahead"};
-    default:
-      return {};
-  }
+std::vector<std::string> choices_of(OptionForm form, const FieldRange& range) {
+  if (form == OptionForm::direction) return {"shortest", "positive", "negative"};
+  if (form != OptionForm::blend) return {};
+  std::vector<std::string> choices{"low", "previous", "next", "high"};
+  if (range.most >= static_cast<double>(PathBuffer::look_ahead)) choices.emplace_back("look-ahead");
+  return choices;
 }
 
 /// The options of a word, VALUE among them: first those that select the command.
@@ -132,7 +132,8 @@ CommandOption option_of(const std::string& word, const std::string& name) {
   for (const Form& form : forms_of(word))
     for (const Field& field : form.command->fields)
       if (form.takes(field) && form.option(field) == name)
-        return {name, field.help, field.range, field.quantity, choices_of(field.range)};
+        return {name, form.about(field).help, form.form(field), field.quantity,
+                choices_of(form.form(field), field.range)};
   return {name, ""};
 }
 
@@ -174,16 +175,15 @@ double number_of(const std::string& name, const std::string& text, const std::st
   }
 }
 
-double positive(const std::string& word, const Field& field, const std::string& name,
-                const std::string& text, const std::string& unit) {
-  const double value = number_of(name, text, unit);
-  if (value > 0) return value;
-  const bool is_limit = field.quantity != Quantity::time && field.quantity != Quantity::position;
-  throw InputError(name, text,
-                   std::string("must be greater than 0") +
-                       (!is_limit || name == value_word ? ""
-                        : word == "home" ? "; leave it out to use [homing] of the axis's spec"
-                                         : "; leave it out to use the limit of the axis"));
+/// The rule of a number that the range of its field does not permit, and how to use the default.
+std::string rule_for_number(const std::string& word, const Field& field, const std::string& name,
+                            double value) {
+  const bool is_limit = field.range.may_be_nan && field.quantity != Quantity::time &&
+                        field.quantity != Quantity::position;
+  const std::string rule = broken_rule(field.range, value);
+  if (rule.empty() || !is_limit || name == value_word) return rule;
+  return rule + (word == "home" ? "; leave it out to use [homing] of the axis's spec"
+                                : "; leave it out to use the limit of the axis");
 }
 
 /// "50%" or "0.5", as a factor.
@@ -193,29 +193,14 @@ std::optional<double> factor_in(const std::string& text) {
   return factor && percent ? *factor / 100 : factor;
 }
 
-/// A share of the limits; 1 if it is not given.
-double share_of(const std::string& name, const std::string& text) {
-  if (text.empty()) return 1;
-  const auto share = factor_in(text);
-  if (!share || !(*share > 0 && *share <= 1))
-    throw InputError(name, text,
-                     "must be more than 0% and at most 100%, or more than 0 and at most 1");
-  return *share;
-}
-
-/// The factor of an override; an option that is not given is 1.
-double factor_of(const std::string& name, const std::string& text) {
-  if (text.empty() && name != value_word) return 1;
-  if (text.empty()) throw InputError(name, "", "is missing: give 0% to 200%");
+double factor_of(const std::string& name, const std::string& text, const FieldRange& range) {
   const bool percent = text.back() == '%';
   const auto factor = factor_in(text);
-  if (!factor || !(*factor >= 0 && *factor <= 2))
-    throw InputError(
-        name, text,
-        "must be from 0% to 200%, or from 0 to 2" +
-            (!percent && factor && *factor > 2 && *factor <= 200 ? ": did you mean " + text + "%?"
-                                                                 : std::string()));
-  return *factor;
+  if (factor && broken_rule(range, *factor).empty()) return *factor;
+  const bool is_percent = !percent && factor && *factor > range.most && *factor <= 100 * range.most;
+  throw InputError(name, text,
+                   std::string("must be ") + range.words +
+                       (is_percent ? ": did you mean " + text + "%?" : std::string()));
 }
 
 /// "3:2" or "3".
@@ -236,8 +221,8 @@ double direction_of(const std::string& text) {
 }
 
 /// Rejects a word that is not one of the choices of the option.
-void require_choice(const std::string& name, const std::string& text, FieldRange range) {
-  const std::vector<std::string> choices = choices_of(range);
+void require_choice(const std::string& name, const std::string& text,
+                    const std::vector<std::string>& choices) {
   if (!text.empty() && !choices.empty() &&
       std::find(choices.begin(), choices.end(), text) == choices.end())
     throw InputError(name, text, "must be one of " + listed(choices));
@@ -274,37 +259,11 @@ void require_coordinates(const std::string& name, const std::string& text, std::
                          std::to_string(most));
 }
 
-double count_of(const std::string& name, const std::string& text, std::int32_t most) {
-  if (text.empty()) return 0;
-  const auto count = csv_number(text);
-  if (!count || *count != std::floor(*count) || *count < 0 || *count > most)
-    throw InputError(name, text, "must be a whole number from 0 to " + std::to_string(most));
-  return *count;
-}
-
-double not_negative(const std::string& name, const std::string& text, const std::string& unit) {
-  const double value = text.empty() ? 0 : number_of(name, text, unit);
-  if (value < 0) throw InputError(name, text, "must be 0 or more");
-  return value;
-}
-
-/// The method; 0: as the axis is configured.
-double method_of(const std::string& text) {
-  if (text.empty()) return 0;
-  const auto method = csv_number(text);
-  if (!method || *method != std::floor(*method) || *method < 1 || *method > 37)
-    throw InputError("--method", text, "must be 1 to 14, 17 to 30, 33, 34, 35 or 37 (CiA 402)");
-  return *method;
-}
-
-/// The number of captures of a touch probe; 1 if it is not given.
-double captures_of(const std::string& text) {
-  if (text.empty()) return 1;
-  const auto count = csv_number(text);
-  if (!count || *count != std::floor(*count) || *count < 0 || *count > 1e9)
-    throw InputError("--count", text,
-                     "must be a whole number from 0 to 1e9; 0: capture until abort-trigger");
-  return *count;
+double whole_of(const std::string& name, const std::string& text, const FieldRange& range) {
+  const auto number = csv_number(text);
+  if (!number || !broken_rule(range, *number).empty())
+    throw InputError(name, text, std::string("must be ") + range.words);
+  return *number;
 }
 
 /// The trigger input of a touch probe.
@@ -319,10 +278,9 @@ double input_of(const std::string& text) {
   return *input;
 }
 
-/// The edge of a touch probe; rising if it is not given.
+/// The edge of a touch probe.
 double edge_of(const std::string& text) {
-  for (const auto& [word, edge] : {std::pair{"", ProbeEdge::rising},
-                                   {"rising", ProbeEdge::rising},
+  for (const auto& [word, edge] : {std::pair{"rising", ProbeEdge::rising},
                                    {"falling", ProbeEdge::falling},
                                    {"both", ProbeEdge::both}})
     if (text == word) return static_cast<double>(edge);
@@ -338,18 +296,14 @@ double buffer_mode_of(const CommandWords& words) {
   if (!blend.empty() && buffered)
     throw InputError("--blend", blend,
                      "cannot be combined with --buffered: a move that blends is buffered");
-  require_choice("--blend", blend, FieldRange::path_buffer);
+  require_choice("--blend", blend, {"low", "previous", "next", "high", "look-ahead"});
   return !blend.empty() ? blends.at(blend) : buffered ? 1 : 0;
 }
 
-bool is_buffer_mode(const Field& field) {
-  return field.range == FieldRange::buffer_mode || field.range == FieldRange::path_buffer;
-}
-
 void require_unbuffered(const CommandWords& words, const Form& form) {
-  const bool takes_it =
-      std::any_of(form.command->fields.begin(), form.command->fields.end(),
-                  [&](const Field& f) { return is_buffer_mode(f) && form.takes(f); });
+  const bool takes_it = std::any_of(
+      form.command->fields.begin(), form.command->fields.end(),
+      [&](const Field& f) { return form.form(f) == OptionForm::blend && form.takes(f); });
   if (buffer_mode_of(words) == 0 || takes_it) return;
   throw InputError(flag_of(words, "buffered") ? "--buffered" : "--blend", "",
                    "applies to move --to, move --by, jog, and the moves of a group only, not to " +
@@ -378,90 +332,96 @@ std::size_t coordinates(const Form& form, const std::string& option) {
       fields.begin(), fields.end(), [&](const Field& f) { return form.option(f) == option; }));
 }
 
-InputError value_missing(const std::string& word, const Field& field, const std::string& unit) {
+InputError value_missing(const std::string& word, const Field& field, OptionForm form,
+                         const std::string& unit) {
   if (word == "combine")
     return {word, "", "VALUE is missing: give two ratios, such as combine 3:2 --second 1:2"};
-  const bool is_ratio =
-      field.range == FieldRange::whole || field.range == FieldRange::whole_nonzero;
-  const bool is_factor = field.range == FieldRange::factor;
-  const bool is_count = field.range == FieldRange::count;
+  const bool is_ratio = form == OptionForm::ratio;
+  const bool is_whole = form == OptionForm::whole;
   return {word, "",
           "VALUE is missing: give " +
-              (is_ratio ? "a ratio" : (is_count ? "an " : "a ") + std::string(field.name)) +
+              (is_ratio ? "a ratio" : (is_whole ? "an " : "a ") + std::string(field.name)) +
               ", such as " +
-              (is_ratio    ? "3:2"
-               : is_factor ? "50%"
-               : is_count  ? "6"
-                           : "12.5" + unit)};
+              (is_ratio                     ? "3:2"
+               : form == OptionForm::factor ? "50%"
+               : is_whole                   ? "6"
+                                            : "12.5" + unit)};
 }
 
-/// The value of a field, from its option. `index`: number of fields of the same option before it.
+/// A number with a unit.
+double number_in_range(const CommandWords& words, const Field& field, const FieldOption& about,
+                       const std::string& name, const std::string& text, const std::string& unit) {
+  const double value = number_of(name, text, unit);
+  if (const std::string rule = rule_for_number(words.what, field, name, value); !rule.empty())
+    throw InputError(name, text, rule + about.reason);
+  return value;
+}
+
+/// True for a number without a default.
+bool is_required(const Field& field, OptionForm form) {
+  return form == OptionForm::number && !field.range.may_be_nan && std::isinf(field.range.least);
+}
+
+double buffer_mode_in(const CommandWords& words, const Field& field) {
+  if (text_of(words, "blend") == "look-ahead" &&
+      field.range.most < static_cast<double>(PathBuffer::look_ahead))
+    throw InputError("--blend", "look-ahead", "applies to the moves of a group only");
+  return buffer_mode_of(words);
+}
+
+/// The value of a field, from its option. `index`: number of fields of the same option before it;
+/// `otherwise`: its value if the option is not given.
 double value_of(const CommandWords& words, const Form& form, const Field& field, std::size_t index,
-                const Units& units, const std::vector<std::string>& axes) {
+                double otherwise, const Units& units, const std::vector<std::string>& axes) {
   const std::string option = form.option(field);
   const std::string name = dashed(option);
   const std::string text = text_of(words, option);
   const std::string unit = unit_of(field.quantity, units);
-  const bool is_input = field.range == FieldRange::trigger_input;
+  const FieldOption& about = form.about(field);
+  const FieldRange& range = about.range ? *about.range : field.range;
+  const bool is_input = about.form == OptionForm::trigger_input;
   if (option == value_word && text.empty() && !is_input)
-    throw value_missing(words.what, field, unit);
-  switch (field.range) {
-    case FieldRange::flag:
+    throw value_missing(words.what, field, about.form, unit);
+  if (text.empty() && is_required(field, about.form))
+    throw InputError(name, "", "is missing: " + words.what + " needs it");
+  switch (about.form) {
+    case OptionForm::flag:
       return flag_of(words, option) ? 1 : 0;
-    case FieldRange::direction:
-      require_choice(name, text, field.range);
-      return direction_of(text);
-    case FieldRange::factor:
-      return factor_of(name, text);
-    case FieldRange::share:
-      return share_of(name, text);
-    case FieldRange::buffer_mode:
-      if (text_of(words, "blend") == "look-ahead")
-        throw InputError("--blend", "look-ahead", "applies to the moves of a group only");
-      [[fallthrough]];
-    case FieldRange::path_buffer:
-      return buffer_mode_of(words);
-    case FieldRange::whole:
-      return ratio_of(name, text).first;
-    case FieldRange::whole_nonzero:
-      return ratio_of(name, text).second;
-    case FieldRange::count:
-      if (option == "method") return method_of(text);
-      if (option == "count") return captures_of(text);
-      return count_of(
-          name, text,
-          option == "turns" ? command::most_extra_turns : std::numeric_limits<std::int32_t>::max());
-    case FieldRange::not_negative:
-      return not_negative(name, text, unit);
-    case FieldRange::trigger_input:
+    case OptionForm::blend:
+      return buffer_mode_in(words, field);
+    case OptionForm::ratio:
+      return field.range.not_zero ? ratio_of(name, text).second : ratio_of(name, text).first;
+    case OptionForm::trigger_input:
       return input_of(text);
-    case FieldRange::trigger_edge:
-      return edge_of(text);
-    case FieldRange::coordinate:
+    case OptionForm::coordinates:
       return coordinate_of(coordinate_name(words, name, index, axes), text, index, unit);
-    case FieldRange::finite:
-      if (text.empty()) throw InputError(name, "", "is missing: " + words.what + " needs it");
-      return number_of(name, text, unit);
-    case FieldRange::given:
-      return text.empty() ? as_configured : number_of(name, text, unit);
-    case FieldRange::positive:
+    case OptionForm::direction:
+      require_choice(name, text, choices_of(about.form, field.range));
+      return direction_of(text);
+    case OptionForm::factor:
+      return text.empty() ? otherwise : factor_of(name, text, range);
+    case OptionForm::whole:
+      return text.empty() ? otherwise : whole_of(name, text, range);
+    case OptionForm::edge:
+      return text.empty() ? otherwise : edge_of(text);
+    case OptionForm::number:
       break;
   }
-  return text.empty() ? as_configured : positive(words.what, field, name, text, unit);
+  return text.empty() ? otherwise : number_in_range(words, field, about, name, text, unit);
 }
 
 /// The option of a word that takes coordinates, and that stands for its arguments; "": none.
 std::string coordinate_option(const std::string& word) {
   for (const Form& form : forms_of(word))
     for (const Field& field : form.command->fields)
-      if (field.range == FieldRange::coordinate) return field.option;
+      if (form.form(field) == OptionForm::coordinates) return form.option(field);
   return "";
 }
 
 /// The option of a word, written with this text.
 std::string option_for_value(const std::string& word, const std::string& name,
                              const std::string& text) {
-  const bool is_flag = option_of(word, name).range == FieldRange::flag;
+  const bool is_flag = option_of(word, name).form == OptionForm::flag;
   return is_flag ? dashed(name) : dashed(name) + " " + text;
 }
 
@@ -564,17 +524,24 @@ void require_held(const CommandWords& words, const std::string& seconds) {
 
 namespace {
 
-/// Rejects more than one of these options.
-void require_one(const CommandWords& words, const std::vector<std::string>& options) {
-  std::string first;
-  for (const std::string& option : options) {
-    if (text_of(words, option).empty()) continue;
-    if (!first.empty())
-      throw InputError(dashed(option), text_of(words, option),
-                       "cannot be combined with " + dashed(first) + ": give at most one of " +
-                           listed(options, dashed));
-    first = option;
+/// Rejects options of a command that do not suit each other.
+void require_suitable(const CommandWords& words, const Form& form) {
+  const Fields& fields = form.command->fields;
+  std::bitset<most_fields> given;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    given[i] = !text_of(words, form.option(fields[i])).empty();
+  const auto name = [&](const Field& field) { return dashed(form.option(field)); };
+  const auto conflict = field_conflict(form.command->kind, given, name);
+  if (!conflict) return;
+  std::string remedy;
+  if (conflict->missing) {
+    const Field& missing = fields[*conflict->missing];
+    remedy = ": add " + name(missing) + " ";
+    for (const char c : std::string(missing.name))
+      remedy += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
+  const std::string option = form.option(fields[conflict->field]);
+  throw InputError(dashed(option), text_of(words, option), conflict->rule + remedy);
 }
 
 /// The index of an axis among the axes of the group. `one`: the coordinate as given.
@@ -628,10 +595,11 @@ CommandWords without_names(CommandWords words, const std::vector<std::string>& a
   };
   for (const Form& form : forms_of(words.what))
     for (const Field& field : form.command->fields) {
-      if (field.range != FieldRange::coordinate) continue;
-      const auto given = words.options.find(field.option);
+      if (form.form(field) != OptionForm::coordinates) continue;
+      const std::string option = form.option(field);
+      const auto given = words.options.find(option);
       if (given != words.options.end())
-        given->second = in_order(named(field.option), given->second, axes);
+        given->second = in_order(named(option), given->second, axes);
     }
   if (const auto axis = words.options.find(axis_option);
       axis != words.options.end() && is_name(axis->second))
@@ -691,21 +659,14 @@ ClientCommand command_of(const CommandWords& given, const Units& units,
   for (std::size_t i = 0; i < form.command->fields.size(); ++i) {
     const Field& field = form.command->fields[i];
     if (form.takes(field))
-      values[i] = value_of(words, form, field, seen[form.option(field)]++, units, axes);
-    if (field.range == FieldRange::coordinate)
+      values[i] = value_of(words, form, field, seen[form.option(field)]++, values[i], units, axes);
+    if (form.form(field) == OptionForm::coordinates)
       require_coordinates(dashed(form.option(field)), text_of(words, form.option(field)),
                           coordinates(form, form.option(field)));
   }
+  require_suitable(words, form);
   if (const std::string rule = contradiction(kind, values); !rule.empty())
     throw InputError(words.value.empty() ? words.what : value_word, words.value, "the " + rule);
-  if (kind == CommandKind::cut) require_one(words, {"length", "position", "waste"});
-  if (const std::string direction = text_of(words, "direction");
-      kind == CommandKind::change_velocity && !direction.empty() && text_of(words, "past").empty())
-    throw InputError("--direction", direction, "has no effect without --past: add --past POSITION");
-  if (const std::string distance = text_of(words, "start-distance");
-      !distance.empty() && quantity(distance, units.x) == 0)
-    throw InputError("--start-distance", distance,
-                     "must not be 0: the slave needs a distance to reach the ratio");
   return jounce::command_of(kind, values);
 }
 

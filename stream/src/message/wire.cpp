@@ -10,9 +10,11 @@
 
 #include "jounce/profiles/error.hpp"
 
+#include "stream/src/message/body_fields.hpp"
 #include "stream/src/message/chunk_bytes.hpp"
-#include "stream/src/message/fields.hpp"
 #include "stream/src/message/lcm_body.hpp"
+#include "stream/src/message/queue_fields.hpp"
+#include "stream/src/message/report_fields.hpp"
 #include "stream/src/security/mac.hpp"
 
 namespace jounce::wire {
@@ -64,7 +66,8 @@ Bytes encode_as(const Message& message, const Body& body, const std::optional<Ke
   put_text(message.executor, lcm.envelope.executor, executor_bytes);
   lcm.envelope.session = message.session;
   lcm.envelope.challenge = message.challenge;
-  put(body, lcm);
+  PutFields fields;
+  each_field(body, lcm, fields);
 
   Bytes bytes = encoded(lcm, body);
   const std::size_t end = bytes.size() - checksum_bytes;
@@ -100,6 +103,14 @@ template <class Lcm, class Body>
 bool decoded(std::span<const std::byte> bytes, Lcm& lcm, Body& body) {
   if constexpr (std::is_same_v<Body, Chunk>) return read_chunk(bytes, lcm, body.values);
   return lcm.decode(bytes.data(), 0, static_cast<int>(bytes.size())) >= 0;
+}
+
+/// Copies the fields of a generated type. Returns false if a field is out of its range.
+template <class Lcm, class Body>
+bool get(const Lcm& lcm, Body& body) {
+  GetFields fields;
+  each_field(body, lcm, fields);
+  return fields.valid();
 }
 
 /// Checks length, checksum and mac, then decodes the fields, of bytes of this type. The generated

@@ -2,6 +2,10 @@
 #pragma once
 
 #include <array>
+#include <bitset>
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "jounce/command/commands.hpp"
@@ -16,8 +20,25 @@ using CommandValues = std::array<double, most_fields>;
 /// Returns the fields of a command.
 CommandValues values_of(const ClientCommand& command);
 
+/// A field of a command that other fields of the same command forbid.
+struct FieldConflict {
+  std::size_t field = 0;               ///< number of the field among those of the command
+  std::string rule;                    ///< rule that it breaks: "cannot be combined with position"
+  std::optional<std::size_t> missing;  ///< number of the field without which it has no effect
+};
+
+/// Returns the name of a field for a message.
+using FieldName = std::function<std::string(const Field&)>;
+
+/// Returns the first conflict between the fields of a command; nullopt if they suit each other.
+/// `given`: the fields that the sender gives, in the order of the wire. `name` returns the name of a
+/// field in the rule.
+std::optional<FieldConflict> field_conflict(CommandKind kind, const std::bitset<most_fields>& given,
+                                            const FieldName& name);
+
 /// Returns the first error in the values of a command, as a sentence with the name of the field; ""
-/// if the values are valid.
+/// if the values are valid. Includes the conflicts between fields; a field with its default is not
+/// given.
 std::string contradiction(CommandKind kind, const CommandValues& values);
 std::string contradiction(const ClientCommand& command);
 
@@ -28,8 +49,7 @@ ClientCommand command_of(CommandKind kind, const CommandValues& values);
 /// that clients do not send.
 ClientCommand command_of(CommandKind kind);
 
-/// Returns the range of a field in words, for the documentation: "0 or 1"; "" for any finite
-/// number.
-const char* words(FieldRange range);
+/// Returns the rule that a value breaks: "must be 0 or 1"; "" if the range permits the value.
+std::string broken_rule(const FieldRange& range, double value);
 
 }  // namespace jounce

@@ -187,10 +187,8 @@ struct SetPosition {
 };
 template <Of<SetPosition> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"position", Quantity::position, FieldRange::finite, "VALUE"}, c.position);
-  f(Field{"relative", Quantity::none, FieldRange::flag, "relative",
-          "set-position: the value is an offset"},
-    c.relative);
+  f(Field{"position", Quantity::position, ranges::finite}, c.position);
+  f(Field{"relative", Quantity::none, ranges::flag}, c.relative);
 }
 
 /// Searches for the home position. For a value that is not given (NaN; for the method, 0), the axis
@@ -208,27 +206,13 @@ struct Home {
 };
 template <Of<Home> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"offset", Quantity::position, FieldRange::given, "offset",
-          "home: position that the axis has at its home position. Default of all options of home: "
-          "[homing] in the spec of the axis"},
-    c.offset);
-  f(Field{"method", Quantity::none, FieldRange::count, "method", "home: method of CiA 402"},
-    c.method);
-  f(Field{"search velocity", Quantity::velocity, FieldRange::positive, "search-velocity",
-          "home: velocity of the search for a switch"},
-    c.search_velocity);
-  f(Field{"index velocity", Quantity::velocity, FieldRange::positive, "index-velocity",
-          "home: velocity of the search for the edge of the switch and the index"},
-    c.index_velocity);
+  f(Field{"offset", Quantity::position, ranges::given}, c.offset);
+  f(Field{"method", Quantity::none, ranges::count}, c.method);
+  f(Field{"search velocity", Quantity::velocity, ranges::positive}, c.search_velocity);
+  f(Field{"index velocity", Quantity::velocity, ranges::positive}, c.index_velocity);
   f(acceleration, c.acceleration);
-  f(Field{"timeout", Quantity::time, FieldRange::positive, "timeout",
-          "home: end with a fault after this time; m-word: drop the commands that follow after "
-          "this "
-          "time; default: no limit"},
-    c.timeout);
-  f(Field{"distance", Quantity::position, FieldRange::positive, "distance",
-          "home: end with a fault if one search goes further than this"},
-    c.distance);
+  f(Field{"timeout", Quantity::time, ranges::positive}, c.timeout);
+  f(Field{"distance", Quantity::position, ranges::positive}, c.distance);
 }
 
 /// Brings a path or a planned move to rest until the command Resume.
@@ -246,7 +230,7 @@ struct Override {
 };
 template <Of<Override> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"factor", Quantity::none, FieldRange::factor, "VALUE"}, c.factor);
+  f(Field{"factor", Quantity::none, ranges::factor}, c.factor);
 }
 
 /// Moves to a position.
@@ -263,13 +247,9 @@ struct MoveAbsolute {
 };
 template <Of<MoveAbsolute> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"position", Quantity::position, FieldRange::finite, "to", "Move to this position"},
-    c.position);
+  f(Field{"position", Quantity::position, ranges::finite}, c.position);
   each_field(c.dynamics, f);
-  f(Field{"direction", Quantity::none, FieldRange::direction, "direction",
-          "With --to: shortest, positive, negative; a linear axis rejects a target in the other "
-          "direction"},
-    c.direction);
+  f(Field{"direction", Quantity::none, ranges::direction}, c.direction);
   f(buffer_mode, c.buffer);
 }
 
@@ -282,9 +262,7 @@ struct MoveRelative {
 };
 template <Of<MoveRelative> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"distance", Quantity::position, FieldRange::finite, "by",
-          "Move by this distance from the commanded position"},
-    c.distance);
+  f(Field{"distance", Quantity::position, ranges::finite}, c.distance);
   each_field(c.dynamics, f);
   f(buffer_mode, c.buffer);
 }
@@ -297,9 +275,7 @@ struct MoveAdditive {
 };
 template <Of<MoveAdditive> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"distance", Quantity::position, FieldRange::finite, "add",
-          "Move by this distance from the end position of the present motion"},
-    c.distance);
+  f(Field{"distance", Quantity::position, ranges::finite}, c.distance);
   each_field(c.dynamics, f);
 }
 
@@ -312,11 +288,8 @@ struct MoveSuperimposed {
 };
 template <Of<MoveSuperimposed> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"distance", Quantity::position, FieldRange::finite, "on-top",
-          "Superimpose a move by this distance on the present motion"},
-    c.distance);
-  f(Field{"velocity difference", velocity.quantity, velocity.range, velocity.option, velocity.help},
-    c.dynamics.velocity);
+  f(Field{"distance", Quantity::position, ranges::finite}, c.distance);
+  f(Field{"velocity difference", velocity.quantity, velocity.range}, c.dynamics.velocity);
   each_field_of_ramp(c.dynamics, f);
 }
 
@@ -332,7 +305,7 @@ struct MoveVelocity {
 };
 template <Of<MoveVelocity> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"velocity", Quantity::velocity, FieldRange::finite, "VALUE"}, c.velocity);
+  f(Field{"velocity", Quantity::velocity, ranges::finite}, c.velocity);
   each_field_of_ramp(c.dynamics, f);
   f(buffer_mode, c.buffer);
   f(hold_to_run, c.hold_to_run);
@@ -349,16 +322,10 @@ struct MoveRepetitive {
 };
 template <Of<MoveRepetitive> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"position", Quantity::position, FieldRange::finite, "to", "Move to this position"},
-    c.position);
+  f(Field{"position", Quantity::position, ranges::finite}, c.position);
   each_field(c.dynamics, f);
-  f(Field{"wait", Quantity::time, FieldRange::not_negative, "wait",
-          "repeat: rest between two strokes, s; default: 0"},
-    c.wait);
-  f(Field{"strokes", Quantity::none, FieldRange::count, "strokes",
-          "repeat: end after this number of strokes; default: go on until the order finish or "
-          "halt"},
-    c.strokes);
+  f(Field{"wait", Quantity::time, ranges::not_negative}, c.wait);
+  f(Field{"strokes", Quantity::none, ranges::count}, c.strokes);
 }
 
 /// Finishes the present stroke of a repetitive move, or the present pass of a table that repeats.
@@ -380,13 +347,9 @@ struct ChangeVelocity {
 };
 template <Of<ChangeVelocity> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"velocity", Quantity::velocity, FieldRange::positive, "VALUE"}, c.velocity);
-  f(Field{"position", Quantity::position, FieldRange::given, "past",
-          "change-velocity: when the setpoint passes this position; default: at once"},
-    c.position);
-  f(Field{"direction", Quantity::none, FieldRange::direction, "direction",
-          "With --past: only if the axis passes the position in this direction"},
-    c.direction);
+  f(Field{"velocity", Quantity::velocity, ranges::positive}, c.velocity);
+  f(Field{"position", Quantity::position, ranges::given}, c.position);
+  f(Field{"direction", Quantity::none, ranges::direction}, c.direction);
 }
 
 /// Brings the axis to rest. Any other motion can interrupt a halt at once, unlike a stop.
@@ -414,9 +377,7 @@ constexpr void each_field(C& c, F f) {
   f(numerator, c.numerator);
   f(denominator, c.denominator);
   each_field_of_ramp(c.dynamics, f);
-  f(Field{"clutch", Quantity::master, FieldRange::not_negative, "clutch",
-          "gear-in: change the ratio during this distance of the master, not by a ramp over time"},
-    c.clutch);
+  f(Field{"clutch", Quantity::master, ranges::not_negative}, c.clutch);
 }
 
 /// Couples the axis to its live master at a ratio. From the instant at which the master reaches
@@ -435,18 +396,10 @@ template <Of<GearInPos> C, class F>
 constexpr void each_field(C& c, F f) {
   f(numerator, c.numerator);
   f(denominator, c.denominator);
-  f(Field{"master sync position", Quantity::master, FieldRange::finite, "master-sync",
-          "gear-in-pos: master position from which the axis is in step"},
-    c.master_sync_position);
-  f(Field{"slave sync position", Quantity::position, FieldRange::finite, "slave-sync",
-          "gear-in-pos: position of the axis at --master-sync"},
-    c.slave_sync_position);
-  f(Field{"master start distance", Quantity::master, FieldRange::finite, "start-distance",
-          "gear-in-pos: master distance before --master-sync, in which the axis engages"},
-    c.master_start_distance);
-  f(Field{"avoid reversal", Quantity::none, FieldRange::flag, "avoid-reversal",
-          "gear-in-pos: reject a motion against the direction of the gear"},
-    c.avoid_reversal);
+  f(Field{"master sync position", Quantity::master, ranges::finite}, c.master_sync_position);
+  f(Field{"slave sync position", Quantity::position, ranges::finite}, c.slave_sync_position);
+  f(Field{"master start distance", Quantity::master, ranges::nonzero}, c.master_start_distance);
+  f(Field{"avoid reversal", Quantity::none, ranges::flag}, c.avoid_reversal);
 }
 
 /// Couples the axis to the sum of its two live masters, each at a ratio (MC_CombineAxes): the axis
@@ -465,10 +418,8 @@ template <Of<CombineAxes> C, class F>
 constexpr void each_field(C& c, F f) {
   f(numerator, c.numerator);
   f(denominator, c.denominator);
-  f(Field{"numerator of the second master", Quantity::none, FieldRange::whole, "second",
-          "combine: ratio to the second master, such as 1:2; negative: subtract its motion"},
-    c.second_numerator);
-  f(Field{"denominator of the second master", Quantity::none, FieldRange::whole_nonzero, "second"},
+  f(Field{"numerator of the second master", Quantity::none, ranges::whole}, c.second_numerator);
+  f(Field{"denominator of the second master", Quantity::none, ranges::whole_nonzero},
     c.second_denominator);
   each_field_of_ramp(c.dynamics, f);
 }
@@ -494,10 +445,8 @@ requires(Of<C, PhasingAbsolute> || Of<C, PhasingRelative>)  //
     field.quantity = quantity;
     return field;
   };
-  f(C::relative
-        ? Field{"change of the phase shift", Quantity::master, FieldRange::finite, "by",
-                "Move by this distance"}
-        : Field{"phase shift", Quantity::master, FieldRange::finite, "to", "Move to this position"},
+  f(C::relative ? Field{"change of the phase shift", Quantity::master, ranges::finite}
+                : Field{"phase shift", Quantity::master, ranges::finite},
     c.shift);
   f(as_of_master(velocity, Quantity::master_velocity), c.dynamics.velocity);
   f(as_of_master(acceleration, Quantity::master_acceleration), c.dynamics.acceleration);
@@ -524,16 +473,9 @@ struct Cut {
 };
 template <Of<Cut> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"length", Quantity::master, FieldRange::given, "length",
-          "cut: length of all pieces that begin at the next cut or later"},
-    c.length);
-  f(Field{"position", Quantity::master, FieldRange::given, "position",
-          "cut: add a cut at this position of the web. Without --length, --position and --waste: "
-          "at the next possible position"},
-    c.position);
-  f(Field{"waste", Quantity::master, FieldRange::given, "waste",
-          "cut: length of a piece of waste that begins at the next cut"},
-    c.waste);
+  f(Field{"length", Quantity::master, ranges::given}, c.length);
+  f(Field{"position", Quantity::master, ranges::given}, c.position);
+  f(Field{"waste", Quantity::master, ranges::given}, c.waste);
 }
 /// Ends a running plan of cuts: the cutter returns to its home position.
 struct Park {
@@ -564,7 +506,7 @@ template <Of<QueueClear> C, class F>
 constexpr void each_field(C& c, F f) {
   f(queue, c.queue);
   f(bank, c.bank);
-  f(Field{"seq", Quantity::none, FieldRange::count}, c.seq);
+  f(Field{"seq", Quantity::none, ranges::count}, c.seq);
 }
 
 /// Ends a dynamic queue (a rolling stream) at its last row: the sender will send no more rows.
@@ -609,24 +551,18 @@ struct PathDynamics {
 template <Of<PathDynamics> C, class F>
 constexpr void each_field(C& c, F f) {
   each_field(c.along, f);
-  f(Field{"buffer mode", Quantity::none, FieldRange::path_buffer, "blend"}, c.buffer);
-  f(Field{"deviation", Quantity::position, FieldRange::positive, "deviation",
-          "Commands of a group with --blend: round the corner, at most this far from it"},
-    c.deviation);
-  f(Field{"corner distance", Quantity::position, FieldRange::positive, "corner-distance",
-          "Commands of a group with --blend: round the corner, from at most this distance before "
-          "it to at most this distance after it"},
-    c.corner_distance);
+  f(Field{"buffer mode", Quantity::none, {.least = 0, .most = 6, .whole = true, .words = "0 to 6"}},
+    c.buffer);
+  f(Field{"deviation", Quantity::position, ranges::positive}, c.deviation);
+  f(Field{"corner distance", Quantity::position, ranges::positive}, c.corner_distance);
 }
 
 /// Calls f(field, member) for each coordinate of an absolute or a relative command.
 template <class C, class F>
 constexpr void each_target(C& to, bool relative, F f) {
   for (auto& coordinate : to)
-    f(relative ? Field{"distance", Quantity::position, FieldRange::coordinate, "by",
-                       "Move by these distances"}
-               : Field{"position", Quantity::position, FieldRange::coordinate, "to",
-                       "Move to these coordinates"},
+    f(relative ? Field{"distance", Quantity::position, ranges::coordinate}
+               : Field{"position", Quantity::position, ranges::coordinate},
       coordinate);
 }
 
@@ -688,28 +624,15 @@ constexpr void each_field(C& c, F f) {
   each_target(c.to, C::relative, f);
   if constexpr (requires { c.via; }) {
     for (auto& coordinate : c.via)
-      f(Field{"via", Quantity::position, FieldRange::coordinate, "via",
-              "move-circular: through this point"},
-        coordinate);
+      f(Field{"via", Quantity::position, ranges::coordinate}, coordinate);
     for (auto& coordinate : c.center)
-      f(Field{"center", Quantity::position, FieldRange::coordinate, "center",
-              "move-circular: around this point, in the plane of the first two axes"},
-        coordinate);
-    f(Field{"radius", Quantity::position, FieldRange::coordinate, "radius",
-            "move-circular: with this radius; negative: along the longer arc"},
-      c.radius);
-    f(Field{"clockwise", Quantity::none, FieldRange::flag, "clockwise",
-            "move-circular: clockwise around --center or with --radius"},
-      c.clockwise);
-    f(Field{"turns", Quantity::none, FieldRange::count, "turns",
-            "move-circular: additional whole turns"},
-      c.turns);
+      f(Field{"center", Quantity::position, ranges::coordinate}, coordinate);
+    f(Field{"radius", Quantity::position, ranges::coordinate}, c.radius);
+    f(Field{"clockwise", Quantity::none, ranges::flag}, c.clockwise);
+    f(Field{"turns", Quantity::none, ranges::count}, c.turns);
   }
   each_field(c.path, f);
-  if constexpr (requires { c.fast; })
-    f(Field{"fast", Quantity::none, FieldRange::flag, "fast",
-            "move-direct: each axis moves in its own shortest time, not along a straight line"},
-      c.fast);
+  if constexpr (requires { c.fast; }) f(Field{"fast", Quantity::none, ranges::flag}, c.fast);
 }
 
 /// Lets a group rest at the end of its last command (SMC_GroupWait). The duration need not be a
@@ -720,7 +643,7 @@ struct GroupWait {
 };
 template <Of<GroupWait> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"duration", Quantity::time, FieldRange::finite, "VALUE"}, c.duration);
+  f(Field{"duration", Quantity::time, ranges::finite}, c.duration);
 }
 
 /// Moves a group along a straight line until the next command, or until an axis reaches the end of
@@ -736,9 +659,7 @@ struct GroupJog {
 template <Of<GroupJog> C, class F>
 constexpr void each_field(C& c, F f) {
   for (auto& component : c.along)
-    f(Field{"direction", Quantity::none, FieldRange::coordinate, "along",
-            "jog of a group: in this direction, such as 1,0"},
-      component);
+    f(Field{"direction", Quantity::none, ranges::coordinate}, component);
   each_field(c.dynamics, f);
   f(hold_to_run, c.hold_to_run);
 }
@@ -767,16 +688,9 @@ struct SetCoordinateTransform {
 template <Of<SetCoordinateTransform> C, class F>
 constexpr void each_field(C& c, F f) {
   for (auto& coordinate : c.offset)
-    f(Field{"offset", Quantity::position, FieldRange::coordinate, "offset",
-            "set-coordinate-transform: origin of the part, in coordinates of the machine"},
-      coordinate);
-  f(Field{"rotation", Quantity::none, FieldRange::given, "rotation",
-          "set-coordinate-transform: rotation of the part about the third axis, deg"},
-    c.rotation);
-  for (auto& angle : c.zyz)
-    f(Field{"angle", Quantity::none, FieldRange::coordinate, "zyz",
-            "set-coordinate-transform: three rotations, about Z, Y and Z, deg: 30,90,0"},
-      angle);
+    f(Field{"offset", Quantity::position, ranges::coordinate}, coordinate);
+  f(Field{"rotation", Quantity::none, ranges::given}, c.rotation);
+  for (auto& angle : c.zyz) f(Field{"angle", Quantity::none, ranges::coordinate}, angle);
 }
 
 /// Gives the end of the last command of a group new coordinates, without motion
@@ -792,9 +706,7 @@ struct GroupSetPosition {
 template <Of<GroupSetPosition> C, class F>
 constexpr void each_field(C& c, F f) {
   each_target(c.to, false, f);
-  f(Field{"relative", Quantity::none, FieldRange::flag, "relative",
-          "set-position: the value is an offset"},
-    c.relative);
+  f(Field{"relative", Quantity::none, ranges::flag}, c.relative);
 }
 
 /// Sets further limits of a group: along its path (SMC_GroupSetAncillaryPathLimits), or of one of its
@@ -811,13 +723,8 @@ struct GroupSetLimits {
 template <Of<GroupSetLimits> C, class F>
 constexpr void each_field(C& c, F f) {
   each_field(c.dynamics, f);
-  f(Field{"axis", Quantity::none, FieldRange::count, "axis",
-          "set-limits: number of the axis in the group, from 1; default: along the path"},
-    c.axis);
-  f(Field{"queued", Quantity::none, FieldRange::flag, "queued",
-          "set-limits: apply to the commands after this one only; default: also to the present "
-          "motion"},
-    c.queued);
+  f(Field{"axis", Quantity::none, ranges::count}, c.axis);
+  f(Field{"queued", Quantity::none, ranges::flag}, c.queued);
 }
 
 /// An M word with a handshake: the group comes to rest at the end of its last command, sends an event
@@ -829,10 +736,8 @@ struct GroupMWord {
 };
 template <Of<GroupMWord> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"M word", Quantity::none, FieldRange::count, "VALUE"}, c.number);
-  f(Field{"timeout", Quantity::time, FieldRange::not_negative, "timeout",
-          "home: end with a fault after this time"},
-    c.timeout);
+  f(Field{"M word", Quantity::none, ranges::count}, c.number);
+  f(Field{"timeout", Quantity::time, ranges::not_negative}, c.timeout);
 }
 /// Acknowledges the M word at which a group waits, or begins the next command in single step.
 struct GroupAcknowledge {
@@ -841,9 +746,7 @@ struct GroupAcknowledge {
 };
 template <Of<GroupAcknowledge> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"M word", Quantity::none, FieldRange::count, "m-word",
-          "acknowledge: number of the M word; default: the one that waits"},
-    c.m_word);
+  f(Field{"M word", Quantity::none, ranges::count}, c.m_word);
 }
 /// Lets each of the commands that follow begin at rest, after a GroupAcknowledge (SingleStep of the
 /// PMC600).
@@ -853,9 +756,7 @@ struct GroupSingleStep {
 };
 template <Of<GroupSingleStep> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"on", Quantity::none, FieldRange::flag, "on",
-          "single-step: each command begins after an acknowledge; without it: no longer"},
-    c.on);
+  f(Field{"on", Quantity::none, ranges::flag}, c.on);
 }
 
 /// Multiplies the velocity, and reduces the acceleration and the jerk of the axes of a group
@@ -868,16 +769,9 @@ struct GroupSetOverride {
 };
 template <Of<GroupSetOverride> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"velocity factor", Quantity::none, FieldRange::factor, "velocity-factor",
-          "set-override: factor of the speed, 0% to 200%; default: 100%"},
-    c.velocity);
-  f(Field{"acceleration factor", Quantity::none, FieldRange::share, "acceleration-factor",
-          "set-override: share of the accelerations of the axes that the group may use, more than "
-          "0% to 100%; default: 100%"},
-    c.acceleration);
-  f(Field{"jerk factor", Quantity::none, FieldRange::share, "jerk-factor",
-          "set-override: the same for the jerks; default: 100%"},
-    c.jerk);
+  f(Field{"velocity factor", Quantity::none, ranges::factor}, c.velocity);
+  f(Field{"acceleration factor", Quantity::none, ranges::share}, c.acceleration);
+  f(Field{"jerk factor", Quantity::none, ranges::share}, c.jerk);
 }
 
 /// Captures the position of the axis at the edges of a trigger input. A new command for the same
@@ -892,21 +786,16 @@ struct TouchProbe {
   double first_position = as_configured;
   double last_position = as_configured;  ///< see first_position
 };
+inline constexpr Field trigger_input{
+    "input", Quantity::none, {.least = 1, .most = probe_inputs, .whole = true, .words = "1 to 6"}};
 template <Of<TouchProbe> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"input", Quantity::none, FieldRange::trigger_input, "VALUE"}, c.input);
-  f(Field{"edge", Quantity::none, FieldRange::trigger_edge, "edge",
-          "touch-probe: edge of the input: rising (default), falling or both"},
+  f(trigger_input, c.input);
+  f(Field{"edge", Quantity::none, {.least = 0, .most = 2, .whole = true, .words = "0 to 2"}},
     c.edge);
-  f(Field{"count", Quantity::none, FieldRange::count, "count",
-          "touch-probe: end after this number of captures; default 1; 0: until abort-trigger"},
-    c.count);
-  f(Field{"first position", Quantity::position, FieldRange::given, "first-position",
-          "touch-probe: capture only from this position on"},
-    c.first_position);
-  f(Field{"last position", Quantity::position, FieldRange::given, "last-position",
-          "touch-probe: capture only up to this position"},
-    c.last_position);
+  f(Field{"count", Quantity::none, ranges::count}, c.count);
+  f(Field{"first position", Quantity::position, ranges::given}, c.first_position);
+  f(Field{"last position", Quantity::position, ranges::given}, c.last_position);
 }
 
 /// Ends the touch probe of an input.
@@ -916,7 +805,7 @@ struct AbortTrigger {
 };
 template <Of<AbortTrigger> C, class F>
 constexpr void each_field(C& c, F f) {
-  f(Field{"input", Quantity::none, FieldRange::trigger_input, "VALUE"}, c.input);
+  f(trigger_input, c.input);
 }
 
 }  // namespace jounce::command

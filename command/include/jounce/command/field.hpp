@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace jounce {
 
@@ -22,34 +23,50 @@ enum class Quantity : std::uint8_t {
   master_jerk,          ///< m/s^3
 };
 
-/// Permitted values of a field. words() in command_values.hpp returns a description of each range.
-enum class FieldRange : std::uint8_t {
-  finite,         ///< any finite number
-  given,          ///< any finite number; NaN: as configured
-  coordinate,     ///< any finite number; NaN: not given
-  positive,       ///< > 0; NaN: as configured
-  flag,           ///< 0 or 1
-  direction,      ///< -1, 0 or 1
-  factor,         ///< 0 to 2
-  buffer_mode,    ///< 0 to 5
-  path_buffer,    ///< 0 to 6
-  whole,          ///< a whole number from -2147483647 to 2147483647
-  whole_nonzero,  ///< like whole, but not 0
-  count,          ///< a whole number from 0 to 2147483647
-  trigger_input,  ///< 1 to 6
-  trigger_edge,   ///< 0 to 2
-  not_negative,   ///< 0 or more
-  share,          ///< > 0, at most 1
+/// Permitted values of a field.
+struct FieldRange {
+  double least = -std::numeric_limits<double>::infinity();  ///< least value
+  double most = std::numeric_limits<double>::infinity();    ///< greatest value
+  bool whole = false;                                       ///< true: whole numbers only
+  bool not_zero = false;                                    ///< true: 0 is not permitted
+  bool may_be_nan = false;  ///< true: NaN means that the sender does not give the value
+  const char* words = "";   ///< the range in words: "0 or 1"; "": any finite number
 };
+
+/// Ranges that several fields have in common.
+namespace ranges {
+
+inline constexpr FieldRange finite{};
+inline constexpr FieldRange nonzero{.not_zero = true};
+inline constexpr FieldRange given{.may_be_nan = true, .words = "or NaN"};
+inline constexpr FieldRange coordinate{.may_be_nan = true, .words = "NaN: not given"};
+inline constexpr FieldRange positive{
+    .least = 0, .not_zero = true, .may_be_nan = true, .words = "greater than 0"};
+inline constexpr FieldRange not_negative{.least = 0, .words = "0 or more"};
+inline constexpr FieldRange flag{.least = 0, .most = 1, .whole = true, .words = "0 or 1"};
+inline constexpr FieldRange factor{.least = 0, .most = 2, .words = "0 to 2"};
+inline constexpr FieldRange share{
+    .least = 0, .most = 1, .not_zero = true, .words = "greater than 0 and at most 1"};
+inline constexpr FieldRange direction{.least = -1, .most = 1, .whole = true, .words = "-1, 0 or 1"};
+inline constexpr FieldRange whole{.least = -2147483647,
+                                  .most = 2147483647,
+                                  .whole = true,
+                                  .words = "a whole number from -2147483647 to 2147483647"};
+inline constexpr FieldRange whole_nonzero{.least = whole.least,
+                                          .most = whole.most,
+                                          .whole = true,
+                                          .not_zero = true,
+                                          .words = whole.words};
+inline constexpr FieldRange count{
+    .least = 0, .most = 2147483647, .whole = true, .words = "a whole number from 0 to 2147483647"};
+
+}  // namespace ranges
 
 /// One field of a command.
 struct Field {
-  const char* name = "";                  ///< name in messages: "search velocity"
-  Quantity quantity = Quantity::none;     ///< physical quantity
-  FieldRange range = FieldRange::finite;  ///< permitted values
-  /// Option of `jounce order` without dashes, or "VALUE" for its argument; "": none.
-  const char* option = "";
-  const char* help = "";  ///< help text of that option
+  const char* name = "";               ///< name in messages: "search velocity"
+  Quantity quantity = Quantity::none;  ///< physical quantity
+  FieldRange range = {};               ///< permitted values
 };
 
 inline constexpr std::size_t most_fields = 24;  ///< greatest number of fields of a command
@@ -70,28 +87,16 @@ struct Fields {
 /// Fields that several commands have in common.
 namespace jounce::command {
 
-inline constexpr Field velocity{"velocity", Quantity::velocity, FieldRange::positive, "velocity",
-                                "Greatest velocity of the move. This option and the next three "
-                                "default to the limits of the axis"};
-inline constexpr Field acceleration{"acceleration", Quantity::acceleration, FieldRange::positive,
-                                    "acceleration", "Acceleration"};
-inline constexpr Field deceleration{"deceleration", Quantity::acceleration, FieldRange::positive,
-                                    "deceleration", "Deceleration"};
-inline constexpr Field jerk{"jerk", Quantity::jerk, FieldRange::positive, "jerk", "Jerk"};
+inline constexpr Field velocity{"velocity", Quantity::velocity, ranges::positive};
+inline constexpr Field acceleration{"acceleration", Quantity::acceleration, ranges::positive};
+inline constexpr Field deceleration{"deceleration", Quantity::acceleration, ranges::positive};
+inline constexpr Field jerk{"jerk", Quantity::jerk, ranges::positive};
 inline constexpr Field buffer_mode{
-    "buffer mode", Quantity::none, FieldRange::buffer_mode, "blend",
-    "move --to, --by, jog, and moves of a group: pass the target of the present move without a "
-    "stop, at the velocity of low (the slower of the two moves), previous (the present move), next "
-    "(this move) or high (the faster of the two moves); look-ahead (group: the highest velocity "
-    "within the limits)"};
-inline constexpr Field hold_to_run{
-    "hold to run", Quantity::none, FieldRange::flag, "hold-to-run",
-    "jog: move only while this command runs. The axis stops when the command ends, or sends no "
-    "heartbeat for 0.2 s"};
-inline constexpr Field numerator{"numerator", Quantity::none, FieldRange::whole, "VALUE"};
-inline constexpr Field denominator{"denominator", Quantity::none, FieldRange::whole_nonzero,
-                                   "VALUE"};
-inline constexpr Field queue{"queue", Quantity::none, FieldRange::count};
-inline constexpr Field bank{"bank", Quantity::none, FieldRange::flag};
+    "buffer mode", Quantity::none, {.least = 0, .most = 5, .whole = true, .words = "0 to 5"}};
+inline constexpr Field hold_to_run{"hold to run", Quantity::none, ranges::flag};
+inline constexpr Field numerator{"numerator", Quantity::none, ranges::whole};
+inline constexpr Field denominator{"denominator", Quantity::none, ranges::whole_nonzero};
+inline constexpr Field queue{"queue", Quantity::none, ranges::count};
+inline constexpr Field bank{"bank", Quantity::none, ranges::flag};
 
 }  // namespace jounce::command

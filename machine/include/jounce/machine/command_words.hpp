@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 #include "jounce/command/commands.hpp"
 
 /// Commands in words, as in `jounce order`: "move --to 120mm --velocity 200mm/s". command_table.hpp
-/// defines the words, options and units.
+/// defines the words and units, machine/src/operate/order_options.cpp the options.
 ///
 ///     const CommandWords words{.what = "move", .options = {{"to", "120mm"}}};
 ///     require_taken(words);
@@ -36,12 +37,25 @@ const std::vector<std::string>& command_words();
 /// `name`: the name of the executor, as given.
 std::string meant_command(const std::string& name, const std::string& word);
 
+/// Form in which the text of an option gives a value.
+enum class OptionForm : std::uint8_t {
+  flag,           ///< no text
+  number,         ///< "120mm"
+  whole,          ///< "3"
+  factor,         ///< "50%" or "0.5"
+  ratio,          ///< "3:2"
+  direction,      ///< one of the choices: "positive"
+  blend,          ///< one of the choices: "low"
+  edge,           ///< "rising", "falling" or "both"
+  trigger_input,  ///< "1" to "4", "home" or "index"
+  coordinates,    ///< "10mm,5mm"
+};
+
 /// An option of `jounce order`, which is a field of one or more commands.
 struct CommandOption {
-  std::string name;  ///< name without dashes
-  std::string help;  ///< help text
-  /// Permitted values. FieldRange::flag means that the option has no value.
-  FieldRange range = FieldRange::finite;
+  std::string name;                       ///< name without dashes
+  std::string help;                       ///< help text
+  OptionForm form = OptionForm::number;   ///< form in which its text gives the value
   Quantity quantity = Quantity::none;     ///< physical quantity
   std::vector<std::string> choices = {};  ///< permitted words; empty: a number or a list
 };
