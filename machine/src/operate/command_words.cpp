@@ -397,7 +397,8 @@ InputError value_missing(const std::string& word, const Field& field, const std:
 
 /// The value of a field, from its option. `index`: number of fields of the same option before it.
 double value_of(const CommandWords& words, const Form& form, const Field& field, std::size_t index,
-                const Units& units, const std::vector<std::string>& axes) {
+                const Units& units, const std::vector<std::string>& axes,
+                const std::vector<std::string>& coordinate_units) {
   const std::string option = form.option(field);
   const std::string name = dashed(option);
   const std::string text = text_of(words, option);
@@ -438,7 +439,8 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
     case FieldRange::trigger_edge:
       return edge_of(text);
     case FieldRange::coordinate:
-      return coordinate_of(coordinate_name(words, name, index, axes), text, index, unit);
+      return coordinate_of(coordinate_name(words, name, index, axes), text, index,
+                           index < coordinate_units.size() ? coordinate_units[index] : unit);
     case FieldRange::finite:
       if (text.empty()) throw InputError(name, "", "is missing: " + words.what + " needs it");
       return number_of(name, text, unit);
@@ -680,8 +682,17 @@ bool names_axes(const CommandWords& words) {
   });
 }
 
+bool has_coordinates(const CommandWords& words) {
+  for (const Form& form : forms_of(words.what))
+    for (const Field& field : form.command->fields)
+      if (field.range == FieldRange::coordinate && !text_of(words, field.option).empty())
+        return true;
+  return false;
+}
+
 ClientCommand command_of(const CommandWords& given, const Units& units,
-                         const std::vector<std::string>& axes) {
+                         const std::vector<std::string>& axes,
+                         const std::vector<std::string>& coordinate_units) {
   const CommandWords words =
       names_axes(given) && !axes.empty() ? without_names(given, axes) : given;
   const Form form = form_of(words);
@@ -691,7 +702,8 @@ ClientCommand command_of(const CommandWords& given, const Units& units,
   for (std::size_t i = 0; i < form.command->fields.size(); ++i) {
     const Field& field = form.command->fields[i];
     if (form.takes(field))
-      values[i] = value_of(words, form, field, seen[form.option(field)]++, units, axes);
+      values[i] =
+          value_of(words, form, field, seen[form.option(field)]++, units, axes, coordinate_units);
     if (field.range == FieldRange::coordinate)
       require_coordinates(dashed(form.option(field)), text_of(words, form.option(field)),
                           coordinates(form, form.option(field)));
