@@ -140,7 +140,7 @@ std::array<double, max_axes> positions_of(const std::vector<NamedValue>& given,
     }
   }
   if (!missing.empty())
-    throw InputError("VALUE", listed(missing, [](const auto& name) { return name + "=..."; }),
+    throw InputError(listed(missing), "",
                      std::string(missing.size() == 1 ? "is" : "are") + " missing: give all of " +
                          listed(parts, &AxisPart::name));
   return positions;
