@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/base/file.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <cerrno>
@@ -289,6 +290,15 @@ void require_other_file(const std::string& input, const std::string& output,
   std::error_code none;  // a missing file is a different file
   if (input != "-" && output != "-" && std::filesystem::equivalent(input, output, none))
     throw InputError(option, output, "is also the input: choose another name");
+}
+
+std::FILE* text_stream(bool json, std::initializer_list<std::string> files) {
+  const bool taken = std::find(files.begin(), files.end(), "-") != files.end();
+  if (json && taken)
+    throw InputError("--json", "",
+                     "writes to standard output, and so does the output -: give a file for the "
+                     "output (-o FILE), or leave out --json");
+  return taken ? stderr : stdout;
 }
 
 std::string read_edited_file(const std::string& path, Archive archive) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdio>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -14,15 +12,12 @@
 /// Files that a verb writes. Check them before the long work whose result they will hold.
 namespace jounce::cli {
 
-using jounce::require_other_file;
+using jounce::require_other_file, jounce::text_stream;
 inline void require_other_file(const std::string& input, const std::string& output) {
   require_other_file(input, output, "--output");
 }
 
 /// Calls write_figure(); errors name --output.
 void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options = {});
-
-/// The stream for the summary of a verb: standard error if one of its files is standard output.
-std::FILE* text_stream(std::initializer_list<std::string> files);
 
 }  // namespace jounce::cli

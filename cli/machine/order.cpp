@@ -45,16 +45,16 @@ wire::Status present(const OrderArguments& options, KeyedLink& link) {
   return *status;
 }
 
-/// The axes of a group, if the command names them.
-std::vector<std::string> axes_of(const OrderArguments& options, KeyedLink& link) {
-  if (!names_axes(options.words)) return {};
+/// The names and units of the coordinates of a group, if the command has coordinates.
+wire::GroupStatus coordinates_of(const OrderArguments& options, KeyedLink& link) {
+  if (!names_axes(options.words) && !has_coordinates(options.words)) return {};
   const auto group =
       present_group(link.transport(), options.executor, std::chrono::seconds(1), link.key());
-  if (!group)
+  if (!group && names_axes(options.words))
     throw InputError("NAME", options.executor,
                      "is a single axis, without coordinates: name a group, or send `jounce order " +
                          options.executor + " move --to POSITION`");
-  return group->axes;
+  return group.value_or(wire::GroupStatus{});
 }
 
 CallOutcome execute(const OrderArguments& options, KeyedLink& link, const Units& units) {
@@ -62,7 +62,8 @@ CallOutcome execute(const OrderArguments& options, KeyedLink& link, const Units&
   if (homes && options.at >= 0)
     throw InputError("--at", std::to_string(options.at),
                      "cannot be combined with home, which waits until the axis is homed");
-  const ClientCommand command = command_of(options.words, units, axes_of(options, link));
+  const wire::GroupStatus group = coordinates_of(options, link);
+  const ClientCommand command = command_of(options.words, units, group.axes, group.units);
   std::optional<Interrupt> interrupt;
   if (homes || holds_to_run(command)) interrupt.emplace();
   return execute_command(

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "jounce/base/interrupt.hpp"
+#include "jounce/machine/watch.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
 #include "jounce/web/gate.hpp"
 #include "jounce/web/page_process.hpp"
@@ -44,11 +45,13 @@ int run_page(const PageArguments& options) {
     return web::serve_for_parent(panel_of(options, open_link(options.link)), make_link) ? fine
                                                                                         : bad_input;
   const Interrupt interrupt;
-  const KeyedLink link = open_link(options.link);
+  KeyedLink link = open_link(options.link);
   if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", unprotected_warning);
   const web::Panel panel(panel_of(options, link),
                          web::Listening(static_cast<std::uint16_t>(options.port)), make_link);
   fmt::print(stderr, "jounce: live page at {}\n", panel.address());
+  if (const std::string missing = dashboard::missing_text(link, options.axes); !missing.empty())
+    fmt::print(stderr, "jounce: warning: {}\n", missing);
   for (const Duration duration(options.seconds); !interrupt.asked() && duration.goes_on();)
     std::this_thread::sleep_for(check_interval);
   return fine;

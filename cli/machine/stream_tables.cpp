@@ -180,7 +180,8 @@ int stream_table(const StreamArguments& options) {
     fmt::print(stderr, "jounce: {} waits {}; Ctrl-C cancels the start\n", options.to,
                std::exchange(awaited, ""));
   };
-  const StreamOutcome outcome = stream_tables(link.transport(), std::move(plan), stream);
+  StreamOutcome outcome = stream_tables(link.transport(), std::move(plan), stream);
+  if (path) outcome.reason = with_file(outcome.reason, options.file);
   const bool waits = options.no_wait &&
                      (!options.start_at.empty() || options.at_next_cut || !options.swaps.empty());
   return report_outcome(outcome, options.to, options.json ? stream_json(outcome) : "",

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "jounce/design/files/file_check.hpp"
+#include "jounce/lint/find_files.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/json.hpp"
@@ -22,6 +23,8 @@ struct CheckArguments {
 
 std::vector<Report> reports_of(std::vector<Input>& axes, CheckArguments options) {
   options.check.tolerances = options.run.tolerances;
+  options.check.against = options.run.against;
+  options.check.selects_tables = options.run.files.size() > 1 || !is_one_file(options.run.file());
   return with_option_names({"slave", "master", "master_velocity", "against", "tolerance", "limit"},
                            [&] { return check_reports(axes, options.check); });
 }
@@ -42,7 +45,7 @@ int run_check(const CheckArguments& options) {
   require_one_file(options.run, "--axis", options.axis);
   require_one_file(options.run, "--over", options.over);
   if (!options.run.tolerances.empty() && options.run.baseline.empty() &&
-      options.check.against.empty())
+      options.run.against.empty())
     throw InputError("--tolerance", options.run.tolerances.front(),
                      "needs --baseline or --against");
   if (options.run.files.size() == 1 && !options.check.limits.empty() &&
@@ -62,7 +65,7 @@ void add_check(CommandLine& line) {
   const Verb verb = line.verb("check", "Check exact limits and continuity of specs and tables",
                               "jounce check cam.toml --limit geo_acceleration=0.02\n"
                               "jounce check . --format github --baseline origin/main");
-  add_run_options(verb, options->run, &options->check.against);
+  add_run_options(verb, options->run, true);
   verb.option(
           "--limit", options->check.limits,
           "Limit KEY=VALUE to add to the limits of the spec, or to replace one of them; of a cam, "

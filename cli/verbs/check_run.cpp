@@ -20,7 +20,7 @@ bool CheckRun::is_one_answer() const {
          baseline.empty() && !is_without_motion(file());
 }
 
-void add_run_options(const Verb& verb, CheckRun& run, std::string* against) {
+void add_run_options(const Verb& verb, CheckRun& run, bool of_tables) {
   verb.option("FILE", run.files,
               "Specs and tables. A folder, or a pattern in quotes such as \"cams/**/*.toml\", "
               "means all files of Jounce in it; - is standard input")
@@ -40,11 +40,12 @@ void add_run_options(const Verb& verb, CheckRun& run, std::string* against) {
       "--baseline", run.baseline,
       "Accepted versions to compare with: a folder of specs or tables, or a git revision");
   const Option tolerance = verb.option("--tolerance", run.tolerances, tolerance_help).one_each();
-  if (against == nullptr)
+  if (!of_tables)
     tolerance.needs(baseline);
   else
-    verb.option("--against", *against,
-                "Spec of the tables: compares each table with its curve and all of its limits")
+    verb.option("--against", run.against,
+                "Spec of the tables: compares each table with its curve and all of its limits; of "
+                "several files, those whose header names this spec or none")
         .excludes({baseline});
   verb.option("--summary", run.summary,
               "Folder for a new summary.md, with pictures of each changed motion before and after")
@@ -72,6 +73,7 @@ int check_files(const std::string& verb, const CheckRun& run, const Examine& exa
                    {.machine = machine,
                     .executor = {.axis = require_axis, .machine = require_machine},
                     .baseline = run.baseline,
+                    .against = run.against,
                     .accepted = {.tolerance =
                                      [&](const Labels& labels) {
                                        return with_option_names({"tolerance"}, [&] {

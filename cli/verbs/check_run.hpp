@@ -21,7 +21,7 @@ inline constexpr const char* tolerance_help =
 struct CheckRun {
   std::vector<std::string> files;
   std::string format = "text";
-  std::string baseline;
+  std::string baseline, against;
   std::vector<std::string> tolerances;
   std::string summary;
   bool json = false;
@@ -34,8 +34,8 @@ struct CheckRun {
   [[nodiscard]] const std::string& file() const { return files.front(); }
 };
 
-/// `against`: the target of the option --against; null: the verb has none.
-void add_run_options(const Verb& verb, CheckRun& run, std::string* against = nullptr);
+/// `of_tables`: true for a verb with --against.
+void add_run_options(const Verb& verb, CheckRun& run, bool of_tables = false);
 
 /// The work for one answer. It prints all errors of the file; with --json they are on standard output as well.
 int answer(const CheckRun& run, const std::function<int()>& work);

@@ -46,6 +46,7 @@ Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
 }
 
 int run_convert(const ConvertArguments& options) {
+  std::FILE* out = text_stream(options.json, {options.output});
   const TableForm form = table_form(options.to, options.output);
   if (options.to.empty()) under_option("OUT", [&] { require_known_ending(options.output); });
   if (form.format != nullptr && !options.rule.empty())
@@ -65,7 +66,6 @@ int run_convert(const ConvertArguments& options) {
     return form_text(form, made.file, options.every);
   });
   if (writes) write_file(options.output, text);
-  std::FILE* out = text_stream({options.output});
   const auto lost = all_losses(input, form, made.file.table, !options.every.empty());
   if (options.json)
     fmt::print(out, "{}\n", conversion_json(made, form, writes ? options.output : "", lost));

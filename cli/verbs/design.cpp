@@ -37,6 +37,7 @@ void add_files(const Input& input, const DesignArguments& options, std::size_t a
 }
 
 int run_design(const DesignArguments& options) {
+  std::FILE* out = text_stream(options.json, {options.output, options.curve});
   const std::vector<Input> inputs =
       over(options.over, load_program(options.spec, options.machine, options.axis));
   std::vector<Output> files;
@@ -48,7 +49,6 @@ int run_design(const DesignArguments& options) {
   }
   require_other_file(options.spec, options.output);
   write_files(files);
-  std::FILE* out = text_stream({options.output});
   std::vector<std::pair<std::string, std::string>> documents;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Input& input = inputs[i];

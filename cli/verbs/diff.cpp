@@ -34,6 +34,7 @@ void draw(const std::string& path, const FileDifference& difference) {
 }
 
 int run_diff(const DiffArguments& options) {
+  std::FILE* const out = text_stream(options.json, {options.output});
   const FileDifference difference = with_option_names({"axis", "tolerance"}, [&] {
     return file_difference(
         read_inputs(options.before), read_inputs(options.after), options.before, options.after,
@@ -41,7 +42,6 @@ int run_diff(const DiffArguments& options) {
         options.axis);
   });
   if (!options.output.empty()) draw(options.output, difference);
-  std::FILE* const out = text_stream({options.output});
   if (options.json)
     print_json(out, to_json(difference));
   else

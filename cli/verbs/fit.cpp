@@ -21,13 +21,13 @@ struct FitArguments {
 };
 
 int run_fit(const FitArguments& options) {
+  std::FILE* out = text_stream(options.json, {options.output});
   require_other_file(options.file, options.output);
   const FittedCam made =
       with_option_names({"tolerance", "period", "drawing", "master_unit", "position_unit"},
                         [&] { return fitted_cam(options.file, options.fit); });
   write_file(options.output, made.text);
-  fmt::print(text_stream({options.output}), "{}",
-             options.json ? fit_json(made, options.output) + "\n" : fit_text(made));
+  fmt::print(out, "{}", options.json ? fit_json(made, options.output) + "\n" : fit_text(made));
   return made.ok() ? fine : finding;
 }
 

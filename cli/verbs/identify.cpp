@@ -37,6 +37,7 @@ Identification fitted(const Recording& run, const Drive& drive, const IdentifyAr
 }
 
 int run_identify(const IdentifyArguments& options) {
+  std::FILE* out = text_stream(options.json, {options.output, options.plot});
   for (const std::string& output : {options.output, options.plot}) {
     require_other_file(options.drive, output);
     require_other_file(options.log, output);
@@ -47,7 +48,6 @@ int run_identify(const IdentifyArguments& options) {
   const std::string& u = spec.units.position;
   const Recording recording = read_recording(options.log, spec.drive->drive, u);
   const Identification found = fitted(recording, spec.drive->drive, options);
-  std::FILE* out = text_stream({options.output, options.plot});
   if (options.json)
     print_json(out, identification_json(found));
   else

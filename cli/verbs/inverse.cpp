@@ -22,13 +22,14 @@ struct InverseArguments {
 };
 
 int run_inverse(const InverseArguments& options) {
+  std::FILE* out = text_stream(options.json, {options.output});
   const Input cam = load(options.file, options.axis);
   const InverseAnswer answer = with_option_names({"slave", "at", "from", "to", "tolerance"}, [&] {
     return inverse_answer(cam, options.slave, options.output, options.texts);
   });
   require_other_file(options.file, options.output);
   if (answer.table) write_file(options.output, table_text(options.output, *answer.table));
-  fmt::print(text_stream({options.output}), "{}", options.json ? answer.json + "\n" : answer.text);
+  fmt::print(out, "{}", options.json ? answer.json + "\n" : answer.text);
   return answer.found ? fine : finding;
 }
 

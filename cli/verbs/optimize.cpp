@@ -56,8 +56,8 @@ void write(const OptimizeArguments& options, const Spec& given, const Spec& opti
 }
 
 /// Prints the optimum and the peaks of the optimized spec. Writes the files if it passes the check.
-int report(const OptimizeArguments& options, const Spec& given, const SpecOptimum& best) {
-  std::FILE* out = text_stream({options.output, options.table, options.plot});
+int report(const OptimizeArguments& options, const Spec& given, const SpecOptimum& best,
+           std::FILE* out) {
   std::optional<Spec> spec;
   if (best.spec)
     spec = parse_spec(*best.spec, options.output.empty() ? given.document.name : options.output);
@@ -76,6 +76,7 @@ int report(const OptimizeArguments& options, const Spec& given, const SpecOptimu
 }
 
 int run_optimize(const OptimizeArguments& options) {
+  std::FILE* out = text_stream(options.json, {options.output, options.table, options.plot});
   require_other_file(options.spec, options.output);
   require_other_file(options.spec, options.table, "--table");
   require_other_file(options.spec, options.plot, "--plot");
@@ -90,7 +91,7 @@ int run_optimize(const OptimizeArguments& options) {
   if (!options.against.empty() && (spec.parameters || spec.optimize.shape.shapes.empty()))
     throw spec.document.located(
         InputError("segment", "", "--against needs a free shape: add free = { shape = 60 }"));
-  return report(options, spec, optimum(options, spec));
+  return report(options, spec, optimum(options, spec), out);
 }
 
 }  // namespace

@@ -30,6 +30,10 @@ struct SweepArguments {
   bool json = false;
 };
 
+std::FILE* stream_of(const SweepArguments& options) {
+  return text_stream(options.json, {options.files.csv, options.files.npy, options.plot});
+}
+
 SweepResult worked_through(const SweepSpec& spec, const SweepArguments& options, const Farm& farm) {
   const Interrupt interrupt;
   ProgressLine progress("sweep");
@@ -54,13 +58,14 @@ int report(const SweepSpec& spec, const SweepResult& result, const SweepArgument
     write_picture(options.plot, sweep_figure(spec, result, summary), sweep_look(spec));
   if (const std::string journal = options.files.journal(); !journal.empty())
     std::remove(journal.c_str());
-  fmt::print(text_stream({options.files.csv, options.files.npy, options.plot}), "{}",
+  fmt::print(stream_of(options), "{}",
              options.json ? summary_json(spec, result, summary) + "\n"
                           : summary_text(spec, result, summary));
   return summary.within > 0 ? fine : finding;
 }
 
 int run_here(const SweepArguments& options) {
+  (void)stream_of(options);
   const SweepSpec spec = read_sweep(options.file);
   return report(spec, worked_through(spec, options, on_threads(options.jobs)), options);
 }

@@ -100,7 +100,8 @@ constexpr std::array entries{
           "Remove the cause of the fault (`jounce monitor NAME` shows it), then send `jounce order "
           "NAME reset`."},
     Entry{Cause::in_motion, "in_motion", "The axis or group is moving.",
-          "Wait for standstill, or stop it: `jounce stop NAME`."},
+          "Wait for standstill, or end the motion: `jounce order NAME halt`. `finish` ends a table "
+          "that repeats at the end of its pass."},
     Entry{Cause::not_armed, "not_armed", "No table is armed.",
           "Send a table and arm it. After a stop, the table must be armed again."},
     Entry{Cause::not_at_start, "not_at_start",
@@ -116,7 +117,8 @@ constexpr std::array entries{
     Entry{Cause::leaving, "leaving", "The executor is shutting down and accepts no more tables.",
           "Start the executor again."},
     Entry{Cause::synchronized, "synchronized", "The axis is following a master.",
-          "Release the axis from its master: `jounce order NAME gear-out`, or cam-out for a cam."},
+          "End the coupling: `jounce order NAME halt`. After `gear-out` and `cam-out`, the axis "
+          "keeps its velocity."},
     Entry{Cause::stopping, "stopping", "A stop is in progress.", "Wait until the axis is at rest."},
     Entry{
         Cause::not_on_path, "not_on_path", "The command does not apply to the present motion.",
@@ -140,7 +142,7 @@ constexpr std::array entries{
           "No move from the present state to that target keeps the limits and the direction.",
           "Choose the other direction, a target farther away, a lower velocity, or higher limits."},
     Entry{Cause::halting, "halting", "A halt is in progress.",
-          "Send a new motion, or wait for standstill."},
+          "Send a new motion, or wait until the axis is at rest."},
     Entry{Cause::buffer_full, "buffer_full",
           "The buffer is full: at most eight moves and one command for a tick can wait.",
           "Wait until one of the waiting motions begins."},
@@ -161,13 +163,13 @@ constexpr std::array entries{
         "Move the axis to the start of the table (`jounce order NAME move --to POSITION`), or "
         "start "
         "the executor with --adopt-start. A table over time also begins at the position of the "
-        "axis with --rolling --relative. With a live master, use start = \"ramp_in\" with "
-        "velocity_diff and acceleration in [coupling], or the `cutter` of the axis with `jounce "
-        "order NAME start`.",
+        "axis with --rolling --relative. With a live master, use the `cutter` of the axis with "
+        "`jounce order NAME start`, or start = \"ramp_in\" with velocity_diff and acceleration in "
+        "[coupling].",
         nullptr,
-        "Or start the executor with --adopt-start. With --live, use start = \"ramp_in\" with "
-        "velocity_diff and acceleration in [coupling], or the `cutter` of the axis (`jounce order "
-        "NAME start`)."},
+        "Or start the executor with --adopt-start, but not for --live. With --live, prefer the "
+        "`cutter` of the axis: `jounce order NAME start` begins at any position of the master. Or "
+        "use start = \"ramp_in\" with velocity_diff and acceleration in [coupling]."},
     Entry{Cause::start_velocity, "start_velocity", "The table does not begin at rest.",
           "Add a ramp at the start. The permitted step of the velocity is the acceleration limit "
           "times one cycle."},
@@ -432,6 +434,8 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::not_a_group, CommandKind::group_set_limits,
                 "Send the command to a group. For an axis, give the limits with each move, or in "
                 "[limits] of its spec."},
+    OrderRemedy{Cause::not_a_group, CommandKind::group_jog,
+                "Jog the axis: `jounce order NAME jog VELOCITY`. Only a group jogs --along."},
     OrderRemedy{Cause::single_axis, CommandKind::home,
                 "Send the command to each axis of the group, while the group is disabled."},
     OrderRemedy{Cause::single_axis, CommandKind::override_,

@@ -167,8 +167,27 @@ void set_against(std::vector<Input>& tables, const std::string& spec_path,
   const std::vector<Input> specs = read_inputs(spec_path);
   if (!specs.front().spec)
     throw InputError("against", spec_path, "is a table: give the spec of the motion");
+  if (tables.front().spec)
+    throw InputError("against", spec_path,
+                     "is the spec of a table, but " +
+                         printable(tables.front().spec->document.name) +
+                         " is a spec, too: leave out --against; `jounce diff` compares two specs");
   for (Input& table : tables)
     if (!table.spec) set_spec(table, partner(table, specs, spec_path), spec_path, tolerance);
+}
+
+bool may_be_made_from(const Input& table, const std::string& spec_path) {
+  if (table.spec) return false;
+  const fs::path named = table.table.provenance.spec;
+  if (named.empty()) return true;
+  std::error_code none;
+  const fs::path folder = fs::path(table.file).parent_path();
+  bool exists = false;
+  for (const fs::path& path : {folder / named, folder / named.filename(), named}) {
+    if (fs::equivalent(path, spec_path, none)) return true;
+    exists = exists || fs::is_regular_file(path, none);
+  }
+  return !exists && named.filename() == fs::path(spec_path).filename();
 }
 
 std::string newer_spec(const Provenance& provenance, const std::string& table_path) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/design/driven.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "jounce/design/reference.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
@@ -28,6 +32,23 @@ DriveResult driven(const Input& input, std::size_t samples) {
     if (finding.unit.empty()) finding.unit = input.labels.units.position;
   }
   return result;
+}
+
+void add_torque_demand(DriveResult& result, const Input& input) {
+  const auto found =
+      std::find_if(result.report.findings.begin(), result.report.findings.end(),
+                   [](const Finding& f) { return f.broken && f.rule == "drive/saturation"; });
+  if (found == result.report.findings.end()) return;
+  Input free = input;
+  constexpr double without_limit = 1e6;  // a multiple of the limit
+  free.drive->drive.motor.torque_limit *= without_limit;
+  const DriveResult unlimited = driven(free);
+  if (!unlimited.integration.ok()) return;
+  found->advice = "without this limit, the torque reaches " +
+                  six_digits_up(std::abs(unlimited.torque.value)) +
+                  " N m: use a motor with this torque_limit, or lower the acceleration " +
+                  (input.spec && input.spec->master ? "(with a lower master.velocity) " : "") +
+                  "or the inertia";
 }
 
 }  // namespace jounce

@@ -85,12 +85,12 @@ OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
     const auto& motion_x = std::get<Trajectory>(*x.curve);
     const auto& motion_y = std::get<Trajectory>(*y.curve);
     events.all = of_zones(*compare.plane, motion_x, motion_y);
-    events.report = check(*compare.plane, motion_x, motion_y);
+    events.report = check(*compare.plane, motion_x, motion_y, events.position);
     return events;
   }
   const auto add = [&](const Trajectory& motion) {
     events.all = of_compare(compare, motion);
-    events.report = check(compare.compare, motion, compare.device);
+    events.report = check(compare.compare, motion, compare.device, events.position);
   };
   const auto axis = std::find_if(axes.begin(), axes.end(),
                                  [&](const Input& each) { return each.axis == compare.axis; });

@@ -33,7 +33,7 @@ std::string commit_of(const std::string& revision) {
                      std::string("is neither a folder nor a revision of git") +
                          (is_shallow() ? ": this clone is shallow, so it has no other revisions: "
                                          "fetch the history (fetch-depth: 0)"
-                                       : ""));
+                                       : ": give one of the two, such as HEAD or origin/main"));
   return answer.out;
 }
 

@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_of_head = 1U << 16U;  ///< bytes; `jounce = 1` is at the beginning
 
-std::string head_of(const fs::path& path) {
+std::string head_of(const fs::path& path, std::size_t most = most_of_head) {
   std::ifstream file(path, std::ios::binary);
-  std::string head(most_of_head, '\0');
+  std::string head(most, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(file.gcount()));
   return head;
@@ -72,15 +72,30 @@ bool is_real_folder(const fs::directory_entry& entry) {
   return entry.is_directory(none) && !entry.is_symlink(none);
 }
 
-void walk(const fs::path& folder, std::vector<fs::path>& found) {
+/// Adds the files in and below a folder for which `belongs` is true.
+template <class Belongs>
+void walk(const fs::path& folder, std::vector<fs::path>& found, const Belongs& belongs) {
   for (const fs::directory_entry& entry : entries_of(folder)) {
     const fs::path path = folder / entry.path().filename();
     if (is_real_folder(entry)) {
-      if (!is_hidden(path)) walk(path, found);
-    } else if (is_jounce_file(path.string())) {
+      if (!is_hidden(path)) walk(path, found, belongs);
+    } else if (belongs(path.string())) {
       found.push_back(path);
     }
   }
+}
+
+/// True for a file that `jounce convert` wrote for a controller: its head has a comment such as
+/// "a cam for Galil ECAM, by jounce 0.1.0".
+bool is_controller_file(const std::string& path) {
+  constexpr std::size_t most = 512;
+  constexpr std::string_view writer = " by jounce ";
+  std::error_code none;
+  if (!fs::is_regular_file(path, none) || is_jounce_file(path)) return false;
+  const std::string head = head_of(path, most);
+  const std::size_t at = head.find(writer);
+  return at != std::string::npos && at + writer.size() < head.size() &&
+         std::isdigit(static_cast<unsigned char>(head[at + writer.size()])) != 0;
 }
 
 /// The files below a folder that match the parts of a pattern.
@@ -155,6 +170,17 @@ bool is_jounce_file(const std::string& path) {
   return is_key(head);
 }
 
+std::vector<std::string> controller_files(const std::vector<std::string>& names) {
+  std::vector<fs::path> found;
+  for (const std::string& name : names)
+    if (is_folder(name)) walk(name, found, is_controller_file);
+  std::set<std::string> all;  // each file once
+  for (const fs::path& path : found)
+    if (std::find(names.begin(), names.end(), path.string()) == names.end())
+      all.insert(path.lexically_normal().string());
+  return {all.begin(), all.end()};
+}
+
 bool is_one_file(const std::string& name) {
   return !is_folder(name) && !is_pattern(name);
 }
@@ -166,7 +192,7 @@ std::vector<std::string> find_files(const std::vector<std::string>& names,
   for (const std::string& name : names) {
     std::vector<fs::path> found;
     if (is_folder(name))
-      walk(name, found);
+      walk(name, found, is_jounce_file);
     else if (is_pattern(name))
       found = matches_of(name);
     else

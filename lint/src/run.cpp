@@ -26,6 +26,17 @@ std::vector<std::string> files_of(const std::vector<std::string>& names,
   return files;
 }
 
+/// Throws if none of the files is a table, which could be compared with a spec.
+void require_table(const RunResult& result, const std::string& against) {
+  if (against.empty()) return;
+  for (const FileResult& file : result.files)
+    if (file.kind == "table" || file.kind.empty()) return;  // a file with errors has its own
+  throw InputError(
+      "--against", against,
+      "is the spec of tables, but none of the files is a table: name a table, or leave "
+      "out --against; `jounce diff` compares two specs");
+}
+
 /// Adds what the comparison with the accepted versions found to the results of the files.
 void add_changes(RunResult& result, const std::vector<FileChange>& changes) {
   for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -53,6 +64,8 @@ LintedFiles lint_run(const std::string& verb, const std::vector<std::string>& na
   const std::vector<std::string> files = files_of(names, options.baseline);
   LintedFiles all{
       {verb, lint_files(files, examine, options.machine, options.progress, options.executor)}};
+  require_table(all.result, options.against);
+  all.result.skipped = controller_files(names).size();
   if (options.baseline.empty()) return all;
   const AcceptedVersions accepted(options.baseline);
   all.changes = compare_with(accepted, files, names, options.accepted);

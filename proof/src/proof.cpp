@@ -111,6 +111,7 @@ Proof prove(const Input& input, const ProofOptions& options) {
   if (input.drive) {
     constexpr std::size_t compared = 201;
     proof.drive = driven(input, options.drive_samples > 0 ? options.drive_samples : compared);
+    add_torque_demand(*proof.drive, input);
     add_part(proof.report, proof.drive->report, "drive", "s");
     if (input.drive->tolerances) {
       proof.tolerances = tolerated(input, options.progress);

@@ -297,6 +297,8 @@ std::string sentence(const Finding& exact, const Labels& labels) {
       break;
     case RuleFamily::drive:
       if (f.rule == "drive/stability") return of_unstable_loop(f, where);
+      if (f.rule == "drive/saturation" && f.broken)
+        return fmt::format("the torque reaches the limit {} at {}", value, where);
       break;
     case RuleFamily::tolerance:
       if (f.rule == "tolerance/stability")

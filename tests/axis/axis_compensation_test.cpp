@@ -168,6 +168,9 @@ TEST(AxisCompensation, MistakesAreRejectedWithTheirReason) {
   Table plain({{.name = "x", .config = {.limits = limits(500, 5000)}}});
   EXPECT_EQ(refusal(plain.step(0, {command::EnableCompensation{}})), Cause::no_compensation);
   EXPECT_EQ(refusal(plain.step(0, {command::DisableCompensation{}})), Cause::no_compensation);
+  plain.step(0, {command::Enable{}});
+  EXPECT_EQ(refusal(plain.step(0, {command::EnableCompensation{}})), Cause::no_compensation)
+      << "not `enabled`: disabling the axis would not help";
 
   Table axis = one_screw();
   const auto on = [&] { return refusal(axis.step(0, {command::EnableCompensation{}})); };

@@ -201,6 +201,16 @@ TEST_F(Files, WhatIsReadIsNotReplacedWhileInputsAreKept) {
   require_other_file("-", "-", "output");
 }
 
+TEST_F(Files, StandardOutputTakesOneOutput) {
+  EXPECT_EQ(text_stream(false, {"a.csv", ""}), stdout);
+  EXPECT_EQ(text_stream(true, {"a.csv", ""}), stdout);
+  EXPECT_EQ(text_stream(false, {"a.csv", "-"}), stderr);
+  EXPECT_THAT(test::error_of([] {
+                (void)text_stream(true, {"a.csv", "-"});
+              }),
+              ::testing::StartsWith("--json: writes to standard output, and so does the output -"));
+}
+
 TEST_F(Files, NameWhatIsNoText) {
   using namespace std::string_literals;
   write_file(in("a"), "\x1F\x8B\x08"s);

@@ -277,6 +277,12 @@ TEST(CamSwitch, RefusesWhatCannotBeMeant) {
   expect_refused({.switches = {s}}, "switch[1].last_on_position", "finite");
   s = range(20, 30);
   s.duration = 1;
+  expect_refused({.switches = {s}}, "switch[1].duration",
+                 "contradicts last_on_position: leave one of them out");
+  s.mode = CamSwitchMode::time;
+  expect_refused({.switches = {s}}, "switch[1].last_on_position", "contradicts duration");
+  s.mode = CamSwitchMode::position;
+  s.last_on_position.reset();
   expect_refused({.switches = {s}}, "switch[1].duration", "mode = \"time\"");
   s.duration.reset();
   s.last_on_position.reset();

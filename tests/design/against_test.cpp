@@ -246,6 +246,28 @@ TEST_F(Against, ATableThatDoesNotBelongToTheSpecIsAnError) {
   EXPECT_THAT(error(right, right), HasSubstr("is a table: give the spec"));
 }
 
+TEST_F(Against, OfManyFilesTheTablesOfThisSpecAreCompared) {
+  const std::string spec = write("small.toml", spec_text("acceleration = 15600"));
+  const std::string other = write("other.toml", spec_text("acceleration = 15700"));
+  EXPECT_THAT(test::error_of([&] { check(other, {.against = spec}); }),
+              HasSubstr("is a spec, too: leave out --against; `jounce diff` compares two specs"));
+  Input made = read_inputs(spec).front();
+  const auto compared = [&](const std::string& named) {
+    made.table.provenance.spec = named;
+    const std::string table = write("t.csv", to_csv(made.table));
+    const Report report = check(table, {.against = spec, .selects_tables = true}).front();
+    for (const Finding& f : report.findings)
+      if (f.rule == "table/position") return true;
+    return false;
+  };
+  EXPECT_TRUE(compared("small.toml"));
+  EXPECT_TRUE(compared("cams/small.toml")) << "made in another folder";
+  EXPECT_TRUE(compared("")) << "the header names no spec";
+  EXPECT_FALSE(compared("other.toml"));
+  EXPECT_FALSE(compared("gone.toml"));
+  EXPECT_NO_THROW(check(other, {.against = spec, .selects_tables = true})) << "a spec of the run";
+}
+
 TEST_F(Against, ATableOlderThanItsSpecIsAWarning) {
   const std::string text = spec_text("acceleration = 15600");
   const std::string spec = write("small.toml", text);

@@ -241,7 +241,8 @@ TEST(Convert, NamesAMissingUnitAndAnInterpolation) {
   table.units.position = "";
   EXPECT_EQ(test::key_of([&] { require_units(table); }), "position_unit");
   table.units.x = "";
-  EXPECT_EQ(test::key_of([&] { require_units(table); }), "master_unit");
+  EXPECT_THAT(test::error_of([&] { require_units(table); }),
+              HasSubstr("master_unit: is missing, and --position-unit, too: "));
   EXPECT_EQ(interpolation_named("quintic_hermite"), Interpolation::quintic_hermite);
   EXPECT_EQ(interpolation_named(""), std::nullopt);
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/command/causes.hpp"
+#include "jounce/command/command_table.hpp"
 #include "jounce/command/refusal_text.hpp"
 #include "jounce/stream/message/message.hpp"
 
@@ -88,8 +89,10 @@ TEST(Notices, ARejectionNamesWhatTheSpecLacks) {
   ExecutorOptions options;
   EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, options),
               HasSubstr("add [follow] to its spec"));
-  EXPECT_THAT(refusal_text({Cause::no_cut_plan}, {}, options),
-              HasSubstr("add cutter = \"FILE\" to [axis]"));
+  EXPECT_THAT(
+      refusal_text({Cause::no_cut_plan}, {}, options),
+      HasSubstr(
+          "command an axis with one, or add cutter = \"FILE\" (a spec of kind knife or shear)"));
   const Refusal input{Cause::no_trigger_input, 2, 0b110000};
   EXPECT_THAT(refusal_text(input, {}, options), HasSubstr("add [drive] to its spec"));
   options.follow = {.what = Follow::What::master};
@@ -148,12 +151,47 @@ TEST(Notices, ARejectionFitsIntoItsField) {
   ExecutorOptions millimeters;
   millimeters.units.position = "mm";
   const Refusal elsewhere{Cause::start_position, -1234.5678, -8765.4321};
+  ExecutorOptions no_cutter;
+  EXPECT_LT(refusal_text({Cause::no_cut_plan}, {}, no_cutter).size(), wire::reason_bytes);
   const Tick moving{.state = State::discrete_motion, .job = 1};
   const std::string text = refusal_text(elsewhere, moving, millimeters);
   EXPECT_LT(text.size(), wire::reason_bytes);
   EXPECT_THAT(text,
               HasSubstr("begins at -1234.57 mm, but the present motion ends at -8765.43 mm: after "
                         "it, send `jounce order "));
+}
+
+// Standstill never comes by itself, so "wait for standstill" would be a remedy that fails.
+TEST(Notices, ARejectionInAnEndlessMotionNamesTheOrderThatEndsIt) {
+  ExecutorOptions options;
+  options.receiver.executor = "roller";
+  const auto reason = [&](const Tick& now, CommandKind order) {
+    return refusal_text({permitted(now.state, order)}, now, options, order);
+  };
+  Tick now{.state = State::continuous_motion};
+  EXPECT_EQ(reason(now, CommandKind::set_position),
+            "the axis moves at a velocity without end: end this with `jounce order roller halt`");
+  now.state = State::synchronized_motion;
+  EXPECT_EQ(reason(now, CommandKind::home),
+            "the axis follows its master: end this with `jounce order roller halt`");
+  now.ratio = 2;
+  EXPECT_EQ(reason(now, CommandKind::move_repetitive),
+            "the axis follows its master by a gear: end this with `jounce order roller halt`");
+  EXPECT_THAT(refusal_text({Cause::in_motion}, now, options, CommandKind::gear_in),
+              ::testing::StartsWith("in_motion: "))
+      << "its clutch ends";
+  now.state = State::discrete_motion;
+  EXPECT_THAT(reason(now, CommandKind::home), ::testing::StartsWith("in_motion: ")) << "it ends";
+}
+
+TEST(Notices, ATableOnALiveMasterNamesTheCutterOfTheAxisFirst) {
+  ExecutorOptions options;
+  options.receiver.executor = "knife";
+  options.units.position = "deg";
+  options.follow = {.what = Follow::What::master};
+  options.cutter.emplace();
+  EXPECT_THAT(refusal_text({Cause::start_position, -0.0119, 0}, {}, options),
+              ::testing::EndsWith("send `jounce order knife start` for its cutter."));
 }
 
 TEST(Notices, ReportAStartThatDidNotBegin) {

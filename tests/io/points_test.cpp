@@ -43,19 +43,21 @@ TEST(Points, MayHaveTabsAndWords) {
 }
 
 TEST(Points, NameWhatIsWrongAndWhere) {
-  EXPECT_EQ(complaint(""), "p.csv: is empty: a header must name the columns, such as time [s],position [mm]");
+  EXPECT_EQ(complaint(""),
+            "p.csv: is empty: a header must name the columns, such as time [s],position [mm]");
   EXPECT_EQ(complaint("time [s],position [mm]\n"),
             "p.csv:1: has a header but no points: add at least one row");
   EXPECT_EQ(complaint("0,1\n1,2\n"),
             "p.csv:1: header = 0: must be the name of a column, with or without a unit, such as "
-            "position [mm]");
+            "position [mm]: write a header above the numbers");
   EXPECT_EQ(complaint("time [s,position\n0,1\n"),
             "p.csv:1: time = time [s: needs a closing bracket after its unit");
   EXPECT_EQ(complaint("time [s],position [mm]\r0,1\r1,2\r"),
             "p.csv:1: header = time [s],position [mm]: ends with a carriage return alone: save the "
             "file with "
             "line ends LF or CRLF");
-  EXPECT_EQ(complaint("time [furlong]\n0\n"), "p.csv:1: time = furlong: is not a unit");
+  EXPECT_EQ(complaint("time [furlong]\n0\n"),
+            "p.csv:1: time = furlong: is not a known unit: write one such as mm, deg, s or mm/s");
   EXPECT_EQ(complaint("time,time\n0,1\n"), "p.csv:1: time: is the name of two columns: remove one");
   EXPECT_EQ(complaint("time,position\n0,1\n1\n"),
             "p.csv:3: has 1 value, but the header has 2 columns");
@@ -148,6 +150,15 @@ TEST(Points, MayEndEachLineWithASeparator) {
   EXPECT_THAT(p.find("position")->values, ElementsAre(1, 2, 3));
   EXPECT_EQ(complaint("time;position;\n0;1;x\n"),
             "p.csv:2: has 3 values, but the header has 2 columns");
+}
+
+TEST(Points, AnErrorOfAUnitIsAtTheLineOfTheHeader) {
+  const Points p =
+      parse_points("# measured on Monday\n\ntime [s],position [deg]\n0,180\n", "p.csv");
+  EXPECT_EQ(test::error_of([&] { (void)p.in_unit("position", "mm"); }),
+            "p.csv:3: position = deg: cannot be converted to mm: correct the unit in the header");
+  EXPECT_THAT(test::error_of([&] { (void)p.in_unit("velocity", "mm/s"); }),
+              ::testing::StartsWith("p.csv:3: column \"velocity\": is missing"));
 }
 
 TEST(Points, ConvertOnlyWhatMeasuresTheSame) {

@@ -58,7 +58,9 @@ TEST(Workbook, NamesTheSheetAndTheCellOfAMistake) {
               HasSubstr("formula!B3 (position): has a formula without a stored value"));
   EXPECT_EQ(complaint("twice"),
             "mistakes.xlsx:1: twice!B1 = time: is the name of two columns: remove one");
-  EXPECT_EQ(complaint("unit"), "mistakes.xlsx:1: unit!B1 = furlong: is not a unit");
+  EXPECT_EQ(complaint("unit"),
+            "mistakes.xlsx:1: unit!B1 = furlong: is not a known unit: write one such as mm, deg, s "
+            "or mm/s");
   EXPECT_THAT(complaint("mixed"),
               HasSubstr("mixed!B3 (position) = 1.5: is text with a decimal point, but other texts "
                         "of the sheet have a decimal comma"));

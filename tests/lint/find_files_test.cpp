@@ -36,6 +36,20 @@ class FindFiles : public test::WithFolder {
   }
 };
 
+TEST_F(FindFiles, AFolderHasControllerFilesThatARunDoesNotExamine) {
+  write("cam.st", "// a cam for CODESYS SoftMotion, by jounce 0.1.0\n");
+  write("a/cam.dmc", "REM a cam for Galil ECAM, by jounce 0.1.0\n");
+  write("README.md", "Cams by jounce users\n");
+  write("table.csv", "# jounce table 1, by jounce 0.1.0\n");
+  write(".git/cam.st", "// a cam for CODESYS SoftMotion, by jounce 0.1.0\n");
+  EXPECT_EQ(
+      controller_files({folder_.string()}),
+      (std::vector<std::string>{(folder_ / "a/cam.dmc").string(), (folder_ / "cam.st").string()}));
+  EXPECT_EQ(controller_files({folder_.string(), (folder_ / "cam.st").string()}).size(), 1U)
+      << "the other is named, so the run examines it";
+  EXPECT_THAT(controller_files({(folder_ / "cam.st").string()}), IsEmpty());
+}
+
 TEST_F(FindFiles, AFolderHasTheFilesThatSayTheyAreOfJounce) {
   write("b.toml", "jounce = 1\n");
   write("a/late.toml", "# a comment\n\n  kind = \"cam\"\njounce=1\n[units]\n");

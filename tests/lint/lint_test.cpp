@@ -11,7 +11,9 @@
 #include <gmock/gmock.h>
 
 #include "jounce/design/cam_check.hpp"
+#include "jounce/lint/run.hpp"
 
+#include "support/errors.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace jounce::lint_test {
@@ -205,6 +207,18 @@ TEST_F(Lint, ManyFilesKeepTheirOrderOnAllCores) {
     EXPECT_EQ(results[i].worst() >= Level::broken, i < 15) << i;
   }
   EXPECT_THAT(places(results.back(), Level::error), ElementsAre("0:0 input/file "));
+}
+
+TEST_F(Lint, ASpecOfTablesNeedsATable) {
+  std::ofstream(in("a.toml"), std::ios::binary)
+      << cam_head + "[[segment]]\nlaw = \"345\"\nend = { master = 60, slave = 50 }\n";
+  const LintOptions options{.against = "b.toml"};
+  EXPECT_THAT(
+      test::error_of([&] { (void)lint_run("check", {in("a.toml")}, check_axes, options); }),
+      HasSubstr("--against = b.toml: is the spec of tables, but none of the files is a table"));
+  std::ofstream(in("t.csv"), std::ios::binary) << "# jounce table 1\nwrong\n";
+  EXPECT_NO_THROW((void)lint_run("check", {in("a.toml"), in("t.csv")}, check_axes, options))
+      << "the table has an error of its own";
 }
 
 }  // namespace

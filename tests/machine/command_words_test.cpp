@@ -55,6 +55,29 @@ TEST(CommandWords, ACutHasAtMostOneNumber) {
             "--position, --waste");
 }
 
+// The tool of a SCARA with three arms: x and y in mm, the direction c of the last arm in deg.
+TEST(CommandWords, EachCoordinateOfAGroupHasItsUnit) {
+  const std::vector<std::string> axes{"x", "y", "c"};
+  const std::vector<std::string> units{"mm", "mm", "deg"};
+  CommandWords words{.what = "move-linear"};
+  set_values(words, {"c=0.5rev", "x=1cm"});
+  ASSERT_TRUE(has_coordinates(words));
+  const auto line = std::get<command::MoveLinearAbsolute>(command_of(words, mm, axes, units));
+  EXPECT_DOUBLE_EQ(line.to[0], 10);
+  EXPECT_TRUE(std::isnan(line.to[1]));
+  EXPECT_DOUBLE_EQ(line.to[2], 180);
+
+  CommandWords wrong{.what = "move-linear"};
+  set_values(wrong, {"c=10mm"});
+  EXPECT_EQ(test::error_of([&] { (void)command_of(wrong, mm, axes, units); }),
+            "c = 10mm: mm is not a unit of this quantity: give the value in deg");
+  const CommandWords listed{.what = "move-linear", .options = {{"to", "1cm,,10deg"}}};
+  EXPECT_TRUE(has_coordinates(listed));
+  EXPECT_DOUBLE_EQ(std::get<command::MoveLinearAbsolute>(command_of(listed, mm, {}, units)).to[2],
+                   10);
+  EXPECT_FALSE(has_coordinates({.what = "move", .options = {{"to", "10"}}}));
+}
+
 TEST(CommandWords, AMoveOfAGroupHasCoordinates) {
   const CommandWords words{.what = "move-linear",
                            .options = {{"to", "1cm,,5"},

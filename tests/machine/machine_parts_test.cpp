@@ -274,8 +274,9 @@ TEST(GroupPosition, APositionOutOfReachNamesTheLastOneInReach) {
                 (void)converted_position(JOUNCE_SOURCE_DIR "/examples/scara/machine.toml", "",
                                          {"x=900", "y=250", "z=0"});
               }),
-              testing::HasSubstr(
-                  "is out of reach of the joints. From the start position of the joints (x = "
+              testing::StartsWith(
+                  "x = 900 mm, y = 250 mm, z = 0 mm: is out of reach of the joints. From the start "
+                  "position of the joints (x = "
                   "300 mm, y = 250 mm, z = 0 mm), the tool can move toward it as far as x = "
                   "489.126 mm, y = 250 mm, z = 0 mm"));
   // The remedy works. At sqrt(550^2 - 250^2) = 489.898 mm the arm is straight, beyond the range of a1.

@@ -46,13 +46,22 @@ TEST(OutcomeText, ARemedyFitsTheReason) {
   EXPECT_THAT(reason_text(homing, "feeder"), EndsWith("or choose another method."));
 }
 
+TEST(OutcomeText, ARejectedPathHasTheNameOfItsFile) {
+  for (const std::string sender : {"", "axis: "})
+    EXPECT_EQ(with_file(sender + "line 23: x.position = 399 mm: exceeds", "part.toml"),
+              "part.toml:23: x.position = 399 mm: exceeds");
+  for (const char* other : {"in_motion: The axis is moving.", "line: x", "line 12", ""})
+    EXPECT_EQ(with_file(other, "part.toml"), other);
+}
+
 TEST(OutcomeText, AGearInPositionNamesTheBeginOfItsEngagement) {
   wire::Status status;
   status.units = {"mm", "deg"};
   EXPECT_EQ(accepted_text({.what = "gear-in-pos",
                            .options = {{"master-sync", "1cm"}, {"start-distance", "200"}}},
                           status, "knife"),
-            "gear-in-pos accepted: the slave waits until the master passes -190 mm");
+            "gear-in-pos accepted: the slave waits until the master passes -190 mm; no jerk limit "
+            "applies behind the master: the jerk is that of the master times the ratio");
   status.gear = wire::GearState::engaging;
   status.progress = wire::Progress::waiting;
   status.ratio = 2;

@@ -71,14 +71,16 @@ TEST(PositionCompare, FiresAListInItsOrderAndWaitsForWhatIsMissed) {
   EXPECT_EQ(compared(pulses_at({1000, 5000, 7000, 10000, 15000}), motion).events.size(), 5U);
   const PositionCompare wrong = pulses_at({1000, 5000, 4000, 10000});
   EXPECT_EQ(compared(wrong, motion).events.size(), 2U);
-  const Report report = check(wrong, motion, {});
+  const Report report = check(wrong, motion, {}, "pulse");
   EXPECT_FALSE(report.ok());
   EXPECT_EQ(report.findings[0].rule, "compare/missed");
   EXPECT_EQ(report.findings[0].advice,
-            "point 3 at 4000 is not passed between point 2 and the end of the motion, and blocks "
-            "the following points");
+            "point 3 at 4000 pulse is not passed between point 2 and the end of the motion, and "
+            "blocks the following points: give the points in the order and direction in which the "
+            "motion passes them");
   EXPECT_EQ(check(pulses_at({-900}), motion, {}).findings[0].advice,
-            "point 1 at -900 is never passed");
+            "point 1 at -900 is never passed; the motion goes from 0 to 20000: leave out the "
+            "points outside, or extend the motion");
 }
 
 TEST(PositionCompare, SetsLevelsThereAndBack) {

@@ -53,6 +53,11 @@ TEST(CiFormats, TheSummaryOfAFileWithoutAMotionStatesIt) {
   EXPECT_EQ(summary_line({"check", {{"d.toml", "drive", {}}}}),
             "1 file: 1 good: its keys are valid; the kind drive has no motion to examine");
   EXPECT_EQ(summary_line({"check", {{"c.toml", "cam", {}}}}), "1 file: 1 good");
+  EXPECT_EQ(summary_line({"check", {{"c.toml", "cam", {}}}, 3}),
+            "1 file: 1 good; 3 controller files not checked: name each of them, with --against "
+            "SPEC");
+  EXPECT_EQ(summary_line({"validate", {{"c.toml", "cam", {}}}, 1}),
+            "1 file: 1 good; 1 controller file not checked: name it");
 }
 
 TEST(CiFormats, TextIsWhatCompilersPrint) {

@@ -78,6 +78,19 @@ distance = 400
   EXPECT_FALSE(left_out.homing->distance);
 }
 
+// The check of the whole spec must see the other limits, or it reports them as missing.
+TEST(AxisSpec, ARangeInTheWrongOrderLeavesTheOtherLimits) {
+  std::optional<double> velocity;
+  EXPECT_EQ(test::error_of([&] {
+              (void)parse_spec(
+                  axis_spec("") + "position_min = 5\nposition_max = 1\n", "a.toml",
+                  [&](const Spec& spec) { velocity = spec.parts().front().limits.velocity; });
+            }),
+            "a.toml:8:16: limits.position_min = 5 mm: must not be above position_max = 1 mm: "
+            "exchange the two");
+  EXPECT_EQ(velocity, 1);
+}
+
 TEST(AxisSpec, RefusesAWindowOfNothingAndAWrongUnitWithTheirPlace) {
   const auto complaint = [](const std::string& keys) -> std::string {
     return test::error_of([&] { (void)read(keys); });

@@ -74,8 +74,8 @@ TEST(Board, AGroupHasItsPlaceOnThePath) {
   EXPECT_EQ(axes[0]["group"]["remaining"], nullptr);
   EXPECT_EQ(axes[0]["group"]["place"], (json{1.0, 2.0}));
   EXPECT_EQ(axes[1]["group"], nullptr);
-  EXPECT_EQ(board.axes_of("plotter"), (std::vector<std::string>{"x", "y"}));
-  EXPECT_TRUE(board.axes_of("x").empty());
+  EXPECT_EQ(board.group("plotter").axes, (std::vector<std::string>{"x", "y"}));
+  EXPECT_TRUE(board.group("x").axes.empty());
 }
 
 TEST(Board, ListsEventsOfAllTicksWithTheirRemedy) {

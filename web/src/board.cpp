@@ -155,9 +155,9 @@ std::optional<Units> Board::units(const std::string& axis) const {
   return std::nullopt;
 }
 
-std::vector<std::string> Board::axes_of(const std::string& group) const {
+wire::GroupStatus Board::group(const std::string& name) const {
   for (const AxisView& view : axes_)
-    if (view.name == group && view.group) return view.group->axes;
+    if (view.name == name && view.group) return *view.group;
   return {};
 }
 

@@ -53,8 +53,8 @@ class Board {
   /// Returns the units of an axis; nullopt if no status has arrived.
   [[nodiscard]] std::optional<Units> units(const std::string& axis) const;
 
-  /// Returns the names of the axes of a group; empty for a single axis.
-  [[nodiscard]] std::vector<std::string> axes_of(const std::string& group) const;
+  /// Returns the last status of a group; an empty one for a single axis.
+  [[nodiscard]] wire::GroupStatus group(const std::string& name) const;
 
   /// Returns the state of all axes as JSON, with the samples whose number is above `seen`; sets
   /// `seen` to the newest number. NaN becomes null. The form is {"axes": [{"name", "state", "heard"

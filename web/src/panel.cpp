@@ -181,15 +181,16 @@ struct Panel::Impl {
     const WordOrder order = read_word_order(body);
     index_of(order.axis);
     std::optional<Units> units;
-    std::vector<std::string> axes;
+    wire::GroupStatus group;
     {
       const std::scoped_lock lock(mutex);
       units = board.units(order.axis);
-      axes = board.axes_of(order.axis);
+      group = board.group(order.axis);
     }
     if (!units) throw TransportError(order.axis + " has sent no message yet");
     const auto link = make_link();
-    return send_command(*link, order.axis, command_of(order.words, *units, axes), -1, options.key);
+    const ClientCommand command = command_of(order.words, *units, group.axes, group.units);
+    return send_command(*link, order.axis, command, -1, options.key);
   }
 
   CallOutcome outcome_of_order(const std::string& body) {

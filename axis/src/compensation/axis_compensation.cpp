@@ -10,10 +10,17 @@
 
 namespace jounce {
 
+/// Rejects a switch of a compensation that the axis does not have, in every state: disabling the
+/// axis first would not help.
+Cause MotionAxis::Impl::against_compensation(CommandKind kind) const {
+  const bool switches =
+      kind == CommandKind::enable_compensation || kind == CommandKind::disable_compensation;
+  return switches && !compensation_ ? Cause::no_compensation : Cause::none;
+}
+
 /// Switches the compensation on or off at the present place of the drive: only the position of the
 /// axis changes.
 MotionAxis::Impl::Rejection MotionAxis::Impl::set_compensation(bool on) {
-  if (!compensation_) return Refusal{Cause::no_compensation};
   if (compensation_->active() == on)
     return Refusal{on ? Cause::compensation_active : Cause::compensation_inactive};
   if (on && !now_.homed) return Refusal{Cause::not_homed};

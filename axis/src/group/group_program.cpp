@@ -23,6 +23,13 @@ constexpr double admitted_excess = 1e-9;  ///< relative, as for a table
 /// The limits of the MotionAxis of a group exceed those of its axes by this factor: they never bind.
 constexpr double not_binding = 1000;
 
+/// The line of the command that goes to the place of a piece: for a corner, the command before it.
+template <class Piece>
+int line_of_position(Piece piece, Piece first) {
+  const bool corner = piece->kind == PieceKind::turn || piece->kind == PieceKind::blend;
+  return corner && piece != first ? std::prev(piece)->line : piece->line;
+}
+
 /// The planned motion of one axis of a group, and how messages name it.
 struct PlannedAxis {
   const std::string& name;
@@ -43,7 +50,8 @@ struct PlannedAxis {
     const double q = plan.law().at(where).position;
     const auto after = std::upper_bound(pieces.begin(), pieces.end(), q,
                                         [](double at, const PathPiece& p) { return at < p.start; });
-    const int line = after == pieces.begin() ? 0 : std::prev(after)->line;
+    int line = after == pieces.begin() ? 0 : std::prev(after)->line;
+    if (line > 0 && order == 0) line = line_of_position(std::prev(after), pieces.begin());
     return InputError(name + "." + quantities[static_cast<std::size_t>(order)],
                       six_digits(value) + (order == 0 && unit.empty() ? "" : " " + rate(order)),
                       rule)
@@ -71,9 +79,8 @@ void require_inside(const PlannedAxis& axis, const Range& position) {
   const double span = position.max.value - position.min.value;
   const double room =
       limits.position_max.value_or(INFINITY) - limits.position_min.value_or(-INFINITY);
-  const std::string remedy = span > room ? "make the path smaller, because it spans " +
-                                               six_digits(span) + unit + " of the " +
-                                               six_digits(room) + unit + " that the axis has"
+  const std::string remedy = span > room ? "make the path smaller: it spans " + six_digits(span) +
+                                               unit + ", the axis " + six_digits(room) + unit
                                          : "shift the path";
   const auto reject = [&](const Extremum& end, const char* rule, double limit) {
     throw axis.error(

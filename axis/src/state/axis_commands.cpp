@@ -25,6 +25,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::take_up(const Command& command) {
   const bool released = ending_ == Ending::release && !homing_;
   const State state = released ? State::discrete_motion : state_;
   Cause no = against_group(command.kind());
+  if (no == Cause::none) no = against_compensation(command.kind());
   if (no == Cause::none) no = permitted(state, command.kind());
   if (no == Cause::none && needs_home(command)) no = Cause::not_homed;
   if (no != Cause::none) {

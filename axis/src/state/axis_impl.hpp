@@ -129,6 +129,7 @@ class MotionAxis::Impl {
 
   // axis_group.cpp: a group, and an axis of a group
   [[nodiscard]] Cause against_group(CommandKind kind) const;
+  [[nodiscard]] Cause against_compensation(CommandKind kind) const;
   [[nodiscard]] Rejection against_axes() const;
   [[nodiscard]] Rejection against_reset() const;
   [[nodiscard]] Refusal axis_refusal(Cause cause) const;

@@ -99,12 +99,17 @@ void require_switch(const CamSwitchSpec& spec, std::size_t i) {
                 six_digits(period / 2));
   if (s.mode == CamSwitchMode::position) {
     if (s.duration)
-      at.fail("duration", *s.duration, "applies to mode = \"time\" only: leave it out");
+      at.fail("duration", *s.duration,
+              s.last_on_position ? "contradicts last_on_position: leave one of them out"
+                                 : "applies to mode = \"time\" only: choose this mode, or give "
+                                   "last_on_position instead");
     return require_range(s, at, track.hysteresis, period);
   }
   if (s.last_on_position)
     at.fail("last_on_position", *s.last_on_position,
-            "applies to mode = \"position\" only: leave it out");
+            s.duration ? "contradicts duration in mode = \"time\": leave one of them out"
+                       : "applies to mode = \"position\" only: choose this mode, or give duration "
+                         "instead");
   if (!s.duration)
     throw InputError(at.key + ".duration", "",
                      "is missing: a switch in time mode needs a duration");

@@ -12,6 +12,7 @@
 #include "jounce/profiles/six_digits.hpp"
 
 #include "design/src/convert/for_controller.hpp"
+#include "design/src/missing_units.hpp"
 
 namespace jounce {
 namespace {
@@ -121,6 +122,8 @@ std::string form_text(const TableForm& form, const TableFile& file, const std::s
 }
 
 void require_units(const TableFile& file) {
+  if (file.units.x.empty() && file.units.position.empty())
+    throw design_detail::both_units_missing(file.table.axis() == Domain::time ? "s" : "deg", "mm");
   for (const auto& [unit, key] :
        {std::pair{&file.units.x, "master_unit"}, {&file.units.position, "position_unit"}})
     if (unit->empty())

@@ -15,6 +15,7 @@
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/fill.hpp"
 
+#include "design/src/missing_units.hpp"
 #include "design/src/table_check.hpp"
 
 namespace jounce::design_detail {
@@ -81,6 +82,7 @@ class ForController {
       : input_(input), wanted_(wanted), format_(*wanted.format), labels_(labels()) {
     require_axis();
     require_applicable(wanted.target.value_or(Target{}));
+    require_units();
     if (format_.x == Numbers::of_unit)
       file_units_.x = file_unit("master_unit", labels_.x, format_.x_unit, wanted.units.x);
     if (format_.p == Numbers::of_unit)
@@ -133,6 +135,15 @@ class ForController {
                            ": for a motion over time, name the first column of a CSV file time, "
                            "give it to a spec of kind pvt (key points), and convert the spec");
     jounce::require_axis(format_, table);
+  }
+
+  /// Throws one error for a file that names neither of its units, if the format needs both.
+  void require_units() const {
+    if (format_.x != Numbers::of_unit || format_.p != Numbers::of_unit) return;
+    const std::string x = format_.x_unit;
+    const std::string position = format_.position_units;
+    if (x.empty() || position.empty() || !labels_.x.empty() || !labels_.position.empty()) return;
+    throw both_units_missing(x.substr(0, x.find(' ')), position.substr(0, position.find(' ')));
   }
 
   /// Throws for a requirement that the format cannot have.

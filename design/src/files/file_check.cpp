@@ -145,7 +145,12 @@ void set_limits(Limits& limits, const std::vector<std::string>& texts, const Lab
   } catch (const InputError& error) {
     const std::string prefix = labels.over_master ? "limit geo_" : "limit ";
     const bool position = error.key().starts_with("position");
-    throw InputError((position ? "limit " : prefix) + error.key(), error.value(), error.rule());
+    const std::string unit = position ? labels.unit_of("position") : "";
+    const auto with_its_unit = [&](const std::string& number) {
+      return unit.empty() || number.empty() ? number : number + " " + unit;
+    };
+    throw InputError((position ? "limit " : prefix) + error.key(), with_its_unit(error.value()),
+                     with_its_unit(error.rule()));
   }
 }
 
@@ -175,7 +180,9 @@ EngageState engage_state(const Input& input, const EngageTexts& texts) {
 }
 
 std::vector<Report> check_reports(std::vector<Input>& axes, const CheckOptions& options) {
-  if (!options.against.empty()) set_against(axes, options.against, options.tolerances);
+  if (!options.against.empty() &&
+      (!options.selects_tables || may_be_made_from(axes.front(), options.against)))
+    set_against(axes, options.against, options.tolerances);
   std::vector<Report> reports;
   for (Input& input : axes) {
     std::vector<std::string> own, over_time;

@@ -15,6 +15,7 @@
 
 #include "design/src/file_name.hpp"
 #include "design/src/fit/fit_spec.hpp"
+#include "design/src/missing_units.hpp"
 
 namespace jounce {
 namespace {
@@ -55,9 +56,7 @@ std::string unit_of(const char* key, const std::string& in_file, const std::stri
 Units units_of(const Units& in_file, const FitOptions& options) {
   if (in_file.x.empty() && in_file.position.empty() && options.master_unit.empty() &&
       options.position_unit.empty())
-    throw InputError("master_unit", "",
-                     "is missing, and --position-unit, too: the file names no units. Give both, "
-                     "such as --master-unit deg --position-unit mm");
+    throw design_detail::both_units_missing("deg", "mm");
   return {unit_of("master_unit", in_file.x, options.master_unit, "deg"),
           unit_of("position_unit", in_file.position, options.position_unit, "mm")};
 }

@@ -94,8 +94,8 @@ void AxisServer::obey(const command::StartTable& /*it*/, const CommandRequested&
   if (!options_.table)
     return decline(
         requested, Cause::nothing_to_start,
-        "the spec of the axis has no table and no cutter of its own to start: send a table with "
-        "`jounce stream`, or add cutter = \"FILE\" to its [axis]");
+        "the spec of the axis has no table and no cutter to start: send a table with `jounce "
+        "stream`, or add cutter = \"FILE\" (kind knife or shear) to [axis]");
   const Request armed{requested.session, requested.command, CommandKind::arm};
   if (moving()) return answer(armed, Refusal{.cause = Cause::in_motion});
   const ArmRequested own{.session = requested.session,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "jounce/base/listed.hpp"
@@ -100,10 +101,24 @@ Point axes_at(const Point& coordinates, const ExecutorGroup& group) {
   return axes;
 }
 
+namespace {
+
+/// The error of a place on the path that the joints cannot take, with the unit of its numbers.
+InputError in_unit_of_tool(const InputError& error, const std::string& unit) {
+  if (unit.empty() || (error.key() != "point" && error.key() != "start")) return error;
+  std::string rule = error.rule();
+  constexpr std::string_view place = " along the path";
+  if (const std::size_t at = rule.find(place); at != std::string::npos) rule.insert(at, " " + unit);
+  return InputError(error.key(), error.value() + " " + unit, rule)
+      .at(error.document(), error.line());
+}
+
+}  // namespace
+
 std::shared_ptr<const GroupProgram> planned_program(const Program& program,
                                                     const GroupLimits& limits,
                                                     const ExecutorGroup& group,
-                                                    const std::atomic<bool>* canceled) {
+                                                    const std::atomic<bool>* canceled) try {
   PlanOptions options{.canceled = canceled};
   if (group.kinematics) options.joints = group.kinematics->joints;
   auto path = std::make_shared<const Plan>(
@@ -112,6 +127,9 @@ std::shared_ptr<const GroupProgram> planned_program(const Program& program,
   if (canceled != nullptr && *canceled) throw PlanCanceled();
   return std::make_shared<const GroupProgram>(
       group_program(std::move(path), group.configs, group.names, group.unit));
+} catch (const InputError& error) {
+  if (!group.kinematics) throw;
+  throw in_unit_of_tool(error, group.kinematics->unit);
 }
 
 std::shared_ptr<const GroupProgram> fast_program(const Point& from, const Point& to,

@@ -121,7 +121,8 @@ std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
                ? "a group has no inputs: send the command to one of its axes"
                : "";
   if (cause == Cause::no_cut_plan && !options.cutter)
-    return "the axis has no cutter: add cutter = \"FILE\" to [axis] in its spec";
+    return "the axis has no cutter: command an axis with one, or add cutter = \"FILE\" (a spec of "
+           "kind knife or shear) to [axis], and the line as [follow]";
   if (cause == Cause::no_trigger_input && !options.drive)
     return "the axis has no drive that reports inputs: add [drive] to its spec, and the input to "
            "[drive.machine] if the drive is simulated";
@@ -135,6 +136,20 @@ std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
          options.receiver.executor + "` shows the master";
 }
 
+/// The reason and its remedy, for an order that an endless motion prevents: the order that ends this
+/// motion. "" for another refusal.
+std::string endless_text(Cause cause, const Tick& now, const ExecutorOptions& options,
+                         CommandKind order) {
+  if (cause != Cause::in_motion && cause != Cause::synchronized) return "";
+  if (permitted(now.state, order) != cause) return "";  // only a part of it, such as a clutch
+  const std::string end = ": end this with `jounce order " + options.receiver.executor + " halt`";
+  if (now.state == State::continuous_motion)
+    return "the axis moves at a velocity without end" + end;
+  if (now.state != State::synchronized_motion) return "";
+  return now.ratio != 0 ? "the axis follows its master by a gear" + end
+                        : "the axis follows its master" + end;
+}
+
 /// A table that begins elsewhere than the axis stands, or will stand.
 std::string start_position_text(const Refusal& refusal, const Tick& now,
                                 const ExecutorOptions& options) {
@@ -146,6 +161,15 @@ std::string start_position_text(const Refusal& refusal, const Tick& now,
   if (std::isnan(refusal.value))
     return "the motion does not begin at the position of the axis, " +
            in_units(refusal.limit, options);
+  if (options.cutter && options.follow.what != Follow::What::nothing && !in_motion(now))
+    return std::string(name(refusal.cause)) + ": The table begins at " + start +
+           ", but the axis is at " + in_units(refusal.limit, options) + ": send " + order +
+           " start` for its cutter.";
+  const bool endless =
+      now.state == State::synchronized_motion || now.state == State::continuous_motion;
+  if (endless)
+    return std::string(name(refusal.cause)) + ": The table begins at " + start +
+           ", but the axis moves without end: end this with " + order + " halt`, and repeat.";
   std::string place = start;
   std::erase(place, ' ');
   return std::string(name(refusal.cause)) + ": The table begins at " + start +
@@ -164,6 +188,9 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
     return most;
   if (const std::string missing = missing_part_text(refusal.cause, options); !missing.empty())
     return missing;
+  if (const std::string endless = endless_text(refusal.cause, now, options, order);
+      !endless.empty())
+    return endless;
   if (refusal.cause == Cause::start_position) return start_position_text(refusal, now, options);
   const bool of_joints = options.group && options.group->kinematics;
   std::string words = text(refusal, of_joints ? options.group->unit : options.units.position,

@@ -77,7 +77,8 @@ PointColumn split(std::string_view cell) {
       throw InputError(name, std::string(cell), "needs a closing bracket after its unit");
     const std::string text(trimmed(cell.substr(bracket + 1, cell.size() - bracket - 2)));
     const std::string unit = unit_of(text);
-    if (unit.empty() && text != "-") throw InputError(name, text, "is not a unit");
+    if (unit.empty() && text != "-")
+      throw InputError(name, text, "is not a known unit: write one such as mm, deg, s or mm/s");
     return {name, unit};
   }
   for (const auto& [mark, end] :
@@ -147,8 +148,10 @@ PointColumn column_of(std::string_view cell) {
         "is a line of a spec, not a header with the names of columns: give a CSV file with points");
   PointColumn column = split(cell);
   if (column.name.empty() || begins_with_number(column.name))
-    throw InputError("header", std::string(cell),
-                     "must be the name of a column, with or without a unit, such as position [mm]");
+    throw InputError(
+        "header", std::string(cell),
+        "must be the name of a column, with or without a unit, such as position [mm]: write a "
+        "header above the numbers");
   return column;
 }
 

@@ -307,14 +307,15 @@ std::vector<double> Points::in_unit(std::string_view name, const std::string& un
     throw InputError(
         "column \"" + std::string(name) + '"', "",
         "is missing: the columns of the file are " + listed(columns, &PointColumn::name))
-        .at(document, 1);
+        .at(document, static_cast<int>(header));
   std::vector<double> values = column->values;
   if (column->unit.empty() || column->unit == unit) return values;
   try {
     const double factor = conversion(column->unit, unit);
     for (double& value : values) value *= factor;
   } catch (const InputError& error) {
-    throw InputError(column->name, column->unit, error.rule()).at(document, 1);
+    throw InputError(column->name, column->unit, error.rule() + ": correct the unit in the header")
+        .at(document, static_cast<int>(header));
   }
   return values;
 }

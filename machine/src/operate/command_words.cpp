@@ -372,7 +372,8 @@ double buffer_mode_in(const CommandWords& words, const Field& field) {
 /// The value of a field, from its option. `index`: number of fields of the same option before it;
 /// `otherwise`: its value if the option is not given.
 double value_of(const CommandWords& words, const Form& form, const Field& field, std::size_t index,
-                double otherwise, const Units& units, const std::vector<std::string>& axes) {
+                double otherwise, const Units& units, const std::vector<std::string>& axes,
+                const std::vector<std::string>& coordinate_units) {
   const std::string option = form.option(field);
   const std::string name = dashed(option);
   const std::string text = text_of(words, option);
@@ -394,7 +395,8 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
     case OptionForm::trigger_input:
       return input_of(text);
     case OptionForm::coordinates:
-      return coordinate_of(coordinate_name(words, name, index, axes), text, index, unit);
+      return coordinate_of(coordinate_name(words, name, index, axes), text, index,
+                           index < coordinate_units.size() ? coordinate_units[index] : unit);
     case OptionForm::direction:
       require_choice(name, text, choices_of(about.form, field.range));
       return direction_of(text);
@@ -648,8 +650,17 @@ bool names_axes(const CommandWords& words) {
   });
 }
 
+bool has_coordinates(const CommandWords& words) {
+  for (const Form& form : forms_of(words.what))
+    for (const Field& field : form.command->fields)
+      if (field.range == FieldRange::coordinate && !text_of(words, field.option).empty())
+        return true;
+  return false;
+}
+
 ClientCommand command_of(const CommandWords& given, const Units& units,
-                         const std::vector<std::string>& axes) {
+                         const std::vector<std::string>& axes,
+                         const std::vector<std::string>& coordinate_units) {
   const CommandWords words =
       names_axes(given) && !axes.empty() ? without_names(given, axes) : given;
   const Form form = form_of(words);
@@ -659,7 +670,8 @@ ClientCommand command_of(const CommandWords& given, const Units& units,
   for (std::size_t i = 0; i < form.command->fields.size(); ++i) {
     const Field& field = form.command->fields[i];
     if (form.takes(field))
-      values[i] = value_of(words, form, field, seen[form.option(field)]++, values[i], units, axes);
+      values[i] = value_of(words, form, field, seen[form.option(field)]++, values[i], units, axes,
+                           coordinate_units);
     if (form.form(field) == OptionForm::coordinates)
       require_coordinates(dashed(form.option(field)), text_of(words, form.option(field)),
                           coordinates(form, form.option(field)));

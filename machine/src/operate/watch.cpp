@@ -169,4 +169,13 @@ void throw_missing(KeyedLink& link, const std::string& executor) {
   throw TransportError("no message from " + executor + ": " + senders_hint(link));
 }
 
+std::string missing_text(KeyedLink& link, const std::vector<std::string>& executors) {
+  Watch watch(link.transport(), {.names = executors, .key = link.key()});
+  constexpr auto slice = std::chrono::milliseconds(100);
+  constexpr int slices = 10;
+  for (int i = 0; i < slices && !watch.missing().empty(); ++i) watch.run(slice);
+  const std::string name = watch.missing();
+  return name.empty() ? "" : "no message from " + name + ": " + senders_hint(link);
+}
+
 }  // namespace jounce::dashboard

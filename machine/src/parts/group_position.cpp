@@ -139,7 +139,10 @@ std::array<double, max_axes> positions_of(const std::vector<NamedValue>& given,
       throw InputError(name, value, error.rule());
     }
   }
-  if (!missing.empty()) throw InputError("VALUE", listed(missing), "is missing");
+  if (!missing.empty())
+    throw InputError(listed(missing), "",
+                     std::string(missing.size() == 1 ? "is" : "are") + " missing: give all of " +
+                         listed(parts, &AxisPart::name));
   return positions;
 }
 
@@ -212,9 +215,9 @@ Parts joints_at(const std::array<double, max_axes>& tool, const GroupPlaces& pla
   const MapState state = places.map->jets(std::span(point).first(places.map->axes()),
                                           std::span(joints).first(places.map->joints()));
   if (state == MapState::out_of_reach)
-    throw InputError("VALUE", text, "is out of reach of the joints" + last_in_reach(tool, places));
+    throw InputError(text, "", "is out of reach of the joints" + last_in_reach(tool, places));
   if (state == MapState::singular)
-    throw InputError("VALUE", text, "is a singular position of the joints: give another position");
+    throw InputError(text, "", "is a singular position of the joints: give another position");
   for (std::size_t k = 0; k < places.joints.size(); ++k) positions[k] = joints[k][0];
   return with_ranges(positions, places.joints);
 }

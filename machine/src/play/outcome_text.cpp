@@ -51,12 +51,12 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
       remedy =
           "Remove its cause, then send `jounce order NAME reset` and `jounce order NAME enable`.";
     if (remedy == no_remedy) return "";
-    constexpr std::string_view placeholder = "NAME";
-    for (auto at = remedy.find(placeholder); at != std::string::npos;
-         at = remedy.find(placeholder, at)) {
-      remedy.replace(at, placeholder.size(), executor);
-      at += executor.size();
-    }
+    for (const std::string_view placeholder : {"NAME", "GROUP"})
+      for (auto at = remedy.find(placeholder); at != std::string::npos;
+           at = remedy.find(placeholder, at)) {
+        remedy.replace(at, placeholder.size(), executor);
+        at += executor.size();
+      }
     return remedy;
   }
   return "";
@@ -86,12 +86,25 @@ std::string start_of_gear(const CommandWords& words, const std::string& unit) {
          (unit.empty() ? "" : " " + unit);
 }
 
+constexpr const char* jerk_of_master =
+    "; no jerk limit applies behind the master: the jerk is that of the master times the ratio";
+
 const char* last_state(const StreamOutcome& outcome, bool waits) {
   if (outcome.started) return waits ? "accepted, waits for its start" : "started";
   return outcome.armed ? "armed" : "downloaded";
 }
 
 }  // namespace
+
+std::string with_file(const std::string& reason, const std::string& file) {
+  constexpr std::string_view who = "axis: ";
+  constexpr std::string_view line = "line ";
+  const std::string text = reason.starts_with(who) ? reason.substr(who.size()) : reason;
+  const std::size_t end = text.find_first_not_of("0123456789", line.size());
+  const bool has_line =
+      text.starts_with(line) && end > line.size() && end != std::string::npos && text[end] == ':';
+  return has_line ? file + ":" + text.substr(line.size()) : reason;
+}
 
 std::string reason_text(const CallOutcome& outcome, const std::string& executor, CommandKind order,
                         std::int32_t fault) {
@@ -102,7 +115,9 @@ std::string accepted_text(const CommandWords& words, const wire::Status& before,
                           const std::string& executor) {
   const std::string& word = words.what;
   if (word == "home") return "homed";
-  if (word == "gear-in-pos") return word + " accepted: " + start_of_gear(words, before.units.x);
+  if (word == "gear-in-pos")
+    return word + " accepted: " + start_of_gear(words, before.units.x) + jerk_of_master;
+  if (word == "gear-in") return word + " accepted" + jerk_of_master;
   if (word == "cut" && !words.options.contains("length") && !words.options.contains("waste"))
     return "cut accepted; it replaces a cut on demand that still waits";
   if (word == "set-coordinate-transform" &&

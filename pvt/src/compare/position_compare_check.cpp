@@ -5,6 +5,7 @@
 
 #include "jounce/profiles/curve/between.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/position_compare.hpp"
 
 namespace jounce {
@@ -41,9 +42,9 @@ Finding speed(const std::vector<CompareEvent>& events, const Trajectory& motion,
   return worst;
 }
 
-/// `next`: number of the point that does not fire.
+/// `next`: position of the point that does not fire. `remedy`: what to do about it.
 Finding missed(std::size_t fired, std::size_t points, const std::string& next,
-               const Trajectory& motion) {
+               const Trajectory& motion, const std::string& remedy) {
   const bool broken = fired < points;
   return {.rule = "compare/missed",
           .axis = {},
@@ -58,31 +59,52 @@ Finding missed(std::size_t fired, std::size_t points, const std::string& next,
                                  (fired == 0 ? " is never passed"
                                              : " is not passed between " + point(fired - 1) +
                                                    " and the end of the motion") +
-                                 (fired + 1 < points ? ", and blocks the following points" : "")
+                                 (fired + 1 < points ? ", and blocks the following points" : "") +
+                                 remedy
                            : "",
           .unit = "1"};
 }
 
+/// " mm"; "" without a unit.
+std::string unit_text(const std::string& unit) {
+  return unit.empty() ? "" : " " + unit;
+}
+
+/// The remedy for a point that does not fire: where the motion passes.
+std::string remedy_for(double position, const Trajectory& motion, const std::string& unit) {
+  const Range all = extrema(motion, 0);
+  const double least = all.min.value;
+  const double most = all.max.value;
+  if (position >= least && position <= most)
+    return ": give the points in the order and direction in which the motion passes them";
+  return "; the motion goes from " + six_digits(least) + " to " + six_digits(most) +
+         unit_text(unit) + ": leave out the points outside, or extend the motion";
+}
+
 }  // namespace
 
-Report check(const PlaneCompare& compare, const Trajectory& x, const Trajectory& y) {
+Report check(const PlaneCompare& compare, const Trajectory& x, const Trajectory& y,
+             const std::string& unit) {
   const std::size_t fired = compared(compare, x, y).size();
   std::string next;
   if (fired < compare.points.size())
-    next = "(" + number(compare.points[fired].x) + ", " + number(compare.points[fired].y) + ")";
-  return {{missed(fired, compare.points.size(), next, x)}};
+    next = "(" + number(compare.points[fired].x) + ", " + number(compare.points[fired].y) + ")" +
+           unit_text(unit);
+  return {{missed(fired, compare.points.size(), next, x,
+                  ": widen its band, or let the motion pass through it")}};
 }
 
-Report check(const PositionCompare& compare, const Trajectory& motion,
-             const CompareDevice& device) {
+Report check(const PositionCompare& compare, const Trajectory& motion, const CompareDevice& device,
+             const std::string& unit) {
   require_not_negative("sampling_frequency", device.sampling_frequency);
   require_not_negative("latency", device.latency);
   const Compared all = compared(compare, motion);
   Report report;
   const std::size_t fired = all.events.size();
-  report.findings.push_back(
-      missed(fired, compare.points.size(),
-             fired < compare.points.size() ? number(compare.points[fired].position) : "", motion));
+  const bool misses = fired < compare.points.size();
+  const double next = misses ? compare.points[fired].position : 0;
+  report.findings.push_back(missed(fired, compare.points.size(), number(next) + unit_text(unit),
+                                   motion, misses ? remedy_for(next, motion, unit) : ""));
   if (device.sampling_frequency > 0 && all.events.size() > 1)
     report.findings.push_back(speed(all.events, motion, device.sampling_frequency));
   for (std::size_t i = 1; i < all.events.size() && compare.pulse > 0; ++i) {

@@ -51,7 +51,12 @@ std::string summary_line(const RunResult& run) {
     const Level worst = file.worst();
     (worst == Level::error ? wrong : worst == Level::broken ? broken : good) += 1;
   }
-  if (const std::string only = without_motion(run); !only.empty()) return only;
+  const std::string skipped =
+      run.skipped == 0 ? ""
+                       : "; " + counted(run.skipped, "controller file", "controller files") +
+                             " not checked: name " + (run.skipped == 1 ? "it" : "each of them") +
+                             (run.verb == "check" ? ", with --against SPEC" : "");
+  if (const std::string only = without_motion(run); !only.empty()) return only + skipped;
   std::string text = counted(run.files.size(), "file", "files") + fmt::format(": {} good", good);
   if (broken > 0)
     text += fmt::format(", {} with {}", broken,
@@ -61,7 +66,7 @@ std::string summary_line(const RunResult& run) {
         fmt::format(", {} wrong ({})", wrong, counted(run.count(Level::error), "error", "errors"));
   if (const std::size_t n = run.count(Level::warning); n > 0)
     text += "; " + counted(n, "warning", "warnings");
-  return text;
+  return text + skipped;
 }
 
 }  // namespace jounce

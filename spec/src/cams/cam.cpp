@@ -226,6 +226,7 @@ CamKnot read_end(TomlReader& segment, const CamUnits& units, const CamKnot* line
       segment.fail("free", "", "moves the last point of the file: give the segment its own end");
     return CamPointFile::knot_of(file->points.back());
   }
+  if (!segment.has("end") && segment.is_faulty("points")) throw PartEnded{};  // its last point
   TomlReader end = segment.table("end", "end = { master = NUMBER, slave = NUMBER }");
   CamKnot knot = read_knot(end, units, line_from);
   end.refuse_here("free", "belongs to the segment: write it beside end, not in it");

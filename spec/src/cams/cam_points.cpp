@@ -50,8 +50,9 @@ void read_masters(const Points& file, const std::string& unit, std::vector<CamPo
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].master = masters[i];
     if (i > 0 && !(masters[i] > masters[i - 1]))
-      fail_at(file, i, "master", masters[i],
-              "must be greater than " + number(masters[i - 1]) + ", the previous point");
+      fail_at(
+          file, i, "master", masters[i],
+          "must be greater than " + number(masters[i - 1]) + " " + unit + ", the previous point");
   }
 }
 

@@ -105,10 +105,13 @@ Limits read_limits(TomlReader& owner, const Units& units, Limits* slave,
   constexpr std::size_t of_axis = 2;  // velocity and acceleration
   read_rates(*table, limits, slave ? OverMaster::names : OverTime::names, units.position, units.x,
              owner.is_table("axis") ? of_axis : 0);
-  if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
-    table->fail(
-        "position_min", number(*limits.position_min),
-        "must not be above position_max = " + number(*limits.position_max) + ": exchange the two");
+  const bool in_order = table->attempt([&] {
+    if (limits.position_min && limits.position_max && *limits.position_min > *limits.position_max)
+      table->fail("position_min", number(*limits.position_min),
+                  "must not be above position_max = " + number(*limits.position_max) +
+                      ": exchange the two");
+  });
+  if (!in_order) limits.position_min = limits.position_max = std::nullopt;
   if (slave) {
     if (auto over_time = table->optional_table("slave")) {
       read_rates(*over_time, *slave, OverTime::names, units.position, time_unit);

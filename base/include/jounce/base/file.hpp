@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdio>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,6 +43,11 @@ class KeptInputs {
 
 /// Throws InputError, with `option` as its key, if KeptInputs has recorded the file.
 void require_not_read(const std::string& path, const std::string& option);
+
+/// Returns the stream for the summary of a command: standard error if one of its files is standard
+/// output ("-"). Throws InputError (key "--json") if the summary is JSON and a file is standard
+/// output: a program that reads it gets only one of the two.
+std::FILE* text_stream(bool json, std::initializer_list<std::string> files);
 
 /// Throws InputError, with `option` as its key, if both paths lead to one file: an output must not
 /// replace its input. "-" is no file.

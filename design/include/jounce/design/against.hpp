@@ -22,10 +22,14 @@ namespace jounce {
 /// default tolerance of `jounce convert` if it is greater.
 ///
 /// `tables`: the axes of one file, paired with the axes of the spec by name. Throws InputError (key
-/// "against") for a file that is no spec with a motion, an axis without a partner, units that do not
-/// convert, and a table with another interval.
+/// "against") for a file that is no spec with a motion, for `tables` with a spec of their own, an
+/// axis without a partner, units that do not convert, and a table with another interval.
 void set_against(std::vector<Input>& tables, const std::string& spec_path,
                  const std::vector<std::string>& tolerance = {});
+
+/// True for a table whose header names this spec (a path relative to the current folder or to the
+/// folder of the table), or no spec. False for an input with a spec of its own.
+bool may_be_made_from(const Input& table, const std::string& spec_path);
 
 /// For a table of Jounce: the spec that its header names, if this file exists and has another text
 /// now, so that the table is older; "" otherwise. The path in the header is relative to the current

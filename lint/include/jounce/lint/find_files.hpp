@@ -23,6 +23,10 @@ bool is_jounce_file(const std::string& path);
 std::vector<std::string> find_files(const std::vector<std::string>& names,
                                     const std::string& except = "");
 
+/// Returns the files for controllers that Jounce wrote (their head names it), in and below the
+/// folders among the names. find_files() does not return them.
+std::vector<std::string> controller_files(const std::vector<std::string>& names);
+
 /// True if the name is neither a folder nor a pattern.
 bool is_one_file(const std::string& name);
 

@@ -16,6 +16,7 @@ struct LintOptions {
   std::string machine = {};      ///< path spec for G-code programs
   ExamineMachine executor = {};  ///< see lint_file()
   std::string baseline = {};     ///< AcceptedVersions to compare with; empty: none
+  std::string against = {};      ///< spec with which `examine` compares tables; empty: none
   AcceptedOptions accepted = {};
   std::function<void(double share)> progress = {};  ///< may be empty
 };
@@ -32,7 +33,8 @@ struct LintedFiles {
 ///     const LintedFiles all = lint_run("check", {"cams"}, examine, {.baseline = "origin/main"});
 ///     std::cout << run_text(all.result, "sarif");
 ///
-/// Throws InputError for names without a file (key "FILE"), and like AcceptedVersions.
+/// Throws InputError for names without a file (key "FILE"), for `against` without a table among the
+/// files (key "--against"), and like AcceptedVersions.
 LintedFiles lint_run(const std::string& verb, const std::vector<std::string>& names,
                      const Examine& examine, const LintOptions& options = {});
 

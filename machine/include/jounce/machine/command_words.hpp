@@ -85,11 +85,15 @@ void require_held(const CommandWords& words, const std::string& seconds);
 void set_values(CommandWords& words, const std::vector<std::string>& values);
 /// True if the words name axes of a group: "--to x=10mm".
 bool names_axes(const CommandWords& words);
+/// True if the words give coordinates of a group, by name or in the order of its axes.
+bool has_coordinates(const CommandWords& words);
 
 /// Returns the command, with its values converted to the units of the axis; `words` must satisfy
 /// require_taken(). `axes`: for words that name axes, the axes of the group, in the order of
-/// coordinates. Throws InputError for an invalid or missing value, and for an unknown name.
+/// coordinates. `coordinate_units`: their units, in the same order; empty: that of the axis for all.
+/// Throws InputError for an invalid or missing value, and for an unknown name.
 ClientCommand command_of(const CommandWords& words, const Units& units,
-                         const std::vector<std::string>& axes = {});
+                         const std::vector<std::string>& axes = {},
+                         const std::vector<std::string>& coordinate_units = {});
 
 }  // namespace jounce

@@ -14,6 +14,10 @@
 /// Outcomes of calls to an executor in words and as JSON.
 namespace jounce {
 
+/// Returns the reason with the name of the file in place of the word "line": "part.toml:12: x.position
+/// = ..." for "line 12: x.position = ...". `reason`: that of a group for a path of this file.
+std::string with_file(const std::string& reason, const std::string& file);
+
 /// Returns the reason of a failed call. If the axis has rejected the call, the text includes the
 /// remedy for an order of this kind. `executor` is the name of the axis, `fault` the number of the
 /// fault that it has; 0: none.

@@ -125,4 +125,8 @@ std::string error_text(const CallOutcome& outcome, const std::string& executor, 
 /// Throws TransportError: no message arrives from this executor; with senders_hint().
 [[noreturn]] void throw_missing(KeyedLink& link, const std::string& executor);
 
+/// Waits up to 1 s and returns the error text of throw_missing() for the first of these executors
+/// that sends no status; "" if all of them send one.
+std::string missing_text(KeyedLink& link, const std::vector<std::string>& executors);
+
 }  // namespace jounce::dashboard

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "jounce/profiles/limits/limits.hpp"
@@ -97,7 +98,9 @@ struct CompareDevice {
 /// - "compare/merged" (warning): pulses that overlap.
 /// - "compare/latency" (note): distance that the axis covers during one sample and the latency
 ///   together.
-Report check(const PositionCompare& compare, const Trajectory& motion, const CompareDevice& device);
+/// `unit`: unit of the positions in the advice; "": none.
+Report check(const PositionCompare& compare, const Trajectory& motion, const CompareDevice& device,
+             const std::string& unit = {});
 
 /// Position compare in a plane: a point fires when both axes are within a band around the point
 /// (PMC600 manual 9.4).
@@ -120,8 +123,9 @@ struct PlaneCompare {
 std::vector<CompareEvent> compared(const PlaneCompare& compare, const Trajectory& x,
                                    const Trajectory& y);
 
-/// Reports points that never fire: "compare/missed" (broken).
-Report check(const PlaneCompare& compare, const Trajectory& x, const Trajectory& y);
+/// Reports points that never fire: "compare/missed" (broken). `unit`: unit of the positions.
+Report check(const PlaneCompare& compare, const Trajectory& x, const Trajectory& y,
+             const std::string& unit = {});
 
 /// The position trigger of HIWIN HIMC, with the names of the HMPL manual (12.1).
 namespace himc {

@@ -40,6 +40,9 @@ struct CheckOptions {
   std::string against = {};  ///< spec of the tables, see set_against(); "": none
   /// Tolerances for `against`, as for tolerance_of()
   std::vector<std::string> tolerances = {};
+  /// For a run of many files. True: `against` applies to the tables whose header names this spec, or
+  /// none; specs are checked without it. False: it applies to the file, which must be a table.
+  bool selects_tables = false;
 };
 
 /// Returns the report of `jounce check` for each axis of a file: axis_report(), with the limits and
