@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(DrawnCam, OwnDrawing, ::testing::Values(".dxf#CAM", ".s
                          [](const auto& each) { return std::string(each.param).substr(1, 3); });
 
 TEST(DrawnCam, AnArmTurnsByAngles) {
-  // The eccentric circle of tests/cam/plate_motion_test.cpp, in inches.
+  // The eccentric circle of tests/cam/disc/plate_motion_test.cpp, in inches.
   const test::TemporaryFolder folder;
   const std::string path = folder / "eccentric.svg";
   write_file(

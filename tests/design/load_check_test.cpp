@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "design/src/load_check.hpp"
+#include "design/src/check/load_check.hpp"
 
 #include <cmath>
 #include <numbers>

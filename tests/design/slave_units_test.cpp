@@ -11,7 +11,7 @@
 #include "jounce/design/diagnostics.hpp"
 #include "jounce/design/over_time.hpp"
 
-#include "design/src/check_text.hpp"
+#include "design/src/check/check_text.hpp"
 
 namespace jounce::slave_units_test {
 namespace {

@@ -11,8 +11,8 @@
 #include "jounce/executor/dispatcher.hpp"
 #include "jounce/executor/replay.hpp"
 
-#include "executor/src/cycle/motion_server.hpp"
 #include "executor/src/record/run_record.hpp"
+#include "executor/src/server/motion_server.hpp"
 #include "executor/virtual_pacer.hpp"
 #include "stream/src/transport/memory_transport.hpp"
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Hash and length of every type in stream/lcm, from LCM's type specification alone: shares no code
-with lcm-gen. Prints rows for docs/stream-protocol.md and tests/stream/wire_test.cpp."""
+with lcm-gen. Prints rows for docs/stream-protocol.md and tests/stream/message/wire_test.cpp."""
 import pathlib
 import re
 

@@ -9,9 +9,9 @@
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "design/src/check/table_check.hpp"
 #include "design/src/convert/for_controller.hpp"
-#include "design/src/table_check.hpp"
-#include "design/src/table_of.hpp"
+#include "design/src/make/table_of.hpp"
 
 namespace jounce {
 namespace design_detail {

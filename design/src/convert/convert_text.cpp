@@ -12,7 +12,7 @@
 #include "jounce/profiles/six_digits.hpp"
 
 #include "design/src/convert/for_controller.hpp"
-#include "design/src/missing_units.hpp"
+#include "design/src/convert/missing_units.hpp"
 
 namespace jounce {
 namespace {

@@ -15,8 +15,8 @@
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/fill.hpp"
 
-#include "design/src/missing_units.hpp"
-#include "design/src/table_check.hpp"
+#include "design/src/check/table_check.hpp"
+#include "design/src/convert/missing_units.hpp"
 
 namespace jounce::design_detail {
 namespace {

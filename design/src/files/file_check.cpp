@@ -15,7 +15,7 @@
 #include "jounce/design/cam_check.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "design/src/check_text.hpp"
+#include "design/src/check/check_text.hpp"
 
 namespace jounce {
 namespace {

@@ -13,9 +13,9 @@
 #include "jounce/io/points.hpp"
 #include "jounce/spec/drawn_cam.hpp"
 
-#include "design/src/file_name.hpp"
+#include "design/src/convert/missing_units.hpp"
 #include "design/src/fit/fit_spec.hpp"
-#include "design/src/missing_units.hpp"
+#include "design/src/input/file_name.hpp"
 
 namespace jounce {
 namespace {

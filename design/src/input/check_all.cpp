@@ -11,13 +11,13 @@
 #include "jounce/pvt/check.hpp"
 #include "jounce/validate/loop.hpp"
 
-#include "design/src/against.hpp"
+#include "design/src/check/against.hpp"
+#include "design/src/check/load_check.hpp"
+#include "design/src/check/table_check.hpp"
 #include "design/src/input/advice.hpp"
 #include "design/src/input/excursions.hpp"
 #include "design/src/input/table_error.hpp"
-#include "design/src/load_check.hpp"
 #include "design/src/path/path_rounding.hpp"
-#include "design/src/table_check.hpp"
 
 namespace jounce {
 namespace {

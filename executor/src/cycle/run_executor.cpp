@@ -10,8 +10,8 @@
 
 #include "jounce/profiles/error.hpp"
 
-#include "executor/src/cycle/motion_server.hpp"
 #include "executor/src/record/run_record.hpp"
+#include "executor/src/server/motion_server.hpp"
 
 namespace jounce {
 namespace {

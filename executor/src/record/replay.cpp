@@ -15,8 +15,8 @@
 #include "jounce/base/detail/lcm_log.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "executor/src/cycle/executed_command.hpp"
 #include "executor/src/record/remade_masters.hpp"
+#include "executor/src/server/executed_command.hpp"
 
 namespace jounce {
 namespace {

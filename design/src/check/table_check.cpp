@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "design/src/check/table_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "jounce/base/units.hpp"
+#include "jounce/pvt/check.hpp"
+
+#include "design/src/check/master_check.hpp"
+#include "design/src/check/slave_advice.hpp"
+
+namespace jounce::design_detail {
+namespace {
+
+void join(Report& all, Report part) {
+  std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
+}
+
+bool limits_the_slave(const Input& input) {
+  return input.labels.over_master && input.spec && input.spec->master &&
+         has_slave_limits(*input.spec);
+}
+
+/// The order of a finding's quantity, in these names; 4 if it has none of them.
+std::size_t order_in(const std::array<const char*, 4>& names, const Finding& finding) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), finding.quantity) -
+                                  names.begin());
+}
+
+/// The greatest errors of the derivatives of a table that are caused by rounding its knots.
+class KnotRounding {
+ public:
+  explicit KnotRounding(const Table& table) : table_(table) {
+    const Ranges peaks = extrema(table);
+    const double farthest = std::max(std::abs(table.start()), std::abs(table.end()));
+    error_ = 2 * std::numeric_limits<double>::epsilon() *
+             (std::abs(peaks[0].peak().value) + std::abs(peaks[1].peak().value) * farthest);
+  }
+
+  /// The error of the derivative of this order in an interval. An error d of the position causes an
+  /// error of 60 d / L^3 of the jerk in a quintic of length L, less in a cubic. A rounded place x
+  /// counts as an error v x of the position. A knot beside a shorter interval, of length S, may
+  /// have d / S more velocity, which removes the error from that interval
+  /// (pvt/src/sample/sample.cpp) and causes an error of 36 d / (S L^2) here.
+  [[nodiscard]] double of(std::size_t order, std::size_t interval) const {
+    constexpr std::array factors{1.0, 2.0, 6.0, 60.0};
+    constexpr std::array beside{0.0, 1.0, 6.0, 36.0};
+    const auto& x = table_.columns().x;
+    const double length = x[interval + 1] - x[interval];
+    double shorter = length;
+    if (interval > 0) shorter = std::min(shorter, x[interval] - x[interval - 1]);
+    if (interval + 2 < x.size()) shorter = std::min(shorter, x[interval + 2] - x[interval + 1]);
+    const double more = shorter < length ? beside[order] * length / shorter : 0;
+    return (factors[order] + more) * error_ / std::pow(length, static_cast<double>(order));
+  }
+
+ private:
+  const Table& table_;
+  double error_ = 0;  ///< rounding of a position
+};
+
+/// True for a finding of a limit of the table that is no more than the rounding of its knots.
+bool is_rounding(const Finding& f, const Table& table, const KnotRounding& rounding) {
+  const auto& names = table.axis() == Domain::time ? OverTime::names : OverMaster::names;
+  const std::size_t order = order_in(names, f);
+  return order < names.size() && f.segment &&
+         std::abs(f.value - f.limit) <= rounding.of(order, *f.segment);
+}
+
+/// The same for a limit of the slave over time.
+bool is_slave_rounding(const Finding& f, const Spec& spec, const KnotRounding& rounding) {
+  const std::size_t order = order_in(OverTime::names, f);
+  if (order >= OverTime::names.size() || !f.segment) return false;
+  const double w = spec.master->velocity;
+  const double a = master_rates(spec).acceleration;
+  double error = rounding.of(order, *f.segment);
+  for (std::size_t k = 0; k < order; ++k) error *= w;
+  if (order == 2) error += a * rounding.of(1, *f.segment);
+  if (order == 3) error += 3 * w * a * rounding.of(2, *f.segment);
+  const std::string own = rate_unit(spec.units.position, spec.time_unit, static_cast<int>(order));
+  return std::abs(f.value - f.limit) <= error * conversion(own, f.unit);
+}
+
+/// The broken limits of a table itself.
+Report own_limits(const Table& table, const Limits& limits, const KnotRounding& rounding) {
+  Report report = check(table, limits);
+  std::erase_if(report.findings,
+                [&](const Finding& f) { return !f.broken || is_rounding(f, table, rounding); });
+  return report;
+}
+
+/// The broken limits of a slave over time that moves on a table.
+Report slave_limits(const Table& table, const Spec& spec, const KnotRounding& rounding) {
+  Report report = jounce::check_slave(table.curve<OverMaster>(), spec);
+  std::erase_if(report.findings, [&](const Finding& f) {
+    return !f.broken || is_slave_rounding(f, spec, rounding);
+  });
+  return report;
+}
+
+/// The remedy for a table that exceeds a limit of its curve. Tables with a tolerance, and those with
+/// the fewest knots, get more knots where a limit requires them, unless [table] prevents this.
+const char* advice_for_table(const TableOptions& options) {
+  if (options.intervals)
+    return "only the table exceeds this limit, with its present intervals; the curve keeps it. "
+           "Increase "
+           "intervals in [table], or replace it with tolerance, which adds knots where a limit "
+           "requires them";
+  if (options.target)
+    return "only the table exceeds this limit, with its present knots; the curve keeps it. "
+           "Increase most in "
+           "[table], or remove its resolutions, so that knots can be added where a limit requires "
+           "them";
+  return "only the table exceeds this limit; the curve keeps it. Give [table] a smaller tolerance, "
+         "more knots, or another rule";
+}
+
+/// True for one finding of a limit after a worse one.
+class Seen {
+ public:
+  bool operator()(const Finding& f, const std::string& segment) {
+    return !seen_.emplace(f.rule.text(), f.limit < 0, segment).second;
+  }
+
+ private:
+  std::set<std::tuple<std::string, bool, std::string>> seen_;
+};
+
+}  // namespace
+
+void keep_worst(Report& report, const Labels& labels) {
+  Seen seen;
+  std::erase_if(report.findings, [&](const Finding& f) {
+    return f.broken && f.segment && f.rule.family() == RuleFamily::limit &&
+           seen(f, labels.segment_of(f));
+  });
+}
+
+void forgive_rounding(Report& report, const Input& input) {
+  if (!input.against) return;
+  const AgainstSpec& against = *input.against;
+  const Table& table = input.table.table;
+  const KnotRounding rounding(table);
+  const auto is_new = [&](const Finding& f) {
+    return std::find(against.broken.begin(), against.broken.end(), f.rule.text()) ==
+           against.broken.end();
+  };
+  std::erase_if(report.findings, [&](const Finding& f) {
+    if (!f.broken || f.rule.family() != RuleFamily::limit) return false;
+    const double beyond = std::abs(f.value - f.limit);
+    if (f.rule.name().starts_with("position"))
+      return is_new(f) && beyond <= std::min(against.error.position, against.tolerance);
+    const bool of_slave =
+        limits_the_slave(input) && order_in(OverTime::names, f) < OverTime::names.size();
+    return beyond <= against.digits * std::abs(f.limit) ||
+           (of_slave ? is_slave_rounding(f, *input.spec, rounding)
+                     : is_rounding(f, table, rounding));
+  });
+}
+
+Report check_slave(const Input& input) {
+  if (!limits_the_slave(input)) return {};
+  const Cam& cam = std::get<Cam>(*input.curve);
+  Report report = jounce::check_slave(cam, *input.spec);
+  forgive_rounding(report, input);
+  keep_worst(report, input.labels);
+  advise_on_slave(input, report);
+  report.findings.push_back(master_finding(cam, *input.spec));
+  if (input.against && report.broken() == 1 && report.findings.back().broken)
+    report.findings.pop_back();  // only by the rounding above
+  return report;
+}
+
+Report check_table(const Table& table, const Input& input, const Report& of_curve) {
+  const auto breaks = [&](const auto& which) {
+    return std::any_of(of_curve.findings.begin(), of_curve.findings.end(),
+                       [&](const Finding& f) { return f.broken && which(f); });
+  };
+  if (breaks([](const Finding& f) { return f.rule.family() == RuleFamily::continuity; })) return {};
+  const KnotRounding of_knots(table);
+  Report report = own_limits(table, input.limits, of_knots);
+  if (limits_the_slave(input)) join(report, slave_limits(table, *input.spec, of_knots));
+  sort(report);
+  Seen seen;
+  std::erase_if(report.findings, [&](const Finding& f) {
+    return breaks([&](const Finding& of) { return of.rule == f.rule; }) || seen(f, "");
+  });
+  for (Finding& finding : report.findings) {
+    finding.axis = "table";
+    finding.segment = std::nullopt;
+    finding.advice = advice_for_table(input.options);
+  }
+  return report;
+}
+
+Report check_converted(const Table& table, const Input& input, double forgiven) {
+  Report of_curve = of_motion(input, [&](const auto& motion) {
+    Report all = check(motion, input.limits);
+    join(all, check_continuity(motion, 1));
+    return all;
+  });
+  if (of_curve.findings.empty() && !limits_the_slave(input)) return {};
+  join(of_curve, check_slave(input));
+  Report report = check_table(table, input, of_curve);
+  std::erase_if(report.findings, [&](const Finding& f) {
+    const bool is_position = f.rule == "limit/position_max" || f.rule == "limit/position_min";
+    return is_position || std::abs(f.value - f.limit) <= forgiven * std::abs(f.limit);
+  });
+  return report;
+}
+
+}  // namespace jounce::design_detail

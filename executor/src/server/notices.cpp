@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "executor/src/server/notices.hpp"
+
+#include <cmath>
+
+#include "jounce/command/command_table.hpp"
+#include "jounce/command/refusal_text.hpp"
+#include "jounce/profiles/six_digits.hpp"
+#include "jounce/stream/message/message.hpp"
+
+namespace jounce {
+namespace {
+
+/// Returns the numbers of a fault, each with its limit: " The following error is 0.31 mm; ...". "" for a
+/// fault without numbers. `now`: the tick of the fault, or a later one (`later`), which has the limits
+/// only.
+std::string numbers_of(const Tick& now, const std::string& unit, const AxisConfig& config,
+                       std::span<const std::string> axes, bool later) {
+  const auto valued = [&](double number, const char* per = "") {
+    return six_digits(number) + (unit.empty() ? "" : " " + unit + per);
+  };
+  const auto limit = [&](const char* key, const std::optional<double>& value,
+                         const char* per = "") {
+    return value ? std::string(" The limit is ") + key + " = " + valued(*value, per) + "." : "";
+  };
+  const auto required = [&](const char* per) {
+    return std::isfinite(now.fault_value) ? " It requires " + valued(now.fault_value, per) + "."
+                                          : "";
+  };
+  switch (now.fault) {
+    case Cause::following_error:
+      return " The following error was " + valued(now.fault_value) +
+             "; the limits are following_error = " + valued(config.following_error) +
+             " and following_time = " + six_digits(config.following_time) + " s.";
+    case Cause::overspeed:
+      return required("/s") + limit("velocity", config.limits.velocity, "/s");
+    case Cause::overacceleration:
+      return required("/s^2") + limit("acceleration", config.limits.acceleration, "/s^2");
+    case Cause::jump:
+      return required("/s^2") + (config.stop_acceleration > 0
+                                     ? limit("stop_acceleration", config.stop_acceleration, "/s^2")
+                                     : limit("stop_acceleration, by default twice acceleration",
+                                             config.limits.acceleration, "/s^2"));
+    case Cause::positive_soft_limit:
+      return limit("position_max", config.limits.position_max);
+    case Cause::negative_soft_limit:
+      return limit("position_min", config.limits.position_min);
+    case Cause::out_of_range:
+      return limit("position_min", config.limits.position_min) +
+             limit("position_max", config.limits.position_max);
+    case Cause::stalled:
+      return (later ? std::string(" The limit")
+                    : " It was late by " + std::to_string(now.skipped) + " cycles;") +
+             " longest_gap is " + std::to_string(config.longest_gap) + " cycles.";
+    case Cause::axis_fault:
+      return now.failed_axis ? " " + unready_axis_text(*now.failed_axis, axes) : "";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+std::span<const std::string> group_names(const ExecutorOptions& options) {
+  if (!options.group) return {};
+  return options.group->names;
+}
+
+std::string fault_text(const Tick& now, const std::string& unit, const AxisConfig& config,
+                       std::span<const std::string> axes) {
+  return std::string(name(now.fault)) + ": " + meaning(now.fault) +
+         numbers_of(now, unit, config, axes, false);
+}
+
+namespace {
+
+/// A reason with its remedy, for an axis of these groups.
+std::string in_group_text(const std::vector<std::string>& groups, CommandKind order) {
+  std::string names;
+  for (const std::string& group : groups) names += (names.empty() ? "" : " or ") + group;
+  const std::string reason = "the enabled group " + names + " alone moves this axis: ";
+  const std::string to_group = "`jounce order " + groups.front();
+  if (order == CommandKind::hold || order == CommandKind::resume || order == CommandKind::halt)
+    return reason + "send " + to_group + " " + info(order).word + "`";
+  return reason + "command the group, or stop it and send " + to_group + " disable` first";
+}
+
+}  // namespace
+
+namespace {
+
+std::string in_units(double number, const ExecutorOptions& options) {
+  const std::string& unit = options.units.position;
+  return six_digits(number) + (unit.empty() ? "" : " " + unit);
+}
+
+/// The reason and its remedy, for a relative move of an axis at rest that leaves the position range:
+/// the distances to its ends. "" for another refusal, or outside the range.
+std::string distance_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options,
+                          CommandKind order) {
+  const bool relative = order == CommandKind::move_relative || order == CommandKind::move_additive;
+  const Limits& limits = options.axis.limits;
+  if (refusal.cause != Cause::position_limit || !relative || now.state != State::standstill ||
+      !limits.position_min || !limits.position_max)
+    return "";
+  const double forward = *limits.position_max - now.position;
+  const double back = now.position - *limits.position_min;
+  if (!(forward >= 0) || !(back >= 0)) return "";
+  std::string most;
+  if (forward > 0) most = in_units(forward, options) + " forward";
+  if (back > 0) most += (most.empty() ? "" : ", or ") + in_units(back, options) + " back";
+  return in_units(refusal.value, options) + " is outside the position range, " +
+         in_units(*limits.position_min, options) + " to " +
+         in_units(*limits.position_max, options) + ": give at most " + most;
+}
+
+/// The reason and its remedy, for what the spec of the axis lacks; "" for another refusal.
+std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
+  if (options.group)
+    return cause == Cause::no_trigger_input
+               ? "a group has no inputs: send the command to one of its axes"
+               : "";
+  if (cause == Cause::no_cut_plan && !options.cutter)
+    return "the axis has no cutter: command an axis with one, or add cutter = \"FILE\" (a spec of "
+           "kind knife or shear) to [axis], and the line as [follow]";
+  if (cause == Cause::no_trigger_input && !options.drive)
+    return "the axis has no drive that reports inputs: add [drive] to its spec, and the input to "
+           "[drive.machine] if the drive is simulated";
+  if (cause != Cause::no_master_input) return "";
+  if (options.follow.what == Follow::What::nothing)
+    return "the axis has no live master: add [follow] to its spec, or send the motion of the "
+           "master "
+           "as a table over time";
+  return "the master of the axis sends no valid position: start its program, or correct its unit; "
+         "`jounce monitor " +
+         options.receiver.executor + "` shows the master";
+}
+
+/// The reason and its remedy, for an order that an endless motion prevents: the order that ends this
+/// motion. "" for another refusal.
+std::string endless_text(Cause cause, const Tick& now, const ExecutorOptions& options,
+                         CommandKind order) {
+  if (cause != Cause::in_motion && cause != Cause::synchronized) return "";
+  if (permitted(now.state, order) != cause) return "";  // only a part of it, such as a clutch
+  const std::string end = ": end this with `jounce order " + options.receiver.executor + " halt`";
+  if (now.state == State::continuous_motion)
+    return "the axis moves at a velocity without end" + end;
+  if (now.state != State::synchronized_motion) return "";
+  return now.ratio != 0 ? "the axis follows its master by a gear" + end
+                        : "the axis follows its master" + end;
+}
+
+/// A table that begins elsewhere than the axis stands, or will stand.
+std::string start_position_text(const Refusal& refusal, const Tick& now,
+                                const ExecutorOptions& options) {
+  const std::string order = "`jounce order " + options.receiver.executor;
+  const std::string start = in_units(refusal.value, options);
+  if (now.fault != Cause::none)
+    return "the axis has the fault " + std::string(name(now.fault)) + ": first send " + order +
+           " reset`, and move the axis to the start of the table, " + start;
+  if (std::isnan(refusal.value))
+    return "the motion does not begin at the position of the axis, " +
+           in_units(refusal.limit, options);
+  if (options.cutter && options.follow.what != Follow::What::nothing && !in_motion(now))
+    return std::string(name(refusal.cause)) + ": The table begins at " + start +
+           ", but the axis is at " + in_units(refusal.limit, options) + ": send " + order +
+           " start` for its cutter.";
+  const bool endless =
+      now.state == State::synchronized_motion || now.state == State::continuous_motion;
+  if (endless)
+    return std::string(name(refusal.cause)) + ": The table begins at " + start +
+           ", but the axis moves without end: end this with " + order + " halt`, and repeat.";
+  std::string place = start;
+  std::erase(place, ' ');
+  return std::string(name(refusal.cause)) + ": The table begins at " + start +
+         (in_motion(now) ? ", but the present motion ends at " : ", but the axis is at ") +
+         in_units(refusal.limit, options) + (in_motion(now) ? ": after it, send " : ": send ") +
+         order + " move --to " + place + "`.";
+}
+
+}  // namespace
+
+std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options,
+                         CommandKind order) {
+  if (refusal.cause == Cause::in_group && !options.groups.empty())
+    return in_group_text(options.groups, order);
+  if (const std::string most = distance_text(refusal, now, options, order); !most.empty())
+    return most;
+  if (const std::string missing = missing_part_text(refusal.cause, options); !missing.empty())
+    return missing;
+  if (const std::string endless = endless_text(refusal.cause, now, options, order);
+      !endless.empty())
+    return endless;
+  if (refusal.cause == Cause::start_position) return start_position_text(refusal, now, options);
+  const bool of_joints = options.group && options.group->kinematics;
+  std::string words = text(refusal, of_joints ? options.group->unit : options.units.position,
+                           options.units.x, group_names(options));
+  constexpr std::string_view either = "The axis or group ";
+  if (const std::size_t at = words.find(either); at != std::string::npos)
+    words.replace(at, either.size(), options.group ? "The group " : "The axis ");
+  if (refusal.cause == Cause::axis_away && options.group)
+    words += " The tolerance is " + six_digits(options.group->of.tolerance) +
+             (options.group->unit.empty() ? "" : " " + options.group->unit) + ".";
+  const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;
+  if (!fault || now.fault == Cause::none) return words;
+  const std::string who = options.group ? ": the group " : ": the axis ";
+  const std::string why =
+      std::string(name(refusal.cause)) +
+      (refusal.cause == Cause::in_error ? who + "has the fault " : ": disabled since the fault ") +
+      name(now.fault);
+  const std::string numbers =
+      numbers_of(now, options.units.position, options.axis, group_names(options), true);
+  const std::string means = why + ". " + meaning(now.fault);
+  // The most complete text that fits into the field of the reason.
+  for (const std::string& reason :
+       {means + numbers, numbers.empty() ? means : why + "." + numbers, means})
+    if (reason.size() < wire::reason_bytes) return reason;
+  return why + ". See `jounce explain " + name(now.fault) + "`.";
+}
+
+std::vector<std::string> notices_of(const Tick& before, const Tick& now, const std::string& unit,
+                                    const AxisConfig& config, std::span<const std::string> axes) {
+  std::vector<std::string> notices;
+  const std::string at = " at tick " + std::to_string(now.tick);
+  if (now.job != 0 && now.job != before.job) notices.push_back("started" + at);
+  if (now.dropped)
+    notices.push_back("the armed motion did not start" + at + ": " + text(*now.dropped, unit));
+  if (now.finished > before.finished) notices.push_back("finished" + at);
+  if (now.stopped > before.stopped) notices.push_back("stopped" + at);
+  if (now.fault != before.fault && now.fault != Cause::none)
+    notices.push_back("fault" + at + " (" + six_digits(now.time) + " s, position " +
+                      six_digits(now.position) + (unit.empty() ? "" : " " + unit) +
+                      "): " + fault_text(now, unit, config, axes) + " See `jounce explain " +
+                      name(now.fault) + "`.");
+  if (now.registration.lost && !before.registration.lost)
+    notices.push_back("registration: no mark in the last products" + at);
+  return notices;
+}
+
+}  // namespace jounce

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "executor/src/server/notices.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "jounce/command/causes.hpp"
+#include "jounce/command/command_table.hpp"
+#include "jounce/command/refusal_text.hpp"
+#include "jounce/stream/message/message.hpp"
+
+namespace jounce::notices_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+using Notices = std::vector<std::string>;
+
+TEST(Notices, ReportWhatChangedInATick) {
+  const Tick before{.tick = 9, .job = 1, .finished = 4, .stopped = 2};
+  EXPECT_EQ(notices_of(before, before, "mm"), Notices{});
+  EXPECT_EQ(notices_of(before, {.tick = 10, .job = 2, .finished = 5, .stopped = 2}, "mm"),
+            (Notices{"started at tick 10", "finished at tick 10"}));
+  EXPECT_EQ(notices_of(before, {.tick = 10, .finished = 4, .stopped = 3}, "mm"),
+            Notices{"stopped at tick 10"});
+}
+
+TEST(Notices, ReportAFaultOnceWithItsMeaning) {
+  const Tick before{.tick = 9};
+  const Tick now{.tick = 10, .fault = Cause::drive_fault};
+  const Notices notices = notices_of(before, now, "mm");
+  ASSERT_EQ(notices.size(), 1U);
+  EXPECT_EQ(notices[0], std::string("fault at tick 10 (0 s, position 0 mm): ") +
+                            name(Cause::drive_fault) + ": " + meaning(Cause::drive_fault) +
+                            " See `jounce explain drive_fault`.");
+  EXPECT_EQ(notices_of(now, now, "mm"), Notices{});
+  EXPECT_EQ(notices_of(now, before, "mm"), Notices{}) << "a reset";
+}
+
+TEST(Notices, ReportTheNumbersOfAFault) {
+  AxisConfig config{.following_error = 0.1, .following_time = 0.002};
+  config.limits.position_min = -10;
+  Tick now{.tick = 575, .fault = Cause::following_error};
+  now.following_error = 0;  // the axis was disabled, and its setpoint follows the drive
+  now.fault_value = 0.31;
+  const std::string text = fault_text(now, "mm", config);
+  EXPECT_THAT(text, HasSubstr("was 0.31 mm"));
+  EXPECT_THAT(text, HasSubstr("following_error = 0.1 mm"));
+  EXPECT_THAT(text, HasSubstr("following_time = 0.002 s"));
+  now.fault = Cause::negative_soft_limit;
+  EXPECT_THAT(fault_text(now, "mm", config), HasSubstr("position_min = -10 mm"));
+  now.fault = Cause::axis_fault;
+  now.failed_axis = Refusal{Cause::axis_not_ready, static_cast<double>(Cause::not_enabled), 0, 2};
+  const std::vector<std::string> axes{"x", "y"};
+  EXPECT_THAT(fault_text(now, "mm", config, axes), HasSubstr("y was disabled."));
+  now.failed_axis->limit = 3;  // the bits of x and y
+  EXPECT_THAT(fault_text(now, "mm", config, axes), HasSubstr("; x was not ready either."));
+  config.limits.acceleration = 10000;
+  now.fault = Cause::overacceleration;
+  now.fault_value = 20700;
+  EXPECT_THAT(fault_text(now, "mm", config),
+              HasSubstr("It requires 20700 mm/s^2. The limit is acceleration = 10000 mm/s^2."));
+}
+
+TEST(Notices, ARejectionNamesThePresentFault) {
+  const ExecutorOptions options;
+  const Tick now{.fault = Cause::negative_soft_limit};
+  for (const Cause cause : {Cause::in_error, Cause::not_enabled}) {
+    EXPECT_THAT(refusal_text({cause}, now, options), HasSubstr("negative_soft_limit. "));
+    EXPECT_THAT(refusal_text({cause}, {}, options),
+                ::testing::StartsWith(std::string(name(cause)) + ": The axis "));
+  }
+  ExecutorOptions limited;
+  limited.units.position = "mm";
+  limited.axis.limits.position_max = 300;
+  EXPECT_EQ(refusal_text({Cause::in_error}, {.fault = Cause::positive_soft_limit}, limited),
+            "in_error: the axis has the fault positive_soft_limit. The limit is position_max = 300 "
+            "mm.")
+      << "its meaning and its number together do not fit";
+  limited.axis.longest_gap = 100;
+  Tick stalled{.fault = Cause::stalled};
+  stalled.skipped = 3;
+  const std::string late = refusal_text({Cause::in_error}, stalled, limited);
+  EXPECT_THAT(late, HasSubstr("longest_gap is 100 cycles"));
+  EXPECT_THAT(late, ::testing::Not(HasSubstr("late by 3"))) << "the delay of a later cycle";
+}
+
+TEST(Notices, ARejectionNamesWhatTheSpecLacks) {
+  ExecutorOptions options;
+  EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, options),
+              HasSubstr("add [follow] to its spec"));
+  EXPECT_THAT(
+      refusal_text({Cause::no_cut_plan}, {}, options),
+      HasSubstr(
+          "command an axis with one, or add cutter = \"FILE\" (a spec of kind knife or shear)"));
+  const Refusal input{Cause::no_trigger_input, 2, 0b110000};
+  EXPECT_THAT(refusal_text(input, {}, options), HasSubstr("add [drive] to its spec"));
+  options.follow = {.what = Follow::What::master};
+  EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, options), HasSubstr("no valid position"));
+  options.cutter.emplace();
+  EXPECT_THAT(refusal_text({Cause::no_cut_plan}, {}, options), HasSubstr("no_cut_plan: "));
+  EXPECT_EQ(text(input, "mm"),
+            "no_trigger_input: The drive of the axis does not have this trigger "
+            "input: 2; it has home, index.");
+  for (const Cause cause : {Cause::no_master_input, Cause::no_cut_plan, Cause::no_trigger_input})
+    EXPECT_LT(refusal_text({cause}, {}, ExecutorOptions{}).size(), wire::reason_bytes);
+}
+
+TEST(Notices, ARejectedDistanceComesWithThePossibleOnes) {
+  ExecutorOptions options;
+  options.units.position = "mm";
+  options.axis.limits.position_min = -10;
+  options.axis.limits.position_max = 300;
+  const Refusal beyond{.cause = Cause::position_limit, .value = 400, .limit = 300};
+  const auto text_at = [&](double position, State state = State::standstill) {
+    Tick now{.state = state};
+    now.position = position;
+    return refusal_text(beyond, now, options, CommandKind::move_relative);
+  };
+  EXPECT_EQ(text_at(0),
+            "400 mm is outside the position range, -10 mm to 300 mm: give at most 300 mm forward, "
+            "or 10 mm back");
+  EXPECT_THAT(text_at(300), ::testing::EndsWith("give at most 310 mm back"));
+  EXPECT_THAT(text_at(-10), ::testing::EndsWith("give at most 310 mm forward"));
+  EXPECT_THAT(text_at(-11), ::testing::StartsWith("position_limit: ")) << "outside the range";
+  EXPECT_THAT(text_at(0, State::discrete_motion), ::testing::StartsWith("position_limit: "))
+      << "the start of the move is not known";
+}
+
+TEST(Notices, AMemberOfAGroupNamesTheOrderToTheGroup) {
+  ExecutorOptions options;
+  options.groups = {"plotter"};
+  EXPECT_THAT(refusal_text({Cause::in_group}, {}, options, CommandKind::hold),
+              ::testing::EndsWith("send `jounce order plotter hold`"));
+  EXPECT_THAT(refusal_text({Cause::in_group}, {}, options, CommandKind::move_absolute),
+              ::testing::EndsWith("send `jounce order plotter disable` first"));
+}
+
+// The field of the reason on the wire cuts a longer text.
+TEST(Notices, ARejectionFitsIntoItsField) {
+  const ExecutorOptions options;
+  for (const CauseInfo& fault : all_causes()) {
+    if (fault.cause == Cause::none) continue;
+    for (const Cause cause : {Cause::in_error, Cause::not_enabled}) {
+      const std::string text = refusal_text({cause}, {.fault = fault.cause}, options);
+      EXPECT_LT(text.size(), wire::reason_bytes) << text;
+      EXPECT_THAT(text, ::testing::StartsWith(std::string(name(cause)) + ": "));
+      EXPECT_THAT(text, HasSubstr(std::string("fault ") + fault.name));
+    }
+  }
+  ExecutorOptions millimeters;
+  millimeters.units.position = "mm";
+  const Refusal elsewhere{Cause::start_position, -1234.5678, -8765.4321};
+  ExecutorOptions no_cutter;
+  EXPECT_LT(refusal_text({Cause::no_cut_plan}, {}, no_cutter).size(), wire::reason_bytes);
+  const Tick moving{.state = State::discrete_motion, .job = 1};
+  const std::string text = refusal_text(elsewhere, moving, millimeters);
+  EXPECT_LT(text.size(), wire::reason_bytes);
+  EXPECT_THAT(text,
+              HasSubstr("begins at -1234.57 mm, but the present motion ends at -8765.43 mm: after "
+                        "it, send `jounce order "));
+}
+
+// Standstill never comes by itself, so "wait for standstill" would be a remedy that fails.
+TEST(Notices, ARejectionInAnEndlessMotionNamesTheOrderThatEndsIt) {
+  ExecutorOptions options;
+  options.receiver.executor = "roller";
+  const auto reason = [&](const Tick& now, CommandKind order) {
+    return refusal_text({permitted(now.state, order)}, now, options, order);
+  };
+  Tick now{.state = State::continuous_motion};
+  EXPECT_EQ(reason(now, CommandKind::set_position),
+            "the axis moves at a velocity without end: end this with `jounce order roller halt`");
+  now.state = State::synchronized_motion;
+  EXPECT_EQ(reason(now, CommandKind::home),
+            "the axis follows its master: end this with `jounce order roller halt`");
+  now.ratio = 2;
+  EXPECT_EQ(reason(now, CommandKind::move_repetitive),
+            "the axis follows its master by a gear: end this with `jounce order roller halt`");
+  EXPECT_THAT(refusal_text({Cause::in_motion}, now, options, CommandKind::gear_in),
+              ::testing::StartsWith("in_motion: "))
+      << "its clutch ends";
+  now.state = State::discrete_motion;
+  EXPECT_THAT(reason(now, CommandKind::home), ::testing::StartsWith("in_motion: ")) << "it ends";
+}
+
+TEST(Notices, ATableOnALiveMasterNamesTheCutterOfTheAxisFirst) {
+  ExecutorOptions options;
+  options.receiver.executor = "knife";
+  options.units.position = "deg";
+  options.follow = {.what = Follow::What::master};
+  options.cutter.emplace();
+  EXPECT_THAT(refusal_text({Cause::start_position, -0.0119, 0}, {}, options),
+              ::testing::EndsWith("send `jounce order knife start` for its cutter."));
+}
+
+TEST(Notices, ReportAStartThatDidNotBegin) {
+  const Refusal why{.cause = Cause::group_stopped};
+  EXPECT_EQ(notices_of({}, {.tick = 10, .dropped = why}, "mm"),
+            Notices{"the armed motion did not start at tick 10: " + text(why, "mm")});
+}
+
+}  // namespace
+}  // namespace jounce::notices_test
