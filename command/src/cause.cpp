@@ -653,7 +653,7 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
   const auto shown = [&](double number) {
     return six_digits(std::abs(number) < rounding * scale ? 0 : number) + unit_of(cause, unit);
   };
-  if (cause == Cause::position_limit && refusal.value == refusal.limit)  // of a jog
+  if (cause == Cause::position_limit && refusal.value == refusal.limit)  // a jog
     return std::string(name(cause)) + ": The axis is at the end of its position range, " +
            shown(refusal.limit) + ", and cannot move further in this direction.";
   if (cause == Cause::cutter_away)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/proof/proof.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -38,6 +41,26 @@ TEST(Proof, ADriveAndAFollowerHaveTheirParts) {
   EXPECT_EQ(proof.follower->samples.size(), 11U);
   EXPECT_THAT(proof_text(proof, cam), ::testing::HasSubstr("contact force"));
   for (const Finding& finding : proof.report.findings) EXPECT_NE(finding.axis, "");
+}
+
+/// The torque in the remedy of a saturated drive is the limit with which the drive can follow.
+TEST(Proof, ASaturatedDriveNamesTheTorqueThatTheMotionNeeds) {
+  Input input = example("fastest-for-motor/move.toml");
+  ASSERT_TRUE(input.drive);
+  double& limit = input.drive->drive.motor.torque_limit;
+  limit = std::abs(prove(input).drive->torque.value) / 2;
+  const Proof saturated = prove(input);
+  const auto& findings = saturated.report.findings;
+  const auto found = std::find_if(findings.begin(), findings.end(), [](const Finding& f) {
+    return f.rule == "drive/saturation" && f.broken;
+  });
+  ASSERT_NE(found, findings.end());
+  EXPECT_THAT(sentence(*found, input.labels),
+              ::testing::StartsWith("the torque reaches the limit "));
+  const std::string before = "without this limit, the torque reaches ";
+  ASSERT_THAT(found->advice, ::testing::StartsWith(before));
+  limit = std::stod(found->advice.substr(before.size()));
+  EXPECT_TRUE(prove(input).drive->saturation.empty());
 }
 
 TEST(Proof, ALogThatIsNoneIsRefused) {

@@ -110,8 +110,8 @@ Memberships groups_of(const std::vector<MachineAxis>& axes) {
         refuse(k < axes.size() ? axes[k].name : std::to_string(k),
                "must be an axis of the machine, and not a group");
       if (groups[k])
-        refuse(axes[k].name,
-               "is already an axis of the group " + axes[*groups[k]].name + ": name each axis once");
+        refuse(axes[k].name, "is already an axis of the group " + axes[*groups[k]].name +
+                                 ": name each axis once");
       if (axes[k].follow.what != Follow::What::nothing)
         refuse(axes[k].name, "follows a master: an axis of a group follows only its group");
       const double most = *axes[k].config.limits.velocity * seconds(axes[k].config.period);
