@@ -22,6 +22,7 @@ namespace {
 
 using profiles_detail::rounded_digit;
 using profiles_detail::rounded_input;
+using profiles_detail::rounded_jerk;
 
 void include(Ranges& ranges, std::size_t order, double value, double where, Side side) {
   Range& range = ranges[order];
@@ -342,7 +343,9 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const Moti
   rule(greatest <= highest + near, Cause::position_limit, greatest, highest, p.max.where);
   peak(Cause::velocity_limit, v, limits.velocity);
   peak(Cause::acceleration_limit, a, limits.acceleration);
-  peak(Cause::jerk_limit, j, limits.jerk);
+  if (limits.jerk)
+    rule(std::abs(j.peak().value) <= *limits.jerk * (1 + rounded_jerk), Cause::jerk_limit,
+         j.peak().value, *limits.jerk, j.peak().where);
   within(Cause::velocity_step, v_step.step, v_most, v_step.where);
   if (!limits.jerk) return refusal;
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/pvt/check.hpp"
 
 #include "design/src/check/master_check.hpp"
@@ -66,18 +67,25 @@ class KnotRounding {
   double error_ = 0;  ///< rounding of a position
 };
 
+/// True for an excess that an executor tolerates, too (admit() in axis/job.hpp).
+bool is_tolerated(const Finding& f, std::size_t order) {
+  const double share =
+      order == 3 ? profiles_detail::rounded_jerk : profiles_detail::rounded_input;
+  return order == 0 || std::abs(f.value - f.limit) <= share * std::abs(f.limit);
+}
+
 /// True for a finding of a limit of the table that is no more than the rounding of its knots.
 bool is_rounding(const Finding& f, const Table& table, const KnotRounding& rounding) {
   const auto& names = table.axis() == Domain::time ? OverTime::names : OverMaster::names;
   const std::size_t order = order_in(names, f);
-  return order < names.size() && f.segment &&
+  return order < names.size() && f.segment && is_tolerated(f, order) &&
          std::abs(f.value - f.limit) <= rounding.of(order, *f.segment);
 }
 
 /// The same for a limit of the slave over time.
 bool is_slave_rounding(const Finding& f, const Spec& spec, const KnotRounding& rounding) {
   const std::size_t order = order_in(OverTime::names, f);
-  if (order >= OverTime::names.size() || !f.segment) return false;
+  if (order >= OverTime::names.size() || !f.segment || !is_tolerated(f, order)) return false;
   const double w = spec.master->velocity;
   const double a = master_rates(spec).acceleration;
   double error = rounding.of(order, *f.segment);
@@ -143,8 +151,31 @@ void keep_worst(Report& report, const Labels& labels) {
   });
 }
 
+namespace {
+
+/// For a table without its spec: excesses by rounding become findings of limits that are just met.
+void forgive_knots(Report& report, const Table& table) {
+  if (report.ok()) return;
+  const KnotRounding rounding(table);
+  std::set<std::string> met;
+  std::erase_if(report.findings, [&](Finding& f) {
+    const bool limits = f.broken && f.rule.family() == RuleFamily::limit;
+    if (!limits || f.rule.name().starts_with("position") || !is_rounding(f, table, rounding))
+      return false;
+    f.broken = false;
+    f.margin = 0;
+    f.advice.clear();
+    return !met.insert(f.rule.text()).second;
+  });
+}
+
+}  // namespace
+
 void forgive_rounding(Report& report, const Input& input) {
-  if (!input.against) return;
+  if (!input.against) {
+    if (!input.error) forgive_knots(report, input.table.table);
+    return;
+  }
   const AgainstSpec& against = *input.against;
   const Table& table = input.table.table;
   const KnotRounding rounding(table);

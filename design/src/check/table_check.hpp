@@ -24,8 +24,8 @@ Report check_table(const Table& table, const Input& input, const Report& of_curv
 /// more than the error of the table, which has a tolerance of its own.
 Report check_converted(const Table& table, const Input& input, double forgiven = 0);
 
-/// For a table with its spec (set_against()): removes the findings of limits that the rounding of its
-/// knots explains, and those of a position that its permitted deviation explains.
+/// For a table: removes the findings of limits that the rounding of its knots explains, and, for a
+/// table with its spec (set_against()), those of a position that its permitted deviation explains.
 void forgive_rounding(Report& report, const Input& input);
 
 /// Keeps the worst finding of each limit in each segment of the spec, which may have several pieces.

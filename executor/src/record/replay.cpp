@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "jounce/axis/axis.hpp"
 #include "jounce/axis/group_path.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/axis/live_cuts.hpp"

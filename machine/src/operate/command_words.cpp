@@ -653,7 +653,8 @@ bool names_axes(const CommandWords& words) {
 bool has_coordinates(const CommandWords& words) {
   for (const Form& form : forms_of(words.what))
     for (const Field& field : form.command->fields)
-      if (field.range == FieldRange::coordinate && !text_of(words, field.option).empty())
+      if (form.form(field) == OptionForm::coordinates &&
+          !text_of(words, form.option(field)).empty())
         return true;
   return false;
 }

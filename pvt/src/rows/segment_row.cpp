@@ -22,6 +22,7 @@ namespace jounce {
 namespace {
 
 using profiles_detail::rounded_input;
+using profiles_detail::rounded_jerk;
 
 bool given(double rate) {
   return !std::isnan(rate);
@@ -141,7 +142,7 @@ RowRule check(const SegmentRow& row, const RowStart& from) {
 }
 
 RowRule check(const RowPeaks& f, const RowLimits& limits) {
-  constexpr double same = 1 + 1e-9;
+  constexpr double same = 1 + rounded_input;
   // Also without limits: a derivative may exceed the range of a double.
   for (const double peak : {f.velocity, f.acceleration, f.jerk})
     if (!std::isfinite(peak)) return RowRule::not_finite;
@@ -151,7 +152,7 @@ RowRule check(const RowPeaks& f, const RowLimits& limits) {
   if (!(f.position_max <= limits.position_max + near)) return RowRule::position;
   if (!(f.velocity <= limits.velocity * same)) return RowRule::velocity;
   if (!(f.acceleration <= limits.acceleration * same)) return RowRule::acceleration;
-  if (!(f.jerk <= limits.jerk * same)) return RowRule::jerk;
+  if (!(f.jerk <= limits.jerk * (1 + rounded_jerk))) return RowRule::jerk;
   // The rounding error of a chain of quotients is no step of the rate.
   if (!(f.velocity_step <= limits.velocity_step * same + rounded_input * f.velocity))
     return RowRule::velocity_step;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -17,6 +16,7 @@
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/check.hpp"
 
+#include "pvt/src/sample/knot_rounding.hpp"
 #include "pvt/src/sample/longest.hpp"
 #include "pvt/src/sample/within_limits.hpp"
 
@@ -109,20 +109,24 @@ std::vector<double> shortened_before_steps(const Curve<Over>& f, Interpolation r
   return all;
 }
 
-/// The position of a knot is rounded to e P, where P is the greatest position. In an interval of
-/// length L, this adds to the third derivative up to
+/// The position of a knot is rounded to e P, where P is the greatest position. Its place x is rounded
+/// to e X, which has the effect of V e X of the position, with the greatest velocity V. In an
+/// interval of length L, this adds to the third derivative up to
 ///
-///     (2)  120 e P / L^3   (quintic),   24 e P / L^3   (cubic)
+///     (2)  120 e (P + V X) / L^3   (quintic),   24 e (P + V X) / L^3   (cubic)
 ///
-/// This is a thousandth of the curve's third derivative at the length that this function returns.
+/// This is `share` of the curve's third derivative at the length that this function returns.
 template <class Over>
-double noisy_length(const Curve<Over>& f, Interpolation rule) {
-  const Ranges peaks = extrema(f);
-  const double jerk = std::abs(peaks[3].peak().value);
+double noisy_length(const Curve<Over>& f, Interpolation rule, double share) {
+  const double jerk = std::abs(extrema(f, 3).peak().value);
   if (rule == Interpolation::linear || !(jerk > 0)) return 0;
-  const double rounding = std::numeric_limits<double>::epsilon() * std::abs(peaks[0].peak().value);
-  return std::cbrt((rule == Interpolation::quintic_hermite ? 120 : 24) * rounding / (1e-3 * jerk));
+  return std::cbrt((rule == Interpolation::quintic_hermite ? 120 : 24) *
+                   pvt_detail::knot_rounding(f) / (share * jerk));
 }
+
+constexpr double visible_noise = 1e-3;  ///< share of the jerk that makes an interval too short
+constexpr double settled_noise =
+    0.25 * rounded_input;  ///< a quarter of the excess that an executor permits
 
 /// The greatest magnitudes of the derivatives of a table's interval or of a curve.
 std::array<double, 4> peaks_of(const Ranges& ranges) {
@@ -141,7 +145,8 @@ class Spread {
       : f_(f),
         rule_(rule),
         allowed_{wanted, profiles_detail::inf},
-        least_(noisy_length(f, rule)),
+        least_(noisy_length(f, rule, visible_noise)),
+        rounding_(pvt_detail::knot_rounding(f)),
         peaks_(peaks_of(extrema(f))) {}
 
   [[nodiscard]] std::vector<double> run(std::vector<double> knots) const {
@@ -165,7 +170,7 @@ class Spread {
     const Table table(axis, rule_, Extrapolation::refuse, columns_at(f_, rule_, {a, b}));
     const std::array<double, 4> here = peaks_of(extrema(table));
     const double length = b - a;
-    const double noise = 24 * std::numeric_limits<double>::epsilon() * peaks_[0];
+    const double noise = 24 * rounding_;
     const std::array factors{0.0, length * length / 12, length / 6, 1.0};
     for (std::size_t k = 1; k < here.size(); ++k)
       if (here[k] >
@@ -201,6 +206,7 @@ class Spread {
   Interpolation rule_;
   pvt_detail::Tolerances allowed_;
   double least_;
+  double rounding_;
   std::array<double, 4> peaks_;
 };
 
@@ -224,21 +230,34 @@ double rise(const Curve<Over>& f, double a, double b) {
   return sum;
 }
 
-/// Knots that must stay near each other, such as those of a phase that nearly vanishes. Over the
-/// length d between them, the rounding e of the rise causes a jerk of 60 e / d^3. One of the knots
-/// moves to the nearby double for which e is least. Both velocities then take the rest of e, as e /
-/// d. So the interval has the curve's derivatives, and the adjacent intervals, which are long,
-/// change by much less.
+/// Knots that are near each other, such as those of a short phase. Over the length d between them, the
+/// rounding e of the rise causes a jerk of 60 e / d^3. So the position of the next knot is that of
+/// this one plus the rise, and the next knot moves to a nearby double for which e is small. Where
+/// this is not enough, and both adjacent intervals are long, both velocities take the rest of e, as
+/// e / d: the interval then has the curve's derivatives, and the adjacent ones change by much less.
+///
+/// Knots at rest stay where they are. From both rests, the knots settle towards the longest interval
+/// between the rests, in which the sum of the rounding is least visible.
 template <class Over>
 class ShortIntervals {
  public:
   ShortIntervals(const Curve<Over>& f, Interpolation rule)
-      : f_(f), rule_(rule), least_(noisy_length(f, rule)) {}
+      : f_(f),
+        rule_(rule),
+        short_(noisy_length(f, rule, visible_noise)),
+        noisy_(noisy_length(f, rule, settled_noise)),
+        jerk_(std::abs(extrema(f, 3).peak().value)) {}
 
   [[nodiscard]] Columns columns(std::vector<double> knots) const {
     Columns all = columns_at(f_, rule_, std::move(knots));
-    for (std::size_t i = 0; i + 1 < all.x.size(); ++i)
-      if (is_short(all, i)) settle(all, i);
+    if (noisy_ == 0) return all;
+    const std::size_t last = all.x.size() - 1;
+    for (std::size_t rest = 0; rest < last;) {
+      std::size_t next = rest + 1;
+      while (next < last && !rests(all, next)) ++next;
+      settle_between(all, rest, next);
+      rest = next;
+    }
     return all;
   }
 
@@ -251,49 +270,77 @@ class ShortIntervals {
     double error = 0;
   };
 
+  static double length(const Columns& all, std::size_t i) { return all.x[i + 1] - all.x[i]; }
+  static bool rests(const Columns& all, std::size_t k) {
+    return all.v[k] == 0 && (all.a.empty() || all.a[k] == 0);
+  }
   [[nodiscard]] bool is_short(const Columns& all, std::size_t i) const {
-    return i + 1 < all.x.size() && all.x[i + 1] - all.x[i] < least_;
+    return i + 1 < all.x.size() && length(all, i) < short_;
   }
 
-  void settle(Columns& all, std::size_t i) const {
-    const bool first = i == 0;
-    const bool last = i + 2 == all.x.size();
-    if (first && last) return;
-    const std::size_t moved = last ? i : i + 1;
-    const std::size_t other = last ? i + 1 : i;
+  /// Settles the knots between two that stay.
+  void settle_between(Columns& all, std::size_t from, std::size_t to) const {
+    std::size_t longest = from;
+    for (std::size_t i = from; i < to; ++i)
+      if (length(all, i) > length(all, longest)) longest = i;
+    for (std::size_t i = from; i < longest; ++i)
+      if (length(all, i) < noisy_) settle(all, i, i + 1);
+    for (std::size_t i = to - 1; i > longest; --i)
+      if (length(all, i) < noisy_) settle(all, i, i);
+  }
+
+  /// Settles interval i by its knot `moved`.
+  void settle(Columns& all, std::size_t i, std::size_t moved) const {
+    const bool forward = moved > i;
+    const std::size_t other = forward ? i : i + 1;
     const auto at = [&](double x) {
-      const double wanted = last ? -rise(f_, x, all.x[other]) : rise(f_, all.x[other], x);
+      const double wanted = forward ? rise(f_, all.x[other], x) : -rise(f_, x, all.x[other]);
       const double position = all.p[other] + wanted;
       return Place{x, position, position - all.p[other] - wanted};
     };
-    const Place place = best(all.x[moved], all.x[last ? i - 1 : i + 2], at);
+    const Place place = best(all.x[moved], all.x[forward ? i + 2 : i - 1], length(all, i), at);
     const Jet jet = f_.jet(place.x, Side::right);
     all.x[moved] = place.x;
     all.p[moved] = place.position;
     all.v[moved] = jet[1];
     if (!all.a.empty()) all.a[moved] = jet[2];
-    if (first || last || is_short(all, i - 1) || is_short(all, i + 1)) return;
-    const double more = place.error / (all.x[i + 1] - all.x[i]);
+    if (!is_short(all, i) || i == 0 || i + 2 == all.x.size() || is_short(all, i - 1) ||
+        is_short(all, i + 1))
+      return;
+    const double more = place.error / length(all, i);
     all.v[i] += more;
     all.v[i + 1] += more;
   }
 
-  /// The position of the least error among the doubles from x towards `limit`.
+  /// The place among the doubles from x towards `limit` with the least change of the jerk, or the
+  /// first one with an invisible change. An error e of the rise over the length d changes the jerk
+  /// by up to 120 e / d^3. Beside a step of the jerk, a moved knot changes it by up to twice the
+  /// greatest jerk times the share of d by which the knot moves.
   template <class At>
-  static Place best(double x, double limit, At at) {
-    constexpr int most = 1 << 16;
+  Place best(double x, double limit, double d, At at) const {
+    const auto change = [&](double error) {
+      return 120 * std::abs(error) / profiles_detail::cube(d);
+    };
+    const double from = x;
     Place found = at(x);
-    for (int i = 0; i < most && found.error != 0; ++i) {
+    double least = change(found.error);
+    while (least > settled_noise * jerk_) {
       x = std::nextafter(x, limit);
-      if (x == limit) break;
-      if (const Place here = at(x); std::abs(here.error) < std::abs(found.error)) found = here;
+      const double moved = 2 * jerk_ * std::abs(x - from) / d;
+      if (x == limit || moved >= least) break;
+      const Place here = at(x);
+      if (change(here.error) + moved >= least) continue;
+      found = here;
+      least = change(here.error) + moved;
     }
     return found;
   }
 
   const Curve<Over>& f_;
   Interpolation rule_;
-  double least_;
+  double short_;  ///< the rounding in a shorter interval is visible
+  double noisy_;  ///< a shorter interval must settle
+  double jerk_;   ///< the greatest of the curve
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "jounce/profiles/detail/numeric.hpp"
 
 #include "pvt/src/sample/interval.hpp"
+#include "pvt/src/sample/knot_rounding.hpp"
 #include "pvt/src/sample/longest.hpp"
 
 // Between its knots, a table differs from the curve. So it may exceed a limit that the curve just keeps. On an interval
@@ -29,7 +29,8 @@
 //
 // Halves do not help where a derivative of the curve steps that the table cannot step in: there, a shorter interval
 // has a greater third derivative. Such an interval stays as it is. The rounding e of a position changes the k-th
-// derivative by c e / h^k. No interval is so short that this is more than a thousandth of a limit.
+// derivative by c e / h^k, and the rounding d of a place as much as that of v d of the position. No interval is so short
+// that this is more than a thousandth of a limit.
 //
 // A slave over time, whose master runs and accelerates, limits sums of two derivatives (RampedLimits).
 namespace jounce::pvt_detail {
@@ -43,9 +44,8 @@ class WithinLimits {
  public:
   WithinLimits(const Curve<Over>& f, Interpolation rule, const Limits& limits,
                const RampedLimits& ramped, double spacing)
-      : f_(f), rule_(rule), spacing_(spacing) {
+      : f_(f), rule_(rule), spacing_(spacing), rounding_(knot_rounding(f)) {
     const Ranges taken = extrema(f);
-    rounding_ = std::numeric_limits<double>::epsilon() * std::abs(taken[0].peak().value);
     const std::array rates{limits.velocity, limits.acceleration, limits.jerk};
     permit({0}, limits.position_min, limits.position_max, taken[0]);
     for (std::size_t k = 0; k < rates.size(); ++k)
@@ -180,7 +180,7 @@ class WithinLimits {
   const Curve<Over>& f_;
   Interpolation rule_;
   double spacing_;
-  double rounding_ = 0;  ///< rounding of the greatest position
+  double rounding_;  ///< of the position of a knot
   std::vector<Permitted> permitted_;
 };
 

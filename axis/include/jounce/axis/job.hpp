@@ -132,6 +132,9 @@ class Job final : public Movement {
 /// motion, it must begin with the velocity and acceleration of this motion instead of at rest.
 /// Returns nullopt, or the first broken rule. Never allocates.
 ///
+/// Values may exceed their limits by 1e-9 of the limit, the jerk by 1e-6: it contains the rounding of
+/// the knots, divided by the cube of the distance between them.
+///
 /// A jump of the velocity counts as the acceleration that causes this change within one tick. So a
 /// table of straight lines is admitted exactly if no tick exceeds the acceleration limit. With a
 /// jerk limit, a jump of the acceleration counts as the jerk that causes this change within one

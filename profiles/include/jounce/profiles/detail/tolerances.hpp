@@ -6,6 +6,7 @@ namespace jounce::profiles_detail {
 // Relative tolerances for rounding, one for each origin of a number. Two numbers that differ by
 // less than this share of their magnitude count as equal.
 
+inline constexpr double rounded_jerk = 1e-6;    ///< the jerk of a table whose knots are rounded
 inline constexpr double rounded_input = 1e-9;   ///< given by a file or another program
 inline constexpr double rounded_sum = 1e-12;    ///< the sum or the chain of many values
 inline constexpr double rounded_root = 1e-13;   ///< a root, or the solution of a small system

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tables of a G-code program keep the limits of their axes, also long after its start, where the rounding of a time
+// is large beside the shortest phases; and an axis with these limits admits them. The witness computes the jerk from
+// the knots, in the longer format of this processor.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "jounce/axis/job.hpp"
+#include "jounce/design/executor_tables.hpp"
+#include "jounce/design/input.hpp"
+
+#include "support/temporary_folder.hpp"
+
+namespace jounce::cli {
+namespace {
+
+const std::filesystem::path plate =
+    std::filesystem::path(JOUNCE_SOURCE_DIR) / "examples/gcode-part";
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// The program of the example after a dwell.
+std::string delayed(const std::string& seconds) {
+  std::string program = text_of(plate / "plate.ngc");
+  program.insert(program.find("N50 "), "N45 G4 P" + seconds + "\n");
+  return program;
+}
+
+/// The greatest magnitude of the third derivative of a quintic table. In an interval of length h, with s = 0 .. 1, it is
+/// (6 c3 + 24 c4 s + 60 c5 s^2) / h^3, where c3 to c5 follow from the values at its end.
+double greatest_jerk(const Columns& knots) {
+  long double greatest = 0;
+  for (std::size_t i = 0; i + 1 < knots.x.size(); ++i) {
+    const long double h = static_cast<long double>(knots.x[i + 1]) - knots.x[i];
+    const long double v = knots.v[i] * h, a = knots.a[i] * h * h;
+    const long double dp = static_cast<long double>(knots.p[i + 1]) - knots.p[i] - v - a / 2;
+    const long double dv = knots.v[i + 1] * h - v - a;
+    const long double da = knots.a[i + 1] * h * h - a;
+    const long double c3 = 10 * dp - 4 * dv + da / 2;
+    const long double c4 = -15 * dp + 7 * dv - da;
+    const long double c5 = 6 * dp - 3 * dv + da / 2;
+    for (int k = 0; k <= 64; ++k) {
+      const long double s = k / 64.0L;
+      greatest = std::max(greatest, std::abs(6 * c3 + 24 * c4 * s + 60 * c5 * s * s) / (h * h * h));
+    }
+  }
+  return static_cast<double>(greatest);
+}
+
+TEST(LatePathTables, KeepTheLimitsAndAreAdmitted) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "plate.toml") << text_of(plate / "plate.toml");
+  for (const char* const delay : {"0", "60", "3600"}) {
+    std::ofstream(folder / "plate.ngc") << delayed(delay);
+    const std::vector<Input> inputs = read_inputs((folder / "plate.toml").string());
+    ASSERT_EQ(inputs.size(), 3u);
+    for (const Input& input : inputs) {
+      const Table& table = input.table.table;
+      const double limit = *input.limits.jerk;
+      const double jerk = greatest_jerk(table.columns());
+      EXPECT_GT(jerk, 0.9 * limit) << input.axis;
+      EXPECT_LE(jerk, limit * (1 + 1e-6)) << input.axis << " after " << delay << " s";
+      AxisConfig axis;
+      axis.limits = input.limits;
+      const Job job(1, std::make_shared<const Table>(table), nullptr);
+      const auto refusal = admit(job, axis, table.columns().p.front());
+      EXPECT_FALSE(refusal) << input.axis << " after " << delay
+                            << " s: " << (refusal ? refusal->value : 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace jounce::cli
