@@ -8,7 +8,7 @@
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/job.hpp"
 
-#include "axis/any_command.hpp"
+#include "axis/model/any_command.hpp"
 
 namespace jounce::test {
 

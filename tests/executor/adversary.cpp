@@ -29,8 +29,8 @@
 #include "jounce/stream/sender/driver.hpp"
 #include "jounce/stream/sender/group.hpp"
 
-#include "executor/log_judge.hpp"
-#include "executor/log_line.hpp"
+#include "executor/record/log_judge.hpp"
+#include "executor/record/log_line.hpp"
 #include "executor/site.hpp"
 #include "stream/src/transport/lossy_transport.hpp"
 #include "support/random.hpp"

@@ -5,7 +5,7 @@
 
 #include "jounce/executor/cycle.hpp"
 
-#include "executor/virtual_pacer.hpp"
+#include "executor/cycle/virtual_pacer.hpp"
 
 namespace jounce::test {
 

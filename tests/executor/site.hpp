@@ -11,9 +11,9 @@
 #include "jounce/executor/dispatcher.hpp"
 #include "jounce/executor/replay.hpp"
 
+#include "executor/cycle/virtual_pacer.hpp"
 #include "executor/src/record/run_record.hpp"
 #include "executor/src/server/motion_server.hpp"
-#include "executor/virtual_pacer.hpp"
 #include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::test {

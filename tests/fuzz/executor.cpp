@@ -8,7 +8,7 @@
 #include "jounce/executor/dispatcher.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "executor/virtual_pacer.hpp"
+#include "executor/cycle/virtual_pacer.hpp"
 #include "fuzz/packets.hpp"
 #include "stream/harness.hpp"
 #include "stream/src/transport/memory_transport.hpp"

@@ -6,7 +6,7 @@
 #include "jounce/stream/message/wire.hpp"
 
 #include "fuzz/fuzz.hpp"
-#include "stream/samples.hpp"
+#include "stream/message/samples.hpp"
 
 namespace jounce::fuzz {
 

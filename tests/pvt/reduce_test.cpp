@@ -16,7 +16,7 @@
 #include "jounce/pvt/check.hpp"
 #include "jounce/pvt/pt.hpp"
 
-#include "cam/random_cams.hpp"
+#include "cam/design/random_cams.hpp"
 #include "pvt/src/sample/interval.hpp"
 #include "pvt/src/sample/longest.hpp"
 #include "support/errors.hpp"

@@ -8,7 +8,7 @@
 #include "jounce/gear/line_follow.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "axis/live.hpp"
+#include "axis/follow/live.hpp"
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 

@@ -8,7 +8,7 @@
 #include "jounce/axis/live_gear.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "axis/live.hpp"
+#include "axis/follow/live.hpp"
 #include "axis/tables.hpp"
 
 namespace jounce::live_clutch_test {

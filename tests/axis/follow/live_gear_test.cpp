@@ -8,7 +8,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "axis/bench.hpp"
-#include "axis/live.hpp"
+#include "axis/follow/live.hpp"
 #include "axis/tables.hpp"
 #include "support/loop_limit.hpp"
 

@@ -12,8 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "axis/group_rig.hpp"
-#include "axis/limits_of_log.hpp"
+#include "axis/group/group_rig.hpp"
+#include "axis/model/limits_of_log.hpp"
 #include "support/random.hpp"
 
 namespace jounce::group_model_test {

@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "axis/group_rig.hpp"
+#include "axis/group/group_rig.hpp"
 #include "support/errors.hpp"
 #include "support/loop_limit.hpp"
 

@@ -15,7 +15,7 @@
 
 #include "jounce/axis/path_commands.hpp"
 
-#include "axis/group_rig.hpp"
+#include "axis/group/group_rig.hpp"
 #include "support/errors.hpp"
 #include "support/loop_limit.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axis/axis_model.hpp"
+#include "axis/model/axis_model.hpp"
 
 #include <cmath>
 #include <sstream>

@@ -10,8 +10,8 @@
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/path_clock.hpp"
 
-#include "axis/any_command.hpp"
-#include "axis/model_movements.hpp"
+#include "axis/model/any_command.hpp"
+#include "axis/model/model_movements.hpp"
 #include "axis/src/state/supervision.hpp"
 #include "axis/tables.hpp"
 #include "support/random.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "axis/axis_model.hpp"
+#include "axis/model/axis_model.hpp"
 
 namespace jounce::axis_property_test {
 namespace {

@@ -12,7 +12,7 @@
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/axis/live_gear.hpp"
 
-#include "axis/limits_of_log.hpp"
+#include "axis/model/limits_of_log.hpp"
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "axis/model_movements.hpp"
+#include "axis/model/model_movements.hpp"
 
 namespace jounce::armed_motion_test {
 namespace {

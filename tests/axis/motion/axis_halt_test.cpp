@@ -3,7 +3,7 @@
 
 #include "jounce/axis/axis.hpp"
 
-#include "axis/model_movements.hpp"
+#include "axis/model/model_movements.hpp"
 #include "axis/tables.hpp"
 
 namespace jounce::axis_halt_test {

@@ -4,7 +4,7 @@
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/fifo_movement.hpp"
 
-#include "axis/model_movements.hpp"
+#include "axis/model/model_movements.hpp"
 #include "axis/tables.hpp"
 #include "support/loop_limit.hpp"
 

@@ -6,7 +6,7 @@
 #include "jounce/axis/axis.hpp"
 #include "jounce/axis/path_clock.hpp"
 
-#include "axis/model_movements.hpp"
+#include "axis/model/model_movements.hpp"
 #include "axis/tables.hpp"
 #include "support/loop_limit.hpp"
 

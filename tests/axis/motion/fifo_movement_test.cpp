@@ -13,7 +13,7 @@
 #include "jounce/gear/follow.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "axis/live.hpp"
+#include "axis/follow/live.hpp"
 #include "axis/tables.hpp"
 #include "gear/follow_tables.hpp"
 #include "support/googol_7_4.hpp"

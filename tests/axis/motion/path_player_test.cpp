@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "axis/model_movements.hpp"
+#include "axis/model/model_movements.hpp"
 #include "axis/tables.hpp"
 #include "support/loop_limit.hpp"
 

@@ -8,7 +8,7 @@
 #include "jounce/axis/live_gear.hpp"
 
 #include "axis/bench.hpp"
-#include "axis/model_movements.hpp"
+#include "axis/model/model_movements.hpp"
 #include "axis/src/motion/setpoint_check.hpp"
 #include "axis/tables.hpp"
 #include "support/loop_limit.hpp"

@@ -8,7 +8,7 @@
 #include "jounce/axis/fifo_movement.hpp"
 #include "jounce/axis/job.hpp"
 
-#include "axis/model_movements.hpp"
+#include "axis/model/model_movements.hpp"
 #include "axis/tables.hpp"
 #include "support/loop_limit.hpp"
 

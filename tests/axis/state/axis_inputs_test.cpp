@@ -16,7 +16,7 @@
 #include "jounce/axis/live_gear.hpp"
 #include "jounce/controllers/googol/googol_pt.hpp"
 
-#include "axis/model_movements.hpp"
+#include "axis/model/model_movements.hpp"
 #include "axis/tables.hpp"
 #include "support/random.hpp"
 

@@ -12,7 +12,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
-#include "random_cams.hpp"
+#include "cam/design/random_cams.hpp"
 #include "support/errors.hpp"
 #include "support/fig_6_14.hpp"
 

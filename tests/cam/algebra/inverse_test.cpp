@@ -12,7 +12,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "random_cams.hpp"
+#include "cam/design/random_cams.hpp"
 #include "support/fig_6_14.hpp"
 
 namespace jounce::inverse_test {

@@ -11,7 +11,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "laws.hpp"
+#include "cam/laws/laws.hpp"
 #include "support/fig_6_14.hpp"
 #include "support/random.hpp"
 

@@ -9,7 +9,7 @@
 #include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "laws.hpp"
+#include "cam/laws/laws.hpp"
 #include "support/errors.hpp"
 #include "support/random.hpp"
 

@@ -12,7 +12,7 @@
 #include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "laws.hpp"
+#include "cam/laws/laws.hpp"
 #include "support/oracle.hpp"
 #include "support/random.hpp"
 

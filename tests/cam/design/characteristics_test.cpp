@@ -8,7 +8,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-#include "laws.hpp"
+#include "cam/laws/laws.hpp"
 #include "support/fig_6_14.hpp"
 #include "support/oracle.hpp"
 #include "support/random.hpp"

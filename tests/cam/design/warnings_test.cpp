@@ -8,7 +8,7 @@
 
 #include "jounce/cam/design/design.hpp"
 
-#include "laws.hpp"
+#include "cam/laws/laws.hpp"
 
 namespace jounce::warnings_test {
 namespace {

@@ -14,7 +14,7 @@
 #include "jounce/cam/design/warnings.hpp"
 #include "jounce/pvt/table.hpp"
 
-#include "laws.hpp"
+#include "cam/laws/laws.hpp"
 
 namespace jounce::wrong_laws_test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-#include "cam/disc_cams.hpp"
+#include "cam/disc/disc_cams.hpp"
 
 namespace jounce::disc_contour_test {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-#include "cam/disc_cams.hpp"
+#include "cam/disc/disc_cams.hpp"
 #include "support/random.hpp"
 
 namespace jounce::disc_test {

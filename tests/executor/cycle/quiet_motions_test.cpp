@@ -21,8 +21,8 @@
 #include "jounce/executor/recorder.hpp"
 
 #include "axis/tables.hpp"
+#include "executor/cycle/virtual_pacer.hpp"
 #include "executor/hooks.hpp"
-#include "executor/virtual_pacer.hpp"
 
 namespace jounce::quiet_motions_test {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "jounce/path/direct.hpp"
 
-#include "executor/judged_plotter.hpp"
+#include "executor/group/judged_plotter.hpp"
 #include "executor/src/group/group_queue.hpp"
 #include "support/random.hpp"
 

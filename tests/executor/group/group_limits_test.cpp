@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "executor/judged_plotter.hpp"
+#include "executor/group/judged_plotter.hpp"
 #include "support/random.hpp"
 
 namespace jounce::group_limits_test {

@@ -14,7 +14,7 @@
 
 #include "jounce/path/arc.hpp"
 
-#include "executor/sent_plotter.hpp"
+#include "executor/group/sent_plotter.hpp"
 #include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::group_outputs_test {

@@ -11,9 +11,9 @@
 #include "jounce/executor/recorder.hpp"
 #include "jounce/stream/sender/client.hpp"
 
-#include "axis/group_rig.hpp"
+#include "axis/group/group_rig.hpp"
+#include "executor/group/plotter_site.hpp"
 #include "executor/hooks.hpp"
-#include "executor/plotter_site.hpp"
 
 namespace jounce::group_play_test {
 namespace {

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "executor/sent_plotter.hpp"
+#include "executor/group/sent_plotter.hpp"
 
 namespace jounce::group_sent_test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "jounce/stream/sender/operate.hpp"
 
-#include "executor/plotter_site.hpp"
+#include "executor/group/plotter_site.hpp"
 
 namespace jounce::group_status_test {
 namespace {

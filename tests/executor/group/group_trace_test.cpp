@@ -12,7 +12,7 @@
 
 #include "jounce/executor/trace.hpp"
 
-#include "executor/plotter_site.hpp"
+#include "executor/group/plotter_site.hpp"
 
 namespace jounce::group_trace_test {
 namespace {

@@ -16,7 +16,7 @@
 #include "jounce/executor/group_plan.hpp"
 #include "jounce/path/axis_map.hpp"
 
-#include "executor/sent_plotter.hpp"
+#include "executor/group/sent_plotter.hpp"
 
 namespace jounce::group_windows_maps_test {
 namespace {

@@ -16,7 +16,7 @@
 #include "jounce/path/arc.hpp"
 #include "jounce/stream/sender/operate.hpp"
 
-#include "executor/sent_plotter.hpp"
+#include "executor/group/sent_plotter.hpp"
 #include "stream/src/transport/memory_transport.hpp"
 
 namespace jounce::group_windows_test {

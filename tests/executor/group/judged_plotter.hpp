@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "executor/plotter_site.hpp"
+#include "executor/group/plotter_site.hpp"
 
 // A plotter whose motion is judged in every tick. The judge has the limits of the axes and the
 // requested lines and arcs, and nothing of the planner.

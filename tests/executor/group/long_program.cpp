@@ -21,7 +21,7 @@
 #include "jounce/executor/group_plan.hpp"
 #include "jounce/profiles/error.hpp"
 
-#include "executor/plotter_site.hpp"
+#include "executor/group/plotter_site.hpp"
 
 namespace jounce::test {
 namespace {

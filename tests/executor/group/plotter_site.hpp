@@ -12,7 +12,7 @@
 #include "jounce/path/program_numbers.hpp"
 #include "jounce/stream/sender/client.hpp"
 
-#include "axis/group_rig.hpp"
+#include "axis/group/group_rig.hpp"
 #include "executor/site.hpp"
 
 namespace jounce::test {

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "executor/judged_plotter.hpp"
+#include "executor/group/judged_plotter.hpp"
 
 namespace jounce::test {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "executor/log_judge.hpp"
+#include "executor/record/log_judge.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string_view>
 
-#include "executor/homing_judge.hpp"
-#include "executor/log_line.hpp"
+#include "executor/record/log_line.hpp"
+#include "executor/server/homing_judge.hpp"
 
 namespace jounce::test {
 namespace {

@@ -2,7 +2,7 @@
 // The judge of the random orders is tested with logs that are made here: a right one has no finding, and a log with one
 // violation of each kind has the finding of that kind.
 
-#include "executor/log_judge.hpp"
+#include "executor/record/log_judge.hpp"
 
 #include <cmath>
 #include <cstdint>

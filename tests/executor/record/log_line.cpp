@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "executor/log_line.hpp"
+#include "executor/record/log_line.hpp"
 
 #include <algorithm>
 #include <charconv>

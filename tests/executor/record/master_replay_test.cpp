@@ -18,8 +18,8 @@
 #include "jounce/profiles/error.hpp"
 
 #include "axis/tables.hpp"
+#include "executor/cycle/virtual_pacer.hpp"
 #include "executor/src/record/run_record.hpp"
-#include "executor/virtual_pacer.hpp"
 #include "support/random.hpp"
 
 namespace jounce::master_replay_test {

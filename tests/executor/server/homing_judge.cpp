@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "executor/homing_judge.hpp"
+#include "executor/server/homing_judge.hpp"
 
 #include <algorithm>
 #include <cmath>

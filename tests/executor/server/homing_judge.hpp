@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "executor/log_judge.hpp"
-#include "executor/log_line.hpp"
+#include "executor/record/log_judge.hpp"
+#include "executor/record/log_line.hpp"
 
 namespace jounce::test {
 

@@ -15,7 +15,7 @@
 #include "jounce/stream/sender/driver.hpp"
 
 #include "axis/tables.hpp"
-#include "executor/log_judge.hpp"
+#include "executor/record/log_judge.hpp"
 #include "executor/site.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "jounce/stream/message/wire.hpp"
 
-#include "stream/samples.hpp"
+#include "stream/message/samples.hpp"
 #include "stream/src/message/lcm_body.hpp"
 
 namespace jounce::vectors_test {

@@ -37,7 +37,7 @@
 #include "jounce_lcm/status_t.hpp"
 #include "jounce_lcm/stop_t.hpp"
 #include "stream/harness.hpp"
-#include "stream/samples.hpp"
+#include "stream/message/samples.hpp"
 #include "support/random.hpp"
 
 namespace jounce::wire_test {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "stream/rows.hpp"
+#include "stream/sender/rows.hpp"
 
 namespace jounce::queue_intake_test {
 namespace {

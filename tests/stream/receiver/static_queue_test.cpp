@@ -6,7 +6,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-#include "stream/rows.hpp"
+#include "stream/sender/rows.hpp"
 
 namespace jounce::static_queue_test {
 namespace {

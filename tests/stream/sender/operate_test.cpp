@@ -6,7 +6,7 @@
 
 #include "jounce/stream/sender/banks.hpp"
 
-#include "stream/rows.hpp"
+#include "stream/sender/rows.hpp"
 
 namespace jounce::operate_test {
 namespace {

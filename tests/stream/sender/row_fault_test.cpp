@@ -7,7 +7,7 @@
 #include "jounce/stream/sender/client.hpp"
 
 #include "stream/faults.hpp"
-#include "stream/rows.hpp"
+#include "stream/sender/rows.hpp"
 
 namespace jounce::row_fault_test {
 namespace {

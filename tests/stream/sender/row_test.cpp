@@ -7,7 +7,7 @@
 #include "jounce/stream/sender/row_sender.hpp"
 
 #include "stream/harness.hpp"
-#include "stream/rows.hpp"
+#include "stream/sender/rows.hpp"
 #include "stream/src/receiver/row_intake.hpp"
 
 namespace jounce::row_test {

@@ -8,7 +8,7 @@
 #include "jounce/stream/message/wire.hpp"
 
 #include "stream/harness.hpp"
-#include "stream/samples.hpp"
+#include "stream/message/samples.hpp"
 
 namespace jounce::udp_transport_test {
 namespace {

@@ -20,7 +20,7 @@
 #include "jounce/stream/transport/open_transport.hpp"
 
 #include "stream/harness.hpp"
-#include "stream/samples.hpp"
+#include "stream/message/samples.hpp"
 #include "stream/src/transport/datagram.hpp"
 #include "stream/src/transport/unix_socket.hpp"
 #include "support/errors.hpp"
