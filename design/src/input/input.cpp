@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The inputs of a spec and of a table.
+#include "jounce/design/input.hpp"
+
 #include <optional>
 #include <string>
 #include <utility>
@@ -7,7 +9,6 @@
 
 #include "jounce/base/hash.hpp"
 #include "jounce/base/printable.hpp"
-#include "jounce/design/input.hpp"
 
 namespace jounce {
 namespace {
