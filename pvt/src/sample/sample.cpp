@@ -236,8 +236,8 @@ double rise(const Curve<Over>& f, double a, double b) {
 /// this is not enough, and both adjacent intervals are long, both velocities take the rest of e, as
 /// e / d: the interval then has the curve's derivatives, and the adjacent ones change by much less.
 ///
-/// Knots at rest stay where they are. From both rests, the knots settle towards the longest interval
-/// between the rests, in which the sum of the rounding is least visible.
+/// Knots at the velocity 0 stay where they are. From both of them, the knots settle towards the
+/// longest interval between them, in which the sum of the rounding is least visible.
 template <class Over>
 class ShortIntervals {
  public:
@@ -246,6 +246,7 @@ class ShortIntervals {
         rule_(rule),
         short_(noisy_length(f, rule, visible_noise)),
         noisy_(noisy_length(f, rule, settled_noise)),
+        velocity_(std::abs(extrema(f, 1).peak().value)),
         jerk_(std::abs(extrema(f, 3).peak().value)) {}
 
   [[nodiscard]] Columns columns(std::vector<double> knots) const {
@@ -271,8 +272,9 @@ class ShortIntervals {
   };
 
   static double length(const Columns& all, std::size_t i) { return all.x[i + 1] - all.x[i]; }
-  static bool rests(const Columns& all, std::size_t k) {
-    return all.v[k] == 0 && (all.a.empty() || all.a[k] == 0);
+  /// At a velocity near 0, another place would not change the position.
+  [[nodiscard]] bool rests(const Columns& all, std::size_t k) const {
+    return std::abs(all.v[k]) <= rounded_input * velocity_;
   }
   [[nodiscard]] bool is_short(const Columns& all, std::size_t i) const {
     return i + 1 < all.x.size() && length(all, i) < short_;
@@ -324,7 +326,8 @@ class ShortIntervals {
     const double from = x;
     Place found = at(x);
     double least = change(found.error);
-    while (least > settled_noise * jerk_) {
+    constexpr int most = 1 << 16;
+    for (int i = 0; i < most && least > settled_noise * jerk_; ++i) {
       x = std::nextafter(x, limit);
       const double moved = 2 * jerk_ * std::abs(x - from) / d;
       if (x == limit || moved >= least) break;
@@ -338,9 +341,10 @@ class ShortIntervals {
 
   const Curve<Over>& f_;
   Interpolation rule_;
-  double short_;  ///< the rounding in a shorter interval is visible
-  double noisy_;  ///< a shorter interval must settle
-  double jerk_;   ///< the greatest of the curve
+  double short_;     ///< the rounding in a shorter interval is visible
+  double noisy_;     ///< a shorter interval must settle
+  double velocity_;  ///< the greatest of the curve
+  double jerk_;      ///< the greatest of the curve
 };
 
 }  // namespace

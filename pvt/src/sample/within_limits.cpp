@@ -180,7 +180,7 @@ class WithinLimits {
   const Curve<Over>& f_;
   Interpolation rule_;
   double spacing_;
-  double rounding_;  ///< of the position of a knot
+  double rounding_;  ///< greatest error of the position of a knot
   std::vector<Permitted> permitted_;
 };
 
