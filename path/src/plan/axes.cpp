@@ -97,6 +97,21 @@ Jet allowed_error(const Limits& limits, double tolerance) {
   return {tolerance, share(limits.velocity), share(limits.acceleration), share(limits.jerk)};
 }
 
+/// The limits of an axis, each lowered to the lowest one of the commands.
+Limits lowest_limits(const Plan::Given& given, std::size_t axis) {
+  Limits limits = given.limits.axes[axis];
+  const auto lower = [](std::optional<double>& limit, double by) {
+    if (by < PathSettings::none) limit = std::min(limit.value_or(by), by);
+  };
+  for (const PathSettings& settings : given.settings) {
+    if (axis >= settings.axes.size()) continue;
+    lower(limits.velocity, settings.axes[axis].velocity);
+    lower(limits.acceleration, settings.axes[axis].acceleration);
+    lower(limits.jerk, settings.axes[axis].jerk);
+  }
+  return limits;
+}
+
 /// The composition, with an error within `allowed`, or within rounding if that is greater.
 Fitted<OverTime> composed_within(const Curve<OverLength>& outer, const Segment& phase,
                                  const Jet& allowed, double rounding) {
@@ -159,8 +174,8 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allo
 
 AxesByStretch::AxesByStretch(const Plan& plan, double tolerance) : plan_(plan) {
   require_positive("tolerance", tolerance);
-  for (const Limits& limits : plan.given().limits.axes)
-    allowed_.push_back(allowed_error(limits, tolerance));
+  for (std::size_t i = 0; i < plan.given().limits.axes.size(); ++i)
+    allowed_.push_back(allowed_error(lowest_limits(plan.given(), i), tolerance));
   segments_.resize(plan.path().axes());
   error_.resize(plan.path().axes());
 }
