@@ -517,5 +517,45 @@ TEST(Map, ParametersAreChecked) {
                InputError);
 }
 
+/// Limits of a joint in a command: they hold in this command and on both of its corners, and only there.
+TEST(Map, LimitsOfJointsInACommandHoldThere) {
+  Program p(2, {200, 100});
+  const PathSettings free{.velocity = 400, .corner = Corner::deviation, .value = 2};
+  PathSettings slow = free;
+  slow.axes = std::vector<AxisRates>(4);
+  slow.axes[2] = {.velocity = 15, .acceleration = 150, .jerk = 3000};
+  p.set(free);
+  p.line({400, 100}, 1);
+  p.set(slow);
+  p.line({400, 250}, 2);
+  p.set(free);
+  p.line({200, 300}, 3);
+  const Plan motion = plan(
+      p, none(2),
+      {.joints = JointSpace{scara_map({.arms = {300, 300}}), joint_limits(2, 200, 1500, 20000)}});
+  std::array<double, 3> slow_peak{}, free_peak{};
+  const PlanAxes axes = to_axes(motion);
+  double time = 0;
+  for (const Segment& f : axes.curves[2].segments()) {
+    const double q = motion.law().at(time + f.length / 2).position;
+    const auto drawn = motion.drawn().pieces();
+    const auto piece = std::prev(std::upper_bound(
+        drawn.begin(), drawn.end(), q, [](double x, const PathPiece& at) { return x < at.start; }));
+    const bool limited = piece->line == 2 || (piece->line == 3 && piece->kind == PieceKind::turn);
+    for (std::size_t order = 1; order <= 3; ++order)
+      for (double s = 0; s <= 1; s += 1.0 / 64) {
+        double& peak = (limited ? slow_peak : free_peak)[order - 1];
+        peak = std::max(peak, std::abs(evaluate(f, s)[order]));
+      }
+    time += f.length;
+  }
+  EXPECT_LE(slow_peak[0], 15 * (1 + 1e-12));
+  EXPECT_GT(slow_peak[0], 15 * 0.8);
+  EXPECT_LE(slow_peak[1], 150 * (1 + 1e-12));
+  EXPECT_LE(slow_peak[2], 3000 * (1 + 1e-12));
+  EXPECT_GT(free_peak[0], 30);
+  EXPECT_LE(motion.duration(), motion.stop_duration());
+}
+
 }  // namespace
 }  // namespace jounce::map_test

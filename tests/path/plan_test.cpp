@@ -278,5 +278,64 @@ TEST(TimingLaw, FindsTheIntervalOfAnyInstant) {
   for (int i = 0; i < 10000; ++i) check(random.between(-1, motion.duration() + 1));
 }
 
+// ---- limits of axes in commands ---------------------------------------------------------------
+
+/// On one axis, the limits of the axis are those along the path.
+TEST(Plan, LimitsOfAnAxisInACommandAreThoseAlongALineOfThisAxis) {
+  const auto made = [](bool of_axis) {
+    Program p(1);
+    p.set({.velocity = 150});
+    p.line({60}, 1);
+    if (of_axis)
+      p.set({.velocity = 150, .axes = {{.velocity = 20, .acceleration = 300, .jerk = 5000}}});
+    else
+      p.set({.velocity = 20, .acceleration = 300, .deceleration = 300, .jerk = 5000});
+    p.line({80}, 2);
+    p.set({.velocity = 150});
+    p.line({140}, 3);
+    return plan(p, usual(1));
+  };
+  const Plan axis = made(true);
+  const Plan path = made(false);
+  EXPECT_NEAR(axis.duration(), path.duration(), 1e-12);
+  for (const double t : {0.3, 0.6, 1.0, 1.5, 2.0})
+    EXPECT_NEAR(axis.law().at(t).velocity, path.law().at(t).velocity, 1e-9) << t;
+}
+
+/// The path keeps its corners; lower limits begin where the path reaches their command.
+TEST(Plan, LimitsOfAxesInCommandsKeepThePath) {
+  const auto made = [](std::vector<AxisRates> axes) {
+    Program p(2);
+    p.set({.velocity = 100, .corner = Corner::deviation, .value = 0.5});
+    p.line({100, 0}, 1);
+    p.set({.velocity = 100, .corner = Corner::deviation, .value = 0.5, .axes = std::move(axes)});
+    p.line({100, 100}, 2);
+    p.set({.velocity = 100, .corner = Corner::deviation, .value = 0.5});
+    p.line({0, 100}, 3);
+    return plan(p, usual(2));
+  };
+  const Plan free = made({});
+  const Plan limited = made({{}, {.velocity = 25}});  // y
+  ASSERT_EQ(limited.path().pieces().size(), free.path().pieces().size());
+  EXPECT_EQ(limited.path().length(), free.path().length());
+  double fastest = 0;
+  for (const LawInterval& s : limited.law().stretches())
+    if (limited.path().pieces()[s.piece].line == 2) fastest = std::max(fastest, s.peak);
+  EXPECT_NEAR(fastest, 25, 1e-9);
+  EXPECT_GT(limited.duration(), free.duration() + 2);
+  EXPECT_NEAR(limited.law().stretches().front().peak, free.law().stretches().front().peak, 1e-9);
+  EXPECT_LE(limited.duration(), limited.stop_duration());
+  EXPECT_GE(limited.duration(), lower_bound(limited));
+}
+
+TEST(Plan, LimitsOfAxesInCommandsAreChecked) {
+  Program p(2);
+  EXPECT_THROW(p.set({.axes = {{.velocity = 0}}}), InputError);
+  EXPECT_THROW(p.set({.axes = {{.jerk = -1}}}), InputError);
+  p.set({.velocity = 10, .axes = std::vector<AxisRates>(3, {.velocity = 5})});
+  p.line({10, 0}, 7);
+  EXPECT_THROW(plan(p, usual(2)), InputError) << "three axes";
+}
+
 }  // namespace
 }  // namespace jounce::plan_test

@@ -74,6 +74,26 @@ TEST(ProgramNumbers, AreTheSameProgramAgain) {
   }
 }
 
+TEST(ProgramNumbers, HaveTheLimitsOfAxesInCommands) {
+  LimitedProgram given = everything();
+  const std::size_t without = numbers_of(given).size();
+  given.program.set({.velocity = 80, .axes = {{}, {.velocity = 7, .jerk = 900}}});
+  given.program.line({5, 6, 7}, 17);
+  given.program.set({.velocity = 90, .axes = {{}, {.velocity = 7, .jerk = 900}}});
+  given.program.line({6, 6, 7}, 18);
+  given.program.set({.velocity = 90});
+  given.program.line({7, 6, 7}, 19);
+  const std::vector<double> numbers = numbers_of(given);
+  // Three lines of 5 numbers, three settings of 8, limits of two axes, and of none.
+  EXPECT_EQ(numbers.size(), without + 3 * 5 + 3 * 8 + (2 + 6) + 2);
+  const LimitedProgram same = program_of(numbers);
+  const auto settings_of = [](const Program& program) {
+    return std::vector<PathSettings>(program.settings().begin(), program.settings().end());
+  };
+  EXPECT_EQ(settings_of(same.program), settings_of(given.program));
+  EXPECT_EQ(numbers_of(same), numbers);
+}
+
 TEST(ProgramNumbers, ListsThatAreNoProgramAreRejected) {
   const std::vector<double> good = numbers_of(everything());
   const auto error = [&](auto spoil) {
@@ -86,7 +106,7 @@ TEST(ProgramNumbers, ListsThatAreNoProgramAreRejected) {
   EXPECT_THAT(error([](auto& list) { list[1] = 10; }), HasSubstr("from 1 to 9"));
   EXPECT_THAT(error([](auto& list) { list[2] = 4; }), HasSubstr("from 1 to 3"));
   EXPECT_THAT(error([](auto& list) { list.pop_back(); }), HasSubstr("ends within a command"));
-  EXPECT_THAT(error([](auto& list) { list.push_back(7); }), HasSubstr("from 0 to 5"));
+  EXPECT_THAT(error([](auto& list) { list.push_back(7); }), HasSubstr("from 0 to 6"));
   EXPECT_THAT(error([](auto& list) { list[3] = std::nan(""); }), HasSubstr("must be finite"));
 }
 

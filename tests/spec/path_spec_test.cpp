@@ -434,5 +434,25 @@ TEST(PathSpecFile, TheRecordsOfTheManualAreFasterThanWithStops) {
   EXPECT_GT(made.duration(), 7.386350 - 2 * 1000.0 / 2000);
 }
 
+TEST(PathSpecFile, ACommandHasLimitsOfAxesUntilOthersFollow) {
+  const PathSpec path = read(
+      command("type = \"line\"\nto = [1, 0, 0]\naxis_limits = { y = { velocity = 5 }, c = { jerk = "
+              "\"900 deg/s^3\" } }") +
+      "[[command]]\ntype = \"line\"\nto = [2, 0, 0]\n"
+      "[[command]]\ntype = \"line\"\nto = [3, 0, 0]\naxis_limits = {}\n");
+  const auto axes_of = [&](std::size_t k) {
+    return path.program.settings()[path.program.commands()[k].settings].axes;
+  };
+  const std::vector<AxisRates> limits{{}, {.velocity = 5}, {.jerk = 900}};
+  EXPECT_EQ(axes_of(0), limits);
+  EXPECT_EQ(axes_of(1), limits);
+  EXPECT_TRUE(axes_of(2).empty());
+  EXPECT_THAT(complaint(command("type = \"line\"\nto = [1, 0, 0]\naxis_limits = { z = {} }")),
+              HasSubstr("axis_limits.z"));
+  EXPECT_THAT(complaint(command("type = \"line\"\nto = [1, 0, 0]\naxis_limits = { x = { velocity "
+                                "= -5 } }")),
+              HasSubstr("must be greater than 0"));
+}
+
 }  // namespace
 }  // namespace jounce::path_spec_test

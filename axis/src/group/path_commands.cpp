@@ -139,6 +139,7 @@ PathSettings PathCommands::within_limits(PathSettings settings) const {
   settings.acceleration = std::min(settings.acceleration, limits_.acceleration);
   settings.deceleration = std::min(settings.deceleration, limits_.deceleration);
   settings.jerk = std::min(settings.jerk, limits_.jerk);
+  settings.axes = axis_limits_;
   return settings;
 }
 
@@ -375,6 +376,8 @@ PathCommands PathCommands::from(std::int32_t number) const {
                     first_ + skipped, path_axes_);
   rest.frame_ = frame_;
   rest.limits_ = limits_;
+  rest.axis_limits_ = axis_limits_;
+  rest.limits_vary_ = limits_vary_;
   rest.all_.assign(all_.begin() + skipped, all_.end());
   return rest;
 }

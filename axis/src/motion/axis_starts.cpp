@@ -231,6 +231,28 @@ std::optional<Refusal> MotionAxis::Impl::against_jump() const {
                  *config_.limits.acceleration};
 }
 
+/// A movement that waited for an event of its master begins with a setpoint that would be a fault. The
+/// start is dropped, and the axis stays at rest. Returns false if it is no such start.
+bool MotionAxis::Impl::miss_event(Cause wrong, const Setpoint& next) {
+  const bool begins = base_ == Base::live && live_->progress() >= Progress::running;
+  if (!begins || above_.running() || now_.velocity != 0) return false;
+  const MotionState first = state_of(next);
+  Refusal why{Cause::start_jump, first.velocity, now_.velocity};
+  if (wrong == Cause::overspeed)
+    why = {Cause::velocity_limit, std::abs(first.velocity), *config_.limits.velocity};
+  else if (wrong == Cause::overacceleration)
+    why = {Cause::acceleration_limit, std::abs(first.acceleration), *config_.limits.acceleration};
+  else if (wrong != Cause::jump)
+    return false;
+  now_.profile.clear();
+  forget_next();
+  freeze();
+  state_ = State::standstill;
+  now_.dropped = why;
+  now_.reason = why.cause;
+  return true;
+}
+
 /// The ratio at which the axis follows its master in step, u/m; 0: it does not.
 double MotionAxis::Impl::followed_ratio() const {
   return base_ == Base::live && live_->progress() == Progress::running ? live_->ratio() : 0;

@@ -155,6 +155,7 @@ void MotionAxis::Impl::play() {
   constexpr int reactions = 3;  // stop on the path, then off it
   for (int i = 0; i < reactions && moving(); ++i) {
     Setpoint next;
+    const bool waits = base_ == Base::live && live_->progress() == Progress::waiting;
     Cause wrong = advance(next);
     add_correction(next);
     const MotionState bare = state_of(next);
@@ -167,6 +168,7 @@ void MotionAxis::Impl::play() {
       give_out(next);
       return conclude();
     }
+    if (waits && miss_event(wrong, next)) return;
     fail(wrong, excess(wrong, next));
   }
 }

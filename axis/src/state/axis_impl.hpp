@@ -69,6 +69,7 @@ class MotionAxis::Impl {
   void report();
   void hand_back(const Movement* movement);
   void drop(const Refusal& why);
+  [[nodiscard]] bool miss_event(Cause wrong, const Setpoint& next);
   [[nodiscard]] bool moving() const { return base_ != Base::rest; }
   [[nodiscard]] bool on_path() const { return base_ == Base::path; }
   [[nodiscard]] Movement* active() const;

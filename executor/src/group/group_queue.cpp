@@ -121,7 +121,8 @@ GroupQueue::GroupQueue(const ExecutorGroup& group, Worker& worker, std::size_t m
       worker_(worker),
       most_at_once_(most_at_once),
       places_(std::move(places)),
-      program_of_(std::move(program_of)) {}
+      program_of_(std::move(program_of)),
+      limited_(group_) {}
 
 void GroupQueue::take(const ClientCommand& command, const Request& request) {
   waiting_.push_back({command, request});
@@ -185,7 +186,11 @@ std::optional<GroupQueue::Step> GroupQueue::begin_stage(const Tick& group) {
   if (stage.sent && !prepare()) return std::nullopt;
   if (stages_.front().program) {
     starts_stage_ = true;
-    return Play{stages_.front().program, {.kind = CommandKind::move_linear_absolute}};
+    const Stage& begins = stages_.front();
+    return Play{
+        .program = begins.program,
+        .request = {.kind = CommandKind::move_linear_absolute},
+        .own_limits = !begins.sent && !begins.commands.has_limits(path_limits_, axis_limits_)};
   }
   end_stage({});
   return begin_stage(group);
@@ -328,7 +333,7 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
     return finish(no);
   try {
     if (const auto* const what = std::get_if<command::GroupSetLimits>(&command)) {
-      const SetLimits step{*what, request};
+      const SetLimits step{*what, request, continues(group)};
       finish(Cause::none);
       return step;
     }
@@ -376,10 +381,17 @@ std::optional<GroupQueue::Step> GroupQueue::set_frame(const ClientCommand& comma
   return finish(Cause::none);
 }
 
-void GroupQueue::limit(ExecutorGroup group, const PathLimits& path, bool from_rest) {
-  group_ = std::make_shared<const ExecutorGroup>(std::move(group));
-  limits_ = path;
+void GroupQueue::limit(GroupDynamics::Next next, bool from_rest) {
+  group_ = std::make_shared<const ExecutorGroup>(std::move(next.group));
+  limited_ = std::make_shared<const ExecutorGroup>(std::move(next.limited));
+  path_limits_ = next.path;
+  axis_limits_ = std::move(next.axes);
   from_rest_ = from_rest_ || from_rest;
+}
+
+/// True if the next command may continue the present motion.
+bool GroupQueue::continues(const Tick& group) const {
+  return plays(group) && !playing_->fast && stages_.empty() && !from_rest_ && !single_step_;
 }
 
 double GroupQueue::highest_rate() const {
@@ -434,18 +446,18 @@ void GroupQueue::add_stage(const Tick& group, std::optional<Gate> gate) {
 std::optional<GroupQueue::Step> GroupQueue::fresh(const Tick& group) {
   PathCommands commands = commands_from(end_of(group));
   commands.set_frame(frame_);
-  commands.set_limits(limits_);
+  commands.set_limits(path_limits_, axis_limits_);
   passed_ = first_passed;
   if (aborts(waiting_.front().command)) idle_.clear();
   const ClientCommand& command = waiting_.front().command;
   const bool fast = is_fast(command);
   if (!fast)
     for (const command::GroupWait& wait : idle_) commands.append(wait);
-  commands.append(command, space_of(*group_));
+  commands.append(command, space_of(*limited_));
   if (commands.moves()) {
     plan(Way::rest,
          {.commands = std::move(commands), .fast = fast ? std::optional(places_()) : std::nullopt},
-         group_);
+         fast ? limited_ : group_);
     return proceed(group);
   }
   if (idle_.size() >= most_commands)
@@ -476,8 +488,8 @@ std::optional<GroupQueue::Step> GroupQueue::follow(const Tick& group) {
   const bool adds = stages_.empty() || single_step_ || stages_.back().sent.has_value();
   PathCommands commands = adds ? commands_from(end_of(group)) : stages_.back().commands;
   commands.set_frame(frame_);
-  commands.set_limits(limits_);
-  commands.append(waiting_.front().command, space_of(*group_));
+  commands.set_limits(path_limits_, axis_limits_);
+  commands.append(waiting_.front().command, space_of(*limited_));
   if (!commands.moves() && next_way_ == Way::rest) return std::nullopt;  // until the group rests
   if (!commands.moves())
     return finish(Cause::in_motion, "a wait needs a motion before it: send it after the next line");
@@ -488,8 +500,7 @@ std::optional<GroupQueue::Step> GroupQueue::follow(const Tick& group) {
 
 /// The command continues the present motion.
 std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
-  if (!plays(group) || playing_->fast || !stages_.empty() || from_rest_ || single_step_)
-    return follow(group);
+  if (!continues(group)) return follow(group);
   const std::int32_t now = current(group);
   const PathCommands& all = playing_->commands;
   if (all.size() >= 2 * most_commands)
@@ -506,7 +517,7 @@ std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
                           : next_way_ == Way::slower ? all.slowed(*playing_->program->plan)
                                                      : all;
   commands.set_frame(frame_);
-  commands.set_limits(limits_);
+  commands.set_limits(path_limits_, axis_limits_);
   commands.append(waiting_.front().command, space_of(*playing_->group));
   if (next_way_ == Way::stopping) commands = commands.stopping();
   plan(next_way_,
@@ -582,7 +593,10 @@ std::optional<GroupQueue::Step> GroupQueue::proceed(const Tick& group) {
   if (attempt_->way == Way::rest) {
     attempt_->program = made.program;
     const auto& jog = attempt_->commands.jog_end();
-    return Play{std::move(made.program), request, jog ? text_of(*jog) : ""};
+    return Play{.program = std::move(made.program),
+                .request = request,
+                .notice = jog ? text_of(*jog) : "",
+                .own_limits = !attempt_->commands.has_limits(path_limits_, axis_limits_)};
   }
   if (!made.agreement) {
     fail();

@@ -18,6 +18,7 @@
 #include "jounce/executor/executor_options.hpp"
 #include "jounce/executor/worker.hpp"
 
+#include "executor/src/group/group_dynamics.hpp"
 #include "executor/src/server/command_queue.hpp"
 
 namespace jounce {
@@ -55,6 +56,8 @@ class GroupQueue {
     std::shared_ptr<const GroupProgram> program;
     Request request;
     std::string notice = {};  ///< text for the operator; empty: none
+    /// true: its commands contain limits that are not those of limit()
+    bool own_limits = false;
   };
   /// The group must continue its present path with this program. The queue waits for answered().
   struct Extend {
@@ -68,6 +71,7 @@ class GroupQueue {
   struct SetLimits {
     command::GroupSetLimits limits;
     Request request;
+    bool continues = false;  ///< true: the commands after it may continue the present motion
   };
   /// The group rests at an M word, or continues after it. The server must send an event.
   struct Announce {
@@ -122,10 +126,9 @@ class GroupQueue {
   /// rests.
   void release() { releasing_ = true; }
 
-  /// Sets the limits of the commands that follow. `group`: the group with the limits for its next
-  /// motion from rest. `path`: further limits along the path. If `from_rest` is true, the commands that
-  /// follow begin at rest, so that the present motion keeps its limits.
-  void limit(ExecutorGroup group, const PathLimits& path, bool from_rest);
+  /// Sets the limits of the commands that follow. If `from_rest` is true, the next command begins at
+  /// rest.
+  void limit(GroupDynamics::Next next, bool from_rest);
   /// The highest rate at which the group may play until the next step: a longer plan that is faster
   /// must take over at a lower rate.
   [[nodiscard]] double highest_rate() const;
@@ -281,6 +284,7 @@ class GroupQueue {
   [[nodiscard]] std::optional<Step> begin(const Tick& group);
   [[nodiscard]] std::optional<Step> proceed(const Tick& group);
   [[nodiscard]] std::optional<Step> set_frame(const ClientCommand& command, const Tick& group);
+  [[nodiscard]] bool continues(const Tick& group) const;
   [[nodiscard]] bool takes_over(const Tick& group) const;
   [[nodiscard]] std::optional<Step> joined(const Tick& group);
   [[nodiscard]] std::optional<Step> fresh(const Tick& group);
@@ -346,12 +350,15 @@ class GroupQueue {
   std::string dropped_because_;           // text for the operator; empty: none
   std::vector<command::GroupWait> idle_;  // waits before the first motion
   Frame frame_;                           // frame of the commands that follow
-  PathLimits limits_;                     // further limits of the commands that follow
-  bool from_rest_ = false;                // the next command begins at rest
-  double rate_ = 0;                       // rate in the tick before the newest one
-  double rate_seen_ = 0;                  // value in the newest tick
-  std::int64_t seen_ = -1;                // the newest tick
-  std::uint64_t finished_ = 0;            // value in the newest tick
+  /// `group_`, also within the further limits of its axes
+  std::shared_ptr<const ExecutorGroup> limited_;
+  PathLimits path_limits_;              // further limits of the commands that follow
+  std::vector<AxisRates> axis_limits_;  // the same for the axes
+  bool from_rest_ = false;              // the next command begins at rest
+  double rate_ = 0;                     // rate in the tick before the newest one
+  double rate_seen_ = 0;                // value in the newest tick
+  std::int64_t seen_ = -1;              // the newest tick
+  std::uint64_t finished_ = 0;          // value in the newest tick
 };
 
 }  // namespace jounce

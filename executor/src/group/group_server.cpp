@@ -84,10 +84,11 @@ void GroupServer::obey(const command::StartTable& /*it*/, const CommandRequested
 }
 
 /// Arms and starts the newest movement of a group.
-void GroupServer::play(MadeMovement path, const Request& request, std::int64_t at) {
+void GroupServer::play(MadeMovement path, const Request& request, std::int64_t at,
+                       bool own_limits) {
   record(path);
   const Kept& kept = movements_[numbers_] = {std::move(path), {}};
-  dynamics_.begin();
+  dynamics_.begin(own_limits);
   set_rate(rate_of(kept, 0));
   commands_.send({command::Disarm{}});
   commands_.send({command::Arm{kept.made.movement.get()}});
@@ -163,7 +164,7 @@ void GroupServer::take_step(const GroupQueue::Halt& /*halt*/) {
 }
 
 void GroupServer::take_step(const GroupQueue::Play& step) {
-  play(movement_of(step.program, ++numbers_), step.request, -1);
+  play(movement_of(step.program, ++numbers_), step.request, -1, step.own_limits);
   movement_ = numbers_;
   if (!step.notice.empty()) notify(step.notice);
 }
@@ -178,7 +179,7 @@ void GroupServer::take_step(const GroupQueue::Extend& step) {
 }
 
 void GroupServer::take_step(const GroupQueue::SetLimits& step) {
-  set_limits(step.limits, step.request);
+  set_limits(step.limits, step.request, step.continues);
 }
 
 void GroupServer::take_step(const GroupQueue::Announce& step) {
@@ -222,10 +223,11 @@ bool GroupServer::takes_answer(const CommandQueue::Reply& reply) {
 
 // ---- limits and override -----------------------------------------------------------------------
 
-void GroupServer::set_limits(const command::GroupSetLimits& what, const Request& request) {
+void GroupServer::set_limits(const command::GroupSetLimits& what, const Request& request,
+                             bool continues) {
   try {
-    dynamics_.set(what);
-    limit(what.axis != 0);
+    dynamics_.set(what, continues);
+    limit(what.axis != 0 && !what.queued);
     if (moving()) set_rate(present_rate());
     answer(request, std::nullopt);
   } catch (const InputError& error) {
@@ -237,7 +239,7 @@ void GroupServer::set_limits(const command::GroupSetLimits& what, const Request&
 
 /// Passes the limits to the commands of the group that follow.
 void GroupServer::limit(bool from_rest) {
-  queue_.limit(dynamics_.limited(), dynamics_.path(), from_rest);
+  queue_.limit(dynamics_.next(), from_rest);
 }
 
 /// The override factor of the program that the group plays.
@@ -250,7 +252,7 @@ double GroupServer::present_rate() const {
 double GroupServer::rate_of(const Kept& kept, double position) const {
   const GroupProgram* const program = kept.made.program.get();
   if (program == nullptr) return dynamics_.rate();
-  return std::min(dynamics_.rate(part_at(*program, position - kept.origin)), queue_.highest_rate());
+  return std::min(dynamics_.rate(*program, position - kept.origin), queue_.highest_rate());
 }
 
 /// Sends an override factor to the group if it differs from the present one, or if a request waits.

@@ -54,7 +54,8 @@ class GroupServer final : public MotionServer {
             const Request& request);
   void obey(const command::GroupSetLimits& what, const CommandRequested& requested,
             const Request& request);
-  void play(MadeMovement path, const Request& request, std::int64_t at);
+  /// `own_limits`: the commands of the path contain their limits (GroupDynamics::begin()).
+  void play(MadeMovement path, const Request& request, std::int64_t at, bool own_limits = false);
   void take_step(const GroupQueue::Halt& halt);
   void take_step(const GroupQueue::Play& step);
   void take_step(const GroupQueue::Extend& step);
@@ -62,7 +63,9 @@ class GroupServer final : public MotionServer {
   void take_step(const GroupQueue::Announce& step);
   void take_step(const GroupQueue::Note& step);
   void take_step(const GroupQueue::Reply& reply);
-  void set_limits(const command::GroupSetLimits& what, const Request& request);
+  /// `continues`: commands with queued limits may continue the present motion.
+  void set_limits(const command::GroupSetLimits& what, const Request& request,
+                  bool continues = false);
   void limit(bool from_rest);
   [[nodiscard]] double present_rate() const;
   [[nodiscard]] double rate_of(const Kept& kept, double position) const;

@@ -110,6 +110,11 @@ class Overlapping {
         m_(program.path_axes()),
         rates_(rates_of(limits, n_, m_)) {
     for (const PathPiece& p : route_.path.pieces())
+      if (!settings_[p.settings].axes.empty())
+        throw InputError("overlap", "",
+                         "cannot be combined with limits of axes in a command: leave them out")
+            .at({}, p.line);
+    for (const PathPiece& p : route_.path.pieces())
       if (p.kind != PieceKind::line)
         throw InputError("overlap", "",
                          "is possible between lines only, and this command is not a line")

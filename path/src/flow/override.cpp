@@ -108,10 +108,12 @@ class Player {
     const std::vector<std::size_t> drawn_of = drawn_pieces(base_);
     for (std::size_t k = 0; k < path.pieces().size(); ++k) {
       const Derivatives bounds = derivatives_of(path, k, given.path_axes);
+      const PathPiece& piece = drawn[drawn_of[k]];
+      const Rates here = rates_on(rates, piece, given.settings, is_corner(piece));
       double limit = rates.path.velocity;
       for (std::size_t i = 0; i < path.axes(); ++i)
-        if (bounds.first[i] > 0) limit = std::min(limit, rates.velocity[i] / bounds.first[i]);
-      feeds.push_back(feed_of(drawn[drawn_of[k]], given.settings));
+        if (bounds.first[i] > 0) limit = std::min(limit, here.velocity[i] / bounds.first[i]);
+      feeds.push_back(feed_of(piece, given.settings));
       limits.push_back(limit);
     }
     for (const Unit& unit : all_.units) {

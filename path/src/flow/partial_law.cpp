@@ -174,6 +174,11 @@ class Replanned {
     return kind == PieceKind::turn || kind == PieceKind::blend;
   }
 
+  /// `rates` within the limits of the command of piece k, or of both commands of a corner.
+  [[nodiscard]] Rates rates_at(std::size_t k, const Rates& rates) const {
+    return rates_on(rates, plan_.drawn().pieces()[drawn_[k]], settings_, is_corner_piece(k));
+  }
+
   void find_rests() {
     const auto pieces = path_.pieces();
     rests_.assign(pieces.size() + 1, false);
@@ -202,7 +207,7 @@ class Replanned {
     const PathSettings& asked = settings_[piece(k).settings];
     double most = feed_before(k);
     if (asked.corner == Corner::velocity) most = std::min(most, asked.value);
-    const Rates& rates = piece(k).kind == PieceKind::turn ? rates_ : curved_;
+    const Rates rates = rates_at(k, piece(k).kind == PieceKind::turn ? rates_ : curved_);
     const Derivatives bounds = derivatives_of(path_, k, plan_.given().path_axes);
     return std::min(most / bounds.speed, velocity_with(rates, bounds, 0, 0));
   }
@@ -233,14 +238,14 @@ class Replanned {
       return b;
     }
     if (piece(k).kind == PieceKind::arc)
-      return arc_box(curved_, settings, path_.numbers(k), piece(k).length, at_start(k),
+      return arc_box(rates_at(k, curved_), settings, path_.numbers(k), piece(k).length, at_start(k),
                      at_start(k + 1));
     if (piece(k).kind == PieceKind::curve)
-      return curve_box(curved_, settings, derivatives_of(path_, k, plan_.given().path_axes),
-                       20 * piece(k).length);
+      return curve_box(rates_at(k, curved_), settings,
+                       derivatives_of(path_, k, plan_.given().path_axes), 20 * piece(k).length);
     Point u{};
     for (std::size_t i = 0; i < n_; ++i) u[i] = path_.numbers(k)[n_ + i] / piece(k).length;
-    Box b = line_box(rates_, settings, u.data());
+    Box b = line_box(rates_at(k, rates_), settings, u.data());
     if (steps_at(k) || steps_at(k + 1))
       for (double* limit : {&b.acceleration, &b.deceleration, &b.jerk})
         *limit *= 1 - fit_share / 10;

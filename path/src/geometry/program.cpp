@@ -44,6 +44,11 @@ void Program::set(const PathSettings& settings) {
   require_rate("acceleration", settings.acceleration);
   require_rate("deceleration", settings.deceleration);
   require_rate("jerk", settings.jerk);
+  for (const AxisRates& axis : settings.axes) {
+    require_rate("velocity", axis.velocity);
+    require_rate("acceleration", axis.acceleration);
+    require_rate("jerk", axis.jerk);
+  }
   if (settings.corner != Corner::stop) require_positive("value", settings.value);
   if (settings_.back() == settings) return;
   const bool unused = commands_.empty() || commands_.back().settings + 1 != settings_.size();

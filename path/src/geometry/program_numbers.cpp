@@ -16,7 +16,9 @@
 // number of characters of its name, these characters, velocity, acceleration and jerk; velocity,
 // acceleration, deceleration, jerk, normal and total acceleration of the path; then the commands,
 // each with its word. An omitted limit is -1. If the path is for a machine with joints, the version is
-// 2, and the number of joints and their names follow the limits of the path.
+// 2, and the number of joints and their names follow the limits of the path. Before the settings of the
+// first command with other limits of axes come the number of these axes and, for each, velocity,
+// acceleration and jerk.
 
 namespace jounce {
 namespace {
@@ -27,8 +29,8 @@ constexpr double omitted = -1;
 constexpr double most_characters = 64;  ///< for the name of an axis
 
 /// The first number of a command.
-enum class Word : std::uint8_t { settings, line, arc, curve, dwell, event };
-constexpr int words = 6;
+enum class Word : std::uint8_t { settings, line, arc, curve, dwell, event, axis_limits };
+constexpr int words = 7;
 
 /// Appends numbers to a list.
 class Writer {
@@ -50,6 +52,13 @@ class Writer {
 
   std::vector<double> list;
 };
+
+void write(std::span<const AxisRates> axes, Writer& to) {
+  to.word(Word::axis_limits);
+  to.number(static_cast<double>(axes.size()));
+  for (const AxisRates& axis : axes)
+    for (const double limit : {axis.velocity, axis.acceleration, axis.jerk}) to.limit(limit);
+}
 
 void write(const PathSettings& s, Writer& to) {
   to.word(Word::settings);
@@ -137,6 +146,14 @@ class Reader {
   std::span<const double> list_;
   std::size_t next_ = 0;
 };
+
+std::vector<AxisRates> axis_limits_of(Reader& from) {
+  std::vector<AxisRates> axes(static_cast<std::size_t>(from.whole(0, max_axes)));
+  for (AxisRates& axis : axes)
+    for (double* limit : {&axis.velocity, &axis.acceleration, &axis.jerk})
+      *limit = from.limit_or_none();
+  return axes;
+}
 
 PathSettings settings_of(Reader& from) {
   PathSettings s;
@@ -235,6 +252,7 @@ std::vector<double> numbers_of(const LimitedProgram& all) {
   if (joints > 0) to.number(static_cast<double>(joints));
   for (std::size_t k = n; k < n + joints; ++k) to.name(all.names[k]);
   std::optional<std::uint32_t> settings;  // settings of the command before
+  std::vector<AxisRates> axes;            // limits of axes in these settings
   std::size_t written = 0;                // words that are in the list
   const auto write_words = [&](std::size_t command) {
     for (; written < all.words.size() && all.words[written].command <= command; ++written)
@@ -242,7 +260,9 @@ std::vector<double> numbers_of(const LimitedProgram& all) {
   };
   for (const Program::Command& command : program.commands()) {
     write_words(static_cast<std::size_t>(&command - program.commands().data()));
-    if (settings != command.settings) write(program.settings()[command.settings], to);
+    const PathSettings& own = program.settings()[command.settings];
+    if (own.axes != axes) write(axes = own.axes, to);
+    if (settings != command.settings) write(own, to);
     settings = command.settings;
     const auto word = command.kind == Program::Kind::line    ? Word::line
                       : command.kind == Program::Kind::arc   ? Word::arc
@@ -281,10 +301,17 @@ LimitedProgram program_of(std::span<const double> numbers) {
   if (version == version_with_joints)
     for (std::int64_t left = from.whole(1, max_axes); left > 0; --left)
       all.names.push_back(from.name());
+  std::vector<AxisRates> axes;
   while (!from.ended()) {
     const auto word = static_cast<Word>(from.whole(0, words - 1));
     if (word == Word::settings) {
-      all.program.set(settings_of(from));
+      PathSettings settings = settings_of(from);
+      settings.axes = axes;
+      all.program.set(settings);
+      continue;
+    }
+    if (word == Word::axis_limits) {
+      axes = axis_limits_of(from);
       continue;
     }
     if (word == Word::event) {

@@ -27,9 +27,9 @@ using profiles_detail::rounded_sum;
 constexpr double fit_rounding = 2e-14;  ///< share of the positions
 using Cut = AxesByStretch::Cut;
 
-/// The s in [0, 1] at which an ascending segment has the value y.
-double place_of(const Segment& f, double y) {
-  double low = 0;
+/// The s in [from, 1] at which an ascending segment has the value y.
+double place_of(const Segment& f, double y, double from) {
+  double low = from;
   double high = 1;
   for (int i = 0; i < 100; ++i) {
     const double middle = (low + high) / 2;
@@ -49,24 +49,28 @@ std::size_t cut_at_pieces(const Path& path, const LawInterval& stretch, std::vec
     out[used].piece = number;
     out[used++].law.clear();
   };
+  // Each part is computed from its whole phase, and each place from the path: a phase may extend over
+  // many thousands of pieces, in which rounding would add up.
   std::size_t piece = stretch.piece;
-  double begin =
-      path.pieces()[piece].start - stretch.start;  // start of the piece within the stretch
+  const auto place = [&](std::size_t k) { return path.pieces()[k].start - stretch.start; };
   begin_piece(piece);
   for (std::size_t i = 0; i < count; ++i) {
-    Segment rest = segment_of(phase[i]);
+    const Segment phase_of = segment_of(phase[i]);
+    double from = 0;
+    const auto add_to = [&](double s) {
+      if (!(s > from)) return;
+      const Segment law = from > 0 || s < 1 ? part(phase_of, from, s) : phase_of;
+      if (law.length > 0) out[used - 1].law.push_back(scaled(law, 1, -place(piece)));
+      from = s;
+    };
     while (piece + 1 < stretch.piece + stretch.pieces) {
-      const double end = begin + path.pieces()[piece].length;
-      if (value(rest, 1) < end) break;
-      const double s = place_of(rest, end);
-      if (s > 0) out[used - 1].law.push_back(scaled(s < 1 ? part(rest, 0, s) : rest, 1, -begin));
-      begin = end;
+      const double end = place(piece + 1);
+      if (value(phase_of, 1) < end) break;
+      add_to(place_of(phase_of, end, from));
       begin_piece(++piece);
-      if (s < 1) rest = part(rest, s, 1);
-      rest.length = s < 1 ? rest.length : 0;
-      if (!(rest.length > 0)) break;
+      if (!(from < 1)) break;
     }
-    if (rest.length > 0) out[used - 1].law.push_back(scaled(rest, 1, -begin));
+    add_to(1);
   }
   return used;
 }
@@ -95,6 +99,21 @@ Jet allowed_error(const Limits& limits, double tolerance) {
     return limit ? fit_share / 2 * *limit : PathSettings::none;
   };
   return {tolerance, share(limits.velocity), share(limits.acceleration), share(limits.jerk)};
+}
+
+/// The limits of an axis, each lowered to the lowest one of the commands.
+Limits lowest_limits(const Plan::Given& given, std::size_t axis) {
+  Limits limits = given.limits.axes[axis];
+  const auto lower = [](std::optional<double>& limit, double by) {
+    if (by < PathSettings::none) limit = std::min(limit.value_or(by), by);
+  };
+  for (const PathSettings& settings : given.settings) {
+    if (axis >= settings.axes.size()) continue;
+    lower(limits.velocity, settings.axes[axis].velocity);
+    lower(limits.acceleration, settings.axes[axis].acceleration);
+    lower(limits.jerk, settings.axes[axis].jerk);
+  }
+  return limits;
 }
 
 /// The composition, with an error within `allowed`, or within rounding if that is greater.
@@ -159,8 +178,8 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allo
 
 AxesByStretch::AxesByStretch(const Plan& plan, double tolerance) : plan_(plan) {
   require_positive("tolerance", tolerance);
-  for (const Limits& limits : plan.given().limits.axes)
-    allowed_.push_back(allowed_error(limits, tolerance));
+  for (std::size_t i = 0; i < plan.given().limits.axes.size(); ++i)
+    allowed_.push_back(allowed_error(lowest_limits(plan.given(), i), tolerance));
   segments_.resize(plan.path().axes());
   error_.resize(plan.path().axes());
 }

@@ -102,7 +102,8 @@ class Bound {
  public:
   Bound(const Plan& plan, int cells)
       : plan_(plan),
-        rates_(rates_of(plan.given().limits, plan.path().axes(), plan.given().path_axes)),
+        all_(rates_of(plan.given().limits, plan.path().axes(), plan.given().path_axes)),
+        rates_(all_),
         cells_(cells) {}
 
   double run() {
@@ -140,6 +141,7 @@ class Bound {
     const PathPiece& piece = path.pieces()[k];
     const PathSettings& settings = plan_.given().settings[piece.settings];
     const int count = piece.kind == PieceKind::line ? 1 : cells_;
+    rates_ = rates_on(all_, piece, plan_.given().settings, is_corner(piece));
     std::array<std::vector<Segment>, max_axes> axes;
     for (std::size_t i = 0; i < path.axes(); ++i) path.segments(k, i, axes[i]);
     const double feed = std::min(feed_of(piece, plan_.given().settings), rates_.path.velocity);
@@ -248,7 +250,8 @@ class Bound {
   }
 
   const Plan& plan_;
-  Rates rates_;
+  Rates all_;
+  Rates rates_;  ///< on the piece that is examined
   int cells_;
   std::vector<double> rests_;
 };

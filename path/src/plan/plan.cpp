@@ -41,6 +41,15 @@ void require_inside(const Program& program, const GroupLimits& limits) {
             c.line);
 }
 
+/// Throws if a command has limits of more axes than the plan has.
+void require_known_axes(const Program& program, std::size_t axes) {
+  for (const Program::Command& c : program.commands())
+    if (const std::size_t given = program.settings()[c.settings].axes.size(); given > axes)
+      throw InputError("axes", std::to_string(given),
+                       "must be limits of at most " + std::to_string(axes) + " axes")
+          .at({}, c.line);
+}
+
 /// Marks the joints between two rests of the plan if a stop at each of them is faster; returns
 /// false if there are none. `stopping`: times of the motion with stops at these rests.
 bool mark_slower(std::span<const Rest> rests, std::span<const double> stopping,
@@ -74,6 +83,7 @@ std::vector<double> times_of(std::span<const Rest> rests, std::span<const Rest> 
 Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& options) {
   const Joined joined(program, limits, options.joints, options.canceled);
   require_inside(program, limits);
+  require_known_axes(program, joined.rates().axes);
   Route tool = route_of(program);
   std::optional<Route> averaged;
   if (!options.stop_at_corners) averaged = with_averages(tool, program);

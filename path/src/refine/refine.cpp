@@ -10,6 +10,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/error.hpp"
 
 #include "path/src/refine/speed_problem.hpp"
 #include "path/src/timing/box.hpp"
@@ -501,6 +502,10 @@ class Refinement {
 }  // namespace
 
 Plan refined(const Plan& plan) {
+  if (limit_axes(plan.given().settings))
+    throw InputError(
+        "refine", "",
+        "cannot be combined with limits of axes in a command: leave one of the two out");
   Plan result = Refinement(plan).run();
   return result.duration() < plan.duration() ? result : plan;
 }

@@ -85,6 +85,24 @@ Rates reserved(const Rates& rates) {
   return r;
 }
 
+bool limit_axes(std::span<const PathSettings> settings) {
+  return std::ranges::any_of(settings, [](const PathSettings& s) { return !s.axes.empty(); });
+}
+
+Rates rates_on(Rates rates, const PathPiece& piece, std::span<const PathSettings> settings,
+               bool corner) {
+  const auto lower = [&](const PathSettings& by) {
+    for (std::size_t i = 0; i < std::min(by.axes.size(), rates.axes); ++i) {
+      rates.velocity[i] = std::min(rates.velocity[i], by.axes[i].velocity);
+      rates.acceleration[i] = std::min(rates.acceleration[i], by.axes[i].acceleration);
+      rates.jerk[i] = std::min(rates.jerk[i], by.axes[i].jerk);
+    }
+  };
+  lower(settings[piece.settings]);
+  if (corner) lower(settings[piece.settings_before]);
+  return rates;
+}
+
 Box path_box(const Rates& rates, const PathSettings& settings) {
   const PathLimits& p = rates.path;
   double a = std::min(p.acceleration, settings.acceleration);

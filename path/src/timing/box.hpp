@@ -62,6 +62,13 @@ inline double feed_of(const PathPiece& piece, std::span<const PathSettings> sett
   return is_corner(piece) ? std::min(feed, settings[piece.settings_before].velocity) : feed;
 }
 
+/// True if a command has limits of axes.
+bool limit_axes(std::span<const PathSettings> settings);
+
+/// The limits on a piece: those of its command lower `rates`. On a corner, those of both commands.
+Rates rates_on(Rates rates, const PathPiece& piece, std::span<const PathSettings> settings,
+               bool corner);
+
 /// The box from the limits of the path and the settings alone.
 Box path_box(const Rates& rates, const PathSettings& settings);
 

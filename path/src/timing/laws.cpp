@@ -6,6 +6,7 @@
 
 #include "jounce/profiles/detail/large_pages.hpp"
 
+#include "path/src/timing/command_boxes.hpp"
 #include "path/src/timing/not_limited.hpp"
 #include "path/src/timing/window.hpp"
 
@@ -64,7 +65,11 @@ class WindowLaw {
  public:
   WindowLaw(const Path& path, std::span<const Unit> units, const Rates& rates,
             const Program& program)
-      : path_(path), rates_(reserved(rates)), first_(units.front().piece) {
+      : path_(path),
+        rates_(reserved(rates)),
+        settings_(program.settings()),
+        limited_(limit_axes(program.settings())),
+        first_(units.front().piece) {
     for (const Unit& unit : units)
       for (std::uint32_t k = 0; k < unit.pieces; ++k) {
         rates.require_wanted();
@@ -73,6 +78,8 @@ class WindowLaw {
         const PathSettings& settings = program.settings()[path.pieces()[piece].settings];
         length_ += path.pieces()[piece].length;
         bounds_.push_back(derivatives_of(path, piece, rates.path_axes));
+        corners_.push_back(unit.box.constant);
+        const Rates here = rates_of_piece(bounds_.size() - 1);
         double feed = std::min(settings.velocity, rates.path.velocity) / bounds_.back().speed;
         if (unit.box.constant) feed = std::min(feed, unit.box.velocity);
         feeds_.push_back(feed);
@@ -81,8 +88,8 @@ class WindowLaw {
         jerk_ = std::min(jerk_, settings.jerk);
         for (std::size_t i = 0; i < rates.axes; ++i) {
           if (!(bounds_.back().first[i] > 0)) continue;
-          acceleration_ = std::min(acceleration_, rates_.acceleration[i] / bounds_.back().first[i]);
-          jerk_ = std::min(jerk_, rates_.jerk[i] / bounds_.back().first[i]);
+          acceleration_ = std::min(acceleration_, here.acceleration[i] / bounds_.back().first[i]);
+          jerk_ = std::min(jerk_, here.jerk[i] / bounds_.back().first[i]);
         }
       }
     const PathLimits& p = rates.path;
@@ -115,13 +122,22 @@ class WindowLaw {
   }
 
  private:
+  /// The limits on the k-th piece of the run.
+  [[nodiscard]] Rates rates_of_piece(std::size_t k) const {
+    return limited_ ? rates_on(rates_, path_.pieces()[first_ + k], settings_, corners_[k]) : rates_;
+  }
+
+  [[nodiscard]] double velocity_of_piece(std::size_t k, double acceleration, double jerk) const {
+    return limited_ ? velocity_with(rates_of_piece(k), bounds_[k], acceleration, jerk)
+                    : velocity_with(rates_, bounds_[k], acceleration, jerk);
+  }
+
   [[nodiscard]] std::vector<RawPhase> raw(double acceleration, double jerk) const {
     std::vector<CappedLength> caps;
     caps.reserve(bounds_.size());
     for (std::size_t k = 0; k < bounds_.size(); ++k) {
-      const double v =
-          std::min({feeds_[k], entries_[k],
-                    velocity_with(rates_, bounds_[k], acceleration * reserve, jerk * reserve)});
+      const double v = std::min(
+          {feeds_[k], entries_[k], velocity_of_piece(k, acceleration * reserve, jerk * reserve)});
       if (!(v > 0) || !(v < none)) return {};
       caps.push_back({path_.pieces()[first_ + k].length, v});
     }
@@ -130,8 +146,11 @@ class WindowLaw {
 
   const Path& path_;
   Rates rates_;
+  std::span<const PathSettings> settings_;
+  bool limited_;
   std::size_t first_;
   std::vector<Derivatives> bounds_;
+  std::vector<bool> corners_;
   std::vector<double> feeds_, entries_;
   double acceleration_ = none, jerk_ = none;
   double length_ = 0;
@@ -160,7 +179,11 @@ class StopTimes final : public UnitSink {
  public:
   StopTimes(const Route& route, const Program& program, const Rates& rates,
             std::span<const Rest> at)
-      : route_(route), program_(program), rates_(rates), at_(at) {
+      : route_(route),
+        program_(program),
+        rates_(rates),
+        commands_(route.path, rates, program),
+        at_(at) {
     times_.reserve(at.size() + 1);
   }
 
@@ -187,6 +210,7 @@ class StopTimes final : public UnitSink {
 
   void finish_run() {
     if (run_.empty()) return;
+    if (commands_.limited()) run_ = commands_.lowered(std::move(run_));
     time_ += run_.size() == 1 && !is_curved(route_.path, run_)
                  ? stretch_of(run_.front(), 0, 0).duration
                  : end_time(fastest(route_.path, run_, rates_, program_));
@@ -196,6 +220,7 @@ class StopTimes final : public UnitSink {
   const Route& route_;
   const Program& program_;
   const Rates& rates_;
+  const CommandBoxes commands_;
   std::span<const Rest> at_;
   std::vector<Unit> run_;
   std::vector<double> times_;
@@ -247,6 +272,8 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
                  bool times_only) {
   std::vector<Unit> units = std::move(rounded.units);
   const Path& path = rounded.path ? *rounded.path : route.path;
+  const CommandBoxes commands(path, rates, program);
+  if (commands.limited()) units = commands.lowered(std::move(units));
   Collected made;
   made.times_only = times_only;
   const auto rests = static_cast<std::size_t>(

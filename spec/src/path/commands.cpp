@@ -31,6 +31,27 @@ void read_rates_along(TomlReader& command, const PathAxes& axes, PathSettings& s
   if (const auto j = command.optional_positive("jerk", axes.unit(3))) settings.jerk = *j;
 }
 
+/// Reads axis_limits = { x = { velocity = 50 }, ... }: further limits of the axes from this command on.
+void read_axis_limits(TomlReader& command, const PathAxes& axes, PathSettings& settings) {
+  auto limits = command.optional_table("axis_limits");
+  if (!limits) return;
+  settings.axes.clear();
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    auto axis = limits->optional_table(axes.names[i].c_str());
+    if (!axis) continue;
+    settings.axes.resize(i + 1);
+    const auto unit = [&](int order) {
+      return rate_unit(axes.position_units[i], axes.units.x, order);
+    };
+    AxisRates& rates = settings.axes[i];
+    if (const auto v = axis->optional_positive("velocity", unit(1))) rates.velocity = *v;
+    if (const auto a = axis->optional_positive("acceleration", unit(2))) rates.acceleration = *a;
+    if (const auto j = axis->optional_positive("jerk", unit(3))) rates.jerk = *j;
+    axis->finish();
+  }
+  limits->finish();
+}
+
 Plane read_plane(TomlReader& command, const PathAxes& axes) {
   const std::vector<std::string> names = command.texts("plane");
   if (!command.has("plane")) return {};
@@ -201,6 +222,7 @@ void read_path_command(TomlReader& command, const PathAxes& axes, PathSettings& 
   } else {
     read_path_settings(command, axes, settings);
     read_rates_along(command, axes, settings);
+    read_axis_limits(command, axes, settings);
     program.set(settings);
     try {
       read_movement(command, axes, type, program);

@@ -423,6 +423,50 @@ TEST(FifoFollow, AStartThatWouldJumpIsNoFault) {
   }
 }
 
+/// The same table waits for its master at 30: if the axis cannot jump to the velocity of the first row, the
+/// start is dropped at the event, and the axis stays at rest without a fault.
+TEST(FifoFollow, AnEventThatWouldCauseAJumpIsNoFault) {
+  for (const int dir : {1, -1}) {
+    const double speed = dir * 500.0;
+    for (const auto& [velocity, acceleration, cause] :
+         {std::tuple{3000.0, 2e4, Cause::start_jump}, std::tuple{200.0, 6e5, Cause::velocity_limit},
+          std::tuple{3000.0, 6e5, Cause::none}}) {
+      FifoFollow follow(1, {.stream = false},
+                        {.event = {FollowEvent::pass, dir * 30.0, dir}, .dir = dir});
+      push(follow.fifos(), 0, {500, 250, PtType::even});
+      push(follow.fifos(), 0, {1000, 500, PtType::even});
+      Bench bench({.limits = limits(velocity, acceleration)});
+      bench.send(Kind::enable);
+      const auto step = [&](const Command& command = {}) {
+        ++bench.tick;
+        return bench.axis.step(bench.tick, command,
+                               at_master(speed * 1e-3 * static_cast<double>(bench.tick), speed));
+      };
+      ASSERT_FALSE(step({command::Arm{.movement = &follow}}).refused);
+      ASSERT_EQ(refusal(step({command::Start{}})), Cause::none) << "it waits";
+      std::optional<Refusal> dropped;
+      Tick now;
+      for (int k = 0; k < 100; ++k) {
+        now = step();
+        ASSERT_EQ(now.fault, Cause::none) << dir << ' ' << k;
+        if (now.dropped) dropped = now.dropped;
+      }
+      if (cause == Cause::none) {
+        EXPECT_EQ(now.state, State::synchronized_motion);
+        EXPECT_FALSE(dropped);
+        continue;
+      }
+      ASSERT_TRUE(dropped) << dir;
+      EXPECT_EQ(dropped->cause, cause);
+      EXPECT_NEAR(std::abs(dropped->value), 250, 1e-9);
+      EXPECT_EQ(now.state, State::standstill);
+      EXPECT_EQ(now.reason, cause);
+      EXPECT_EQ(now.position, 0);
+      EXPECT_EQ(now.job, 0U);
+    }
+  }
+}
+
 TEST(FifoFollow, PlaysExample77) {
   FifoFollow follow(1, {.each = 16, .stream = false, .loops = 0},
                     {.event = {FollowEvent::pass, 50000}});

@@ -227,21 +227,220 @@ TEST(GroupLimits, OfAnAxisHoldInEveryMotion) {
   EXPECT_LE(site.seen.acceleration, 300 * (1 + 1e-9));
 }
 
-/// Limits of an axis change the plan of every command, so the commands after them begin at rest.
-TEST(GroupLimits, OfAnAxisThatAreQueuedBeginAtRest) {
+/// The greatest magnitudes of the axis x on each of some intervals of x.
+struct SeenBetween {
+  SeenBetween(Measured& site, std::vector<double> ends) : ends(std::move(ends)) {
+    seen.resize(this->ends.size() - 1);
+    site.each_tick = [this, &site, judge = site.each_tick] {
+      const Tick before = site.before[x];
+      judge();
+      const Tick& now = site.last(x);
+      if (now.tick != before.tick + 1) return;
+      for (std::size_t k = 0; k + 1 < this->ends.size(); ++k) {
+        // A tick that crosses an end counts for neither side.
+        if (!(before.position >= this->ends[k] && now.position <= this->ends[k + 1])) continue;
+        Seen& here = seen[k];
+        here.velocity = std::max({here.velocity, before.velocity, now.velocity});
+        here.acceleration = std::max(
+            {here.acceleration, std::abs(before.acceleration), std::abs(now.acceleration)});
+        here.jerk = std::max(here.jerk, std::abs(now.acceleration - before.acceleration) * 1000);
+      }
+    };
+  }
+  std::vector<double> ends;
+  std::vector<Seen> seen;
+};
+
+/// The group slows down before the place where lower limits of an axis begin, and speeds up after the
+/// place where higher ones begin. It rests nowhere.
+TEST(GroupLimits, OfAnAxisThatAreQueuedTakeEffectAtTheirPlace) {
   Measured site;
+  const SeenBetween parts(site, {0, 60, 80, 140});
   ASSERT_TRUE(site.line(60, 0, {.along = {.velocity = 150}}).ok());
-  site.accepts(command::GroupSetLimits{.dynamics = {.velocity = 20}, .axis = 1, .queued = true});
-  site.advance(250ms);
-  EXPECT_NEAR(site.last(x).velocity, 150, 1e-9);
+  site.accepts(command::GroupSetLimits{
+      .dynamics = {.velocity = 20, .acceleration = 500, .jerk = 2e4}, .axis = 1, .queued = true});
   ASSERT_TRUE(site.line(80, 0, blending(150)).ok());
-  ASSERT_TRUE(site.line(100, 0, blending(150)).ok());
-  for (int k = 0; k < 100 && site.last(group).finished < 1; ++k) site.advance(20ms);
-  site.seen = {};
+  site.accepts(command::GroupSetLimits{.axis = 1, .queued = true});
+  ASSERT_TRUE(site.line(140, 0, blending(150)).ok());
   site.finish();
-  EXPECT_EQ(site.last(x).position, 100);
+  EXPECT_EQ(site.last(x).position, 140);
+  EXPECT_EQ(site.last(group).finished, 1U) << "one motion";
+  EXPECT_NEAR(parts.seen[0].velocity, 150, 1e-9);
+  EXPECT_NEAR(parts.seen[1].velocity, 20, 1e-9);
+  EXPECT_LE(parts.seen[1].acceleration, 500 * (1 + 1e-9));
+  EXPECT_LE(parts.seen[1].jerk, 2e4 * (1 + 1e-9) + 1e-6);
+  EXPECT_NEAR(parts.seen[2].velocity, 150, 1e-9);
+  EXPECT_GT(parts.seen[2].acceleration, 1500);
+}
+
+/// Limits that were set at rest end where queued higher ones begin.
+TEST(GroupLimits, OfAnAxisBecomeHigherDuringTheMotion) {
+  for (const std::int32_t axis : {0, 1}) {
+    Measured site;
+    const SeenBetween parts(site, {0, 30, 90});
+    site.accepts(command::GroupSetLimits{.dynamics = {.velocity = 30}, .axis = axis});
+    ASSERT_TRUE(site.line(30, 0, {.along = {.velocity = 150}}).ok());
+    site.accepts(
+        command::GroupSetLimits{.dynamics = {.velocity = 120}, .axis = axis, .queued = true});
+    ASSERT_TRUE(site.line(90, 0, blending(150)).ok());
+    site.finish();
+    EXPECT_EQ(site.last(group).finished, 1U) << axis;
+    EXPECT_NEAR(parts.seen[0].velocity, 30, 1e-9) << axis;
+    EXPECT_NEAR(parts.seen[1].velocity, 120, 1e-9) << axis;
+  }
+}
+
+/// If limits change during the motion, an override above 1 raises no speed, and a lower share of the
+/// acceleration applies to all of them.
+TEST(GroupLimits, OfAnAxisThatAreQueuedHoldWithAnOverride) {
+  Measured site;
+  const SeenBetween parts(site, {0, 60, 100});
+  ASSERT_TRUE(site.line(60, 0, {.along = {.velocity = 50, .acceleration = 300, .jerk = 1e4}}).ok());
+  site.accepts(command::GroupSetLimits{
+      .dynamics = {.velocity = 20, .acceleration = 200}, .axis = 1, .queued = true});
+  ASSERT_TRUE(site.line(100, 0, blending(50)).ok());
+  site.accepts(command::Override{2});
+  site.advance(800ms);
+  EXPECT_NEAR(site.last(x).velocity, 50, 1e-9);
+  site.accepts(command::GroupSetOverride{.acceleration = 0.25});
+  site.finish();
+  EXPECT_EQ(site.last(group).finished, 1U);
+  EXPECT_NEAR(parts.seen[0].velocity, 50, 1e-9);
+  EXPECT_NEAR(parts.seen[1].velocity, 10, 1e-6);
+  EXPECT_LE(parts.seen[1].acceleration, 50 * (1 + 1e-9));
+}
+
+/// After an M word, the limits of the commands that wait there count, not those that are queued later.
+TEST(GroupLimits, OfAnAxisThatAreQueuedBelongToTheirStage) {
+  Measured site;
+  const SeenBetween parts(site, {20, 50, 80});
+  ASSERT_TRUE(site.line(20, 0, {.along = {.velocity = 100}}).ok());
+  site.accepts(command::GroupMWord{.number = 6});
+  ASSERT_TRUE(site.line(50, 0, buffered(100)).ok());
+  site.accepts(command::GroupSetLimits{.dynamics = {.velocity = 10}, .axis = 1, .queued = true});
+  ASSERT_TRUE(site.line(80, 0, blending(100)).ok());
+  site.advance(1s);
+  site.accepts(command::GroupAcknowledge{});
+  site.finish();
+  EXPECT_EQ(site.last(x).position, 80);
+  EXPECT_NEAR(parts.seen[0].velocity, 100, 1e-9);
+  EXPECT_NEAR(parts.seen[1].velocity, 10, 1e-9);
+}
+
+/// Limits of an axis that apply at once lower the speed of the present motion; the next command begins
+/// at rest, with its full speed.
+TEST(GroupLimits, OfAnAxisThatApplyAtOnceLetTheNextCommandBeginAtRest) {
+  Measured site;
+  ASSERT_TRUE(site.line(130, 0, {.along = {.velocity = 150}}).ok());
+  site.advance(250ms);
+  site.accepts(command::GroupSetLimits{.dynamics = {.velocity = 20}, .axis = 1});
+  ASSERT_TRUE(site.line(150, 0, blending(150)).ok());
+  site.advance(300ms);
+  EXPECT_NEAR(site.last(x).velocity, 20, 1e-6);
+  site.finish();
+  EXPECT_EQ(site.last(x).position, 150);
   EXPECT_EQ(site.last(group).finished, 2U);
-  EXPECT_NEAR(site.seen.velocity, 20, 1e-9);
+}
+
+/// A line with the limits of both axes, and the command that sets them; axis 0: none.
+struct LimitedLine {
+  double x = 0, y = 0, velocity = 0;
+  std::array<AxisRates, 2> rates{};
+  std::int32_t set = 0;  ///< the axis whose limits change before the line
+};
+
+std::vector<LimitedLine> random_lines(std::uint64_t seed) {
+  Random random(seed);
+  std::vector<LimitedLine> lines;
+  LimitedLine line;
+  for (int k = 0; k < 40; ++k) {
+    line.set = k > 0 ? random.below(3) : 0;
+    if (line.set > 0)
+      line.rates[static_cast<std::size_t>(line.set) - 1] = {
+          random.log_uniform(10, 150), random.log_uniform(200, 2000), random.log_uniform(5e3, 1e5)};
+    line.x += random.uniform(1, 3);
+    line.y += random.uniform(-3, 3);
+    line.velocity = random.uniform(40, 180);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// The limits of an axis at this place. Around the corners, which replace less than 1 mm, those of both
+/// lines.
+AxisRates limits_at(const std::vector<LimitedLine>& lines, double px, std::size_t axis) {
+  AxisRates most{0, 0, 0};
+  double from = -10;
+  for (const LimitedLine& line : lines) {
+    const AxisRates& rates = line.rates[axis];
+    if (px >= from - 1 && px <= line.x + 1)
+      most = {std::max(most.velocity, std::min(rates.velocity, 200.0)),
+              std::max(most.acceleration, std::min(rates.acceleration, 2000.0)),
+              std::max(most.jerk, std::min(rates.jerk, 1e5))};
+    from = line.x;
+  }
+  return most;
+}
+
+/// Random lines with queued limits of both axes, behind a wait. The motion equals the offline plan of the
+/// same program, and each axis is within the limits of its line in every tick.
+TEST(GroupLimits, OfAxesThatAreQueuedEqualTheOfflinePlan) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    const std::vector<LimitedLine> lines = random_lines(seed);
+    Program program(2);
+    program.dwell(1);
+    for (const LimitedLine& line : lines) {
+      program.set({.velocity = line.velocity,
+                   .corner = Corner::deviation,
+                   .value = 0.05,
+                   .axes = {line.rates.begin(), line.rates.end()}});
+      program.line({line.x, line.y});
+    }
+    const Plan offline = plan(program, {.axes = std::vector<Limits>(2, limits(200, 2000, 1e5))});
+    Judged site;
+    double apart = 0;
+    double nearest = 1e9;  // to a limit of the velocity
+    std::size_t beyond = 0;
+    std::int64_t start = -1;
+    site.each_tick = [&, judge = site.each_tick] {
+      judge();
+      const Tick& all = site.last(group);
+      if (all.job == 0) return;
+      if (start < 0) start = all.tick;
+      std::array<Motion, 2> planned;
+      offline.at(std::min(static_cast<double>(all.tick - start) * 1e-3, offline.duration()),
+                 planned);
+      for (const std::size_t i : {x, Plotter::y}) {
+        const Tick& now = site.last(i);
+        apart = std::max(apart, std::abs(now.position - planned[i].position));
+        const AxisRates most = limits_at(lines, site.last(x).position, i);
+        nearest = std::min(nearest, most.velocity - std::abs(now.velocity));
+        beyond += std::abs(now.velocity) > most.velocity * (1 + 1e-9) ||
+                  std::abs(now.acceleration) > most.acceleration * (1 + 1e-9);
+      }
+    };
+    ASSERT_TRUE(site.order("plotter", command::GroupWait{1}).ok());
+    for (const LimitedLine& line : lines) {
+      if (line.set > 0) {
+        const auto& [velocity, acceleration, jerk] =
+            line.rates[static_cast<std::size_t>(line.set) - 1];
+        ASSERT_TRUE(
+            site.order("plotter", command::GroupSetLimits{.dynamics = {.velocity = velocity,
+                                                                       .acceleration = acceleration,
+                                                                       .jerk = jerk},
+                                                          .axis = line.set,
+                                                          .queued = true})
+                .ok());
+      }
+      ASSERT_TRUE(site.line(line.x, line.y, blending(line.velocity, 0.05)).ok());
+    }
+    for (int k = 0; k < 400 && (k < 2 || site.last(group).job != 0); ++k) site.advance(50ms);
+    EXPECT_NEAR(site.last(x).position, lines.back().x, 1e-12) << seed;
+    EXPECT_EQ(site.last(group).finished, 1U) << seed;
+    EXPECT_LE(apart, 1e-9) << seed;
+    EXPECT_EQ(beyond, 0U) << seed;
+    EXPECT_LT(nearest, 1e-6) << seed << ": a limit is reached";
+  }
 }
 
 TEST(GroupLimits, AreChecked) {

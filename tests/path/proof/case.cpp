@@ -29,6 +29,19 @@ std::string corner_text(const PathSettings& s) {
   return std::string("{ ") + keys[static_cast<int>(s.corner)] + " = " + text(s.value) + " }";
 }
 
+/// Limits of axes in a command.
+std::string axis_limits_text(const std::vector<AxisRates>& axes) {
+  std::string all;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    all += (i > 0 ? ", a" : "a") + std::to_string(i + 1) + " = { " +
+           listed({{"velocity", axes[i].velocity},
+                   {"acceleration", axes[i].acceleration},
+                   {"jerk", axes[i].jerk}},
+                  ", ") +
+           " }";
+  return "axis_limits = { " + all + " }\n";
+}
+
 std::string command_text(const Case& c, const Leg& leg) {
   const char* const types[] = {"line", "arc", "spline"};
   const char* const junctions[] = {"buffered",      "blending_low",  "blending_previous",
@@ -37,6 +50,7 @@ std::string command_text(const Case& c, const Leg& leg) {
   if (leg.dwell > 0) all += "[[command]]\ntype = \"dwell\"\ntime = " + text(leg.dwell) + "\n";
   all += std::string("[[command]]\ntype = \"") + types[static_cast<int>(leg.shape)] + "\"\n";
   const PathSettings& s = leg.settings;
+  all += axis_limits_text(s.axes);
   const std::string rates = listed({{"velocity", s.velocity},
                                     {"acceleration", s.acceleration},
                                     {"deceleration", s.deceleration},
@@ -163,6 +177,7 @@ Case scaled(Case c, double length, double time) {
     s.value *= s.corner == Corner::velocity    ? v
                : s.corner == Corner::curvature ? 1 / length
                                                : length;
+    for (AxisRates& axis : s.axes) axis = {axis.velocity * v, axis.acceleration * a, axis.jerk * j};
     leg.dwell *= time;
   }
   for (Limits& l : c.limits.axes)

@@ -258,6 +258,27 @@ Case narrow(Random& r) {
   return c;
 }
 
+Case limited(Random& r, bool only_lines) {
+  const int kind = only_lines ? 0 : r.below(8);
+  Case c = kind < 5 ? lines(r) : kind < 7 ? arcs(r) : averages(r);
+  std::vector<AxisRates> axes;
+  const bool short_lines = kind == 7;
+  for (Leg& leg : c.legs) {
+    if (chance(r, short_lines ? 0.1 : 0.5)) {
+      axes.resize(chance(r, 0.2) ? 0 : c.axes);
+      for (std::size_t i = 0; i < axes.size(); ++i) {
+        const auto share = [&](double limit) {
+          return chance(r, 0.5) ? limit * r.log_uniform(0.03, 1.5) : AxisRates::none;
+        };
+        const Limits& limits = c.limits.axes[i];
+        axes[i] = {share(*limits.velocity), share(*limits.acceleration), share(*limits.jerk)};
+      }
+    }
+    leg.settings.axes = axes;
+  }
+  return c;
+}
+
 std::vector<FactorRequest> steps(Random& r, double duration) {
   std::vector<FactorRequest> all;
   double t = duration * r.uniform(0, 0.3);

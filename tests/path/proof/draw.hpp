@@ -22,6 +22,9 @@ Case averages(Random& r);
 /// straight, and corners larger than their sides.
 Case narrow(Random& r);
 
+/// Lines, arcs or averages whose commands change the limits of the axes; `only_lines`: lines.
+Case limited(Random& r, bool only_lines = false);
+
 /// Steps of an override; the last factor is 1.
 std::vector<FactorRequest> steps(Random& r, double duration);
 

@@ -71,16 +71,16 @@ std::string judge_override(const Case& c, const Plan& made,
 
 }  // namespace
 
-Outcome holds(Random& r, Worst& worst) {
-  const Case c = any(r);
+namespace {
+
+Outcome held(Random& r, const Case& c, Worst& worst) {
   const Plan made = plan(program_of(c), c.limits);
   const double t = made.duration() * r.uniform(0, 1);
   const std::string why = judge_hold(c, made, t, worst);
   return why.empty() ? Outcome{} : failed(c, why, "halted at " + text(t) + " s");
 }
 
-Outcome overrides(Random& r, Worst& worst) {
-  const Case c = any(r);
+Outcome overridden(Random& r, const Case& c, Worst& worst) {
   const Plan made = plan(program_of(c), c.limits);
   const std::vector<FactorRequest> factors = steps(r, made.duration());
   const std::string why = judge_override(c, made, factors, worst);
@@ -92,8 +92,7 @@ Outcome overrides(Random& r, Worst& worst) {
 }
 
 /// Back to a place outside a corner, and on to the end.
-Outcome retreats(Random& r, Worst& worst) {
-  const Case c = r.below(3) > 0 ? lines(r) : arcs(r);
+Outcome retreated_and_resumed(Random& r, const Case& c, Worst& worst) {
   const Plan made = plan(program_of(c), c.limits);
   const double t = made.duration() * r.uniform(0.1, 1);
   const Plan held = halted(made, t);
@@ -116,6 +115,29 @@ Outcome retreats(Random& r, Worst& worst) {
   if (why.empty()) why = judge_motion(c, made, resumed(made, to), to, worst);
   return why.empty() ? Outcome{}
                      : failed(c, why, "halted at " + text(t) + " s, back to " + text(to));
+}
+
+}  // namespace
+
+Outcome holds(Random& r, Worst& worst) {
+  return held(r, any(r), worst);
+}
+
+Outcome overrides(Random& r, Worst& worst) {
+  return overridden(r, any(r), worst);
+}
+
+Outcome retreats(Random& r, Worst& worst) {
+  return retreated_and_resumed(r, r.below(3) > 0 ? lines(r) : arcs(r), worst);
+}
+
+Outcome flow_of_limited(Random& r, Worst& worst) {
+  const Case c = limited(r);
+  const int kind = r.below(3);
+  if (kind == 0) return held(r, c, worst);
+  if (kind == 1) return overridden(r, c, worst);
+  return c.legs.front().settings.corner == Corner::average ? held(r, c, worst)
+                                                           : retreated_and_resumed(r, c, worst);
 }
 
 }  // namespace jounce::path_proof

@@ -40,6 +40,10 @@ Outcome plans_of_averages(Random& r, Worst& worst) {
   return outcome(c, why.empty() ? judge_average(c, made, worst) : why);
 }
 
+Outcome plans_of_limited(Random& r, Worst& worst) {
+  return planned(limited(r), worst);
+}
+
 /// Rejecting a program is correct only if it does not move.
 Outcome plans_of_narrow(Random& r, Worst& worst) {
   return planned(narrow(r), worst, rounding_of_narrow);

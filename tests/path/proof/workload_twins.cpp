@@ -54,6 +54,7 @@ Case in_reversed_axes(const Case& c) {
     return p;
   });
   std::ranges::reverse(twin.limits.axes);
+  for (Leg& leg : twin.legs) std::ranges::reverse(leg.settings.axes);
   return twin;
 }
 
@@ -69,6 +70,7 @@ Outcome cut(Random& r, Case c) {
 Outcome rotated(Random& r, Case c) {
   if (c.path_axes < 2) return {};
   c.limits.axes.assign(c.axes, {});
+  for (Leg& leg : c.legs) leg.settings.axes.clear();
   c.limits.path.acceleration = std::min(c.limits.path.acceleration, 2000.0);
   c.limits.path.jerk = std::min(c.limits.path.jerk, 1e5);
   c.limits.path.total_acceleration = std::min(c.limits.path.total_acceleration, 3000.0);
@@ -114,6 +116,11 @@ Outcome twins_of_arcs(Random& r, Worst&) {
 
 Outcome twins_of_averages(Random& r, Worst&) {
   return twins(r, averages(r));
+}
+
+/// Without arcs and averages: with limits that change, rounding decides there about zones and ramps.
+Outcome twins_of_limited(Random& r, Worst&) {
+  return twins(r, limited(r, true));
 }
 
 }  // namespace jounce::path_proof

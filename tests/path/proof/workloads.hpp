@@ -37,12 +37,15 @@ Outcome plans_of_arcs(Random& r, Worst& worst);
 Outcome plans_of_curves(Random& r, Worst& worst);
 Outcome plans_of_averages(Random& r, Worst& worst);
 Outcome plans_of_narrow(Random& r, Worst& worst);
+Outcome plans_of_limited(Random& r, Worst& worst);
 Outcome twins_of_lines(Random& r, Worst& worst);
 Outcome twins_of_arcs(Random& r, Worst& worst);
 Outcome twins_of_averages(Random& r, Worst& worst);
+Outcome twins_of_limited(Random& r, Worst& worst);
 Outcome holds(Random& r, Worst& worst);
 Outcome overrides(Random& r, Worst& worst);
 Outcome retreats(Random& r, Worst& worst);
+Outcome flow_of_limited(Random& r, Worst& worst);
 Outcome overlaps(Random& r, Worst& worst);
 Outcome refinements(Random& r, Worst& worst);
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -58,8 +61,17 @@ class PathCommands {
 
   /// Sets the frame of the commands that are appended from now on.
   void set_frame(const Frame& frame) { frame_ = frame; }
-  /// Sets further limits along the path for the commands that are appended from now on.
-  void set_limits(const PathLimits& limits) { limits_ = limits; }
+  /// Sets further limits for the commands that are appended from now on: along the path, and of the axes
+  /// (PathSettings::axes).
+  void set_limits(const PathLimits& limits, std::vector<AxisRates> axes = {}) {
+    limits_vary_ = limits_vary_ || (!all_.empty() && !has_limits(limits, axes));
+    limits_ = limits;
+    axis_limits_ = std::move(axes);
+  }
+  /// True if these are the further limits of all commands.
+  [[nodiscard]] bool has_limits(const PathLimits& limits, std::span<const AxisRates> axes) const {
+    return !limits_vary_ && limits == limits_ && std::ranges::equal(axes, axis_limits_);
+  }
 
   /// Appends a command. Throws InputError with the name of the field for a command without a
   /// coordinate or of no length, for a coordinate beyond the axes, and for an arc that does not
@@ -126,6 +138,8 @@ class PathCommands {
   std::size_t axes_, path_axes_;
   Frame frame_;
   PathLimits limits_;
+  std::vector<AxisRates> axis_limits_;
+  bool limits_vary_ = false;
   Point start_;
   std::int32_t first_;
   std::deque<One> all_;

@@ -19,6 +19,8 @@ struct PathLimits {
   double normal_acceleration = none;  ///< u/s^2: velocity^2 times curvature
   /// u/s^2: magnitude of the tangential and the normal acceleration together.
   double total_acceleration = none;
+
+  bool operator==(const PathLimits&) const = default;
 };
 
 /// Limits of a group of axes. The axis limits apply to the motion of each axis on any path; plan()

@@ -40,6 +40,18 @@ enum class Junction : std::uint8_t {
   look_ahead,         ///< the highest velocity within the limits
 };
 
+/// Further limits of an axis in a command: magnitudes > 0; default: no further limit. u is the unit of
+/// the axis.
+struct AxisRates {
+  static constexpr double none = std::numeric_limits<double>::infinity();
+
+  double velocity = none;      ///< u/s
+  double acceleration = none;  ///< u/s^2
+  double jerk = none;          ///< u/s^3
+
+  bool operator==(const AxisRates&) const = default;
+};
+
 /// Modal settings: they apply to all following commands. `corner` and `junction` apply to the start
 /// of each of these commands (HMPL manual 8.1.6, Example 3-1).
 struct PathSettings {
@@ -52,6 +64,10 @@ struct PathSettings {
   Corner corner = Corner::stop;  ///< kind of the corner at the start of a command
   double value = 0;              ///< > 0; its meaning and unit depend on `corner`; not used by stop
   Junction junction = Junction::look_ahead;  ///< requested velocity at the start of a command
+  /// Further limits of the axes of the program, then of the joints; axes beyond the last entry have
+  /// none. They change the velocities, not the path: a corner keeps the shape that it has without them.
+  /// On a corner, the limits of both commands apply.
+  std::vector<AxisRates> axes = {};
 
   bool operator==(const PathSettings&) const = default;
 };
