@@ -7,6 +7,7 @@
 #include "jounce/profiles/detail/large_pages.hpp"
 
 #include "path/src/timing/not_limited.hpp"
+#include "path/src/timing/turn_chains.hpp"
 #include "path/src/timing/window.hpp"
 
 namespace jounce {
@@ -74,7 +75,7 @@ class WindowLaw {
         length_ += path.pieces()[piece].length;
         bounds_.push_back(derivatives_of(path, piece, rates.path_axes));
         double feed = std::min(settings.velocity, rates.path.velocity) / bounds_.back().speed;
-        if (unit.box.constant) feed = std::min(feed, unit.box.velocity);
+        if (is_corner(path.pieces()[piece])) feed = std::min(feed, unit.box.velocity);
         feeds_.push_back(feed);
         entries_.push_back(k == 0 ? unit.entry : none);
         acceleration_ = std::min({acceleration_, settings.acceleration, settings.deceleration});
@@ -247,6 +248,7 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
                  bool times_only) {
   std::vector<Unit> units = std::move(rounded.units);
   const Path& path = rounded.path ? *rounded.path : route.path;
+  if (rounded.path) open_chains(units, path, rates, program.settings());
   Collected made;
   made.times_only = times_only;
   const auto rests = static_cast<std::size_t>(

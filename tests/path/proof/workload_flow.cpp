@@ -69,19 +69,7 @@ std::string judge_override(const Case& c, const Plan& made,
              : "the end is not reached by " + text(missing);
 }
 
-}  // namespace
-
-Outcome holds(Random& r, Worst& worst) {
-  const Case c = any(r);
-  const Plan made = plan(program_of(c), c.limits);
-  const double t = made.duration() * r.uniform(0, 1);
-  const std::string why = judge_hold(c, made, t, worst);
-  return why.empty() ? Outcome{} : failed(c, why, "halted at " + text(t) + " s");
-}
-
-Outcome overrides(Random& r, Worst& worst) {
-  const Case c = any(r);
-  const Plan made = plan(program_of(c), c.limits);
+Outcome overridden(Random& r, const Case& c, const Plan& made, Worst& worst) {
   const std::vector<FactorRequest> factors = steps(r, made.duration());
   const std::string why = judge_override(c, made, factors, worst);
   if (why.empty()) return {};
@@ -89,6 +77,31 @@ Outcome overrides(Random& r, Worst& worst) {
   for (const FactorRequest& f : factors)
     all += "{ time = " + text(f.time) + ", factor = " + text(f.factor) + " }, ";
   return {why, spec_of(c, {}, all + "]\n")};
+}
+
+Outcome held(Random& r, const Case& c, const Plan& made, Worst& worst) {
+  const double t = made.duration() * r.uniform(0, 1);
+  const std::string why = judge_hold(c, made, t, worst);
+  return why.empty() ? Outcome{} : failed(c, why, "halted at " + text(t) + " s");
+}
+
+}  // namespace
+
+Outcome holds(Random& r, Worst& worst) {
+  const Case c = any(r);
+  return held(r, c, plan(program_of(c), c.limits), worst);
+}
+
+Outcome overrides(Random& r, Worst& worst) {
+  const Case c = any(r);
+  return overridden(r, c, plan(program_of(c), c.limits), worst);
+}
+
+Outcome flows_of_dense(Random& r, Worst& worst) {
+  const Case c = dense(r);
+  const Plan made = plan(program_of(c), c.limits);
+  const Outcome found = held(r, c, made, worst);
+  return found.why.empty() ? overridden(r, c, made, worst) : found;
 }
 
 /// Back to a place outside a corner, and on to the end.
