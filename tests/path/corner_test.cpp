@@ -239,6 +239,15 @@ TEST(Corner, TurnsThatShareTheirSidesChangeTheVelocity) {
   EXPECT_TRUE(check_along(all).ok());
 }
 
+TEST(Corner, EqualTurnsKeepTheirVelocity) {
+  Program p(2);
+  p.set({.velocity = 100, .corner = Corner::deviation, .value = 0.5});
+  for (int k = 1; k <= 12; ++k) p.line({2.0 * ((k + 1) / 2), 2.0 * (k / 2)}, k);  // a staircase
+  // b = 1/2, l = 2 and |D_i| = 1: v^3 = J / 4 l^2. The ramp from a stop reaches it on the first half of a line.
+  for (const CornerRecord& corner : plan(p, usual(2)).corners())
+    EXPECT_NEAR(corner.velocity, std::cbrt(1e4), 1e-9);
+}
+
 TEST(Corner, ALawThatChangesTheVelocityInTurnsKeepsTheLimits) {
   const Program p = dense_lines(4000, 6000);
   const Plan all = plan(p, dense_limits());

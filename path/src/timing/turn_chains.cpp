@@ -2,6 +2,7 @@
 #include "path/src/timing/turn_chains.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "path/src/timing/not_limited.hpp"
 #include "path/src/timing/stretch.hpp"
@@ -23,40 +24,68 @@ constexpr double reduction = 0.03;      ///< the share s
 constexpr std::size_t least_chain = 4;  ///< turns
 constexpr double most_between = 0.3;  ///< length of the line between two turns, by the lesser trim
 
-/// The box of a turn in which the law may change its velocity. `rates`: reserved. `fastest`: greatest constant
-/// velocity. Half of what remains of each jerk limit is for j, half for a.
-Box open_box(const Rates& rates, const Path& path, std::size_t piece,
-             std::span<const PathSettings> settings, double fastest) {
-  const Derivatives bounds = derivatives_of(path, piece, rates.path_axes);
-  const PathPiece& turn = path.pieces()[piece];
-  const Box before = path_box(rates, settings[turn.settings_before]);
-  Box box = path_box(rates, settings[turn.settings]);
-  const double v = std::min(fastest, velocity_with(rates, bounds, 0, 0) * (1 - reduction));
-  double a = rates.path.total_acceleration - bounds.bend * v * v;  // r' r'' is at most |r''|
-  double j = std::min(box.jerk, before.jerk);
-  for (std::size_t i = 0; i < rates.axes; ++i) {
-    const double first = bounds.first[i];
-    const double second = bounds.second[i];
-    if (!(first > 0)) continue;
-    a = std::min(a, (rates.acceleration[i] - second * v * v) / first);
-    const double left = rates.jerk[i] - bounds.third[i] * v * v * v;
-    if (!(left < none)) continue;
-    j = std::min(j, left / 2 / first);
-    if (second > 0) a = std::min(a, left / 2 / (3 * second * v));
+/// The limits of a turn for the law, and the box in which the law may change its velocity.
+class OpenTurn {
+ public:
+  /// `rates`: reserved. `fastest`: greatest constant velocity.
+  OpenTurn(const Rates& rates, const Path& path, std::size_t piece,
+           std::span<const PathSettings> settings, double fastest)
+      : rates_(rates),
+        bounds_(derivatives_of(path, piece, rates.path_axes)),
+        trim_(path.pieces()[piece].length / 2),
+        box_(path_box(rates, settings[path.pieces()[piece].settings])) {
+    const Box before = path_box(rates, settings[path.pieces()[piece].settings_before]);
+    box_.velocity = std::min(fastest, velocity_with(rates, bounds_, 0, 0) * (1 - reduction));
+    box_.acceleration = std::min(box_.acceleration, before.acceleration);
+    box_.deceleration = std::min(box_.deceleration, before.deceleration);
+    box_.jerk = std::min(box_.jerk, before.jerk);
   }
-  box.velocity = v;
-  box.acceleration = std::min({box.acceleration, before.acceleration, a});
-  box.deceleration = std::min({box.deceleration, before.deceleration, a});
-  box.jerk = j;
-  return box;
-}
+
+  /// True if the law can reach the velocity of the turn from a rest within the trim. Then a rest holds up no chain.
+  [[nodiscard]] bool is_near_rest() const {
+    double a = std::min(box_.acceleration, box_.deceleration);
+    double j = box_.jerk;
+    for (std::size_t i = 0; i < rates_.axes; ++i) {
+      if (!(bounds_.first[i] > 0)) continue;
+      a = std::min(a, rates_.acceleration[i] / bounds_.first[i]);
+      j = std::min(j, rates_.jerk[i] / bounds_.first[i]);
+    }
+    return ramp_distance(0, box_.velocity, a, j) <= trim_;
+  }
+
+  /// Half of what remains of each jerk limit is for the jerk along the path, half for the acceleration.
+  [[nodiscard]] Box box() const {
+    const double v = box_.velocity;
+    double a = rates_.path.total_acceleration - bounds_.bend * v * v;  // r' r'' is at most |r''|
+    Box box = box_;
+    for (std::size_t i = 0; i < rates_.axes; ++i) {
+      const double first = bounds_.first[i];
+      const double second = bounds_.second[i];
+      if (!(first > 0)) continue;
+      a = std::min(a, (rates_.acceleration[i] - second * v * v) / first);
+      const double left = rates_.jerk[i] - bounds_.third[i] * v * v * v;
+      if (!(left < none)) continue;
+      box.jerk = std::min(box.jerk, left / 2 / first);
+      if (second > 0) a = std::min(a, left / 2 / (3 * second * v));
+    }
+    box.acceleration = std::min(box.acceleration, a);
+    box.deceleration = std::min(box.deceleration, a);
+    return box;
+  }
+
+ private:
+  const Rates& rates_;
+  Derivatives bounds_;
+  double trim_;
+  Box box_;
+};
 
 /// Finds the turns of chains among the units of a path.
 class Chains {
  public:
   Chains(std::span<const Unit> units, const Path& path) : units_(units), path_(path) {}
 
-  /// Calls `open` for each turn in a chain, in their order.
+  /// Calls `open` with each turn in a chain, in their order, and whether its neighbors hold it up.
   template <class Open>
   void each(Open open) {
     std::size_t first = 0;
@@ -64,7 +93,9 @@ class Chains {
     std::size_t count = 0;
     const auto close = [&] {
       for (std::size_t k = first; count > 0 && k <= last; ++k)
-        if (is_turn(k) && (count >= least_chain || is_held_up(k))) open(k);
+        if (const bool held_up = is_turn(k) && is_held_up(k);
+            held_up || (is_turn(k) && count >= least_chain))
+          open(k, held_up);
     };
     for (std::size_t k = 0; k < units_.size(); ++k) {
       if (!is_turn(k)) continue;
@@ -118,10 +149,12 @@ class Chains {
 void open_chains(std::span<Unit> units, const Path& path, const Rates& rates,
                  std::span<const PathSettings> settings) {
   const Rates curved = reserved(rates);
-  std::vector<std::size_t> open;
-  Chains(units, path).each([&](std::size_t k) { open.push_back(k); });
-  for (const std::size_t k : open)
-    units[k].box = open_box(curved, path, units[k].piece, settings, units[k].box.velocity);
+  std::vector<std::pair<std::size_t, Box>> open;
+  Chains(units, path).each([&](std::size_t k, bool held_up) {
+    const OpenTurn turn(curved, path, units[k].piece, settings, units[k].box.velocity);
+    if (held_up || !turn.is_near_rest()) open.emplace_back(k, turn.box());
+  });
+  for (const auto& [k, box] : open) units[k].box = box;
 }
 
 }  // namespace jounce
