@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "jounce/path/along.hpp"
+#include "jounce/path/hold.hpp"
 
 #include "path/src/corners/turn.hpp"
 #include "tests/path/paths.hpp"
@@ -182,6 +186,84 @@ TEST(Corner, CommandsWithoutDistanceAreLeftOutAndReported) {
   ASSERT_EQ(plan_of.corners().size(), 1u);
   EXPECT_EQ(plan_of.corners()[0].line, 2);
   EXPECT_EQ(plan_of.corners()[0].note, JointNote::no_distance);
+}
+
+/// The lines from place `first` to place `last` of a curve, of about 0.01 to 0.02 mm.
+Point on_curve(int k) {
+  return {80 * std::sin(2.5e-4 * k), 60 * std::sin(1.9e-4 * k)};
+}
+
+Program dense_lines(int first, int last) {
+  Program p(2, on_curve(first));
+  p.set({.velocity = 100, .corner = Corner::deviation, .value = 0.002});
+  for (int k = first + 1; k <= last; ++k) p.line(on_curve(k), k);
+  return p;
+}
+
+GroupLimits dense_limits() {
+  return {.axes = std::vector<Limits>(2, {.velocity = 200, .acceleration = 2000, .jerk = 1e5})};
+}
+
+/// The time in which a point passes the curve if each turn takes half of both sides, with its greatest constant
+/// velocity, and the velocity may step between the turns. The share b of a turn is 1/2 (docs/path/README.md, "Turns").
+double time_of_turns(int first, int last) {
+  double time = 0;
+  for (int k = first + 1; k < last; ++k) {
+    const Point a = on_curve(k - 1);
+    const Point b = on_curve(k);
+    const Point c = on_curve(k + 1);
+    const double before = std::hypot(b[0] - a[0], b[1] - a[1]);
+    const double behind = std::hypot(c[0] - b[0], c[1] - b[1]);
+    const double length = (before + behind) / 2;
+    double v = 100;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double bend = std::abs((c[i] - b[i]) / behind - (b[i] - a[i]) / before);
+      v = std::min({v, std::cbrt(1e5 * length * length / (4 * bend)),
+                    std::sqrt(2000 * length / (2 * bend))});
+    }
+    time += length / v;
+  }
+  return time;
+}
+
+TEST(Corner, TurnsThatShareTheirSidesChangeTheVelocity) {
+  // All turns of a chain had the velocity of the slowest: 189.8 s, where the turns permit 8.2 s.
+  constexpr int count = 20000;
+  const Plan all = plan(dense_lines(0, count), dense_limits());
+  EXPECT_LE(all.duration(), 2 * time_of_turns(0, count)) << "half as fast as the turns permit";
+  double parts = 0;
+  for (int k = 0; k < count; k += 1000)
+    parts += plan(dense_lines(k, k + 1000), dense_limits()).duration();
+  EXPECT_LE(all.duration(), parts) << "rests do not help";
+  for (const CornerRecord& corner : all.corners()) EXPECT_LE(corner.deviation, 0.002 * (1 + 1e-12));
+  EXPECT_TRUE(check_along(all).ok());
+}
+
+TEST(Corner, EqualTurnsKeepTheirVelocity) {
+  Program p(2);
+  p.set({.velocity = 100, .corner = Corner::deviation, .value = 0.5});
+  for (int k = 1; k <= 12; ++k) p.line({2.0 * ((k + 1) / 2), 2.0 * (k / 2)}, k);  // a staircase
+  // b = 1/2, l = 2 and |D_i| = 1: v^3 = J / 4 l^2. The ramp from a stop reaches it on the first half of a line.
+  for (const CornerRecord& corner : plan(p, usual(2)).corners())
+    EXPECT_NEAR(corner.velocity, std::cbrt(1e4), 1e-9);
+}
+
+TEST(Corner, ALawThatChangesTheVelocityInTurnsKeepsTheLimits) {
+  const Program p = dense_lines(4000, 6000);
+  const Plan all = plan(p, dense_limits());
+  path_tests::expect_whole(all, to_axes(all, 1e-9), p);
+  const Plan held = halted(all, all.duration() / 2);
+  const double rest = held.law().at(held.duration()).position;
+  EXPECT_GT(rest, all.law().at(all.duration() / 2).position);
+  EXPECT_LT(rest, 0.9 * all.path().length()) << "the motion need not pass all turns";
+  for (const Plan* const made : {&all, &held}) {
+    const PlanAxes axes = to_axes(*made, 1e-9);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Ranges peaks = extrema(axes.curves[i]);
+      EXPECT_LE(std::abs(peaks[2].peak().value), 2000 * (1 + 1e-12));
+      EXPECT_LE(std::abs(peaks[3].peak().value), 1e5 * (1 + 1e-12));
+    }
+  }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "path/src/plan/drawn.hpp"
+#include "path/src/timing/turn_chains.hpp"
 #include "path/src/tolerances.hpp"
 
 namespace jounce {
@@ -74,7 +75,7 @@ void require_no_corner(const Plan& plan, const char* key, double q) {
         q < p.start + p.length)
       throw InputError(key, q,
                        "is in the corner from " + number(p.start) + " to " +
-                           number(p.start + p.length) + ", which is passed at constant velocity");
+                           number(p.start + p.length) + ": choose a place before or behind it");
 }
 
 Unit unit_of(const LawInterval& s) {
@@ -150,13 +151,17 @@ class Replanned {
       units.clear();
     };
     const std::size_t count = path_.pieces().size();
+    std::vector<Unit> all;
+    all.reserve(count);
+    for (std::size_t k = 0; k < count; ++k) all.push_back(unit(k));
+    open_chains(all, path_, rates_, settings_);
     for (std::size_t k = 0; k < count; ++k) {
       if (rests_[k]) {
         flush();
         start = path_.pieces()[k].start;
         out.rest(path_, start, dwells_[k]);
       }
-      units.push_back(unit(k));
+      units.push_back(all[k]);
     }
     flush();
     out.rest(path_, path_.length(), dwells_[count]);

@@ -20,11 +20,13 @@
 
 // Let v = q', a = q'', and k the curvature of a circle or helix, whose direction has length 1. The
 // acceleration has the components a along the path and k v^2 across it. On a phase of the law, v is
-// quadratic in time, so a^2 + (k v^2)^2 has degree 8: its extrema are exact. A turn is passed at
-// constant v, and its acceleration is at most v^2 |D| / ((1 - b) l), in the middle, across the
-// path. On other pieces, with |r'| <= R, |r''| <= S, |r' r''| <= P:
+// quadratic in time, so a^2 + (k v^2)^2 has degree 8: its extrema are exact. If a turn is passed
+// at constant v, its acceleration is at most v^2 |D| / ((1 - b) l), in the middle, across the path. On
+// other pieces, and if v changes on a turn, with |r'| <= R, |r''| <= S, |r' r''| <= P:
 //
 //   (1)  speed <= R v,   normal <= S v^2,   total^2 <= R^2 a^2 + 2 P |a| v^2 + S^2 v^4
+//
+// On a turn, R = 1 and P = S |D| / 2, because u D = -|D|^2 / 2 and w D = |D|^2 / 2.
 
 namespace jounce {
 namespace {
@@ -35,6 +37,7 @@ struct PieceShape {
   double speed = 1;
   double curvature = 0;  ///< factor of v^2 in the normal acceleration
   bool exact = true;
+  bool turn = false;   ///< exact at constant velocity only
   Derivatives bounds;  ///< if the values are not exact
 };
 
@@ -58,6 +61,9 @@ PieceShape shape_of(const Plan& plan, std::size_t piece) {
     for (std::size_t i = 0; i < m; ++i)
       square += profiles_detail::square(turn.after(i) - turn.before(i));
     shape.curvature = std::sqrt(square) / ((1 - turn.share()) * p.length);
+    shape.turn = true;
+    shape.bounds.bend = shape.curvature;
+    shape.bounds.along = shape.curvature * std::sqrt(square) / 2;
     return shape;
   }
   shape.exact = false;
@@ -182,7 +188,7 @@ class Along {
   /// The greatest total acceleration on a phase, and its time after the start of the phase.
   [[nodiscard]] std::pair<double, double> total(const LawPhase& p, double a, double v,
                                                 double fastest) const {
-    if (!shape_.exact)
+    if (!shape_.exact || (shape_.turn && a > 0))
       return {std::sqrt(shape_.bounds.acceleration_squared(a, v)), fastest};  // (1)
     const double h = p.duration;
     const double speed[] = {p.velocity, p.acceleration * h, p.jerk * h * h / 2};

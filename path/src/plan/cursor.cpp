@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "jounce/path/plan.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 #include "path/src/timing/stretch.hpp"
 
@@ -42,6 +43,18 @@ void compose(const Path& path, std::size_t piece, double u, const Motion& q,
 
 }  // namespace
 
+namespace {
+
+/// True at the end of a law that ends at the end of the path. Its distance is a sum: without rounding, the last piece
+/// ends there.
+bool is_at_end(const Path& path, const TimingLaw& law, const LawInterval& interval, double t) {
+  return t >= interval.time + interval.duration && &interval == &law.stretches().back() &&
+         interval.piece + interval.pieces == path.pieces().size() &&
+         interval.start + interval.length >= path.length() * (1 - profiles_detail::rounded_sum);
+}
+
+}  // namespace
+
 void Plan::at(double t, std::span<Motion> out) const {
   assert(out.size() == path_.axes());
   const LawInterval& interval = law_.stretches()[law_.stretch_at(t)];
@@ -54,6 +67,7 @@ void Plan::at(double t, std::span<Motion> out) const {
     piece = piece_at(pieces, interval, at);
     u = at - pieces[piece].start;
   }
+  if (is_at_end(path_, law_, interval, t)) u = pieces[piece = pieces.size() - 1].length;
   compose(path_, piece, u, q, out);
 }
 
@@ -96,6 +110,7 @@ void PlanCursor::at(double t, std::span<Motion> out) {
       piece_ = piece_at(pieces, interval, at);
     u = at - pieces[piece_].start;
   }
+  if (is_at_end(path, plan_->law(), interval, t)) u = pieces[piece_ = pieces.size() - 1].length;
   compose(path, piece_, u, q, out);
 }
 

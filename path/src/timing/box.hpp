@@ -39,7 +39,8 @@ Rates reserved(const Rates& rates);
 
 /// Any law with -deceleration <= q'' <= acceleration, |q'''| <= jerk and q' + q''^2 / 2 jerk <=
 /// velocity stays within all limits on the piece. Every ramp that ends at this velocity or below,
-/// with zero acceleration, is such a law. On a corner, the law has constant velocity.
+/// with zero acceleration, is such a law. On a corner, the law has constant velocity,
+/// except in a chain of turns (turn_chains.hpp).
 struct Box {
   double velocity = PathSettings::none;
   double acceleration = PathSettings::none;

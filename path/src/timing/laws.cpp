@@ -8,6 +8,7 @@
 
 #include "path/src/timing/command_boxes.hpp"
 #include "path/src/timing/not_limited.hpp"
+#include "path/src/timing/turn_chains.hpp"
 #include "path/src/timing/window.hpp"
 
 namespace jounce {
@@ -78,10 +79,10 @@ class WindowLaw {
         const PathSettings& settings = program.settings()[path.pieces()[piece].settings];
         length_ += path.pieces()[piece].length;
         bounds_.push_back(derivatives_of(path, piece, rates.path_axes));
-        corners_.push_back(unit.box.constant);
+        corners_.push_back(is_corner(path.pieces()[piece]));
         const Rates here = rates_of_piece(bounds_.size() - 1);
         double feed = std::min(settings.velocity, rates.path.velocity) / bounds_.back().speed;
-        if (unit.box.constant) feed = std::min(feed, unit.box.velocity);
+        if (corners_.back()) feed = std::min(feed, unit.box.velocity);
         feeds_.push_back(feed);
         entries_.push_back(k == 0 ? unit.entry : none);
         acceleration_ = std::min({acceleration_, settings.acceleration, settings.deceleration});
@@ -274,6 +275,7 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
   const Path& path = rounded.path ? *rounded.path : route.path;
   const CommandBoxes commands(path, rates, program);
   if (commands.limited()) units = commands.lowered(std::move(units));
+  if (rounded.path) open_chains(units, path, rates, program.settings());
   Collected made;
   made.times_only = times_only;
   const auto rests = static_cast<std::size_t>(

@@ -198,19 +198,22 @@ Case curves(Random& r) {
   return mixed(r, {.arc = 0.2, .spline = 0.3, .straight = 0.3}, 4);
 }
 
-Case averages(Random& r) {
+namespace {
+
+/// Short lines along a curve. `jump`: probability of a sharp corner at the end of a line.
+Case short_lines(Random& r, Corner corner, double jump) {
   Case c;
   c.axes = c.path_axes = static_cast<std::size_t>(2 + r.below(2));
   const double step = r.log_uniform(0.05, 5);
   Leg leg;
   leg.settings.velocity = r.log_uniform(10, 300);
-  leg.settings.corner = Corner::average;
+  leg.settings.corner = corner;
   leg.settings.value = step * r.log_uniform(1e-3, 1);
   double turn = 0;
   double heading = r.uniform(0, 6);
   for (int i = r.below(60) + 2; i > 0; --i) {
     turn = chance(r, 0.1) ? r.uniform(-0.4, 0.4) : turn;
-    heading += chance(r, 0.02) ? r.uniform(-3, 3) : turn;
+    heading += chance(r, jump) ? r.uniform(-3, 3) : turn;
     leg.to = c.from(c.legs.size());
     leg.to[0] += step * std::cos(heading);
     leg.to[1] += step * std::sin(heading);
@@ -220,6 +223,16 @@ Case averages(Random& r) {
   c.limits = limits(r, c.axes);
   c.limits.path = {};
   return c;
+}
+
+}  // namespace
+
+Case averages(Random& r) {
+  return short_lines(r, Corner::average, 0.02);
+}
+
+Case dense(Random& r) {
+  return short_lines(r, chance(r, 0.7) ? Corner::deviation : Corner::distance, 0);
 }
 
 Case narrow(Random& r) {

@@ -18,6 +18,8 @@ Case arcs(Random& r);
 Case curves(Random& r);
 /// Many short lines along a curve, averaged.
 Case averages(Random& r);
+/// The same lines, with rounded corners that share their sides.
+Case dense(Random& r);
 /// Lines, short beside their coordinates, with points that nearly coincide, corners that nearly turn back or nearly go
 /// straight, and corners larger than their sides.
 Case narrow(Random& r);

@@ -69,19 +69,7 @@ std::string judge_override(const Case& c, const Plan& made,
              : "the end is not reached by " + text(missing);
 }
 
-}  // namespace
-
-namespace {
-
-Outcome held(Random& r, const Case& c, Worst& worst) {
-  const Plan made = plan(program_of(c), c.limits);
-  const double t = made.duration() * r.uniform(0, 1);
-  const std::string why = judge_hold(c, made, t, worst);
-  return why.empty() ? Outcome{} : failed(c, why, "halted at " + text(t) + " s");
-}
-
-Outcome overridden(Random& r, const Case& c, Worst& worst) {
-  const Plan made = plan(program_of(c), c.limits);
+Outcome overridden(Random& r, const Case& c, const Plan& made, Worst& worst) {
   const std::vector<FactorRequest> factors = steps(r, made.duration());
   const std::string why = judge_override(c, made, factors, worst);
   if (why.empty()) return {};
@@ -89,6 +77,12 @@ Outcome overridden(Random& r, const Case& c, Worst& worst) {
   for (const FactorRequest& f : factors)
     all += "{ time = " + text(f.time) + ", factor = " + text(f.factor) + " }, ";
   return {why, spec_of(c, {}, all + "]\n")};
+}
+
+Outcome held(Random& r, const Case& c, const Plan& made, Worst& worst) {
+  const double t = made.duration() * r.uniform(0, 1);
+  const std::string why = judge_hold(c, made, t, worst);
+  return why.empty() ? Outcome{} : failed(c, why, "halted at " + text(t) + " s");
 }
 
 /// Back to a place outside a corner, and on to the end.
@@ -120,11 +114,20 @@ Outcome retreated_and_resumed(Random& r, const Case& c, Worst& worst) {
 }  // namespace
 
 Outcome holds(Random& r, Worst& worst) {
-  return held(r, any(r), worst);
+  const Case c = any(r);
+  return held(r, c, plan(program_of(c), c.limits), worst);
 }
 
 Outcome overrides(Random& r, Worst& worst) {
-  return overridden(r, any(r), worst);
+  const Case c = any(r);
+  return overridden(r, c, plan(program_of(c), c.limits), worst);
+}
+
+Outcome flows_of_dense(Random& r, Worst& worst) {
+  const Case c = dense(r);
+  const Plan made = plan(program_of(c), c.limits);
+  const Outcome found = held(r, c, made, worst);
+  return found.why.empty() ? overridden(r, c, made, worst) : found;
 }
 
 Outcome retreats(Random& r, Worst& worst) {
@@ -134,10 +137,10 @@ Outcome retreats(Random& r, Worst& worst) {
 Outcome flow_of_limited(Random& r, Worst& worst) {
   const Case c = limited(r);
   const int kind = r.below(3);
-  if (kind == 0) return held(r, c, worst);
-  if (kind == 1) return overridden(r, c, worst);
-  return c.legs.front().settings.corner == Corner::average ? held(r, c, worst)
-                                                           : retreated_and_resumed(r, c, worst);
+  if (kind == 2 && c.legs.front().settings.corner != Corner::average)
+    return retreated_and_resumed(r, c, worst);
+  const Plan made = plan(program_of(c), c.limits);
+  return kind == 1 ? overridden(r, c, made, worst) : held(r, c, made, worst);
 }
 
 }  // namespace jounce::path_proof

@@ -49,6 +49,27 @@ Outcome plans_of_narrow(Random& r, Worst& worst) {
   return planned(narrow(r), worst, rounding_of_narrow);
 }
 
+/// One plan of all lines does not take longer than the plans of two parts, with a rest between them. At a corner so
+/// slow that a rest is faster, it may take longer by this share: the plan compares both only by the sides of the corner
+/// (decision 0152).
+constexpr double rest_at_slow_corner = 0.1;
+
+Outcome halves_of_dense(Random& r, Worst& worst) {
+  const Case c = dense(r);
+  const Program all = program_of(c);
+  const Plan made = plan(all, c.limits);
+  std::string why = judge_plan(c, made, worst);
+  const std::size_t count = all.commands().size();
+  if (!why.empty() || count < 2) return outcome(c, why);
+  const std::size_t cut = 1 + static_cast<std::size_t>(r.below(static_cast<int>(count) - 1));
+  const double parts =
+      plan(all.part(0, cut), c.limits).duration() + plan(all.part(cut, count), c.limits).duration();
+  if (!(made.duration() <= parts * (1 + rest_at_slow_corner)))
+    why = "lasts " + text(made.duration()) + " s, with a rest before line " +
+          std::to_string(cut + 1) + ": " + text(parts);
+  return outcome(c, why);
+}
+
 Outcome overlaps(Random& r, Worst& worst) {
   Case c = lines(r);
   for (Leg& leg : c.legs) leg.settings.corner = Corner::stop;

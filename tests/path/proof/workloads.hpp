@@ -42,6 +42,8 @@ Outcome twins_of_lines(Random& r, Worst& worst);
 Outcome twins_of_arcs(Random& r, Worst& worst);
 Outcome twins_of_averages(Random& r, Worst& worst);
 Outcome twins_of_limited(Random& r, Worst& worst);
+Outcome halves_of_dense(Random& r, Worst& worst);
+Outcome flows_of_dense(Random& r, Worst& worst);
 Outcome holds(Random& r, Worst& worst);
 Outcome overrides(Random& r, Worst& worst);
 Outcome retreats(Random& r, Worst& worst);

@@ -14,10 +14,10 @@ namespace jounce {
 /// halted() returns the plan until time t (s), followed by the earliest rest on the path within the
 /// limits. It uses a station law (docs/path/README.md; stations are rests, corners, and changes of
 /// the limits along the path). The axes slow down on all pieces except corners, which are passed at
-/// constant velocity because the limits permit no deceleration there. If the plan itself rests
-/// earlier, the result rests where the plan rests. After t, no station is passed faster than in the
-/// plan. On averages and splines with a window law, the plan continues to its next rest. Throws
-/// InputError "t" outside [0, duration].
+/// constant velocity because the limits permit no deceleration there; they also slow down within
+/// chains of turns. If the plan itself rests earlier, the result rests where the plan rests. After
+/// t, no station is passed faster than in the plan. On averages and splines with a window law, the
+/// plan continues to its next rest. Throws InputError "t" outside [0, duration].
 Plan halted(const Plan& plan, double t);
 
 /// Returns the motion from the rest at the end of `held` to the end of `plan`, with the remaining
@@ -33,7 +33,7 @@ Plan resumed(const Plan& plan, double from);
 /// position q = `to`. The result has the same path in the opposite direction; its q counts from the
 /// end. Acceleration and deceleration have the same limit: the lower of the plan's two limits. The
 /// retreat rests at every place where the plan rests. Throws InputError "to" outside [0, q at the
-/// end of `held`), and inside a corner, which is passed at constant velocity.
+/// end of `held`), and inside a corner.
 Plan retreated(const Plan& plan, const Plan& held, double to);
 
 }  // namespace jounce

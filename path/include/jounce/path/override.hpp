@@ -26,8 +26,8 @@ namespace jounce {
 /// request, the motion ends at this rest. Dwells keep their durations.
 ///
 /// **Limits.** The velocity does not step at a request; a ramp within the limits of acceleration
-/// and jerk follows. For a request in a corner, the ramp begins after the corner, because a corner
-/// is passed at constant velocity. If a new factor changes the target velocity of a ramp in
+/// and jerk follows. For a request in a corner that is passed at constant velocity, the ramp begins
+/// after the corner. If a new factor changes the target velocity of a ramp in
 /// progress, the ramp either ends as planned or ends early with the greatest jerk, whichever is
 /// faster; then the new ramp begins. Before the first request with a factor other than 1, the
 /// motion follows the plan unchanged.
