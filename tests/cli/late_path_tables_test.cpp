@@ -38,8 +38,8 @@ std::string delayed(const std::string& seconds) {
   return program;
 }
 
-/// The greatest magnitude of the third derivative of a quintic table. In an interval of length h, with s = 0 .. 1, it is
-/// (6 c3 + 24 c4 s + 60 c5 s^2) / h^3, where c3 to c5 follow from the values at its end.
+/// The greatest magnitude of the third derivative of a quintic table. In an interval of length h, it is
+/// (6 c3 + 24 c4 s + 60 c5 s^2) / h^3 with s = 0 .. 1. The values at the end of the interval give c3 to c5.
 double greatest_jerk(const Columns& knots) {
   long double greatest = 0;
   for (std::size_t i = 0; i + 1 < knots.x.size(); ++i) {

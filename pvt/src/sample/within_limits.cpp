@@ -29,7 +29,7 @@
 //
 // Halves do not help where a derivative of the curve steps that the table cannot step in: there, a shorter interval
 // has a greater third derivative. Such an interval stays as it is. The rounding e of a position changes the k-th
-// derivative by c e / h^k, and the rounding d of a place as much as that of v d of the position. No interval is so short
+// derivative by c e / h^k; the rounding d of a place has the effect of v d of the position. No interval is so short
 // that this is more than a thousandth of a limit.
 //
 // A slave over time, whose master runs and accelerates, limits sums of two derivatives (RampedLimits).
