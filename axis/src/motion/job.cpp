@@ -14,6 +14,7 @@
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/check.hpp"
+#include "jounce/pvt/detail/knot_rounding.hpp"
 
 #include "axis/src/motion/largest_sum.hpp"
 
@@ -186,6 +187,22 @@ Cause refusal_cause(CouplingStatus status) {
   }
 }
 
+/// The interval in which the jerk exceeds the rounding of its knots most.
+Job::CountedJerk counted_jerk_of(const Table& table, const Trajectory& curve) {
+  const pvt_detail::KnotRounding rounding(table);
+  Job::CountedJerk counted;
+  double most = -profiles_detail::inf;
+  for (std::size_t i = 0; i < curve.segments().size(); ++i) {
+    const Extremum peak =
+        segment_range(curve.segments()[i], curve.breaks()[i], curve.breaks()[i + 1], 3).peak();
+    const double rounded = rounding.of(3, i);
+    if (std::abs(peak.value) - rounded <= most) continue;
+    most = std::abs(peak.value) - rounded;
+    counted = {peak, rounded};
+  }
+  return counted;
+}
+
 }  // namespace
 
 Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<const Table> cam,
@@ -205,6 +222,7 @@ Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<co
       throw InputError("slave_period", turn_, "must not be negative");
     const Trajectory trajectory = time_->curve<OverTime>();
     ranges_ = extrema(*time_);
+    counted_jerk_ = counted_jerk_of(*time_, trajectory);
     survey_steps(trajectory, tick);
   }
   first_ = follow(master(0), 0);
@@ -225,6 +243,8 @@ void Job::couple(const CouplingSpec& spec, double position, double tick) {
   least_ = slave.end() - start();
   in_sync_ = slave.in_sync();
   ranges_ = survey(slave);
+  const Extremum jerk = ranges_[3].peak();
+  counted_jerk_ = {jerk, rounded_jerk * std::abs(jerk.value)};
   survey_steps(slave, tick);
   master_excess_ = excess(*cam_, engaged_.placement, extrema(trajectory, 0));
 }
@@ -303,7 +323,7 @@ std::optional<Refusal> Job::admit(const AxisConfig& config,
 std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const MotionState& from) {
   const AxisConfig config = resolved(given);
   const Limits& limits = config.limits;
-  const auto& [p, v, a, j] = job.ranges();
+  const Range &p = job.ranges()[0], &v = job.ranges()[1], &a = job.ranges()[2];
   const auto& [p_step, v_step, a_step] = job.steps();
   const double dt = seconds(config.period);
   const double v_most = *limits.acceleration * dt;
@@ -343,9 +363,9 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const Moti
   rule(greatest <= highest + near, Cause::position_limit, greatest, highest, p.max.where);
   peak(Cause::velocity_limit, v, limits.velocity);
   peak(Cause::acceleration_limit, a, limits.acceleration);
-  if (limits.jerk)
-    rule(std::abs(j.peak().value) <= *limits.jerk * (1 + rounded_jerk), Cause::jerk_limit,
-         j.peak().value, *limits.jerk, j.peak().where);
+  if (const auto& [j, rounding] = job.counted_jerk(); limits.jerk)
+    rule(std::abs(j.value) - rounding <= *limits.jerk * (1 + rounded_input), Cause::jerk_limit,
+         j.value, *limits.jerk, j.where);
   within(Cause::velocity_step, v_step.step, v_most, v_step.where);
   if (!limits.jerk) return refusal;
 

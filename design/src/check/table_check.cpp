@@ -13,12 +13,15 @@
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/pvt/check.hpp"
+#include "jounce/pvt/detail/knot_rounding.hpp"
 
 #include "design/src/check/master_check.hpp"
 #include "design/src/check/slave_advice.hpp"
 
 namespace jounce::design_detail {
 namespace {
+
+using pvt_detail::KnotRounding;
 
 void join(Report& all, Report part) {
   std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
@@ -35,42 +38,9 @@ std::size_t order_in(const std::array<const char*, 4>& names, const Finding& fin
                                   names.begin());
 }
 
-/// The greatest errors of the derivatives of a table that are caused by rounding its knots.
-class KnotRounding {
- public:
-  explicit KnotRounding(const Table& table) : table_(table) {
-    const Ranges peaks = extrema(table);
-    const double farthest = std::max(std::abs(table.start()), std::abs(table.end()));
-    error_ = 2 * std::numeric_limits<double>::epsilon() *
-             (std::abs(peaks[0].peak().value) + std::abs(peaks[1].peak().value) * farthest);
-  }
-
-  /// The error of the derivative of this order in an interval. An error d of the position causes an
-  /// error of 60 d / L^3 of the jerk in a quintic of length L, less in a cubic. A rounded place x
-  /// counts as an error v x of the position. A knot beside a shorter interval, of length S, may
-  /// have d / S more velocity, which removes the error from that interval
-  /// (pvt/src/sample/sample.cpp) and causes an error of 36 d / (S L^2) here.
-  [[nodiscard]] double of(std::size_t order, std::size_t interval) const {
-    constexpr std::array factors{1.0, 2.0, 6.0, 60.0};
-    constexpr std::array beside{0.0, 1.0, 6.0, 36.0};
-    const auto& x = table_.columns().x;
-    const double length = x[interval + 1] - x[interval];
-    double shorter = length;
-    if (interval > 0) shorter = std::min(shorter, x[interval] - x[interval - 1]);
-    if (interval + 2 < x.size()) shorter = std::min(shorter, x[interval + 2] - x[interval + 1]);
-    const double more = shorter < length ? beside[order] * length / shorter : 0;
-    return (factors[order] + more) * error_ / std::pow(length, static_cast<double>(order));
-  }
-
- private:
-  const Table& table_;
-  double error_ = 0;  ///< rounding of a position
-};
-
-/// True for an excess that an executor tolerates, too (admit() in axis/job.hpp).
+/// True for an excess of a cam over a master that an executor tolerates, too (admit() in axis/job.hpp).
 bool is_tolerated(const Finding& f, std::size_t order) {
-  const double share =
-      order == 3 ? profiles_detail::rounded_jerk : profiles_detail::rounded_input;
+  const double share = order == 3 ? profiles_detail::rounded_jerk : profiles_detail::rounded_input;
   return order == 0 || std::abs(f.value - f.limit) <= share * std::abs(f.limit);
 }
 
@@ -78,7 +48,7 @@ bool is_tolerated(const Finding& f, std::size_t order) {
 bool is_rounding(const Finding& f, const Table& table, const KnotRounding& rounding) {
   const auto& names = table.axis() == Domain::time ? OverTime::names : OverMaster::names;
   const std::size_t order = order_in(names, f);
-  return order < names.size() && f.segment && is_tolerated(f, order) &&
+  return order < names.size() && f.segment &&
          std::abs(f.value - f.limit) <= rounding.of(order, *f.segment);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -109,19 +110,22 @@ std::vector<double> shortened_before_steps(const Curve<Over>& f, Interpolation r
   return all;
 }
 
-/// The position of a knot is rounded to e P, where P is the greatest position. Its place x is rounded
-/// to e X, which has the effect of V e X of the position, with the greatest velocity V. In an
-/// interval of length L, this adds to the third derivative up to
+/// An error e of the position of a knot adds to the third derivative, in an interval of length L, up to
 ///
-///     (2)  120 e (P + V X) / L^3   (quintic),   24 e (P + V X) / L^3   (cubic)
+///     (2)  120 e / L^3   (quintic),   24 e / L^3   (cubic)
 ///
 /// This is `share` of the curve's third derivative at the length that this function returns.
 template <class Over>
-double noisy_length(const Curve<Over>& f, Interpolation rule, double share) {
+double noisy_length(const Curve<Over>& f, Interpolation rule, double e, double share) {
   const double jerk = std::abs(extrema(f, 3).peak().value);
   if (rule == Interpolation::linear || !(jerk > 0)) return 0;
-  return std::cbrt((rule == Interpolation::quintic_hermite ? 120 : 24) *
-                   pvt_detail::knot_rounding(f) / (share * jerk));
+  return std::cbrt((rule == Interpolation::quintic_hermite ? 120 : 24) * e / (share * jerk));
+}
+
+/// The rounding of a position alone.
+template <class Over>
+double position_rounding(const Curve<Over>& f) {
+  return std::numeric_limits<double>::epsilon() * std::abs(extrema(f, 0).peak().value);
 }
 
 constexpr double visible_noise = 1e-3;  ///< share of the jerk that makes an interval too short
@@ -145,8 +149,8 @@ class Spread {
       : f_(f),
         rule_(rule),
         allowed_{wanted, profiles_detail::inf},
-        least_(noisy_length(f, rule, visible_noise)),
-        rounding_(pvt_detail::knot_rounding(f)),
+        rounding_(position_rounding(f)),
+        least_(noisy_length(f, rule, rounding_, visible_noise)),
         peaks_(peaks_of(extrema(f))) {}
 
   [[nodiscard]] std::vector<double> run(std::vector<double> knots) const {
@@ -205,8 +209,8 @@ class Spread {
   const Curve<Over>& f_;
   Interpolation rule_;
   pvt_detail::Tolerances allowed_;
-  double least_;
   double rounding_;
+  double least_;
   std::array<double, 4> peaks_;
 };
 
@@ -244,8 +248,8 @@ class ShortIntervals {
   ShortIntervals(const Curve<Over>& f, Interpolation rule)
       : f_(f),
         rule_(rule),
-        short_(noisy_length(f, rule, visible_noise)),
-        noisy_(noisy_length(f, rule, settled_noise)),
+        short_(noisy_length(f, rule, position_rounding(f), visible_noise)),
+        noisy_(noisy_length(f, rule, pvt_detail::knot_rounding(f), settled_noise)),
         velocity_(std::abs(extrema(f, 1).peak().value)),
         jerk_(std::abs(extrema(f, 3).peak().value)) {}
 
@@ -309,7 +313,7 @@ class ShortIntervals {
     if (!is_short(all, i) || i == 0 || i + 2 == all.x.size() || is_short(all, i - 1) ||
         is_short(all, i + 1))
       return;
-    const double more = place.error / length(all, i);
+    const double more = (forward ? place.error : -place.error) / length(all, i);
     all.v[i] += more;
     all.v[i + 1] += more;
   }
@@ -327,7 +331,7 @@ class ShortIntervals {
     Place found = at(x);
     double least = change(found.error);
     constexpr int most = 1 << 16;
-    for (int i = 0; i < most && least > settled_noise * jerk_; ++i) {
+    for (int i = 0; i < most && least > rounded_sum * jerk_; ++i) {
       x = std::nextafter(x, limit);
       const double moved = 2 * jerk_ * std::abs(x - from) / d;
       if (x == limit || moved >= least) break;

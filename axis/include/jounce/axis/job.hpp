@@ -75,6 +75,13 @@ class Job final : public Movement {
   /// sign, and the peaks of the jerk around samples that exceed their neighbors.
   [[nodiscard]] const Ranges& ranges() const { return ranges_; }
 
+  /// The jerk that counts for its limit, u/s^3, and the part of it that rounding may have caused.
+  struct CountedJerk {
+    Extremum peak;
+    double rounding = 0;
+  };
+  [[nodiscard]] const CountedJerk& counted_jerk() const { return counted_jerk_; }
+
   /// The largest jumps of position, velocity and acceleration during the run and, if the job
   /// repeats, from its end to its start. The magnitudes of all jumps within one tick are added;
   /// `where` is then the start of that tick.
@@ -119,6 +126,7 @@ class Job final : public Movement {
   Setpoint first_;
   Setpoint last_;
   Ranges ranges_{};
+  CountedJerk counted_jerk_;
   std::array<Jump, 3> steps_{};
   int direction_ = 0;
   Extremum master_excess_;
@@ -132,8 +140,9 @@ class Job final : public Movement {
 /// motion, it must begin with the velocity and acceleration of this motion instead of at rest.
 /// Returns nullopt, or the first broken rule. Never allocates.
 ///
-/// Values may exceed their limits by 1e-9 of the limit, the jerk by 1e-6: it contains the rounding of
-/// the knots, divided by the cube of the distance between them.
+/// Values may exceed their limits by 1e-9 of the limit. The jerk of a table over time counts without
+/// the rounding of its knots, which the distance between them divides by its cube; that of a cam may
+/// exceed its limit by 1e-6.
 ///
 /// A jump of the velocity counts as the acceleration that causes this change within one tick. So a
 /// table of straight lines is admitted exactly if no tick exceeds the acceleration limit. With a

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "jounce/pvt/table.hpp"
+
+namespace jounce::pvt_detail {
+
+/// The greatest errors of the derivatives of a table that are caused by rounding its knots: a limit
+/// of such a derivative is met if it is exceeded by no more. `check` and admit() of an axis use this
+/// bound, so both give one answer.
+class KnotRounding {
+ public:
+  /// The table must outlive it.
+  explicit KnotRounding(const Table& table);
+
+  /// The error of the derivative of this order, 0 to 3, in an interval. An error d of the position
+  /// causes an error of 60 d / L^3 of the jerk in a quintic of length L, less in a cubic. A rounded
+  /// place x counts as an error v x of the position. A knot beside a shorter interval, of length S,
+  /// may have d / S more velocity, which removes the error from that interval (sample_within()) and
+  /// causes an error of 36 d / (S L^2) here.
+  [[nodiscard]] double of(std::size_t order, std::size_t interval) const;
+
+ private:
+  const Table& table_;
+  double error_ = 0;  ///< rounding of a position
+};
+
+}  // namespace jounce::pvt_detail
