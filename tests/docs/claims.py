@@ -21,7 +21,7 @@ def is_there(name):
         return f'NAME "{name}"' in scripts or bool(looped)
     folder = root / "tests" / folders.get(module, module)
     macro = re.compile(rf"TEST(_F|_P)?\({gtest[1]}, {gtest[2]}\)")
-    return any(macro.search(file.read_text()) for file in folder.glob("*.cpp"))
+    return any(macro.search(file.read_text()) for file in folder.rglob("*.cpp"))
 
 
 def incomplete(text):

@@ -142,12 +142,13 @@ std::string endless_text(Cause cause, const Tick& now, const ExecutorOptions& op
                          CommandKind order) {
   if (cause != Cause::in_motion && cause != Cause::synchronized) return "";
   if (permitted(now.state, order) != cause) return "";  // only a part of it, such as a clutch
-  const std::string end = ": end this with `jounce order " + options.receiver.executor + " halt`";
-  if (now.state == State::continuous_motion)
-    return "the axis moves at a velocity without end" + end;
-  if (now.state != State::synchronized_motion) return "";
-  return now.ratio != 0 ? "the axis follows its master by a gear" + end
-                        : "the axis follows its master" + end;
+  const bool endless = now.state == State::continuous_motion;
+  if (!endless && now.state != State::synchronized_motion) return "";
+  const char* const motion = endless          ? "moves at a velocity without end"
+                             : now.ratio != 0 ? "follows its master by a gear"
+                                              : "follows its master";
+  return std::string(name(cause)) + ": the axis " + motion + ": end this with `jounce order " +
+         options.receiver.executor + " halt`";
 }
 
 /// A table that begins elsewhere than the axis stands, or will stand.

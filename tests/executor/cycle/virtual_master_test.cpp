@@ -93,7 +93,7 @@ TEST(VirtualMaster, OneThatIsRefusedStartsNothingElse) {
 TEST(VirtualMaster, AnAxisWithoutATableOfItsOwnSaysSo) {
   Line site;
   EXPECT_THAT(site.order("knife", CommandKind::start_table).reason,
-              HasSubstr("no table and no cutter of its own"));
+              HasSubstr("no table and no cutter to start"));
 }
 
 }  // namespace

@@ -170,13 +170,15 @@ TEST(Notices, ARejectionInAnEndlessMotionNamesTheOrderThatEndsIt) {
   };
   Tick now{.state = State::continuous_motion};
   EXPECT_EQ(reason(now, CommandKind::set_position),
-            "the axis moves at a velocity without end: end this with `jounce order roller halt`");
+            "in_motion: the axis moves at a velocity without end: end this with `jounce order "
+            "roller halt`");
   now.state = State::synchronized_motion;
   EXPECT_EQ(reason(now, CommandKind::home),
-            "the axis follows its master: end this with `jounce order roller halt`");
+            "synchronized: the axis follows its master: end this with `jounce order roller halt`");
   now.ratio = 2;
   EXPECT_EQ(reason(now, CommandKind::move_repetitive),
-            "the axis follows its master by a gear: end this with `jounce order roller halt`");
+            "synchronized: the axis follows its master by a gear: end this with `jounce order "
+            "roller halt`");
   EXPECT_THAT(refusal_text({Cause::in_motion}, now, options, CommandKind::gear_in),
               ::testing::StartsWith("in_motion: "))
       << "its clutch ends";
