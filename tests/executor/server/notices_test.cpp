@@ -177,7 +177,7 @@ TEST(Notices, ARejectionInAnEndlessMotionNamesTheOrderThatEndsIt) {
             "synchronized: the axis follows its master: end this with `jounce order roller halt`");
   now.ratio = 2;
   EXPECT_EQ(reason(now, CommandKind::move_repetitive),
-            "synchronized: the axis follows its master by a gear: end this with `jounce order "
+            "in_motion: the axis follows its master by a gear: end this with `jounce order "
             "roller halt`");
   EXPECT_THAT(refusal_text({Cause::in_motion}, now, options, CommandKind::gear_in),
               ::testing::StartsWith("in_motion: "))
