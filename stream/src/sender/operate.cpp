@@ -68,7 +68,7 @@ std::optional<wire::GroupStatus> present_group(Transport& link, const std::strin
 }
 
 CallOutcome outcome_of(const wire::Reply& reply, const std::string& executor) {
-  if (reply.outcome == wire::Outcome::accepted) return {};
+  if (reply.outcome == wire::Outcome::accepted) return {.reason = reply.reason};
   if (reply.outcome == wire::Outcome::pending)
     return {StreamError::command_timeout,
             {},
@@ -78,13 +78,29 @@ CallOutcome outcome_of(const wire::Reply& reply, const std::string& executor) {
           std::string(name(reply.refusal)) + (reply.reason.empty() ? "" : ": ") + reply.reason};
 }
 
+namespace {
+
+/// Sends the first command of a client. Another order owns the axis for some ms only: while the axis
+/// is busy, repeats the command. A streamer owns it longer than that.
+CallOutcome first_command(Client& client, const ClientCommand& command, std::int64_t at) {
+  constexpr int attempts = 25;
+  constexpr auto pause = 40ms;
+  for (int attempt = 1;; ++attempt) {
+    CallOutcome outcome = client.command(command, at);
+    if (outcome.refusal != wire::Refusal::busy || attempt == attempts) return outcome;
+    std::this_thread::sleep_for(pause);
+  }
+}
+
+}  // namespace
+
 CallOutcome send_command(Transport& link, const std::string& executor, const ClientCommand& command,
                          std::int64_t at, const std::optional<wire::Key>& key) {
   if (is_operators(kind_of(command)))
     return outcome_of(operator_command(link, executor, wire::message_of(command, at), key),
                       executor);
   Client client(link, executor, {.key = key});
-  CallOutcome outcome = client.command(command, at);
+  CallOutcome outcome = first_command(client, command, at);
   static_cast<void>(client.release());
   return outcome;
 }
@@ -127,7 +143,7 @@ CallOutcome keep_jogging(Client& client, const ExecuteOptions& options, const Cl
   };
   while (outcome.ok() && goes_on()) {
     std::this_thread::sleep_for(50ms);
-    outcome = client.beat();
+    outcome = client.keep();
   }
   return outcome;
 }
@@ -142,7 +158,7 @@ CallOutcome execute_command(Transport& link, const std::string& executor,
     return send_command(link, executor, command, options.at, options.key);
   if (homes) link.subscribe(wire::channel(executor, wire::Lane::status), 1);
   Client client(link, executor, {.key = options.key}, clock);
-  CallOutcome outcome = client.command(command, options.at);
+  CallOutcome outcome = first_command(client, command, options.at);
   const auto cancelled = [&] { return options.cancelled && options.cancelled(); };
   if (outcome.ok())
     outcome = homes ? await_home(link, executor, client, cancelled, options.key, clock)
