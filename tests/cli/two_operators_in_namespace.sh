@@ -21,8 +21,8 @@ end() {
   kill -INT $executor
   wait $executor || [ $? = 1 ] || fail "the run: $(cat said)"
 }
-# says WORDS ARGUMENTS...: the order is accepted, and its answer has these words.
-says() {
+# answers WORDS ARGUMENTS...: the order is accepted, and its answer has these words.
+answers() {
   words=$1
   shift
   order "$@" || fail "$*: $(cat out)"
@@ -48,8 +48,18 @@ for each in $orders; do
   wait "$each" || fail "orders at the same time: $(cat order1 order2 order3 order4)"
 done
 wait_for plotter '"state":"standstill".*"queue_rows":0'
-says 'the limits lower the velocity from 50000 mm/s to ' plotter move-linear x=60 y=60 --velocity 50000
+answers 'the limits lower the velocity from 50000 mm/s to ' plotter move-linear x=60 y=60 --velocity 50000
 refused 1 'the time of the wait -1 s must be from 0 s to 1e6 s' plotter wait -1
+
+# An axis of the group is stopped: the group stops with it, and the jog reports it.
+wait_for plotter '"state":"standstill".*"queue_rows":0'
+"$jounce" order plotter jog 2 --along 0,1 --hold-to-run --seconds 60 > jogged 2>&1 &
+jog=$!
+wait_for plotter '"state":"discrete_motion"'
+"$jounce" stop x > out 2>&1 || fail "stop x: $(cat out)"
+got=0
+wait $jog || got=$?
+[ $got = 1 ] && grep -q 'the jog has ended: group_stopped' jogged || fail "the end of a jog: $got, $(cat jogged)"
 
 # An axis is lost in motion: each override is accepted, and moves nothing.
 order plotter move-linear x=0 y=0 --velocity 10 || fail "the line: $(cat out)"
@@ -57,8 +67,8 @@ order y disable || fail "y: $(cat out)"
 wait_for plotter '"state":"error_stop"'
 order y reset || fail "y: $(cat out)"
 order y enable || fail "y: $(cat out)"
-for factor in 0% 100% 50%; do says 'takes effect when the motion continues' plotter override $factor; done
-says 'takes effect when the motion continues' plotter set-override --velocity-factor 80%
+for factor in 0% 100% 50%; do answers 'takes effect when the motion continues' plotter override $factor; done
+answers 'takes effect when the motion continues' plotter set-override --velocity-factor 80%
 wait_for plotter '"state":"error_stop"'
 order plotter disable || fail "plotter: $(cat out)"
 
@@ -69,7 +79,7 @@ wait_for x '"state":"continuous_motion"'
 "$jounce" stop x > out 2>&1 || fail "stop x: $(cat out)"
 stopped $jog jogged
 order x move --to 20 --at 1000000000 || fail "a later move: $(cat out)"
-says 'does not wait for the command of tick 1000000000' x move --to 10
+answers 'does not wait for the command of tick 1000000000' x move --to 10
 "$jounce" stop x > out 2>&1 || fail "stop x: $(cat out)"
 end
 

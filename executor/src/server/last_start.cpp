@@ -10,7 +10,7 @@ namespace jounce {
 
 namespace {
 
-std::string valued(double number, const std::string& unit) {
+std::string with_unit(double number, const std::string& unit) {
   return six_digits(number) + (unit.empty() ? "" : " " + unit);
 }
 
@@ -18,7 +18,7 @@ std::string valued(double number, const std::string& unit) {
 std::string awaited(const StartRequested& start, const std::string& unit) {
   switch (start.when) {
     case StartAt::master_position:
-      return "until its master passes " + valued(start.position, unit);
+      return "until its master passes " + with_unit(start.position, unit);
     case StartAt::end_of_table:
       return "for the end of the present pass or table";
     case StartAt::tick:
@@ -31,11 +31,12 @@ std::string awaited(const StartRequested& start, const std::string& unit) {
 
 std::string place_of_master(const Tick& now, double position, const std::string& unit) {
   const auto [place, velocity] = now.live_master;
-  if (!std::isfinite(place) || !std::isfinite(position)) return "";
-  const std::string at = "its master is at " + valued(place, unit);
+  if (!std::isfinite(place)) return "its master sends no position";
+  const std::string at = "its master is at " + with_unit(place, unit);
   if (velocity == 0 || !std::isfinite(velocity)) return at + ", and rests";
   const bool away = (position - place) * velocity < 0;
-  return at + (away ? ", and moves away from " : ", and moves towards ") + valued(position, unit);
+  return at + (away ? ", and moves away from " : ", and moves towards ") +
+         with_unit(position, unit);
 }
 
 void LastStart::request(const StartRequested& start, std::uint64_t movement) {

@@ -43,8 +43,8 @@ class LastStart {
   Refusal why_{};
 };
 
-/// What a start at a position of the live master waits for: "its master is at 2134 mm, and moves away
-/// from 340 mm". "" if the position or the master is not known.
+/// The place of a live master before a start at a position: "its master is at 2134 mm, and moves away
+/// from 340 mm"; "its master sends no position".
 std::string place_of_master(const Tick& now, double position, const std::string& unit);
 
 }  // namespace jounce

@@ -212,13 +212,15 @@ void MotionServer::record(const MadeMovement& made) {
 
 void MotionServer::handle(const StartRequested& start) {
   if (reject_if_full(start.session, start.command)) return;
-  if (const auto armed = movements_.find(armed_); armed != movements_.end()) begins(armed->second);
+  const auto armed = movements_.find(armed_);
+  if (armed != movements_.end()) begins(armed->second);
   motion_session_ = start.session;
   start_.request(start, armed_);
-  const bool at_master = start.when == StartAt::master_position;
+  const bool at_live_master = start.when == StartAt::master_position && armed != movements_.end() &&
+                              armed->second.made.movement->course() == Course::live;
   commands_.send({command::Start{start.when, start.tick, start.position, start.session}},
                  {start.session, start.command, Kind::start,
-                  at_master ? place_of_master(last_, start.position, options_.units.x) : ""});
+                  at_live_master ? place_of_master(last_, start.position, options_.units.x) : ""});
 }
 
 void MotionServer::handle(const StopRequested& stop) {

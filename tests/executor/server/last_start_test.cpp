@@ -93,7 +93,7 @@ TEST(LastStart, TheMasterComesOrHasPassed) {
   EXPECT_EQ(place(2134, -600), "its master is at 2134 mm, and moves towards 340 mm");
   EXPECT_EQ(place(100, 600), "its master is at 100 mm, and moves towards 340 mm");
   EXPECT_EQ(place(100, 0), "its master is at 100 mm, and rests");
-  EXPECT_EQ(place_of_master({}, 340, "mm"), "") << "no live master";
+  EXPECT_EQ(place_of_master({}, 340, "mm"), "its master sends no position");
 }
 
 }  // namespace
