@@ -28,6 +28,27 @@ answers() {
   order "$@" || fail "$*: $(cat out)"
   grep -q -- "$words" out || fail "$*: not '$words': $(cat out)"
 }
+# jogs_until WORDS NAME OPTIONS...: a hold-to-run jog of NAME ends with status 1 and these words when another operator
+# stops x. On a busy machine, its heartbeats may come too late, or the stop before the jog: then it is repeated.
+jogs_until() {
+  words=$1
+  shift
+  for _ in $(seq 20); do
+    wait_for "$1" '"state":"standstill".*"queue_rows":0'
+    name=$1
+    (shift && exec "$jounce" order "$name" jog "$@" --hold-to-run --seconds 4) > jogged 2>&1 &
+    jog=$!
+    sleep 0.6
+    "$jounce" stop x > out 2>&1 || fail "stop x: $(cat out)"
+    got=0
+    wait $jog || got=$?
+    [ $got != 0 ] || continue
+    ! grep -q 'no heartbeat' jogged || continue
+    [ $got = 1 ] && grep -q "$words" jogged || fail "the end of a jog of $name: $got, $(cat jogged)"
+    return
+  done
+  fail "no jog of $1 was stopped: $(cat jogged)"
+}
 # stopped PID FILE: the command in the background ended with status 1, and names the other operator.
 stopped() {
   got=0
@@ -52,14 +73,7 @@ answers 'the limits lower the velocity from 50000 mm/s to ' plotter move-linear 
 refused 1 'the time of the wait -1 s must be from 0 s to 1e6 s' plotter wait -1
 
 # An axis of the group is stopped: the group stops with it, and the jog reports it.
-wait_for plotter '"state":"standstill".*"queue_rows":0'
-"$jounce" order plotter jog 2 --along 0,1 --hold-to-run --seconds 60 > jogged 2>&1 &
-jog=$!
-wait_for plotter '"state":"discrete_motion"'
-"$jounce" stop x > out 2>&1 || fail "stop x: $(cat out)"
-got=0
-wait $jog || got=$?
-[ $got = 1 ] && grep -q 'the jog has ended: group_stopped' jogged || fail "the end of a jog: $got, $(cat jogged)"
+jogs_until 'the jog has ended: group_stopped' plotter 2 --along 0,1
 
 # An axis is lost in motion: each override is accepted, and moves nothing.
 order plotter move-linear x=0 y=0 --velocity 10 || fail "the line: $(cat out)"
@@ -73,11 +87,7 @@ wait_for plotter '"state":"error_stop"'
 order plotter disable || fail "plotter: $(cat out)"
 
 # ---- the motion of one operator, stopped by the other one
-"$jounce" order x jog 2 --hold-to-run --seconds 60 > jogged 2>&1 &
-jog=$!
-wait_for x '"state":"continuous_motion"'
-"$jounce" stop x > out 2>&1 || fail "stop x: $(cat out)"
-stopped $jog jogged
+jogs_until 'another operator stopped the axis' x 2
 order x move --to 20 --at 1000000000 || fail "a later move: $(cat out)"
 answers 'does not wait for the command of tick 1000000000' x move --to 10
 "$jounce" stop x > out 2>&1 || fail "stop x: $(cat out)"
@@ -85,7 +95,7 @@ end
 
 # ---- a robot with joints of two units
 run scara/machine.toml robot
-refused 1 'a1.position -\?[0-9.e-]* deg.*position_min of the axis, 5 deg' robot move-linear x=549.9 y=0 z=0
+refused 1 'a1.position -\?[0-9.e-]* deg.*position_min of the axis, 5 deg' robot move-linear x=530 y=146 z=0
 end
 
 # ---- a knife with two blades
