@@ -361,8 +361,8 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
   far.radius = 2;
   EXPECT_THAT(reason(far), HasSubstr("radius"));
   EXPECT_THAT(reason(command::GearIn{.numerator = 1, .denominator = 2}), HasSubstr("single_axis"));
-  EXPECT_THAT(reason(command::GroupWait{-1}), HasSubstr("duration -1 must be"));
-  EXPECT_THAT(reason(command::GroupWait{1e9}), HasSubstr("must be from 0 to 1e6 s"));
+  EXPECT_THAT(reason(command::GroupWait{-1}), HasSubstr("the time of the wait -1 s must be"));
+  EXPECT_THAT(reason(command::GroupWait{1e9}), HasSubstr("must be from 0 s to 1e6 s"));
   command::MoveCircularRelative turns{.to = at(0, 10)};
   turns.radius = 5;
   turns.turns = command::most_extra_turns + 1;
