@@ -85,7 +85,7 @@ int report(const OrderArguments& options, const CallOutcome& outcome, const wire
   if (options.json)
     print_json(command_json(outcome));
   else if (outcome.ok())
-    fmt::print("{}: {}\n", axis, accepted_text(options.words, before, axis));
+    fmt::print("{}: {}\n", axis, accepted_text(options.words, before, axis, outcome.reason));
   else
     fmt::print(stderr, "jounce: {}: {}\n", axis,
                reason_text(outcome, axis, kind_of(options.words), before.last_error));

@@ -14,7 +14,7 @@ namespace jounce::cli {
 int status_of(const CallOutcome& outcome, std::initializer_list<StreamError> findings) {
   if (outcome.ok()) return fine;
   const bool found = std::find(findings.begin(), findings.end(), outcome.error) != findings.end();
-  return found ? finding : fault;
+  return found || outcome.error == StreamError::stopped ? finding : fault;
 }
 
 int report_outcome(const CallOutcome& outcome, const std::string& executor, const std::string& json,

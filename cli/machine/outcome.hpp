@@ -9,7 +9,7 @@
 
 namespace jounce::cli {
 
-/// The exit status of an outcome: `findings` are the errors with status 1.
+/// The exit status of an outcome: `findings` and `stopped` are the errors with status 1.
 int status_of(const CallOutcome& outcome, std::initializer_list<StreamError> findings);
 
 /// Prints an outcome and returns its exit status: the JSON document, if it is not empty; otherwise

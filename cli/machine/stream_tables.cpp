@@ -31,6 +31,7 @@ PlayOptions play_options(const StreamArguments& options) {
                      "cannot be combined with --live: the axis has its own master");
   PlayOptions play{.live = options.live,
                    .at_next_cut = options.at_next_cut,
+                   .at_master = !options.start_at.empty(),
                    .keep_velocity = options.keep_velocity};
   if (!options.master.empty()) play.master = read_table(options.master);
   return play;
@@ -116,8 +117,7 @@ int report(const std::vector<std::string>& names, const std::vector<StreamOutcom
   int status = fine;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const StreamOutcome& outcome = outcomes[i];
-    status = std::max(status, status_of(outcome, {StreamError::refused, StreamError::dropped,
-                                                  StreamError::stopped}));
+    status = std::max(status, status_of(outcome, {StreamError::refused, StreamError::dropped}));
     if (options.json) continue;
     if (outcome.ok())
       fmt::print("{}: {}\n", names[i], group_text(outcome, !options.no_wait));
@@ -177,8 +177,8 @@ int stream_table(const StreamArguments& options) {
         p.chunks == 0 ? 0 : static_cast<double>(p.arrived) / static_cast<double>(p.chunks),
         name(p.stage));
     if (p.stage != StreamStage::waiting || options.json || awaited.empty()) return;
-    fmt::print(stderr, "jounce: {} waits {}; Ctrl-C cancels the start\n", options.to,
-               std::exchange(awaited, ""));
+    fmt::print(stderr, "jounce: {} waits {}{}{}; Ctrl-C cancels the start\n", options.to,
+               std::exchange(awaited, ""), p.note.empty() ? "" : ": ", p.note);
   };
   StreamOutcome outcome = stream_tables(link.transport(), std::move(plan), stream);
   if (path) outcome.reason = with_file(outcome.reason, options.file);

@@ -41,9 +41,9 @@ using edit_detail::Job;
 using edit_detail::Json;
 using edit_detail::JsonReader;
 using edit_detail::or_null;
-using edit_detail::text_of;
 using edit_detail::StreamOffer;
 using edit_detail::StreamRequest;
+using edit_detail::text_of;
 using web::Answer;
 using web::Request;
 
@@ -533,6 +533,7 @@ struct Editor::Impl {
                          .link = {},
                          .play = {.live = body.flag("live"),
                                   .at_next_cut = body.flag("at_next_cut"),
+                                  .at_master = body.has("start_at"),
                                   .keep_velocity = body.flag("keep_velocity")},
                          .start_at = body.optional_number("start_at"),
                          .relative = body.flag("relative")};

@@ -128,7 +128,7 @@ python3 "$here/judge_limits.py" plotter.plotter.csv plotter.x.csv plotter.y.csv 
 run scara robot
 order robot jog --along x=1 --velocity 200 || fail "jog: $(cat out)"
 wait_for robot '"state":"standstill".*"reason":"range_end"'
-grep -q 'the jog ends at x = 489.3[0-9]*, y = 250, z = 0: there, a1 reaches the end of its position range, 5' said ||
+grep -q 'the jog ends at x = 489.3[0-9]* mm, y = 250 mm, z = 0 mm: there, a1 reaches the end of its position range, 5 deg' said ||
   fail "no notice of the end: $(cat said)"
 refused 1 'leads outward' robot jog --along x=1
 order robot jog --along y=-1 --velocity 200 || fail "jog: $(cat out)"

@@ -43,6 +43,22 @@ TEST(StreamPlan, ACamBringsItsMasterOrFollowsALiveOne) {
   EXPECT_EQ(stream_plan("feeder", cam, {.live = true}).end, CamEnd::brake);
 }
 
+// Two blades: the cam advances by half a turn in each cut, and all cuts are equal.
+TEST(StreamPlan, ACamOfARotatingKnifeMayBeginAtAnyCut) {
+  const auto made = [](Extrapolation outside, const char* unit, const PlayOptions& options) {
+    Columns columns{.x = {0, 170}, .p = {0, 180}, .v = {}, .a = {}};
+    const Table table(Domain::master, Interpolation::linear, outside, std::move(columns));
+    return stream_plan("knife", input_of({table, {"mm", unit}, {}}, "knife.csv"), options)
+        .coupling.slave_period;
+  };
+  const PlayOptions at_master{.live = true, .at_master = true};
+  EXPECT_EQ(made(Extrapolation::advance, "deg", at_master), 180);
+  EXPECT_EQ(made(Extrapolation::advance, "deg", {.live = true}), std::nullopt);
+  EXPECT_EQ(made(Extrapolation::advance, "mm", at_master), std::nullopt)
+      << "a position on a line is absolute";
+  EXPECT_EQ(made(Extrapolation::hold, "deg", at_master), std::nullopt);
+}
+
 TEST(RowPlan, StatesItsRangeFromTheFirstKnot) {
   const RowPlan plan = row_plan("feeder", bank_of(three_points()), 64, false);
   EXPECT_EQ(plan.queue.origin, 5);

@@ -69,7 +69,19 @@ TEST(Session, TheLastOwnerMayStopUntilThereIsAnother) {
   EXPECT_TRUE(session.bars(from(1, wire::Start{}), next_challenge)) << "a stop only";
   EXPECT_TRUE(session.bars(from(1, wire::Stop{}, 7), next_challenge)) << "with its challenge only";
   session.open(2, next_challenge);
-  EXPECT_EQ(session.bars(from(1, wire::Stop{}), next_challenge).refusal, Refusal::busy);
+  EXPECT_EQ(session.bars(from(1, wire::Stop{}), next_challenge).refusal, Refusal::session_ended);
+}
+
+// The program of a session must learn of its end even if another program owns the axis by then.
+TEST(Session, AnEndedOneIsAnsweredWithTheReasonOfItsEnd) {
+  Session session = opened();
+  session.end("another operator stopped the axis");
+  for (const bool owned : {false, true}) {
+    if (owned) session.open(2, next_challenge);
+    const Refused no = session.bars(from(1, wire::Heartbeat{.command = 3}), next_challenge);
+    EXPECT_EQ(no.refusal, Refusal::session_ended);
+    EXPECT_EQ(no.reason, "another operator stopped the axis");
+  }
 }
 
 TEST(Session, IsSilentAfterItsTimeout) {

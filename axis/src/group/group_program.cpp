@@ -224,7 +224,8 @@ const ProgramPart& part_at(const GroupProgram& program, double length) {
 }
 
 GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const AxisConfig> axes,
-                           std::span<const std::string> names, const std::string& unit) {
+                           std::span<const std::string> names, std::span<const std::string> units) {
+  const std::string unknown;
   const bool joints = plan->given().fit.has_value();
   if (joints ? plan->path().axes() <= axes.size() : plan->path().axes() != axes.size())
     throw InputError(
@@ -237,7 +238,7 @@ GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const Axi
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const AxisConfig config = resolved(axes[k]);
     const Ranges& ranges = motion.axes[k].ranges();
-    const PlannedAxis axis{names[k], unit, *program.plan, config};
+    const PlannedAxis axis{names[k], k < units.size() ? units[k] : unknown, *program.plan, config};
     require_smooth(axis, motion.axes[k].steps());
     require_inside(axis, ranges[0]);
     require_within(axis, 1, ranges[1].peak(), config.limits.velocity);

@@ -156,7 +156,7 @@ void PathCommands::add_line(const command::Coordinates& to, bool relative,
     throw InputError("the move", "",
                      "has no length: the path already ends at " + listed_point(end, axes_) +
                          ": give another position");
-  all_.push_back({within_limits(settings), Line{}, machine(end)});
+  all_.push_back({within_limits(settings), Line{}, machine(end), settings.velocity});
 }
 
 template <bool relative>
@@ -194,13 +194,14 @@ void PathCommands::append(const command::MoveCircular<relative>& arc) {
       : around ? arc_about(from, moved(from, arc.center, relative), to, plane, rotation, arc.turns)
                : arc_of_radius(from, arc.radius, to, plane, rotation, arc.turns);
   const Arc made = framed() ? placed(frame_, arc_of_part) : arc_of_part;
-  all_.push_back({within_limits(settings), made, made.to});
+  all_.push_back({within_limits(settings), made, made.to, settings.velocity});
 }
 
 void PathCommands::append(const command::GroupWait& wait) {
   constexpr double longest_wait = 1e6;  // s
   if (!(wait.duration >= 0 && wait.duration <= longest_wait))
-    throw InputError("duration", wait.duration, "must be from 0 to 1e6 s");
+    throw InputError("the time of the wait", six_digits(wait.duration) + " s",
+                     "must be from 0 s to 1e6 s");
   all_.push_back({{}, Wait{wait.duration}, position()});
 }
 
@@ -277,7 +278,8 @@ JogLine line_in_reach(const JogLine& line, const Point& from, const Point& direc
 void PathCommands::append(const command::GroupJog& jog, const GroupSpace& space) {
   Point direction = direction_of(jog, axes_);
   if (framed()) direction = placed({{}, frame_.rotation}, direction);
-  const PathSettings settings = within_limits(settings_of({.along = jog.dynamics}));
+  const PathSettings commanded = settings_of({.along = jog.dynamics});
+  const PathSettings settings = within_limits(commanded);
   JogLine line = line_in_range(position(), direction, std::span(space.limits).first(axes_));
   const double velocity = velocity_along(direction, settings.velocity, space);
   if (space.map) line.length = std::min(line.length, velocity * longest_jog);
@@ -288,13 +290,7 @@ void PathCommands::append(const command::GroupJog& jog, const GroupSpace& space)
   if (space.map && line.length > 0)
     line = line_in_reach(line, position(), direction, velocity, space);
   constexpr double shortest_jog = 1e-8;  // u: the margin of a joint at the end of its range
-  if (!(line.length > (space.map ? shortest_jog : 0)))
-    throw InputError("the jog", "",
-                     line.end.cause == Cause::range_end
-                         ? "leads outward: an axis stands at the end of its range, " +
-                               six_digits(line.end.limit) + ": jog in another direction"
-                         : "leads outward: the group stands at the end of its reach: jog in "
-                           "another direction");
+  if (!(line.length > (space.map ? shortest_jog : 0))) throw JogLeadsOutward(line.end);
   Point to = position();
   for (std::size_t i = 0; i < axes_; ++i)
     if (direction[i] != 0)
@@ -303,7 +299,7 @@ void PathCommands::append(const command::GroupJog& jog, const GroupSpace& space)
                          space.limits[i].position_max.value_or(PathSettings::none));
   line.end.place = to;
   jog_end_ = line.end;
-  all_.push_back({settings, Line{}, to});
+  all_.push_back({settings, Line{}, to, commanded.velocity});
 }
 
 void PathCommands::append(const ClientCommand& command, const GroupSpace& space) {
@@ -318,6 +314,25 @@ void PathCommands::append(const ClientCommand& command, const GroupSpace& space)
           throw InputError("command", "", "is not a motion of a group");
       },
       command);
+}
+
+std::optional<LoweredVelocity> PathCommands::lowered_velocity(const GroupSpace& space) const {
+  if (all_.empty() || std::holds_alternative<Wait>(all_.back().what)) return std::nullopt;
+  const One& last = all_.back();
+  if (!std::isfinite(last.commanded)) return std::nullopt;
+  const bool is_line = std::holds_alternative<Line>(last.what);
+  const Point& from = all_.size() > 1 ? all_[all_.size() - 2].to : start_;
+  const std::size_t measured = path_axes_ == 0 ? axes_ : path_axes_;
+  double length = 0;
+  for (std::size_t i = 0; i < measured; ++i) length = std::hypot(length, last.to[i] - from[i]);
+  double most = std::min(space.path.velocity, limits_.velocity);
+  if (is_line && length > 0) {
+    Point direction{};
+    for (std::size_t i = 0; i < axes_; ++i) direction[i] = (last.to[i] - from[i]) / length;
+    most = std::min(most, velocity_along(direction, most, space));
+  }
+  if (!(last.commanded > most * (1 + profiles_detail::rounded_input))) return std::nullopt;
+  return LoweredVelocity{last.commanded, most, is_line && !space.map};
 }
 
 bool PathCommands::moves() const {

@@ -82,6 +82,10 @@ void MotionAxis::Impl::report() {
   now_.ratio = base_ == Base::live ? live_->ratio() : 0;
   now_.compensated = compensation_ && compensation_->active();
   now_.waiting = armed_.waiting() || !next_.empty() || later_ || change_;
+  now_.later = later_ ? later_->at : -1;
+  const bool at_master = armed_.waiting() && armed_.when() == StartAt::master_position;
+  now_.start_position = at_master ? armed_.position() : std::numeric_limits<double>::quiet_NaN();
+  now_.live_master = {inputs_.master[0], inputs_.master[1]};
   now_.progress = played ? played->progress() : moving() ? Progress::running : Progress::done;
   if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;

@@ -174,7 +174,8 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Override& what)
   // The superimposed move was planned within the limits that the factor left.
   const double most = std::max(1.0, factor_);
   if (above_.running() && factor > most) return Refusal{Cause::in_motion, factor, most};
-  if (on_path() && factor > 0 && !held_)
+  // In a fault, after a stop and while held, the factor sets nothing in motion.
+  if (on_path() && factor > 0 && !held_ && ending_ == Ending::none)
     if (auto no = against_axes()) return no;
   const double before = std::exchange(factor_, factor + 0.0);  // no -0
   if (!moving() || ending_ != Ending::none || base_ == Base::live) return std::nullopt;

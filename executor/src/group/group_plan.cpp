@@ -126,7 +126,7 @@ std::shared_ptr<const GroupProgram> planned_program(const Program& program,
            options));
   if (canceled != nullptr && *canceled) throw PlanCanceled();
   return std::make_shared<const GroupProgram>(
-      group_program(std::move(path), group.configs, group.names, group.unit));
+      group_program(std::move(path), group.configs, group.names, group.units));
 } catch (const InputError& error) {
   if (!group.kinematics) throw;
   throw in_unit_of_tool(error, group.kinematics->unit);
@@ -138,7 +138,7 @@ std::shared_ptr<const GroupProgram> fast_program(const Point& from, const Point&
   for (const AxisConfig& axis : group.configs) limits.push_back(axis.limits);
   auto made = std::make_shared<const Plan>(direct_plan(from, axes_at(to, group), limits));
   return std::make_shared<const GroupProgram>(
-      group_program(std::move(made), group.configs, group.names, group.unit));
+      group_program(std::move(made), group.configs, group.names, group.units));
 }
 
 GroupSpace space_of(const ExecutorGroup& group) {

@@ -400,16 +400,31 @@ double GroupQueue::highest_rate() const {
              : 2;
 }
 
+namespace {
+
+std::string valued(double number, const std::string& unit) {
+  return six_digits(number) + (unit.empty() ? "" : " " + unit);
+}
+
+/// "12.5 mm": the end of the position range of an axis.
+std::string end_of_range(const JogEnd& end, const ExecutorGroup& group) {
+  const std::vector<std::string> units = end.of_joint ? group.units : group.coordinate_units();
+  return valued(end.limit, end.index < units.size() ? units[end.index] : group.unit);
+}
+
+}  // namespace
+
 /// The notice of a jog: where it ends, and why.
 std::string GroupQueue::text_of(const JogEnd& end) const {
   std::string text = "the jog ends at";
   const std::vector<std::string>& names = group_->coordinates();
+  const std::vector<std::string> units = group_->coordinate_units();
   for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? " " : ", ") + names[i] + " = " + six_digits(end.place[i]);
+    text += (i == 0 ? " " : ", ") + names[i] + " = " + valued(end.place[i], units[i]);
   const std::string& axis = end.of_joint ? group_->names[end.index] : names[end.index];
   if (end.cause == Cause::range_end)
     return text + ": there, " + axis + " reaches the end of its position range, " +
-           six_digits(end.limit);
+           end_of_range(end, *group_);
   if (end.cause == Cause::reach_end) return text + ": there, the reach of the joints ends";
   if (end.cause == Cause::singular_end)
     return text + ", before a singular position: there, " + axis +
@@ -430,6 +445,28 @@ Cause GroupQueue::rests_because(const Tick& group) const {
 PathCommands GroupQueue::commands_from(const Point& place) const {
   const std::size_t axes = group_->coordinates().size();
   return {axes, place, 1, group_->kinematics ? group_->kinematics->path_axes : axes};
+}
+
+/// Appends the first waiting command. The answer to it names a velocity that the limits lower.
+void GroupQueue::append(PathCommands& commands, const ExecutorGroup& group) {
+  const auto& [command, request] = waiting_.front();
+  const GroupSpace space = space_of(group);
+  try {
+    commands.append(command, space);
+  } catch (const JogLeadsOutward& error) {
+    const JogEnd& end = error.end;
+    if (end.cause != Cause::range_end) throw;
+    const std::vector<std::string>& names = end.of_joint ? group.names : group.coordinates();
+    throw InputError("the jog", "",
+                     "leads outward: " + names[end.index] + " stands at the end of its range, " +
+                         end_of_range(end, group) + ": jog in another direction");
+  }
+  const auto lowered = is_fast(command) ? std::nullopt : commands.lowered_velocity(space);
+  if (!lowered) return;
+  const std::string unit = (unit_of(group).empty() ? "u" : unit_of(group)) + "/s";
+  waiting_.front().request.note =
+      "the limits lower the velocity from " + six_digits(lowered->commanded) + " " + unit +
+      (lowered->everywhere ? " to " : " to at most ") + six_digits(lowered->permitted) + " " + unit;
 }
 
 /// A stage without commands, after all others.
@@ -453,7 +490,7 @@ std::optional<GroupQueue::Step> GroupQueue::fresh(const Tick& group) {
   const bool fast = is_fast(command);
   if (!fast)
     for (const command::GroupWait& wait : idle_) commands.append(wait);
-  commands.append(command, space_of(*limited_));
+  append(commands, *limited_);
   if (commands.moves()) {
     plan(Way::rest,
          {.commands = std::move(commands), .fast = fast ? std::optional(places_()) : std::nullopt},
@@ -489,7 +526,7 @@ std::optional<GroupQueue::Step> GroupQueue::follow(const Tick& group) {
   PathCommands commands = adds ? commands_from(end_of(group)) : stages_.back().commands;
   commands.set_frame(frame_);
   commands.set_limits(path_limits_, axis_limits_);
-  commands.append(waiting_.front().command, space_of(*limited_));
+  append(commands, *limited_);
   if (!commands.moves() && next_way_ == Way::rest) return std::nullopt;  // until the group rests
   if (!commands.moves())
     return finish(Cause::in_motion, "a wait needs a motion before it: send it after the next line");
@@ -518,7 +555,7 @@ std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
                                                      : all;
   commands.set_frame(frame_);
   commands.set_limits(path_limits_, axis_limits_);
-  commands.append(waiting_.front().command, space_of(*playing_->group));
+  append(commands, *playing_->group);
   if (next_way_ == Way::stopping) commands = commands.stopping();
   plan(next_way_,
        {.commands = std::move(commands),

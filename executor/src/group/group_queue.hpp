@@ -310,6 +310,7 @@ class GroupQueue {
   [[nodiscard]] std::optional<Step> follow(const Tick& group);
   [[nodiscard]] Point end_of(const Tick& group) const;
   [[nodiscard]] PathCommands commands_from(const Point& place) const;
+  void append(PathCommands& commands, const ExecutorGroup& group);
   [[nodiscard]] std::string text_of(const JogEnd& end) const;
   [[nodiscard]] std::future<Planned> begun(std::size_t commands, std::function<Planned()> work);
   void plan(Way way, Task task, std::shared_ptr<const ExecutorGroup> group);

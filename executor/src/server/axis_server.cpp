@@ -113,6 +113,8 @@ void AxisServer::obey(const command::StartTable& /*it*/, const CommandRequested&
 wire::Status AxisServer::status() const {
   wire::Status status = MotionServer::status();
   status.gear = gear();
+  const bool has_master = options_.follow.what != Follow::What::nothing;
+  if (has_master && last_.job == 0) status.master_position = last_.live_master[0];
   return status;
 }
 

@@ -7,6 +7,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "jounce/executor/cycle.hpp"
@@ -22,6 +23,7 @@ class CommandQueue {
     std::int64_t session = 0;              ///< session of the client
     std::int32_t command = 0;              ///< number of the request in its session
     CommandKind kind = CommandKind::none;  ///< kind of the command
+    std::string note = {};                 ///< remark for the operator if the axis accepts it
   };
   /// An answer of the axis, with the request that waits for it; nullopt: no request waits.
   struct Reply : Answer {

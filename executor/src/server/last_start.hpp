@@ -7,6 +7,7 @@
 
 #include "jounce/axis/tick.hpp"
 #include "jounce/stream/message/message.hpp"
+#include "jounce/stream/receiver/receiver.hpp"
 
 namespace jounce {
 
@@ -14,14 +15,14 @@ namespace jounce {
 /// determine the outcome.
 ///
 ///     LastStart start;
-///     start.request(session, command, movement);
+///     start.request(request, movement);
 ///     start.answer(session, command, refused);      // waiting, or none
 ///     start.follow(before, tick);                   // every tick: begun, or dropped
-///     start.report(status, session, "mm");
+///     start.report(status, session, units, tick);
 class LastStart {
  public:
   /// Records a requested start. `movement`: id of the armed movement.
-  void request(std::int64_t session, std::int32_t command, std::uint64_t movement);
+  void request(const StartRequested& start, std::uint64_t movement);
   /// Records the answer of the axis to a start. Has no effect if this start is not the last one.
   void answer(std::int64_t session, std::int32_t command, const std::optional<Refusal>& refused);
   /// Updates the outcome after a tick: an accepted start has begun, or its armed movement was
@@ -30,16 +31,20 @@ class LastStart {
 
   /// Outcome of the start.
   [[nodiscard]] wire::StartOutcome outcome() const { return outcome_; }
-  /// Sets the fields of the start in a status message for this session. `unit`: unit of the
-  /// positions.
-  void report(wire::Status& status, std::int64_t session, const std::string& unit) const;
+  /// Sets the fields of the start in a status message for this session. Any session receives what a
+  /// start waits for. `now`: the newest tick.
+  void report(wire::Status& status, std::int64_t session, const Units& units,
+              const Tick& now) const;
 
  private:
-  std::int64_t session_ = 0;
-  std::int32_t command_ = 0;
+  StartRequested requested_{};
   std::uint64_t movement_ = 0;
   wire::StartOutcome outcome_ = wire::StartOutcome::none;
   Refusal why_{};
 };
+
+/// The place of a live master before a start at a position: "its master is at 2134 mm, and moves away
+/// from 340 mm"; "its master sends no position".
+std::string place_of_master(const Tick& now, double position, const std::string& unit);
 
 }  // namespace jounce

@@ -20,6 +20,18 @@ namespace {
 
 using Kind = CommandKind;
 
+/// A remark on an accepted command, if its effect is not the usual one; "" otherwise.
+std::string note_of(const CommandRequested& requested, const Tick& now, bool is_group) {
+  const Kind kind = kind_of(requested.what);
+  if (kind == Kind::override_ || kind == Kind::group_set_override)
+    return now.state == State::error_stop && now.job != 0
+               ? "it takes effect when the motion continues, after reset and resume"
+               : "";
+  if (is_group || requested.at >= 0 || now.later <= now.tick || !info(kind).moves) return "";
+  return "it does not wait for the command of tick " + std::to_string(now.later) +
+         ", which takes effect in its tick and may replace this motion";
+}
+
 bool differ(const std::string& axis, const std::string& table) {
   return !axis.empty() && axis != table;
 }
@@ -200,11 +212,15 @@ void MotionServer::record(const MadeMovement& made) {
 
 void MotionServer::handle(const StartRequested& start) {
   if (reject_if_full(start.session, start.command)) return;
-  if (const auto armed = movements_.find(armed_); armed != movements_.end()) begins(armed->second);
+  const auto armed = movements_.find(armed_);
+  if (armed != movements_.end()) begins(armed->second);
   motion_session_ = start.session;
-  start_.request(start.session, start.command, armed_);
+  start_.request(start, armed_);
+  const bool at_live_master = start.when == StartAt::master_position && armed != movements_.end() &&
+                              armed->second.made.movement->course() == Course::live;
   commands_.send({command::Start{start.when, start.tick, start.position, start.session}},
-                 {start.session, start.command, Kind::start});
+                 {start.session, start.command, Kind::start,
+                  at_live_master ? place_of_master(last_, start.position, options_.units.x) : ""});
 }
 
 void MotionServer::handle(const StopRequested& stop) {
@@ -245,7 +261,8 @@ void MotionServer::handle(const CommandRequested& requested) {
   if (kind == Kind::disable) clear_commands();  // ends more than a stop
   if (kind == Kind::halt) halts();
   if (reject_if_full(requested.session, requested.command)) return;
-  const Request request{requested.session, requested.command, kind};
+  const Request request{requested.session, requested.command, kind,
+                        note_of(requested, last_, options_.group.has_value())};
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
   obey(requested, request);
 }
@@ -375,7 +392,7 @@ void MotionServer::answer(const Request& request, const std::optional<Refusal>& 
   if (request.kind == Kind::start) start_.answer(request.session, request.command, refused);
   // A stop that an axis in a fault rejects still counts as accepted: the axis does not move.
   if (!refused || request.kind == Kind::stop)
-    return receiver_.accept(request.session, request.command);
+    return receiver_.accept(request.session, request.command, request.note);
   const std::string reason = refusal_text(*refused, last_, options_, request.kind);
   receiver_.refuse(request.session, request.command, reason,
                    static_cast<std::int32_t>(refused->cause));
@@ -447,7 +464,7 @@ wire::Status MotionServer::status() const {
   if (last_.job != 0 || last_.progress != Progress::done)
     status.progress = jounce::on_wire(last_.progress);
   if (last_.armed != 0) status.next = last_.waiting ? wire::Next::waiting : wire::Next::armed;
-  start_.report(status, receiver_.session(), options_.units.position);
+  start_.report(status, receiver_.session(), options_.units, last_);
   const auto kept = movements_.find(last_.job != 0 ? last_.job : last_.armed);
   if (kept != movements_.end()) {
     std::copy_n(kept->second.hash.begin(), status.table.size(), status.table.begin());

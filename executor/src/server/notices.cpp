@@ -179,6 +179,25 @@ std::string start_position_text(const Refusal& refusal, const Tick& now,
          order + " move --to " + place + "`.";
 }
 
+/// The unit of the numbers of a refusal: that of the axis of the group that it names.
+std::string unit_of_axis(const Refusal& refusal, const ExecutorOptions& options) {
+  if (!options.group || !options.group->kinematics) return options.units.position;
+  const std::vector<std::string>& units = options.group->units;
+  const bool names_axis = refusal.cause == Cause::axis_away && refusal.where >= 1 &&
+                          refusal.where <= static_cast<double>(units.size());
+  return names_axis ? units[static_cast<std::size_t>(refusal.where) - 1] : options.group->unit;
+}
+
+/// A cutter away from its home position, with the order that moves it there.
+std::string home_position_text(const Refusal& refusal, const ExecutorOptions& options) {
+  const std::string home = in_units(refusal.value, options);
+  std::string place = home;
+  std::erase(place, ' ');
+  return "the cutter does not stand at its home position: home is at " + home + ", the axis at " +
+         in_units(refusal.limit, options) + ": send `jounce order " + options.receiver.executor +
+         " move --to " + place + "`";
+}
+
 }  // namespace
 
 std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options,
@@ -192,16 +211,17 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
   if (const std::string endless = endless_text(refusal.cause, now, options, order);
       !endless.empty())
     return endless;
+  if (refusal.cause == Cause::cutter_away && std::isfinite(refusal.value))
+    return home_position_text(refusal, options);
   if (refusal.cause == Cause::start_position) return start_position_text(refusal, now, options);
-  const bool of_joints = options.group && options.group->kinematics;
-  std::string words = text(refusal, of_joints ? options.group->unit : options.units.position,
-                           options.units.x, group_names(options));
+  const std::string unit = unit_of_axis(refusal, options);
+  std::string words = text(refusal, unit, options.units.x, group_names(options));
   constexpr std::string_view either = "The axis or group ";
   if (const std::size_t at = words.find(either); at != std::string::npos)
     words.replace(at, either.size(), options.group ? "The group " : "The axis ");
   if (refusal.cause == Cause::axis_away && options.group)
     words += " The tolerance is " + six_digits(options.group->of.tolerance) +
-             (options.group->unit.empty() ? "" : " " + options.group->unit) + ".";
+             (unit.empty() ? "" : " " + unit) + ".";
   const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;
   if (!fault || now.fault == Cause::none) return words;
   const std::string who = options.group ? ": the group " : ": the axis ";

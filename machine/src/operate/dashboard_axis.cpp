@@ -83,7 +83,10 @@ std::string words_of(std::int32_t cause) {
 void add_motion(std::vector<Row>& rows, const wire::Status& s, const View& view) {
   const std::string u = unit_of(s, view.ascii);
   std::string doing = s.held ? "held" : name(s.progress);
-  if (s.next != wire::Next::nothing) doing += fmt::format(", next: {}", name(s.next));
+  if (const std::string waits = waits_text(s); !waits.empty())
+    doing += ", " + waits;
+  else if (s.next != wire::Next::nothing)
+    doing += fmt::format(", next: {}", name(s.next));
   rows.push_back(
       line("state", {{padded(name(s.state), 21), tone_of(s.state)}, {"motion " + doing}}));
   std::string position = padded(valued(s.slave_position, u), 21);

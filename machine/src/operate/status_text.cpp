@@ -44,7 +44,7 @@ std::string end_of_motion(const wire::Status& s) {
 std::string status_text(const std::string& axis, const wire::Status& s) {
   return fmt::format(
       "{:<12} {:<9} tick {:<10} {:<19} position {:<14} velocity {:<16} late cycles "
-      "{}{}{}{}{}{}{}{}{}",
+      "{}{}{}{}{}{}{}{}{}{}",
       axis, name(s.state), s.tick,
       std::isnan(s.master_position) ? "no master"
                                     : "master " + number_text(s.master_position, s.units.x),
@@ -56,7 +56,7 @@ std::string status_text(const std::string& axis, const wire::Status& s) {
                                : "  compensated " + number_text(s.correction, s.units.position),
       s.gear == wire::GearState::none ? "" : "  " + gear_text(s),
       s.last_error == 0 ? "" : fmt::format("  {}", name(static_cast<Cause>(s.last_error))),
-      end_of_motion(s),
+      waits_text(s).empty() ? "" : "  " + waits_text(s), end_of_motion(s),
       s.unwritten == 0 ? "" : fmt::format("  not written: {}", unwritten_files(s.unwritten)));
 }
 
@@ -73,6 +73,7 @@ std::string status_json(const std::string& axis, const wire::Status& s) {
                   {"following_error", s.following_error},
                   {"override", s.override_},
                   {"progress", name(s.progress)},
+                  {"waits", s.start == wire::StartOutcome::waiting ? s.start_reason : ""},
                   {"held", s.held},
                   {"homed", s.homed},
                   {"gear", name(s.gear)},
@@ -192,6 +193,12 @@ std::string status_json(const std::string& axis, const wire::Event& event) {
                   {"offset_s", event.offset_s},
                   {"position", event.position}};
   return line.dump();
+}
+
+std::string waits_text(const wire::Status& s) {
+  return s.start == wire::StartOutcome::waiting && !s.start_reason.empty()
+             ? "start waits " + s.start_reason
+             : "";
 }
 
 std::string gear_text(const wire::Status& s) {

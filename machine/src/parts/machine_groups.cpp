@@ -88,7 +88,7 @@ std::shared_ptr<const SentProgram> sent_of(const Input& motion, const ExecutorGr
         "m_words of the [[group]]");
   if (waits || group.kinematics) return sent_program(std::move(program), group);
   return sent_program(std::move(program),
-                      group_program(motion.plan, group.configs, group.names, group.unit));
+                      group_program(motion.plan, group.configs, group.names, group.units));
 }
 
 std::shared_ptr<const SentProgram> program_of(const MachineSpec::Group& spec,
@@ -155,6 +155,7 @@ ExecutorGroup group_of(const MachineSpec::Group& spec, const MachineParts& parts
   }
   if (std::all_of(units.begin(), units.end(), [&](const auto& u) { return u == units.front(); }))
     group.unit = units.front();
+  group.units = units;
   if (!spec.kinematics.empty()) group.kinematics = kinematics_of(spec.kinematics, group, units);
   return group;
 }

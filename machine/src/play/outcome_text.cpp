@@ -111,8 +111,10 @@ std::string reason_text(const CallOutcome& outcome, const std::string& executor,
   return reason_and_remedy(outcome, executor, order, fault);
 }
 
-std::string accepted_text(const CommandWords& words, const wire::Status& before,
-                          const std::string& executor) {
+namespace {
+
+std::string plain_accepted_text(const CommandWords& words, const wire::Status& before,
+                                const std::string& executor) {
   const std::string& word = words.what;
   if (word == "home") return "homed";
   if (word == "gear-in-pos")
@@ -135,6 +137,14 @@ std::string accepted_text(const CommandWords& words, const wire::Status& before,
   if (word != "enable" || before.last_error == 0) return word + " accepted";
   return fmt::format("enable accepted, but the fault {} remains: send `jounce order {} reset`",
                      name(static_cast<Cause>(before.last_error)), executor);
+}
+
+}  // namespace
+
+std::string accepted_text(const CommandWords& words, const wire::Status& before,
+                          const std::string& executor, const std::string& note) {
+  const std::string text = plain_accepted_text(words, before, executor);
+  return note.empty() ? text : text + "; " + note;
 }
 
 std::string stopped_text(const std::string& executor, State rest) {
@@ -168,9 +178,10 @@ std::string command_json(const CallOutcome& outcome) {
 std::string stream_text(const StreamOutcome& outcome, const std::string& executor, bool waits) {
   const std::string state =
       outcome.swaps > 0 ? "started, " + counted(outcome.swaps, "swap") : last_state(outcome, waits);
-  return fmt::format("{} arrived at {}, {} sent again; {}",
+  const bool noted = waits && outcome.swaps == 0 && !outcome.progress.note.empty();
+  return fmt::format("{} arrived at {}, {} sent again; {}{}",
                      counted(outcome.progress.chunks, "chunk"), executor, outcome.progress.resent,
-                     state);
+                     state, noted ? ": " + outcome.progress.note : "");
 }
 
 std::string stream_json(const StreamOutcome& outcome) {
@@ -180,7 +191,8 @@ std::string stream_json(const StreamOutcome& outcome) {
                    {"started", outcome.started},
                    {"swaps", outcome.swaps},
                    {"chunks", outcome.progress.chunks},
-                   {"resent", outcome.progress.resent}});
+                   {"resent", outcome.progress.resent},
+                   {"note", outcome.progress.note}});
   return document.dump();
 }
 

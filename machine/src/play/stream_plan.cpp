@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "jounce/base/csv.hpp"
+#include "jounce/base/units.hpp"
 #include "jounce/design/executor_tables.hpp"
 #include "jounce/design/sync_check.hpp"
 #include "jounce/machine/play_plan.hpp"
@@ -12,13 +13,18 @@
 namespace jounce {
 namespace {
 
+/// The slave of a cam that advances may be shifted by whole passes.
+void shift_by_passes(const Table& table, CouplingSpec& coupling) {
+  const double stroke = table.columns().p.back() - table.columns().p.front();
+  const bool advances = table.outside() == Extrapolation::advance && stroke != 0;
+  if (advances && !coupling.slave_period) coupling.slave_period = std::abs(stroke);
+}
+
 /// From the first knot on, wherever the master and, of an axis that turns on, the slave are by then.
 void begin_at_cut(const Table& table, CouplingSpec& coupling) {
   coupling.master_absolute = false;
   coupling.master_offset = table.start();
-  const double stroke = table.columns().p.back() - table.columns().p.front();
-  const bool turns = table.outside() == Extrapolation::advance && stroke != 0;
-  if (turns && !coupling.slave_period) coupling.slave_period = std::abs(stroke);
+  shift_by_passes(table, coupling);
 }
 
 /// Throws InputError ("live", "master") for tables that do not suit the options.
@@ -66,7 +72,10 @@ SwapPlan add_input(StreamPlan& plan, const Input& input, const PlayOptions& opti
     added.mode = wire::ArmMode::follow_input;
     added.coupling = coupling.value_or(CouplingSpec{});
     added.end = end_of(input, options);
-    if (options.at_next_cut) begin_at_cut(plan.tables.back().table, added.coupling);
+    const auto& [cam, units, hash] = plan.tables[added.slave];
+    if (options.at_next_cut) begin_at_cut(cam, added.coupling);
+    if (options.at_master && is_convertible(units.position, "deg"))
+      shift_by_passes(cam, added.coupling);
   }
   return added;
 }

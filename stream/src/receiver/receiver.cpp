@@ -30,8 +30,8 @@ std::optional<StreamEvent> Receiver::take_event() {
   return impl_->take_event();
 }
 
-void Receiver::accept(std::int64_t session, std::int32_t command) {
-  impl_->accept(session, command);
+void Receiver::accept(std::int64_t session, std::int32_t command, std::string note) {
+  impl_->accept(session, command, std::move(note));
 }
 
 void Receiver::refuse(std::int64_t session, std::int32_t command, std::string reason,

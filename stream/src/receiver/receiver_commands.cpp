@@ -98,10 +98,10 @@ LastCommand* Receiver::Impl::pending(std::int64_t session, std::int32_t command)
   return record.waits(command) ? &record : nullptr;
 }
 
-void Receiver::Impl::accept(std::int64_t session, std::int32_t command) {
+void Receiver::Impl::accept(std::int64_t session, std::int32_t command, std::string note) {
   LastCommand* const record = pending(session, command);
   if (record == nullptr) return;
-  record->settle({});
+  record->settle({wire::Refusal::none, std::move(note)});
   done(*record);
 }
 

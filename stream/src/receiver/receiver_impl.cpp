@@ -20,6 +20,19 @@ bool is_command(const wire::Body& body) {
   return lane == wire::Lane::table || lane == wire::Lane::command;
 }
 
+/// The reason why a session ended, for its program; "" for its own release.
+std::string reason_of(SessionEnded::Why why) {
+  switch (why) {
+    case SessionEnded::Why::operator_stop:
+      return "another operator stopped the axis";
+    case SessionEnded::Why::silent:
+      return "no heartbeat of this program arrived in time, so the executor ended its session";
+    case SessionEnded::Why::released:
+      break;
+  }
+  return "";
+}
+
 ReceiverOptions checked(ReceiverOptions options) {
   if (!wire::is_executor_name(options.executor))
     throw InputError("executor", options.executor, wire::executor_name_rule);
@@ -145,9 +158,9 @@ void Receiver::Impl::end(SessionEnded::Why why) {
   challenges_.renew_session();
   // The answer to a stop is still due; nothing else may take effect any more.
   if (command_.waits(command_.number()) && command_.kind() != LastCommand::Kind::stop)
-    command_.settle({wire::Refusal::session_ended, {}});
+    command_.settle({wire::Refusal::session_ended, reason_of(why)});
   events_.emplace_back(SessionEnded{session_.id(), why});
-  session_.end();
+  session_.end(reason_of(why));
 }
 
 void Receiver::Impl::expire(Nanos now) {

@@ -27,7 +27,7 @@ class Receiver::Impl {
   [[nodiscard]] std::vector<wire::Message> poll(Nanos now);
   [[nodiscard]] std::vector<wire::Message> answers();
   [[nodiscard]] std::optional<StreamEvent> take_event();
-  void accept(std::int64_t session, std::int32_t command);
+  void accept(std::int64_t session, std::int32_t command, std::string note);
   void refuse(std::int64_t session, std::int32_t command, std::string reason, std::int32_t cause);
   void level(std::uint32_t queue, const QueueLevel& level);
   void refuse_queue(std::uint32_t queue, wire::Refusal refusal, std::string reason);

@@ -2,6 +2,7 @@
 #include "stream/src/receiver/session.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace jounce {
 namespace {
@@ -21,10 +22,11 @@ Refused Session::bars(const wire::Message& message, std::int64_t challenge) cons
   if (sender == id_ && message.challenge == challenge) return {};
   // The last owner may stop its motion even after its session, until there is another owner.
   if (is_of_last_owner(message) && std::holds_alternative<wire::Stop>(message.body)) return {};
+  const auto ended = std::find_if(ended_.begin(), ended_.end(),
+                                  [&](const Ended& one) { return one.id == sender; });
+  if (ended != ended_.end()) return {wire::Refusal::session_ended, ended->reason};
   if (!is_free() && sender != id_)
     return {wire::Refusal::busy, "the axis belongs to another session"};
-  if (std::find(ended_.begin(), ended_.end(), sender) != ended_.end())
-    return {wire::Refusal::session_ended, {}};
   if (message.challenge != challenge) return {wire::Refusal::stale_challenge, {}};
   if (!opens_session(message.body)) return {wire::Refusal::unknown_session, {}};
   return {};
@@ -43,8 +45,8 @@ bool Session::is_silent(Nanos now) const {
   return !is_free() && now - received_ > (holds_ ? timeouts_.hold : timeouts_.usual);
 }
 
-void Session::end() {
-  ended_.push_back(id_);
+void Session::end(std::string reason) {
+  ended_.push_back({id_, std::move(reason)});
   if (ended_.size() > remembered_sessions) ended_.pop_front();
   id_ = 0;
   holds_ = false;

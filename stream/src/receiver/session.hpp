@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <string>
 
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/transport/transport.hpp"
@@ -48,16 +49,22 @@ class Session {
   /// Applies the timeout `hold` from now to the end of the session.
   void hold() { holds_ = true; }
   [[nodiscard]] bool is_silent(Nanos now) const;
-  void end();
+  /// Ends the session. `reason`: the answer to its later messages; may be empty.
+  void end(std::string reason = {});
 
  private:
+  struct Ended {
+    std::int64_t id = 0;
+    std::string reason = {};
+  };
+
   SessionTimeouts timeouts_;
   std::int64_t id_ = 0;
   std::int64_t owner_ = 0;
   std::int64_t challenge_ = 0;  // challenge at the start of the present session
   Nanos received_{};
   bool holds_ = false;
-  std::deque<std::int64_t> ended_;  // the last sessions that have ended
+  std::deque<Ended> ended_;  // the last sessions that have ended
 };
 
 }  // namespace jounce

@@ -8,6 +8,8 @@
 #include "jounce/command/command_values.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "stream/src/sender/reasons.hpp"
+
 namespace jounce {
 namespace {
 
@@ -54,7 +56,7 @@ CallOutcome Client::ask(const wire::Body& body, Nanos patience) {
     return {StreamError::restarted, wire::Refusal::none, 0, "the executor has restarted"};
   boot_ = reply->boot;
   if (reply->outcome == wire::Outcome::refused) return refused(*reply);
-  if (reply->outcome == wire::Outcome::accepted) return {};
+  if (reply->outcome == wire::Outcome::accepted) return {.reason = reply->reason};
   return {StreamError::command_timeout, wire::Refusal::none, 0,
           "the executor received the command, but the axis did not accept or reject it in time"};
 }
@@ -87,6 +89,20 @@ CallOutcome Client::request(const wire::Body& body, Nanos patience) {
   }
   if (CallOutcome outcome = open(patience); !outcome.ok()) return outcome;
   return ask(body, patience);
+}
+
+CallOutcome Client::keep() {
+  if (session_ == 0)
+    return {StreamError::stopped, wire::Refusal::session_ended, 0,
+            stream_detail::session_ended_reason};
+  CallOutcome outcome = ask(wire::Heartbeat{});
+  if (outcome.error != StreamError::refused || !is_over(outcome.refusal)) return outcome;
+  session_ = 0;
+  const std::string code = name(outcome.refusal);
+  const bool explained =
+      outcome.refusal == wire::Refusal::session_ended && outcome.reason.size() > code.size() + 2;
+  return {StreamError::stopped, outcome.refusal, 0,
+          explained ? outcome.reason.substr(code.size() + 2) : stream_detail::session_ended_reason};
 }
 
 CallOutcome Client::command(const ClientCommand& command, std::int64_t at) {

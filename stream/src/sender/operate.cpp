@@ -68,7 +68,7 @@ std::optional<wire::GroupStatus> present_group(Transport& link, const std::strin
 }
 
 CallOutcome outcome_of(const wire::Reply& reply, const std::string& executor) {
-  if (reply.outcome == wire::Outcome::accepted) return {};
+  if (reply.outcome == wire::Outcome::accepted) return {.reason = reply.reason};
   if (reply.outcome == wire::Outcome::pending)
     return {StreamError::command_timeout,
             {},
@@ -78,13 +78,29 @@ CallOutcome outcome_of(const wire::Reply& reply, const std::string& executor) {
           std::string(name(reply.refusal)) + (reply.reason.empty() ? "" : ": ") + reply.reason};
 }
 
+namespace {
+
+/// Sends the first command of a client. Another order owns the axis for some ms only: while the axis
+/// is busy, repeats the command. A streamer owns it longer than that.
+CallOutcome first_command(Client& client, const ClientCommand& command, std::int64_t at) {
+  constexpr int attempts = 25;
+  constexpr auto pause = 40ms;
+  for (int attempt = 1;; ++attempt) {
+    CallOutcome outcome = client.command(command, at);
+    if (outcome.refusal != wire::Refusal::busy || attempt == attempts) return outcome;
+    std::this_thread::sleep_for(pause);
+  }
+}
+
+}  // namespace
+
 CallOutcome send_command(Transport& link, const std::string& executor, const ClientCommand& command,
                          std::int64_t at, const std::optional<wire::Key>& key) {
   if (is_operators(kind_of(command)))
     return outcome_of(operator_command(link, executor, wire::message_of(command, at), key),
                       executor);
   Client client(link, executor, {.key = key});
-  CallOutcome outcome = client.command(command, at);
+  CallOutcome outcome = first_command(client, command, at);
   static_cast<void>(client.release());
   return outcome;
 }
@@ -116,18 +132,38 @@ CallOutcome await_home(Transport& link, const std::string& executor, Client& cli
 
 namespace {
 
-/// Keeps the session of a hold-to-run jog that the axis has accepted.
-CallOutcome keep_jogging(Client& client, const ExecuteOptions& options, const Clock& clock) {
+/// The end of a jog by a fault, or by a stop of the axis, of its group or of an axis of the group: its
+/// session goes on. nullopt: it moves, is held, or rests where its range ends.
+std::optional<CallOutcome> early_end(const wire::Status& status) {
+  if (!is_at_rest(status.state) || status.held || status.slave_velocity != 0) return std::nullopt;
+  const std::int32_t number = status.last_error != 0 ? status.last_error : status.reason;
+  const auto why = static_cast<Cause>(number);
+  const bool stopped = why == Cause::stopped || why == Cause::group_stopped;
+  if (status.last_error == 0 && !stopped) return std::nullopt;
+  return CallOutcome{StreamError::stopped, wire::Refusal::none, number,
+                     std::string("the jog has ended: ") + name(why) + ": " + meaning(why)};
+}
+
+/// Keeps the session of a hold-to-run jog that the axis has accepted. Requires a link like
+/// await_rest().
+CallOutcome keep_jogging(Transport& link, const std::string& executor, Client& client,
+                         const ExecuteOptions& options, const Clock& clock) {
   if (options.held) options.held();
   CallOutcome outcome;
+  bool moved = false;
   const Nanos begin = clock();
   const auto goes_on = [&] {
     return !(options.cancelled && options.cancelled()) &&
            (options.hold == Nanos{} || clock() - begin < options.hold);
   };
   while (outcome.ok() && goes_on()) {
-    std::this_thread::sleep_for(50ms);
-    outcome = client.beat();
+    const Nanos next = clock() + 50ms;
+    const auto status = next_status_of(link, executor, 50ms, options.key, clock);
+    const auto end = status && moved ? early_end(*status) : std::nullopt;
+    moved = moved || (status && !is_at_rest(status->state));
+    if (const Nanos left = next - clock(); left > Nanos{}) std::this_thread::sleep_for(left);
+    outcome = client.keep();
+    if (outcome.ok() && end) outcome = *end;
   }
   return outcome;
 }
@@ -140,13 +176,13 @@ CallOutcome execute_command(Transport& link, const std::string& executor,
   const bool homes = std::holds_alternative<command::Home>(command);
   if (!homes && !holds_to_run(command))
     return send_command(link, executor, command, options.at, options.key);
-  if (homes) link.subscribe(wire::channel(executor, wire::Lane::status), 1);
+  link.subscribe(wire::channel(executor, wire::Lane::status), 1);
   Client client(link, executor, {.key = options.key}, clock);
-  CallOutcome outcome = client.command(command, options.at);
+  CallOutcome outcome = first_command(client, command, options.at);
   const auto cancelled = [&] { return options.cancelled && options.cancelled(); };
   if (outcome.ok())
     outcome = homes ? await_home(link, executor, client, cancelled, options.key, clock)
-                    : keep_jogging(client, options, clock);
+                    : keep_jogging(link, executor, client, options, clock);
   static_cast<void>(client.release());
   return outcome;
 }

@@ -13,6 +13,11 @@ namespace jounce::stream_detail {
 inline constexpr const char* session_ended_reason =
     "the executor ended the session: an operator stopped the axis, or heartbeats were missing";
 
+/// The reason of a reply to a session that has ended; an executor may give none.
+inline std::string session_ended_by(const std::string& reason) {
+  return reason.empty() ? session_ended_reason : reason;
+}
+
 /// "5000 ms"
 inline std::string milliseconds(Nanos time) {
   return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +

@@ -234,7 +234,7 @@ void RowSender::refused(wire::Refusal refusal, const std::string& reason, std::i
   outcome_.refusal = refusal;
   outcome_.cause = cause;
   if (refusal == wire::Refusal::session_ended && outcome_.progress.started)
-    return fail(StreamError::stopped, stream_detail::session_ended_reason);
+    return fail(StreamError::stopped, stream_detail::session_ended_by(reason));
   fail(StreamError::refused, std::string(name(refusal)) + (reason.empty() ? "" : ": ") + reason);
 }
 

@@ -235,7 +235,10 @@ void Sender::take(const wire::Reply& reply, std::int64_t /*challenge*/, Nanos no
   if (reply.outcome == wire::Outcome::refused) {
     refused(reply.refusal, reply.reason, reply.cause);
   } else if (reply.outcome == wire::Outcome::accepted) {
-    if (stage() == StreamStage::starting) start_ = reply.command;
+    if (stage() == StreamStage::starting) {
+      start_ = reply.command;
+      outcome_.progress.note = reply.reason;
+    }
     accepted();
   }
 }
@@ -272,8 +275,9 @@ void Sender::refused(wire::Refusal refusal, const std::string& reason, std::int3
   if (stage() == StreamStage::releasing) return enter(StreamStage::released);  // already released
   outcome_.refusal = refusal;
   outcome_.cause = cause;
-  if (refusal == wire::Refusal::session_ended && outcome_.started)
-    return fail(StreamError::stopped, stream_detail::session_ended_reason);
+  const bool begun = outcome_.started || stage() == StreamStage::waiting;
+  if (refusal == wire::Refusal::session_ended && begun)
+    return fail(StreamError::stopped, stream_detail::session_ended_by(reason));
   const std::string swap = leg_ == 0 ? ""
                                      : " This concerns the table of swap " + std::to_string(leg_) +
                                            "; the motion before it is played to its end.";
@@ -384,8 +388,10 @@ void Sender::release() {
 
 void Sender::fail(StreamError error, std::string reason) {
   if (ended()) return;
-  // A waiting start is not canceled: a stop would also end the present motion.
-  if (stage() == StreamStage::waiting && error != StreamError::dropped)
+  // A waiting start is not canceled: a stop would also end the present motion. A stop by another
+  // operator has canceled it.
+  const bool canceled = error == StreamError::dropped || error == StreamError::stopped;
+  if (stage() == StreamStage::waiting && !canceled)
     reason += "; the accepted start still waits in the axis: `jounce stop " + plan_.executor +
               "` cancels it";
   outcome_.error = error;

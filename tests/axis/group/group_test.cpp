@@ -282,6 +282,39 @@ TEST(Group, TheFaultOfAnAxisStopsTheGroupAndItContinuesFromThere) {
   EXPECT_EQ(rig.at(y).fault, Cause::none);
 }
 
+TEST(Group, TheOverrideMovesNothingInAFaultAndIsAcceptedAlikeAtEachValue) {
+  Plotter rig;
+  rig.start();
+  rig.steps(700);
+  rig.images[y].inputs.feedback.fault = true;
+  rig.step();
+  rig.step();
+  for (; rig.moves(); rig.step()) {
+  }
+  rig.images[y].inputs.feedback.fault = false;
+  rig.send(y, command::Reset{});
+  rig.send(y, command::Enable{});
+  const double place = contour_at(rig.at(group).position).second;
+  ASSERT_EQ(rig.send(group, command::Reset{}), Cause::axis_away);
+  for (const double factor : {0.0, 1.0, 0.5, 2.0}) {
+    EXPECT_EQ(rig.send(group, command::Override{factor}), Cause::none) << factor;
+    rig.steps(50);
+    EXPECT_EQ(rig.at(group).state, State::error_stop);
+    EXPECT_EQ(rig.at(group).rate, 0);
+  }
+  EXPECT_EQ(rig.send(group, command::Override{0.5}), Cause::none);
+  EXPECT_EQ(rig.send(y, command::MoveAbsolute{.position = place}), Cause::none);
+  rig.steps(1000);
+  EXPECT_EQ(rig.send(group, command::Reset{}), Cause::none);
+  EXPECT_EQ(rig.send(group, command::Override{0.25}), Cause::none) << "held: it moves nothing";
+  EXPECT_EQ(rig.at(group).rate, 0);
+  EXPECT_EQ(rig.send(group, command::Resume{}), Cause::none);
+  rig.steps(500);
+  EXPECT_EQ(rig.at(group).rate, 0.25);
+  for (; rig.at(group).job != 0; rig.step()) expect_on_path(rig);
+  EXPECT_EQ(rig.at(group).finished, 1U);
+}
+
 TEST(Group, TheWatchdogStopsItOnItsPath) {
   Plotter rig;
   rig.start();

@@ -38,6 +38,19 @@ TEST(GroupCommands, ALineMovesBothAxesAndRestsAtItsEnd) {
   EXPECT_EQ(site.last(group).state, State::standstill);
 }
 
+TEST(GroupCommands, TheAnswerNamesAVelocityThatTheLimitsLower) {
+  Judged site;  // 200 u/s for each axis
+  const CallOutcome outcome = site.line(30, 40, {.along = {.velocity = 500}});
+  ASSERT_TRUE(outcome.ok()) << outcome.reason;
+  EXPECT_THAT(outcome.reason, HasSubstr("lower the velocity from 500 "));
+  EXPECT_THAT(outcome.reason, HasSubstr(" to 250 ")) << "200 of 4 parts in 5";
+  site.advance(2s);
+  EXPECT_EQ(site.line(0, 0, {.along = {.velocity = 250}}).reason, "");
+  site.advance(2s);
+  EXPECT_THAT(site.order("plotter", command::GroupWait{-1}).reason,
+              HasSubstr("the time of the wait -1 s must be from 0 s to 1e6 s"));
+}
+
 /// A line of many corners.
 std::vector<std::array<double, 2>> zigzag(int points) {
   std::vector<std::array<double, 2>> all;
@@ -348,8 +361,8 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
   far.radius = 2;
   EXPECT_THAT(reason(far), HasSubstr("radius"));
   EXPECT_THAT(reason(command::GearIn{.numerator = 1, .denominator = 2}), HasSubstr("single_axis"));
-  EXPECT_THAT(reason(command::GroupWait{-1}), HasSubstr("duration -1 must be"));
-  EXPECT_THAT(reason(command::GroupWait{1e9}), HasSubstr("must be from 0 to 1e6 s"));
+  EXPECT_THAT(reason(command::GroupWait{-1}), HasSubstr("the time of the wait -1 s must be"));
+  EXPECT_THAT(reason(command::GroupWait{1e9}), HasSubstr("must be from 0 s to 1e6 s"));
   command::MoveCircularRelative turns{.to = at(0, 10)};
   turns.radius = 5;
   turns.turns = command::most_extra_turns + 1;
@@ -506,7 +519,7 @@ TEST(GroupCommands, AJogRestsAtTheEndOfTheRangeAndReverses) {
   EXPECT_EQ(site.last(x).position, -150);
   EXPECT_EQ(site.last(group).fault, Cause::none);
   EXPECT_THAT(site.order("plotter", jog).reason,
-              HasSubstr("the jog leads outward: an axis stands at the end of its range, -150"));
+              HasSubstr("the jog leads outward: x stands at the end of its range, -150"));
 }
 
 /// Limits of the path or of an axis; each of them may be omitted.

@@ -37,6 +37,28 @@ TEST(Notices, ReportAFaultOnceWithItsMeaning) {
   EXPECT_EQ(notices_of(now, before, "mm"), Notices{}) << "a reset";
 }
 
+TEST(Notices, ACutterAwayFromHomeIsAnsweredWithItsOrder) {
+  ExecutorOptions options;
+  options.units = {"mm", "deg"};
+  options.receiver.executor = "knife";
+  const Refusal away{.cause = Cause::cutter_away, .value = 270, .limit = 90};
+  EXPECT_EQ(refusal_text(away, {}, options, CommandKind::start_table),
+            "the cutter does not stand at its home position: home is at 270 deg, the axis at 90 "
+            "deg: send `jounce order knife move --to 270deg`");
+}
+
+TEST(Notices, AnAxisOfAGroupWithJointsHasItsOwnUnit) {
+  ExecutorOptions options;
+  options.units = {"", "mm"};
+  options.group.emplace();
+  options.group->names = {"a1", "z"};
+  options.group->units = {"deg", "mm"};
+  options.group->kinematics.emplace();
+  const Refusal away{.cause = Cause::axis_away, .value = 3, .limit = 5, .where = 1};
+  EXPECT_THAT(refusal_text(away, {}, options, CommandKind::start),
+              HasSubstr("a1 is at 3 deg instead of 5 deg."));
+}
+
 TEST(Notices, ReportTheNumbersOfAFault) {
   AxisConfig config{.following_error = 0.1, .following_time = 0.002};
   config.limits.position_min = -10;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/sender/client.hpp"
 #include "jounce/stream/sender/group.hpp"
 
 #include "axis/tables.hpp"
@@ -92,6 +93,63 @@ TEST(StartOutcome, AStopWhileItWaitsIsNoBeginning) {
   EXPECT_FALSE(outcome.started);
   EXPECT_TRUE(outcome.stopped);
   EXPECT_FALSE(site.last(1).waiting);
+}
+
+TEST(StartOutcome, AStopByAnotherOperatorEndsTheStreamAndTheStart) {
+  Site site(line_and_slave());
+  MemoryTransport other(site.network);
+  StreamOptions options;
+  options.total = 20s;
+  const Nanos stops = site.clock() + 500ms;
+  bool stopped = false;
+  options.cancelled = [&] {
+    if (!stopped && site.clock() > stops)
+      stopped = operator_stop(other, "slave", wire::StopMode::stop, 1s, site.clock);
+    return false;
+  };
+  const StreamOutcome outcome =
+      stream_tables(site.link, at_460(pmc600_cam()), options, site.clock, ++site.sessions);
+  EXPECT_TRUE(stopped);
+  EXPECT_EQ(outcome.error, StreamError::stopped);
+  EXPECT_EQ(outcome.reason, "another operator stopped the axis");
+  EXPECT_FALSE(site.last(1).waiting) << "nothing begins later";
+}
+
+TEST(StartOutcome, TheAnswerAndTheStatusNameTheMasterAndThePositionThatItMustPass) {
+  Site site(line_and_slave());
+  ASSERT_TRUE(site.stream(jog()).ok());
+  while (site.last(0).position < 500) site.advance(100ms);
+  StreamPlan plan = at_460(pmc600_cam());
+  plan.await = false;
+  const StreamOutcome outcome = site.stream(plan);
+  ASSERT_TRUE(outcome.ok()) << outcome.reason;
+  EXPECT_THAT(outcome.progress.note,
+              AllOf(HasSubstr("its master is at "), HasSubstr("and moves away from 460")));
+  const wire::Status status = site.dispatcher.server(1).status();
+  EXPECT_EQ(status.start, wire::StartOutcome::waiting);
+  EXPECT_THAT(status.start_reason, HasSubstr("until its master passes 460"));
+  EXPECT_EQ(status.master_position, site.last(0).position);
+  site.advance(100ms);
+  EXPECT_EQ(site.dispatcher.server(1).status().master_position, site.last(0).position)
+      << "the live master";
+}
+
+TEST(StartOutcome, AMotionBesideACommandForALaterTickIsAnsweredWithThisTick) {
+  Site site({axis_named("feeder", limits(1000, 1e4, 1e6), {"", "mm"})});
+  Client client(site.link, "feeder", {}, site.clock);
+  const std::int64_t tick = site.last().tick + 5000;
+  const CallOutcome later = client.command(command::MoveAbsolute{.position = 100}, tick);
+  EXPECT_TRUE(later.ok() && later.reason.empty()) << later.reason;
+  site.advance(100ms);
+  const CallOutcome now = client.command(command::MoveAbsolute{.position = 20});
+  EXPECT_TRUE(now.ok());
+  EXPECT_THAT(now.reason,
+              HasSubstr("does not wait for the command of tick " + std::to_string(tick)));
+  while (site.last().tick <= tick) {
+    ASSERT_TRUE(client.beat().ok());
+    site.advance(100ms);
+  }
+  EXPECT_EQ(client.command(command::MoveAbsolute{.position = 30}).reason, "");
 }
 
 TEST(StartOutcome, PatienceThatRunsOutLeavesTheStartWaitingAndSaysSo) {

@@ -445,7 +445,8 @@ TEST_F(ReceiverTest, TheLastOwnerMayStillStopItsMotion) {
   put(test::messages_of(table, 2));
   static_cast<void>(receiver.poll(now));
   put(1, wire::Stop{.command = 4});
-  EXPECT_EQ(answer<wire::Reply>().refusal, Refusal::busy) << "until somebody else owns the axis";
+  EXPECT_EQ(answer<wire::Reply>().refusal, Refusal::session_ended)
+      << "until somebody else owns the axis";
 }
 
 TEST_F(ReceiverTest, AnOperatorsStopEndsAnySession) {

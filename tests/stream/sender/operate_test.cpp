@@ -62,6 +62,72 @@ TEST(Operate, KeepsAHoldToRunJogUntilItIsCancelled) {
   EXPECT_EQ(world.executor->pump.receiver().session(), 0) << "the session has ended";
 }
 
+TEST(Operate, AHoldToRunJogReportsTheStopOfAnotherOperator) {
+  World world;
+  int asked = 0;
+  const CallOutcome outcome = execute_command(
+      world.link, "feeder", command::MoveVelocity{.velocity = 5, .hold_to_run = true},
+      {.cancelled =
+           [&] {
+             if (++asked == 2) {
+               EXPECT_TRUE(operator_stop(world.link, "feeder", wire::StopMode::stop,
+                                         std::chrono::seconds(1), world.clock));
+             }
+             return asked > 20;
+           }},
+      world.clock);
+  EXPECT_EQ(outcome.error, StreamError::stopped);
+  EXPECT_EQ(outcome.reason, "another operator stopped the axis");
+  EXPECT_LT(asked, 20);
+  EXPECT_EQ(world.executor->pump.receiver().session(), 0) << "it does not take the axis again";
+}
+
+TEST(Operate, AHoldToRunJogReportsItsEarlyEnd) {
+  for (const bool faulty : {false, true}) {
+    World world;
+    wire::Status status{.state = State::continuous_motion, .cycle_ns = 1'000'000};
+    world.each_turn = [&] { world.executor->pump.publish(status); };
+    int asked = 0;
+    const CallOutcome outcome = execute_command(
+        world.link, "feeder", command::MoveVelocity{.velocity = 5, .hold_to_run = true},
+        {.cancelled =
+             [&] {
+               if (++asked == 3) {
+                 status.state = faulty ? State::error_stop : State::standstill;
+                 const Cause why = faulty ? Cause::positive_soft_limit : Cause::group_stopped;
+                 (faulty ? status.last_error : status.reason) = static_cast<std::int32_t>(why);
+               }
+               return asked > 20;
+             }},
+        world.clock);
+    EXPECT_EQ(outcome.error, StreamError::stopped);
+    EXPECT_THAT(outcome.reason, testing::HasSubstr(faulty ? "the jog has ended: positive_soft_limit"
+                                                          : "the jog has ended: group_stopped"));
+    EXPECT_LT(asked, 20);
+  }
+}
+
+TEST(Operate, AnOrderWaitsAMomentForTheEndOfAnotherOne) {
+  ReceiverOptions options;
+  options.session_timeout = std::chrono::milliseconds(10);
+  World soon(options);
+  Client first(soon.link, "feeder", {}, soon.clock);
+  ASSERT_TRUE(first.enable().ok());
+  ASSERT_NE(soon.executor->pump.receiver().session(), 0);
+  const CallOutcome after = execute_command(
+      soon.link, "feeder", command::MoveVelocity{.velocity = 5, .hold_to_run = true},
+      {.cancelled = [] { return true; }}, soon.clock);
+  EXPECT_TRUE(after.ok()) << after.reason;
+
+  World owned;
+  Client streamer(owned.link, "feeder", {}, owned.clock);
+  ASSERT_TRUE(streamer.enable().ok());
+  const CallOutcome busy = execute_command(
+      owned.link, "feeder", command::MoveVelocity{.velocity = 5, .hold_to_run = true},
+      {.cancelled = [] { return true; }}, owned.clock);
+  EXPECT_EQ(busy.refusal, Refusal::busy) << "but not for a program that keeps the axis";
+}
+
 TEST(Operate, ARejectedJogHasNotBegun) {
   World world;
   world.executor->objection = "not_enabled";

@@ -61,11 +61,12 @@ Peaks peaks_of(const TimingLaw& law);
 ///     GroupPath path(1, program);                               // group_path.hpp
 ///
 /// Throws InputError with the key "axes" if the numbers of axes differ, and with the name of the
-/// axis and the broken limit ("x.velocity") if a limit is exceeded by more than a billionth. `unit`:
-/// unit of the axes for messages; "": not known. If the plan has joints, the axes of the group are
+/// axis and the broken limit ("x.velocity") if a limit is exceeded by more than a billionth. `units`:
+/// units of the axes for messages, one for each; none: not known. If the plan has joints, the axes of the group are
 /// these joints.
 GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const AxisConfig> axes,
-                           std::span<const std::string> names, const std::string& unit = {});
+                           std::span<const std::string> names,
+                           std::span<const std::string> units = {});
 
 /// Returns limits of a program, each lowered to the limit of the axis that will play it; position
 /// limits are omitted. Throws InputError "axes" if the numbers of axes differ.

@@ -21,6 +21,7 @@
 #include "jounce/path/plan.hpp"
 #include "jounce/path/point.hpp"
 #include "jounce/path/program.hpp"
+#include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
 namespace jounce {
@@ -42,6 +43,24 @@ struct JogEnd {
   std::size_t index = 0;  ///< the axis that determines the end
   double limit = 0;       ///< end of its position range; range_end
   Point place{};          ///< coordinates of the end
+};
+
+/// A jog that cannot begin, because an axis stands at the end of its range or the group at the end of
+/// its reach.
+struct JogLeadsOutward : InputError {
+  explicit JogLeadsOutward(const JogEnd& where)
+      : InputError("the jog", "",
+                   "leads outward: the group stands at the end of its reach: jog in another "
+                   "direction"),
+        end(where) {}
+  JogEnd end;  ///< the end at which the group stands
+};
+
+/// A commanded velocity along the path above its limit.
+struct LoweredVelocity {
+  double commanded = 0;     ///< u/s
+  double permitted = 0;     ///< u/s: the highest velocity that the limits permit
+  bool everywhere = false;  ///< true: `permitted` applies on all of the command
 };
 
 /// Commands of a group in their order, as a program for the planner. Each command has a number,
@@ -83,7 +102,8 @@ class PathCommands {
   void append(const command::MoveDirect<relative>& line);
   template <bool relative>
   void append(const command::MoveCircular<relative>& arc);
-  /// A jog ends at the last place on its line that the group can reach: see jog_end().
+  /// A jog ends at the last place on its line that the group can reach: see jog_end(). Throws
+  /// JogLeadsOutward if the group stands there.
   void append(const command::GroupJog& jog, const GroupSpace& space);
   /// Appends a command of a client. Throws InputError also for a command that is not a command of a
   /// group.
@@ -102,6 +122,10 @@ class PathCommands {
   [[nodiscard]] const Point& position() const { return all_.empty() ? start_ : all_.back().to; }
   /// End of the last jog; nullopt: there was none.
   [[nodiscard]] const std::optional<JogEnd>& jog_end() const { return jog_end_; }
+
+  /// The velocity of the last command if it exceeds the limits of the path and of the coordinates;
+  /// nullopt: it does not, or none was given. The limits of joints are not considered.
+  [[nodiscard]] std::optional<LoweredVelocity> lowered_velocity(const GroupSpace& space) const;
 
   /// The commands as a program.
   [[nodiscard]] Program program() const;
@@ -125,6 +149,7 @@ class PathCommands {
     PathSettings settings;
     std::variant<Line, Arc, Wait> what;
     Point to;
+    double commanded = PathSettings::none;  // velocity of the command, u/s
   };
   [[nodiscard]] bool framed() const { return frame_ != Frame{}; }
   /// End of the last command in the frame.

@@ -38,8 +38,14 @@ struct Tick {
   double acceleration = 0;        ///< commanded acceleration, u/s^2
   /// Id of the movement that is played; 0: none, or a move that the axis plans.
   std::uint64_t job = 0;
-  std::uint64_t armed = 0;             ///< id of the armed movement; 0: none
-  bool waiting = false;                ///< true if an accepted start, move or command has not begun
+  std::uint64_t armed = 0;  ///< id of the armed movement; 0: none
+  bool waiting = false;     ///< true if an accepted start, move or command has not begun
+  std::int64_t later = -1;  ///< tick for which a command waits; -1: none
+  /// Position of the master for which an accepted start waits, m; NaN: none.
+  double start_position = std::numeric_limits<double>::quiet_NaN();
+  /// Position and velocity of the live master, m, m/s; NaN: the axis has none, or it is lost.
+  std::array<double, 2> live_master{std::numeric_limits<double>::quiet_NaN(),
+                                    std::numeric_limits<double>::quiet_NaN()};
   Progress progress = Progress::done;  ///< progress of the motion that is played
   Cause fault = Cause::none;           ///< the latched fault; none: no fault
   /// The number that exceeded a limit at the fault: the following error (u), the velocity (u/s) of

@@ -38,10 +38,11 @@ struct GroupKinematics {
 
 /// A group of an executor (docs/executor/groups.md).
 struct ExecutorGroup {
-  AxisGroup of;                                    ///< its axes in the machine
-  std::vector<std::string> names;                  ///< names of these axes
-  std::vector<AxisConfig> configs;                 ///< configurations of these axes
-  std::string unit = {};                           ///< unit of these axes; "": not known
+  AxisGroup of;                         ///< its axes in the machine
+  std::vector<std::string> names;       ///< names of these axes
+  std::vector<AxisConfig> configs;      ///< configurations of these axes
+  std::string unit = {};                ///< unit of these axes; "": not known, or several units
+  std::vector<std::string> units = {};  ///< unit of each of these axes; none: not known
   std::shared_ptr<const SentProgram> sent = {};    ///< path that StartTable plays; null: none
   std::optional<GroupKinematics> kinematics = {};  ///< nullopt: commands address the axes
   MWordHandshake m_words = {};                     ///< M words of programs that wait

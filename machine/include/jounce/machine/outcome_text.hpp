@@ -26,9 +26,9 @@ std::string reason_text(const CallOutcome& outcome, const std::string& executor,
 
 /// Returns the answer to an accepted command: "move accepted". `before`: status of the axis before
 /// the command. If the axis stays in a fault after `enable`, the text includes the remedy; for a gear
-/// in position, the place of the master at which it begins.
+/// in position, the place of the master at which it begins. `note`: the remark of the executor.
 std::string accepted_text(const CommandWords& words, const wire::Status& before,
-                          const std::string& executor);
+                          const std::string& executor, const std::string& note = {});
 
 /// Returns the state of an axis after a stop: "feeder is at rest: standstill". In error_stop, the text
 /// states how to reset the axis.

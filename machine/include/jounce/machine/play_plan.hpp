@@ -23,6 +23,9 @@ struct PlayOptions {
   /// For a live cam: the cam takes over at the end of the present pass, at any position of the
   /// master.
   bool at_next_cut = false;
+  /// For a live cam that begins at a position of the master. If the slave is an angle that advances
+  /// with each pass, as of a rotating knife, the axis shifts the cam by whole passes.
+  bool at_master = false;
   /// For a live cam: the axis keeps the velocity at the end of the cam instead of braking.
   bool keep_velocity = false;
 };

@@ -44,6 +44,9 @@ std::string master_text(const wire::MasterStatus& master, bool ascii);
 
 /// Returns the state of the gear pair of an axis with its live master: "in gear, ratio -0.5".
 std::string gear_text(const wire::Status& status);
+/// Returns what an accepted start waits for: "start waits until its master passes 340 mm"; "" if no
+/// start waits.
+std::string waits_text(const wire::Status& status);
 /// Returns the names of the files that could not be written, from wire::Status::unwritten: "log,
 /// black box".
 std::string unwritten_files(std::uint8_t files);

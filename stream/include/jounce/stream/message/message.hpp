@@ -205,7 +205,8 @@ struct Reply {
   Outcome outcome = Outcome::pending;  ///< outcome of the command
   Refusal refusal = Refusal::none;     ///< reason for rejecting the command
   std::int32_t cause = 0;              ///< for Refusal::axis: number of the Cause
-  std::string reason{};                ///< the reason as text; may be empty
+  /// The reason as text, or a remark on an accepted command; may be empty.
+  std::string reason{};
 };
 
 /// Acknowledges the rows of a queue. Arrays have one entry for each of the two banks.

@@ -49,6 +49,9 @@ class Client {
   CallOutcome resume() { return command(command::Resume{}); }
   /// Sends a heartbeat. `patience`: see request().
   CallOutcome beat(Nanos patience = Nanos::max()) { return request(wire::Heartbeat{}, patience); }
+  /// Sends a heartbeat in the present session, but never opens a new one: the error is
+  /// StreamError::stopped if the executor has ended the session, as a stop by an operator does.
+  CallOutcome keep();
   /// Stops the axis and ends its motion.
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
 

@@ -53,6 +53,7 @@ struct StreamProgress {
   std::size_t chunks = 0;                        ///< number of chunks of all tables
   std::size_t arrived = 0;                       ///< number of chunks that have arrived
   std::size_t resent = 0;                        ///< number of chunks that were sent again
+  std::string note{};  ///< remark of the executor on the accepted start; may be empty
 };
 
 /// Outcome or state of a stream. A flag is true as soon as the executor has confirmed it.
