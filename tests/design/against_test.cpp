@@ -297,7 +297,8 @@ TEST_F(Against, ATableHasTheLimitsOfTheSpecInItsHeader) {
       write("small.csv", table_text("small.csv", read_inputs(spec).front().table));
   const auto rules = [&] {
     std::string all;
-    for (const Finding& f : check(table, {}).front().findings) all += f.rule.text() + " ";
+    const Report report = check(table, {}).front();
+    for (const Finding& f : report.findings) all += f.rule.text() + " ";
     return all;
   };
   EXPECT_THAT(rules(), HasSubstr("limit/acceleration"));
