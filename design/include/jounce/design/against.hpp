@@ -36,8 +36,9 @@ void set_limits_of_header(Input& table);
 bool may_be_made_from(const Input& table, const std::string& spec_path);
 
 /// For a table of Jounce: the spec that its header names, if this file exists and has another text
-/// now, so that the table is older; "" otherwise. With `same`, this spec if it has still the same text. The path in the header is relative to the current
-/// folder or to the folder of the table. `table_path`: the file of the table.
+/// now, so that the table is older; "" otherwise. With `same`, this spec if it has still the same
+/// text. The path in the header is relative to the current folder or to the folder of the table.
+/// `table_path`: the file of the table.
 std::string newer_spec(const Provenance& provenance, const std::string& table_path,
                        bool same = false);
 

@@ -38,8 +38,8 @@ struct CheckOptions {
   EngageTexts start = {};    ///< start of a coupling; master_velocity: also for limits over time
   int continuity = 1;        ///< highest derivative that must be continuous
   std::string against = {};  ///< spec of the tables, see set_against(); "": none
-  /// With `against`: the axis of the spec, for a table without a name, or the axis to check, for
-  /// several; "": from the name of the file, or all.
+  /// The axis of the spec `against`, for a table without a name, or the axis to check, for several;
+  /// "": from the name of the file, or all.
   std::string axis = {};
   /// Tolerances for `against`, as for tolerance_of()
   std::vector<std::string> tolerances = {};
