@@ -24,15 +24,19 @@ struct CheckArguments {
 std::vector<Report> reports_of(std::vector<Input>& axes, CheckArguments options) {
   options.check.tolerances = options.run.tolerances;
   options.check.against = options.run.against;
+  options.check.axis = options.axis;
   options.check.selects_tables = options.run.files.size() > 1 || !is_one_file(options.run.file());
-  return with_option_names({"slave", "master", "master_velocity", "against", "tolerance", "limit"},
-                           [&] { return check_reports(axes, options.check); });
+  return with_option_names(
+      {"axis", "slave", "master", "master_velocity", "against", "tolerance", "limit"},
+      [&] { return check_reports(axes, options.check); });
 }
 
 /// The whole answer for one file.
 int print_answer(const CheckArguments& options) {
   std::vector<Input> axes =
-      over(options.over, load_program(options.run.file(), options.machine, options.axis));
+      over(options.over, load_program(options.run.file(), options.machine,
+                                      options.run.against.empty() ? options.axis : ""));
+
   const FileCheck check = file_check(axes, reports_of(axes, options));
   if (options.run.json)
     print_json(file_check_json(check, axes));

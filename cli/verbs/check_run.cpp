@@ -69,19 +69,15 @@ int check_files(const std::string& verb, const CheckRun& run, const Examine& exa
   LintedFiles all;
   {
     ProgressLine line(verb);
-    all = lint_run(verb, run.files, examine,
-                   {.machine = machine,
-                    .executor = {.axis = require_axis, .machine = require_machine},
-                    .baseline = run.baseline,
-                    .against = run.against,
-                    .accepted = {.tolerance =
-                                     [&](const Labels& labels) {
-                                       return with_option_names({"tolerance"}, [&] {
-                                         return tolerance_of(run.tolerances, labels);
-                                       });
-                                     },
-                                 .pictures = !run.summary.empty()},
-                    .progress = [&](double share) { line.show(share); }});
+    all = with_option_names({"tolerance"}, [&] {
+      return lint_run(verb, run.files, examine,
+                      {.machine = machine,
+                       .executor = {.axis = require_axis, .machine = require_machine},
+                       .baseline = run.baseline,
+                       .against = run.against,
+                       .accepted = {.tolerances = run.tolerances, .pictures = !run.summary.empty()},
+                       .progress = [&](double share) { line.show(share); }});
+    });
   }
   if (!run.summary.empty()) write_summary(run.summary, all.changes, run.baseline);
   const std::string format = run.json ? "json" : run.format;

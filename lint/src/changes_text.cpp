@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/design/files/file_difference.hpp"
 #include "jounce/lint/accepted.hpp"
 #include "jounce/report/report_text.hpp"
 
@@ -103,6 +104,7 @@ std::string section_of(const FileChange& change) {
       picture += 2;
     }
   }
+  if (!change.keys.empty()) text += "- " + cell(to_text(change.keys)) + "\n\n";
   for (const Diagnostic& each : change.diagnostics)
     if (change.comparisons.empty() && each.rule == "baseline/changed")
       text += fmt::format("{}.\n\n", each.message);
@@ -120,6 +122,7 @@ std::string to_text(const std::vector<FileChange>& changes, const std::string& n
     text += fmt::format("{}: {}\n", word_of(change.what), headline(change));
     for (const Comparison& c : change.comparisons)
       if (!c.equal()) text += to_text(c);
+    if (!change.keys.empty()) text += "  ~ " + to_text(change.keys) + "\n";
   }
   return text;
 }

@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
+#include <mutex>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -10,6 +11,7 @@
 
 #include "jounce/base/input_errors.hpp"
 #include "jounce/base/parallel.hpp"
+#include "jounce/design/files/file_difference.hpp"
 #include "jounce/design/version.hpp"
 #include "jounce/lint/accepted.hpp"
 #include "jounce/lint/find_files.hpp"
@@ -80,6 +82,18 @@ void add_diagnostics(FileChange& change, const Comparison& c, const Tolerance& t
   }
 }
 
+/// One statement for all changed keys outside the motion, at the first of them.
+void add_key_diagnostic(FileChange& change) {
+  if (change.keys.empty()) return;
+  const KeyChange& first = change.keys.front();
+  Diagnostic d = diagnostic("baseline/changed", Level::warning, change.file,
+                            "the spec " + to_text(change.keys));
+  d.place.line = first.place.line;
+  d.place.column = first.place.column;
+  d.key = first.key;
+  change.diagnostics.push_back(std::move(d));
+}
+
 /// "cams/feeder.toml x" as a name of a file without folders.
 std::string picture_name(const std::string& file, const std::string& axis, const char* which) {
   std::string name = file + (axis.empty() ? "" : "-" + axis);
@@ -99,11 +113,44 @@ void draw(FileChange& change, Input before, const Input& after) {
   }
 }
 
+/// The tolerances of a run, of which each file uses those that fit its motions.
+class Tolerances {
+ public:
+  explicit Tolerances(const std::vector<std::string>& texts)
+      : texts_(texts), used_(texts.size(), false) {}
+
+  Tolerance of(const Labels& labels) {
+    std::vector<std::string> fitting;
+    const std::lock_guard lock(mutex_);
+    any_ = true;
+    for (std::size_t i = 0; i < texts_.size(); ++i) {
+      if (!tolerance_fits(texts_[i], labels)) continue;
+      used_[i] = true;
+      fitting.push_back(texts_[i]);
+    }
+    return tolerance_of(fitting, labels);
+  }
+
+  /// Throws if a tolerance fits none of the compared motions.
+  void require_all_used() const {
+    for (std::size_t i = 0; i < texts_.size(); ++i)
+      if (any_ && !used_[i])
+        throw InputError("tolerance", texts_[i],
+                         "fits none of the compared motions: use a quantity and a unit of one of "
+                         "them, or leave it out");
+  }
+
+ private:
+  const std::vector<std::string>& texts_;
+  std::mutex mutex_;
+  std::vector<bool> used_;
+  bool any_ = false;  ///< true after the first motion
+};
+
 /// Compares the motions of two files, axis by axis.
-void compare_motions(FileChange& change, const std::string& accepted,
-                     const AcceptedOptions& options) {
-  const std::vector<Input> before = read_inputs(accepted);
-  const std::vector<Input> after = read_inputs(change.file);
+void compare_motions(FileChange& change, const std::vector<Input>& before,
+                     const std::vector<Input>& after, Tolerances& tolerances, bool pictures) {
+  std::vector<std::pair<const Input*, const Input*>> pairs;
   for (const Input& now : after) {
     const auto old = before.size() == 1 && after.size() == 1
                          ? before.begin()
@@ -116,13 +163,18 @@ void compare_motions(FileChange& change, const std::string& accepted,
       continue;
     }
     const bool as_table = !old->spec || !now.spec;
-    const Tolerance tolerance = options.tolerance(now.labels);
-    Comparison c = compare(version(*old, change.before, as_table),
-                           version(now, change.file, as_table), tolerance);
-    add_diagnostics(change, c, tolerance, now.axis);
-    if (options.pictures && !c.equal()) draw(change, *old, now);
-    change.comparisons.push_back(std::move(c));
-    change.tolerances.push_back(tolerance);
+    change.tolerances.push_back(tolerances.of(now.labels));
+    change.comparisons.push_back(compare(version(*old, change.before, as_table),
+                                         version(now, change.file, as_table),
+                                         change.tolerances.back()));
+    pairs.emplace_back(&*old, &now);
+  }
+  if (before.front().spec && after.front().spec)
+    change.keys = take_key_changes(*before.front().spec, *after.front().spec, change.comparisons);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [old, now] = pairs[i];
+    add_diagnostics(change, change.comparisons[i], change.tolerances[i], now->axis);
+    if (pictures && !change.comparisons[i].equal()) draw(change, *old, *now);
   }
   for (const Input& old : before)
     if (after.size() + before.size() > 2 &&
@@ -131,33 +183,46 @@ void compare_motions(FileChange& change, const std::string& accepted,
       change.diagnostics.push_back(
           diagnostic("baseline/changed", Level::broken, change.file,
                      fmt::format("the axis {} of the accepted version is missing", old.axis)));
+  add_key_diagnostic(change);
+}
+
+/// The motions of the file. If it, or a file that it names, is wrong, nullopt, with the errors in the change.
+std::optional<std::vector<Input>> motions_of(FileChange& change) {
+  try {
+    return read_inputs(change.file);
+  } catch (const InputError& error) {  // the check of the file reports it
+    change.what = What::wrong;
+    for (const InputError& one : all_errors(error)) change.errors.emplace_back(one.what());
+    return std::nullopt;
+  }
+}
+
+/// Compares a file that has a motion with its accepted version.
+void compare_motion(FileChange& change, const std::string& accepted, Tolerances& tolerances,
+                    bool pictures) {
+  const auto after = motions_of(change);
+  if (!after) return;
+  try {
+    compare_motions(change, read_inputs(accepted), *after, tolerances, pictures);
+  } catch (const InputError& error) {
+    if (error.key() == "tolerance") throw;
+    Diagnostic d = diagnostic("baseline/changed", Level::broken, change.file, error.what());
+    if (error.document() == accepted)
+      d.message = "the accepted version " + change.before + " cannot be compared: " +
+                  InputError(error.key(), error.value(), error.rule()).what();
+    change.diagnostics.push_back(std::move(d));
+  }
 }
 
 /// Fills in the change of a file that has an accepted version.
-void compare_file(FileChange& change, const std::string& accepted, const AcceptedOptions& options) {
-  if (is_without_motion(change.file)) {
-    if (read_file(change.file) != read_file(accepted))
-      change.diagnostics.push_back(
-          diagnostic("baseline/changed", Level::warning, change.file,
-                     "the text differs from the accepted version; the file has no motion to "
-                     "compare"));
-  } else {
-    try {
-      compare_motions(change, accepted, options);
-    } catch (const InputError& error) {
-      if (error.document() == change.file) {  // the check of the file reports it
-        change.what = What::wrong;
-        for (const InputError& one : all_errors(error)) change.errors.emplace_back(one.what());
-        return;
-      }
-      if (error.key().starts_with("--")) throw error.at(change.file);  // an option does not fit
-      Diagnostic d = diagnostic("baseline/changed", Level::broken, change.file, error.what());
-      if (const std::string& place = error.document(); place == accepted)
-        d.message = "the accepted version " + change.before + " cannot be compared: " +
-                    InputError(error.key(), error.value(), error.rule()).what();
-      change.diagnostics.push_back(std::move(d));
-    }
-  }
+void compare_file(FileChange& change, const std::string& accepted, Tolerances& tolerances,
+                  bool pictures) {
+  if (!is_without_motion(change.file))
+    compare_motion(change, accepted, tolerances, pictures);
+  else if (read_file(change.file) != read_file(accepted))
+    change.diagnostics.push_back(diagnostic(
+        "baseline/changed", Level::warning, change.file,
+        "the text differs from the accepted version; the file has no motion to compare"));
   if (!change.diagnostics.empty() && change.what == What::same) change.what = What::changed;
 }
 
@@ -239,9 +304,11 @@ std::vector<FileChange> compare_with(const AcceptedVersions& accepted,
       change.diagnostics.push_back(diagnostic("baseline/added", Level::note, change.file,
                                               "the file has no accepted version"));
   }
+  Tolerances tolerances(options.tolerances);
   on_all_cores(changes.size(), [&](std::size_t i) {
-    if (versions[i]) compare_file(changes[i], versions[i]->string(), options);
+    if (versions[i]) compare_file(changes[i], versions[i]->string(), tolerances, options.pictures);
   });
+  tolerances.require_all_used();
   for (const fs::path& gone : left) {
     FileChange change{What::removed, "", shown(accepted, gone)};
     change.diagnostics.push_back(

@@ -78,7 +78,8 @@ constexpr std::array rules{
              "A key is missing, is unknown, or has a value that breaks a rule of the file.",
              "Correct the key at the named line. docs/reference/keys.md lists all keys."},
     RuleInfo{"baseline/changed",
-             "The motion differs from the accepted version beyond the tolerance.",
+             "The motion differs from the accepted version beyond the tolerance, or a limit or "
+             "another key of the spec differs.",
              "Accept the new version if the change is intended, or undo it."},
     RuleInfo{"baseline/added", "The file has no accepted version.",
              "None. The file is compared as soon as it has an accepted version."},

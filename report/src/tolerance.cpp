@@ -42,4 +42,18 @@ Tolerance tolerance_of(const std::vector<std::string>& texts, const Labels& labe
   return tolerance;
 }
 
+bool tolerance_fits(const std::string& text, const Labels& labels) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos) return true;
+  const std::string key = text.substr(0, equals);
+  const auto has_key = [&](const auto& names) {
+    return std::find(names.begin(), names.end(), key) != names.end();
+  };
+  const bool own = labels.over_master ? has_key(OverMaster::names) : has_key(OverTime::names);
+  const bool other = labels.over_master ? has_key(OverTime::names) : has_key(OverMaster::names);
+  if (!own) return !other;
+  const std::string unit(quantity_unit(text.substr(equals + 1)));
+  return !is_unit(unit) || is_convertible(unit, labels.unit_of(key));
+}
+
 }  // namespace jounce

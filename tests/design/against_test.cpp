@@ -290,6 +290,37 @@ TEST_F(Against, ATableOlderThanItsSpecIsAWarning) {
   EXPECT_EQ(older(), "");
 }
 
+TEST_F(Against, ATableHasTheLimitsOfTheSpecInItsHeader) {
+  const std::string text = spec_text("acceleration = 15600");
+  const std::string spec = write("small.toml", text);
+  const std::string table =
+      write("small.csv", table_text("small.csv", read_inputs(spec).front().table));
+  const auto rules = [&] {
+    std::string all;
+    const Report report = check(table, {}).front();
+    for (const Finding& f : report.findings) all += f.rule.text() + " ";
+    return all;
+  };
+  EXPECT_THAT(rules(), HasSubstr("limit/acceleration"));
+  EXPECT_THAT(rules(), testing::Not(HasSubstr("warning/")));
+  EXPECT_THAT(rules(), testing::Not(HasSubstr("table/position"))) << "the curve is not compared";
+  write("small.toml", text + "# a change\n");
+  EXPECT_THAT(rules(), HasSubstr("warning/no_limits")) << "they may be others now";
+}
+
+TEST_F(Against, TheAxisOfTheSpecCanBeNamed) {
+  const std::string spec =
+      write("two.toml",
+            "jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\", time = \"s\" }\n"
+            "[[axis]]\nname = \"x\"\nto = 10\nvelocity = 10\nacceleration = 100\n"
+            "[[axis]]\nname = \"y\"\nto = 20\nvelocity = 20\nacceleration = 200\n");
+  const std::string table = write("other.csv", table_text("other.csv", read_inputs(spec)[1].table));
+  EXPECT_THAT(test::error_of([&] { check(table, {.against = spec}); }),
+              HasSubstr("names none of them"));
+  EXPECT_TRUE(check(table, {.against = spec, .axis = "y"}).front().ok());
+  EXPECT_FALSE(check(table, {.against = spec, .axis = "x"}).front().ok());
+}
+
 TEST_F(Against, TheDifferenceOfTwoSpecsShowsTheirTables) {
   const std::string limits = "acceleration = 15600";
   const std::string fine = write("a.toml", spec_text(limits));

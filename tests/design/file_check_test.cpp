@@ -98,6 +98,43 @@ TEST(FileDifference, ComparesTheAxesOfTwoFiles) {
   EXPECT_THAT(to_json(same), HasSubstr("\"equal\":true"));
 }
 
+TEST(FileDifference, ALimitOfAnySectionIsADifference) {
+  const auto rounding = [](const Labels&) { return Tolerance{}; };
+  const std::string head =
+      "jounce = 1\nkind = \"cam\"\nunits = { master = \"deg\", position = \"mm\" }\n"
+      "start = { master = 0, slave = 0 }\n[[segment]]\nlaw = \"345\"\n";
+  const std::string rise = "end = { master = 60, slave = 50 }\n";
+  const auto difference = [&](const std::string& before, const std::string& after) {
+    return file_difference(inputs_of(parse_spec(head + before, "a.toml"), "a.toml"),
+                           inputs_of(parse_spec(head + after, "b.toml"), "b.toml"), "a.toml",
+                           "b.toml", rounding);
+  };
+  const std::string slave = rise + "[limits.slave]\nacceleration = ";
+  const FileDifference limit = difference(slave + "\"16 m/s^2\"\n", slave + "\"160 m/s^2\"\n");
+  EXPECT_FALSE(limit.equal());
+  EXPECT_THAT(to_text(limit), testing::AllOf(HasSubstr("they differ"),
+                                             HasSubstr("  ! limit slave.acceleration: 16 m/s^2 -> "
+                                                       "160 m/s^2\n")));
+  EXPECT_FALSE(difference(slave + "16\n", rise).equal()) << "a removed limit";
+  const std::string disc = "[disc]\nroller_radius = 12\nbase_radius = ";
+  const FileDifference plate = difference(rise + disc + "60\n", rise + disc + "50\n");
+  EXPECT_TRUE(plate.equal()) << "the motion is the same";
+  EXPECT_THAT(to_text(plate),
+              HasSubstr("  ~ differs outside the curve: disc.base_radius 60 mm -> 50 mm\n"));
+  EXPECT_THAT(to_json(plate), HasSubstr("\"keys\":[{\"key\":\"disc.base_radius\""));
+  const FileDifference higher =
+      difference(rise, "end = { master = 60, slave = 51 }\n" + disc + "60\n");
+  EXPECT_THAT(to_text(higher),
+              HasSubstr("outside the curve: disc.roller_radius none -> 12 mm; disc."
+                        "base_radius none -> 60 mm\n"))
+      << "the comparison of the curves covers the segment";
+  const std::string limits = "[limits]\ngeo_velocity = ";
+  EXPECT_THAT(to_text(difference(rise + limits + "2\n", rise + limits + "3\n")),
+              testing::AllOf(HasSubstr("! limit geo_velocity: 2 -> 3"),
+                             testing::Not(HasSubstr("limits.geo"))))
+      << "reported once";
+}
+
 TEST(TargetTexts, AreReadInTheUnitsOfTheTable) {
   const TargetTexts texts{.tolerance = "10 um", .most = 50, .x_step = "1 ms"};
   EXPECT_TRUE(texts.any());

@@ -221,5 +221,93 @@ TEST_F(Lint, ASpecOfTablesNeedsATable) {
       << "the table has an error of its own";
 }
 
+/// Specs, and their accepted versions in a folder.
+class Accepted : public Lint {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(in("accepted"));
+    std::filesystem::create_directories(in("now"));
+    std::filesystem::current_path(in("now"));
+  }
+  void TearDown() override { std::filesystem::current_path("/"); }
+
+  void give(const char* name, const std::string& before, const std::string& now) {
+    std::ofstream(in("accepted") + "/" + name, std::ios::binary) << before;
+    std::ofstream(name, std::ios::binary) << now;
+  }
+  [[nodiscard]] LintedFiles compared(std::vector<std::string> tolerances = {}) {
+    return lint_run(
+        "check", {"."}, check_axes,
+        {.baseline = in("accepted"), .accepted = {.tolerances = std::move(tolerances)}});
+  }
+  /// The statements about the accepted version, each with its severity.
+  std::vector<std::string> changes(std::vector<std::string> tolerances = {}) {
+    std::vector<std::string> all;
+    for (const FileResult& file : compared(std::move(tolerances)).result.files)
+      for (const Diagnostic& d : file.diagnostics)
+        if (d.rule == "baseline/changed")
+          all.push_back(std::string(severity(d.level)) + ": " + d.message);
+    return all;
+  }
+};
+
+const std::string cam_rise = cam_head +
+                             "[[segment]]\nlaw = \"345\"\n"
+                             "end = { master = 60, slave = 50 }\n";
+
+TEST_F(Accepted, AChangedLimitOfAnySectionIsAChange) {
+  const std::string limits = cam_rise + "[limits.slave]\nvelocity = ";
+  give("a.toml", limits + "\"0.6 m/s\"\n", limits + "\"6 m/s\"\n");
+  EXPECT_THAT(changes(), ElementsAre("error: limit slave.velocity differs from the accepted "
+                                     "version: 0.6 m/s -> 6 m/s"));
+  EXPECT_THAT(to_markdown(compared().changes, "accepted"),
+              HasSubstr("- limit slave.velocity: 0.6 m/s -> 6 m/s\n"));
+  give("a.toml", limits + "3\n", cam_rise);
+  EXPECT_THAT(changes(), ElementsAre("error: limit slave.velocity differs from the accepted "
+                                     "version: 3 mm/s -> none"));
+}
+
+TEST_F(Accepted, OtherKeysAreOneWarning) {
+  const std::string disc = cam_rise + "[disc]\nroller_radius = 12\nbase_radius = ";
+  give("a.toml", disc + "60\n", disc + "50\n[master]\nvelocity = 2\n");
+  EXPECT_THAT(changes(),
+              ElementsAre("warning: the spec differs outside the curve: disc.base_radius 60 mm -> "
+                          "50 mm; master.velocity none -> 2 deg/s"));
+  const LintedFiles all = compared();
+  EXPECT_EQ(all.changes[0].what, FileChange::What::changed);
+  EXPECT_THAT(to_markdown(all.changes, "accepted"), HasSubstr("disc.base_radius 60 mm -> 50 mm"));
+  give("a.toml", disc + "60\n", "# a comment\n" + disc + "\"6 cm\"\n");
+  EXPECT_THAT(changes(), IsEmpty());
+}
+
+TEST_F(Accepted, AWrongFileThatASpecNamesMakesItWrong) {
+  const std::string spec =
+      "jounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\", time = \"s\" }\n"
+      "rule = \"natural\"\npoints = \"p.csv\"\n";
+  give("a.toml", spec, spec);
+  give("p.csv", "time,position\n0,0\n1,2\n2,3\n", "time,position\n0,0\n1,2\n0.5,3\n");
+  const LintedFiles all = compared();
+  ASSERT_THAT(all.changes, SizeIs(1));
+  EXPECT_EQ(all.changes[0].what, FileChange::What::wrong);
+  EXPECT_THAT(changes(), IsEmpty());
+}
+
+TEST_F(Accepted, AToleranceAppliesWhereItsUnitFits) {
+  const std::string in_deg =
+      "jounce = 1\nkind = \"cam\"\nunits = { master = \"deg\", position = \"deg\" }\n"
+      "start = { master = 0, slave = 0 }\n[[segment]]\nlaw = \"345\"\n"
+      "end = { master = 60, slave = 90 }\n";
+  std::string changed = cam_rise;
+  changed.replace(changed.find("slave = 50"), 10, "slave = 50.0005");
+  give("deg.toml", in_deg, in_deg);
+  give("mm.toml", cam_rise, changed);
+  EXPECT_THAT(changes({"position=1 um"}), IsEmpty());
+  EXPECT_THAT(changes({"position=0.1 um"}), SizeIs(1));
+  EXPECT_THAT(test::error_of([&] { (void)compared({"position=1 s"}); }),
+              HasSubstr("tolerance = position=1 s: fits none of the compared motions"));
+  EXPECT_THAT(test::error_of([&] { (void)compared({"wide"}); }),
+              HasSubstr("tolerance = wide: must be a share"));
+}
+
 }  // namespace
 }  // namespace jounce::lint_test

@@ -37,5 +37,19 @@ TEST(Tolerance, RejectsAnythingElse) {
   EXPECT_EQ(rule_of("1"), "");
 }
 
+TEST(Tolerance, FitsTheMotionsThatHaveItsQuantityAndUnit) {
+  const Labels axis{{"s", "deg"}, false, {}};
+  const Labels plain{{"", ""}, true, {}};
+  EXPECT_TRUE(tolerance_fits("position=1 um", labels));
+  EXPECT_FALSE(tolerance_fits("position=1 um", axis)) << "it is in deg";
+  EXPECT_FALSE(tolerance_fits("position=1 um", plain)) << "it has no unit";
+  EXPECT_TRUE(tolerance_fits("position=1", axis));
+  EXPECT_TRUE(tolerance_fits("1e-6", axis));
+  EXPECT_FALSE(tolerance_fits("velocity=1", labels)) << "of a motion over time";
+  EXPECT_FALSE(tolerance_fits("geo_jerk=1", axis));
+  EXPECT_TRUE(tolerance_fits("speed=1", axis)) << "tolerance_of() reports the error";
+  EXPECT_TRUE(tolerance_fits("position=1 parsec", axis));
+}
+
 }  // namespace
 }  // namespace jounce::tolerance_test

@@ -126,9 +126,10 @@ TEST(KnotsOverTime, PointsOfASplineAndFreeValuesToo) {
 TEST(MasterRate, ALastKnotThatDoesNotFollowIsTheOnlyError) {
   const std::string wrong = segment("345", "master = 90, slave = 40, velocity = 0") +
                             segment("345", "master = 0, slave = 0");
-  EXPECT_EQ(complaint(cam(wrong)),
-            "a.toml:11:18: segment[2].end.master = 0 deg: must be greater than 90 deg, the previous "
-            "knot: the last knot of a periodic cam is the end of its turn");
+  EXPECT_EQ(
+      complaint(cam(wrong)),
+      "a.toml:11:18: segment[2].end.master = 0 deg: must be greater than 90 deg, the previous "
+      "knot: the last knot of a periodic cam is the end of its turn");
 }
 
 TEST(MasterRate, AWrongMasterDoesNotMakeTheCouplingUnknown) {
@@ -154,6 +155,8 @@ TEST(KnotsOverTime, NeedASpeedAndOneKey) {
   EXPECT_EQ(complaint(cam(segment("quintic", knot), "[master]\nvelocity = -1\n", "")),
             "a.toml:9:12: master.velocity = -1 deg/s: must be greater than 0")
       << "the knot is no second error";
+  EXPECT_EQ(complaint(cam(segment("quintic", knot), "[master]\nvelocity = \"0 rev/min\"\n", "")),
+            "a.toml:9:12: master.velocity = \"0 rev/min\": must be greater than 0");
 }
 
 TEST(KnotsOverTime, AnOptimizedKnotKeepsItsKey) {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fstream>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/study/optimum.hpp"
 #include "jounce/study/tune.hpp"
+
+#include "support/temporary_folder.hpp"
 
 namespace jounce::corner_parameters_test {
 namespace {
@@ -51,6 +56,32 @@ TEST(PathOptimum, WithoutCornersOnlyRefines) {
   const SpecOptimum best = optimum_of(spec);
   EXPECT_EQ(best.spec, spec.document.text) << "single lines have the fastest law";
   EXPECT_NE(best.text.find("not faster"), std::string::npos);
+}
+
+TEST(PathOptimum, RefinesIfTheProgramReplacesTheCorner) {
+  Spec effective = read_spec(examples + "path-square/deviation.toml");
+  effective.parameters = corner_parameters(effective);
+  EXPECT_TRUE(idle_parameters(effective).empty());
+  const test::TemporaryFolder folder;
+  const std::string program = (folder.path() / "a.ngc").string();
+  std::ofstream(program) << "G64 P0.1\nG1 X10 F6000\nY10\nX0\nY0\n";
+  std::string axes;
+  for (const char* name : {"x", "y"})
+    axes += std::string("[[axis]]\nname = \"") + name +
+            "\"\nlimits = { velocity = 300, acceleration = 2000, jerk = 50000 }\n";
+  Spec spec = parse_spec(
+      "jounce = 1\nkind = \"path\"\nunits = { position = \"mm\", time = \"s\" }\n"
+      "[path]\ncorner = { deviation = 0.02 }\n[gcode]\nfile = \"" +
+          program + "\"\n" + axes,
+      "b.toml");
+  prepare_optimum(spec);
+  ASSERT_EQ(spec.parameters->parameters.size(), 1U);
+  EXPECT_EQ(idle_parameters(spec).size(), 1U);
+  EXPECT_THROW((void)tune(spec), InputError) << "without a search";
+  const SpecOptimum best = optimum_of(spec);
+  ASSERT_TRUE(best.spec);
+  EXPECT_EQ(best.text.find("path.corner.deviation has no effect on the duration"), 0U) << best.text;
+  EXPECT_NE(best.json.find("\"refinement\""), std::string::npos);
 }
 
 TEST(PathOptimum, LeavesOverlapAndOverrideAlone) {

@@ -176,6 +176,20 @@ void set_against(std::vector<Input>& tables, const std::string& spec_path,
     if (!table.spec) set_spec(table, partner(table, specs, spec_path), spec_path, tolerance);
 }
 
+void set_limits_of_header(Input& table) {
+  const std::string spec_path = newer_spec(table.table.provenance, table.file, true);
+  if (table.spec || spec_path.empty()) return;
+  Input limited = table;
+  try {
+    set_spec(limited, partner(table, read_inputs(spec_path), spec_path), spec_path, {});
+  } catch (const InputError&) {
+    return;  // such as a table of a part of the motion
+  }
+  limited.name = table.name;
+  limited.against->limits_only = true;
+  table = std::move(limited);
+}
+
 bool may_be_made_from(const Input& table, const std::string& spec_path) {
   if (table.spec) return false;
   const fs::path named = table.table.provenance.spec;
@@ -190,7 +204,7 @@ bool may_be_made_from(const Input& table, const std::string& spec_path) {
   return !exists && named.filename() == fs::path(spec_path).filename();
 }
 
-std::string newer_spec(const Provenance& provenance, const std::string& table_path) {
+std::string newer_spec(const Provenance& provenance, const std::string& table_path, bool same) {
   if (provenance.spec.empty() || provenance.spec_sha256.empty()) return "";
   const fs::path named = provenance.spec;
   const fs::path folder = fs::path(table_path).parent_path();
@@ -199,13 +213,14 @@ std::string newer_spec(const Provenance& provenance, const std::string& table_pa
     std::error_code none;
     if (!fs::is_regular_file(path, none)) continue;
     try {
-      if (hex(sha256(read_edited_file(path.string()))) == provenance.spec_sha256) return "";
+      if (hex(sha256(read_edited_file(path.string()))) == provenance.spec_sha256)
+        return same ? path.lexically_normal().string() : "";
     } catch (const InputError&) {
       continue;  // it cannot be read
     }
     if (newer.empty()) newer = path.lexically_normal().string();
   }
-  return newer;
+  return same ? "" : newer;
 }
 
 std::string renewal(const Input& table, const std::string& spec_path) {
@@ -247,6 +262,7 @@ void judge_against(const Input& input, Report& report) {
                         : "only the table exceeds this limit; the curve of " + spec + " keeps it" +
                               (std::exchange(has_remedy, true) ? "" : ": " + again);
   }
+  if (against.limits_only) return;
   Finding f;
   f.rule = "table/position";
   f.quantity = "position";

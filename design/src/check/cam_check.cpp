@@ -23,6 +23,15 @@ void take(Report& all, Report part) {
   std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
 }
 
+/// True for a finding in a segment whose shape is free, and may reverse.
+bool is_free_shape(const Input& input, const Finding& f) {
+  const std::vector<FreeShape>& shapes = input.spec->optimize.shape.shapes;
+  return f.segment && std::any_of(shapes.begin(), shapes.end(), [&](const FreeShape& shape) {
+           return !shape.monotone &&
+                  shape.segment + 1 == input.labels.number_of_segment(*f.segment);
+         });
+}
+
 }  // namespace
 
 bool has_designed_rises(const Input& input) {
@@ -48,7 +57,11 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
   if (reported)  // knife/reversal has an advice of its own
     std::erase_if(odd.findings, [](const Finding& f) { return f.rule == "warning/reversal"; });
   if (input.spec)
-    for (Finding& f : odd.findings) f.advice = with_units(f.advice, input.spec->document.nouns);
+    for (Finding& f : odd.findings) {
+      if (f.rule == "warning/reversal" && is_free_shape(input, f))
+        f.advice = "add monotone = true to `free` of the segment, and run `jounce optimize` again";
+      f.advice = with_units(f.advice, input.spec->document.nouns);
+    }
   take(report, std::move(odd));
   if (has_designed_rises(input)) take(report, certificates(cam));
   sort(report);

@@ -76,11 +76,28 @@ const char* before(const std::string& quantity) {
   return quantity == "acceleration" ? "velocity" : "acceleration";
 }
 
+/// For a ramp of a shear that is computed from the limits: the factor that leaves a reserve for what the changing
+/// speed of the master adds. Twice the length of a ramp halves its acceleration, and more than halves its jerk.
+std::string longer_ramp(const Finding& f, const Spec& spec) {
+  const auto* sync = std::get_if<SyncSpec>(&spec.subject);
+  const auto* shear = sync == nullptr ? nullptr : std::get_if<FlyingShear>(sync);
+  const double added = std::abs(f.value) - std::abs(f.limit);
+  const double reserve = std::abs(f.limit) - added;
+  if (shear == nullptr || shear->acceleration_length || f.quantity == OverTime::names[1] ||
+      !(master_rates(spec).acceleration > 0) || !(reserve > 0))
+    return "";
+  constexpr double digits = 100;
+  const double factor = shear->safety * std::abs(f.limit) / reserve;
+  return "give safety = " + six_digits(std::ceil(factor * digits) / digits) +
+         " in [shear], for longer ramps";
+}
+
 /// Ways to keep a limit of the slave. `fastest`: 0 if no speed of the master keeps it.
-std::string slave_advice(const std::string& quantity, double fastest, const Spec& spec) {
-  std::string text;
+std::string slave_advice(const Finding& f, double fastest, const Spec& spec) {
+  std::string text = longer_ramp(f, spec);
   if (std::holds_alternative<CamSpec>(spec.subject))
-    text = fmt::format("lengthen the segment, or use a law with a lower {} coefficient", quantity);
+    text =
+        fmt::format("lengthen the segment, or use a law with a lower {} coefficient", f.quantity);
   if (fastest > 0)
     text += (text.empty() ? "slow the master down to " : ", or slow the master down to ") +
             speed_text(fastest, spec);
@@ -100,7 +117,7 @@ Report check_slave(const Cam& cam, const Spec& spec) {
     const double size = conversion(rate_unit(spec.units.position, spec.time_unit, order), f.unit);
     f.value *= size;
     f.limit *= size;
-    if (f.broken) f.advice = slave_advice(f.quantity, fastest, spec);
+    if (f.broken) f.advice = slave_advice(f, fastest, spec);
   }
   return report;
 }

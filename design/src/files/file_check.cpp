@@ -12,6 +12,7 @@
 #include "jounce/base/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/design/against.hpp"
+#include "jounce/design/axes.hpp"
 #include "jounce/design/cam_check.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -42,6 +43,8 @@ void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
   }
   std::vector<std::string> known;
   for (const auto& [name, target] : all) known.push_back(name);
+  if (labels.over_master)  // check_reports() reads these
+    known.insert(known.end(), OverTime::names.begin() + 1, OverTime::names.end());
   if (equals == std::string::npos)
     throw InputError(
         "limit", text,
@@ -180,9 +183,16 @@ EngageState engage_state(const Input& input, const EngageTexts& texts) {
 }
 
 std::vector<Report> check_reports(std::vector<Input>& axes, const CheckOptions& options) {
+  if (!options.against.empty() && !options.axis.empty()) {
+    if (axes.size() == 1 && axes.front().axis.empty()) axes.front().axis = options.axis;
+    const std::string file = axes.front().file;
+    axes = axes_named(std::move(axes), options.axis, file);
+  }
   if (!options.against.empty() &&
       (!options.selects_tables || may_be_made_from(axes.front(), options.against)))
     set_against(axes, options.against, options.tolerances);
+  if (options.against.empty())
+    for (Input& input : axes) set_limits_of_header(input);
   std::vector<Report> reports;
   for (Input& input : axes) {
     std::vector<std::string> own, over_time;

@@ -32,6 +32,9 @@ FileDifference file_difference(std::vector<Input> before, std::vector<Input> aft
   for (const auto& [old, now] : all.axes)
     all.comparisons.push_back(
         compare(version_of(old, before_path), version_of(now, after_path), tolerance(now.labels)));
+  const auto& [first, last] = all.axes.front();
+  if (first.spec && last.spec)
+    all.keys = take_key_changes(*first.spec, *last.spec, all.comparisons);
   return all;
 }
 
@@ -43,7 +46,7 @@ std::string to_text(const FileDifference& difference) {
   }
   for (std::size_t i = 0; i < difference.comparisons.size(); ++i)
     text += (i == 0 ? "" : "\n") + to_text(difference.comparisons[i]);
-  return text;
+  return difference.keys.empty() ? text : text + "  ~ " + to_text(difference.keys) + "\n";
 }
 
 std::string to_json(const FileDifference& difference) {
@@ -52,6 +55,10 @@ std::string to_json(const FileDifference& difference) {
     documents.emplace_back(difference.axes[i].second.axis, to_json(difference.comparisons[i]));
   auto document = nlohmann::ordered_json::parse(axes_json(documents));
   document["equal"] = difference.equal();
+  auto keys = nlohmann::ordered_json::array();
+  for (const KeyChange& change : difference.keys)
+    keys.push_back({{"key", change.key}, {"before", change.before}, {"after", change.after}});
+  document["keys"] = std::move(keys);
   if (has_two_paths(difference)) {
     const auto& [before, after] = difference.axes.front();
     document["path"] = {{"durations", {before.plan->duration(), after.plan->duration()}},

@@ -266,7 +266,10 @@ ControlShape read_control(TomlReader& segment, Law law, const Units& units) {
 }  // namespace
 
 CamSpec read_cam(TomlReader& top, const Units& of, Spec& spec) {
-  const auto speed = spec.master ? std::optional(spec.master->velocity) : std::nullopt;
+  // [master] with an error of its own: any speed avoids an error that only follows from it
+  const auto speed = spec.master         ? std::optional(spec.master->velocity)
+                     : top.has("master") ? std::optional(1.0)
+                                         : std::nullopt;
   const CamUnits units{of, spec.time_unit, speed};
   OptimizeSpec& optimize = spec.optimize;
   CamSpec cam;

@@ -38,6 +38,20 @@ bool can_be_refined(const Spec& spec) {
          !spec.document.places.contains("path.refine");
 }
 
+/// Removes the corners on which neither the duration nor a limit depends, such as a corner that each line of the
+/// program replaces. Returns a line about each.
+std::string drop_idle(Spec& spec) {
+  std::vector<SpecParameter>& all = spec.parameters->parameters;
+  if (all.empty()) return "";
+  std::string text;
+  const std::vector<std::size_t> idle = idle_parameters(spec);
+  for (auto i = idle.rbegin(); i != idle.rend(); ++i) {
+    text = all[*i].key + " has no effect on the duration: it is not searched\n" + text;
+    all.erase(all.begin() + static_cast<std::ptrdiff_t>(*i));
+  }
+  return text;
+}
+
 }  // namespace
 
 ParametersSpec path_parameters(const Spec& spec) {
@@ -51,7 +65,10 @@ ParametersSpec path_parameters(const Spec& spec) {
 
 SpecOptimum optimum_of_path(const Spec& spec, const OptimumProgress& keep_going) {
   SpecOptimum best{.text = "", .json = "{}", .spec = spec.document.text};
-  if (!spec.parameters->parameters.empty()) best = optimum_of_numbers(spec, keep_going);
+  Spec effective = spec;
+  const std::string idle = drop_idle(effective);
+  if (!effective.parameters->parameters.empty()) best = optimum_of_numbers(effective, keep_going);
+  best.text = idle + best.text;
   if (!best.spec) return best;
   const auto text = with_refinement(*best.spec);
   if (!text) {

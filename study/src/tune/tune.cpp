@@ -2,6 +2,7 @@
 #include "jounce/study/tune.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -76,14 +77,14 @@ class Tuned {
   }
 
   /// The error for a figure that depends on no parameter.
-  [[nodiscard]] InputError constant_figure(const TunedFigure& figure, int designs) const {
+  [[nodiscard]] InputError constant_figure(const TunedFigure& figure) const {
     const std::string unit = figure.unit.empty() ? "" : " " + figure.unit;
     return spec_.document.located(InputError(
         std::string("optimize.") + (wanted_.maximize ? "maximize" : "minimize"),
         '"' + wanted_.figure + '"',
-        "depends on no parameter: it is " + rounded(figure.reached) + unit + " in all " +
-            counted(designs, "design") +
-            " that were tried. Add a parameter that changes it, or choose another figure"));
+        "depends on no parameter: it is " + rounded(figure.reached) + unit +
+            " in all "
+            "designs that were tried. Add a parameter that changes it, or choose another figure"));
   }
 
   /// The rule of each constraint. The required figures follow, each with its lower and then its upper bound.
@@ -276,18 +277,54 @@ std::vector<TunedFigure> given_figures(Tuned& tuned) {
   return tuned.figures(tuned.assessed(start));
 }
 
+bool is_same(const SearchAnswer& a, const SearchAnswer& b) {
+  const auto close = [](double x, double y) {
+    return x == y || std::abs(x - y) <= rounded_sum * std::max(std::abs(x), std::abs(y));
+  };
+  return a.possible && b.possible && close(a.objective, b.objective) &&
+         std::equal(a.constraints.begin(), a.constraints.end(), b.constraints.begin(),
+                    b.constraints.end(), close);
+}
+
+/// The variables on which no answer depends, at the present values of the others.
+std::vector<std::size_t> idle_variables(Tuned& tuned) {
+  const std::vector<SearchVariable>& variables = tuned.variables();
+  Numbers start;
+  for (const SearchVariable& v : variables) start.push_back(v.start);
+  const SearchAnswer present = tuned(start);
+  std::vector<std::size_t> idle;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    constexpr std::array shares{0.0, 1.0, 0.5, 0.2};
+    const SearchVariable& v = variables[i];
+    if (std::all_of(shares.begin(), shares.end(), [&](double share) {
+          Numbers x = start;
+          x[i] = v.lower + share * (v.upper - v.lower);
+          return is_same(tuned(x), present);
+        }))
+      idle.push_back(i);
+  }
+  return idle;
+}
+
 }  // namespace
+
+std::vector<std::size_t> idle_parameters(const Spec& spec) {
+  if (!spec.parameters) throw nothing_free(spec);
+  Tuned tuned(spec);
+  return idle_variables(tuned);
+}
 
 TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going) {
   if (!spec.parameters) throw nothing_free(spec);
   Tuned tuned(spec);
   const std::vector<TunedFigure> given = given_figures(tuned);
+  if (!given.empty() && idle_variables(tuned).size() == tuned.variables().size())
+    throw tuned.constant_figure(given.front());
   TuneOutcome outcome;
   outcome.search = search(tuned.variables(), std::ref(tuned), spec.parameters->options, keep_going);
   if (outcome.search.status == OptimizeStatus::converged && tuned.is_constant() &&
       outcome.search.evaluations > 1)
-    throw tuned.constant_figure(tuned.figures(tuned.assessed(outcome.search.best)).front(),
-                                static_cast<int>(outcome.search.evaluations));
+    throw tuned.constant_figure(tuned.figures(tuned.assessed(outcome.search.best)).front());
   const bool cancelled = outcome.search.status == OptimizeStatus::cancelled;
   if (outcome.usable() && !cancelled) round_off(tuned, spec.parameters->options, outcome.search);
   add_numbers(tuned, outcome);

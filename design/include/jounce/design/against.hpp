@@ -27,14 +27,20 @@ namespace jounce {
 void set_against(std::vector<Input>& tables, const std::string& spec_path,
                  const std::vector<std::string>& tolerance = {});
 
+/// Gives a table of Jounce the limits of the spec that its header names, like set_against(), but without the comparison
+/// with the curve. Nothing happens if the spec is not found, has another text now, or does not fit the table.
+void set_limits_of_header(Input& table);
+
 /// True for a table whose header names this spec (a path relative to the current folder or to the
 /// folder of the table), or no spec. False for an input with a spec of its own.
 bool may_be_made_from(const Input& table, const std::string& spec_path);
 
 /// For a table of Jounce: the spec that its header names, if this file exists and has another text
-/// now, so that the table is older; "" otherwise. The path in the header is relative to the current
-/// folder or to the folder of the table. `table_path`: the file of the table.
-std::string newer_spec(const Provenance& provenance, const std::string& table_path);
+/// now, so that the table is older; "" otherwise. With `same`, this spec if it has still the same
+/// text. The path in the header is relative to the current folder or to the folder of the table.
+/// `table_path`: the file of the table.
+std::string newer_spec(const Provenance& provenance, const std::string& table_path,
+                       bool same = false);
 
 /// The command that makes a table file again from its spec: "jounce design cam.toml -o cam.csv".
 std::string renewal(const Input& table, const std::string& spec_path);

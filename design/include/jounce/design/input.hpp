@@ -21,6 +21,7 @@ struct AgainstSpec {
   double tolerance = 0;  ///< greatest permitted deviation of the position
   double digits = 0;     ///< share of a number that the rounding in the file may change
   std::vector<std::string> broken = {};  ///< rules that the curve of the spec breaks, too
+  bool limits_only = false;              ///< true: only the limits of the spec apply, not its curve
 };
 
 /// The input of a verb such as `jounce check`: one axis of a spec with its curve and table, or a

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "jounce/base/file.hpp"
 #include "jounce/report/comparison.hpp"
 #include "jounce/report/diagnostic.hpp"
+#include "jounce/spec/key_changes.hpp"
 
 namespace jounce {
 
@@ -61,6 +61,8 @@ struct FileChange {
   std::string before = {};  ///< name of the accepted version; "" if the file was added
   std::vector<Comparison> comparisons = {};  ///< comparison of each axis
   std::vector<Tolerance> tolerances = {};    ///< tolerance of each comparison
+  /// Changed keys of the spec that the comparisons do not cover; see take_key_changes().
+  std::vector<KeyChange> keys = {};
   std::vector<Diagnostic> diagnostics = {};  ///< findings of the rules baseline/...
   std::vector<std::string> pictures = {};    ///< names of two pictures for each comparison
   std::vector<Output> files = {};            ///< the pictures, named without a folder
@@ -69,16 +71,19 @@ struct FileChange {
 
 /// Options of compare_with().
 struct AcceptedOptions {
-  /// Returns the tolerance for the values of the axis with these labels.
-  std::function<Tolerance(const Labels&)> tolerance = [](const Labels&) { return Tolerance{}; };
+  /// Tolerances for tolerance_of(). Each applies to the motions that have its key and unit.
+  std::vector<std::string> tolerances = {};
   bool pictures = false;  ///< true: draws each change, before and after
 };
 
 /// Compares files with their accepted versions, on all cores. The result has the files in their
 /// order, followed by the removed files: accepted files among `names` (folders and patterns, see
 /// find_files()) that no longer exist. A motion is compared exactly, a table with a table, and a
-/// file without a motion by its text. A new file counts as renamed if a removed file has the same
-/// bytes, or the same `name` in its spec.
+/// file without a motion by its text. Two specs of a motion are also compared key by key: a changed
+/// limit counts as a changed motion, another key is a warning. A new file counts as renamed if a
+/// removed file has the same bytes, or the same `name` in its spec.
+///
+/// Throws InputError (key "tolerance") for a tolerance that is wrong, or that fits no compared motion.
 std::vector<FileChange> compare_with(const AcceptedVersions& accepted,
                                      const std::vector<std::string>& files,
                                      const std::vector<std::string>& names,

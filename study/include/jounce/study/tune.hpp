@@ -63,6 +63,11 @@ struct TuneOutcome {
 /// of the figure, and for a number outside its range.
 TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going = {});
 
+/// Returns the parameters of the spec, by index, of which neither the figure nor a limit depends, at
+/// the present values of the others. The spec is made for a few values of each parameter, over its range. None if the
+/// present spec cannot be made.
+std::vector<std::size_t> idle_parameters(const Spec& spec);
+
 /// Returns the numbers that `jounce optimize` chooses for a path without [[optimize.parameter]]:
 /// each `corner`, for the least duration. A corner may vary from a hundredth of its value in the
 /// spec up to this value, so no corner is larger than the spec permits. Throws InputError, with the

@@ -38,6 +38,9 @@ struct CheckOptions {
   EngageTexts start = {};    ///< start of a coupling; master_velocity: also for limits over time
   int continuity = 1;        ///< highest derivative that must be continuous
   std::string against = {};  ///< spec of the tables, see set_against(); "": none
+  /// The axis of the spec `against`, for a table without a name, or the axis to check, for several;
+  /// "": from the name of the file, or all.
+  std::string axis = {};
   /// Tolerances for `against`, as for tolerance_of()
   std::vector<std::string> tolerances = {};
   /// For a run of many files. True: `against` applies to the tables whose header names this spec, or

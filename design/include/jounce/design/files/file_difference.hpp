@@ -8,6 +8,7 @@
 
 #include "jounce/design/input.hpp"
 #include "jounce/report/comparison.hpp"
+#include "jounce/spec/key_changes.hpp"
 
 namespace jounce {
 
@@ -16,9 +17,22 @@ namespace jounce {
 struct FileDifference {
   std::vector<std::pair<Input, Input>> axes;
   std::vector<Comparison> comparisons;  ///< one for each pair
+  /// For two specs: the changed keys outside the curves and limits; see take_key_changes().
+  std::vector<KeyChange> keys = {};
 
   [[nodiscard]] bool equal() const;
 };
+
+/// Compares two specs key by key, after their axes were compared. Each changed limit that is not in
+/// [limits] of an axis becomes a remark of the first comparison: a limit of the slave over time, of
+/// the disc, of the load, of the drive. Returns the other changed keys that the comparisons do not cover.
+/// The comparisons cover the units and, if a curve differs, the sections that describe curves.
+std::vector<KeyChange> take_key_changes(const Spec& before, const Spec& after,
+                                        std::vector<Comparison>& comparisons);
+
+/// Returns "differs outside the curve: disc.base_radius 60 mm -> 50 mm; ...". At most eight keys are
+/// shown, the others are counted. "" if there are none.
+std::string to_text(const std::vector<KeyChange>& keys);
 
 /// Compares the axes of two files. `before_path` and `after_path` are the file names, for messages.
 /// `tolerance` returns the tolerance for the numbers of an axis with the given labels. With `axis`,
