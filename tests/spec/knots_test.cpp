@@ -71,16 +71,16 @@ TEST(KnotsSpec, ShortestTimesOfTwoKnotsUnderAJerkLimit) {
 }
 
 TEST(KnotsSpec, ShortestTimesTakeNoTimesAndNeedALimit) {
-  const std::string timed =
-      complaint(spec("times = \"shortest\"\noutside = \"hold\"\nvelocities = \"clamped\"\n"
-                     "knot = [{ time = 0, position = 0, velocity = 0 }, { position = 1 }]\n"));
-  for (const char* part :
-       {"t.toml:7:18: knot[1].time = 0: times = \"shortest\" computes the times and velocities of "
-        "all knots: give each knot a position only, or leave out times",
-        "velocities = \"clamped\": times = \"shortest\" computes the velocities",
-        "limits.jerk: is missing"})
-    EXPECT_THAT(timed, ::testing::HasSubstr(part)) << "all in one run";
-  EXPECT_THAT(timed, ::testing::Not(::testing::HasSubstr("outside")));
+  EXPECT_THAT(
+      complaint(spec("times = \"shortest\"\noutside = \"hold\"\n"
+                     "knot = [{ time = 0, position = 0, velocity = 0 }, { position = 1 }]\n")),
+      ::testing::HasSubstr(
+          "t.toml:6:18: knot[1].time = 0: times = \"shortest\" computes the times and "
+          "velocities of all knots: give each knot a position only, or leave out times"));
+  EXPECT_THAT(
+      complaint(spec("times = \"shortest\"\nvelocities = \"clamped\"\nlimits = { jerk = 1 }\n"
+                     "knot = [{ position = 0 }, { position = 1 }]\n")),
+      ::testing::HasSubstr("velocities = \"clamped\": times = \"shortest\" computes"));
   EXPECT_THAT(
       complaint(spec("times = \"shortest\"\nknot = [{ position = 0 }, { position = 1 }]\n")),
       ::testing::HasSubstr(
