@@ -82,7 +82,9 @@ std::string knot_line(const KnotChange& change, const Comparison& c) {
   if (!change.after)
     return fmt::format("  - {} {}\n", name_of(*change.before, c.knot_names_before),
                        values_of(*change.before, c));
-  std::string text = fmt::format("  ~ {} at ", name_of(*change.after, c.knot_names_after));
+  const std::string before = name_of(*change.before, c.knot_names_before);
+  const std::string after = name_of(*change.after, c.knot_names_after);
+  std::string text = fmt::format("  ~ {} at ", before == after ? after : before + " -> " + after);
   const auto [from, to] = apart(change.before->where, change.after->where);
   text += followed_by_unit(change.moved ? from + " -> " + to : to, c.labels.units.x);
   for (std::size_t k = 0; k < change.changed.size(); ++k) {

@@ -59,7 +59,7 @@ wrong 2 'must be a position with its name' 300
 wrong 2 'mm' x=3s y=0 z=0
 got=0
 "$jounce" position plotter/machine.toml x=1 y=2 > out 2>&1 || got=$?
-[ $got = 2 ] && grep -q 'has no kinematics' out || fail "a group without kinematics: $got, $(cat out)"
+[ $got = 2 ] && grep -q 'kinematics: is missing' out || fail "a group without kinematics: $got, $(cat out)"
 
 # ---- a plotter
 run plotter plotter

@@ -68,6 +68,7 @@ TEST_F(MachineParts, TheCheckOfASpecRejectsWhatTheRunRejects) {
        {std::pair{"position_max = 10\n[homing]\nmethod = 37\noffset = 500\n",
                   "homing.offset = 500"},
         {"[homing]\nmethod = 37\nindex_velocity = 5000\n", "homing.index_velocity = "},
+        {"position_max = -7\n", "axis.position = 0"},
         {"[homing]\nmethod = 24\n", "homing.method = 24"}}) {
     const std::string file = axis("feeder", more);
     const std::string run = test::error_of([&] { machine_parts({.files = {file}}); });

@@ -33,9 +33,19 @@ TEST(OutcomeText, AddsTheRemedyOfTheAxis) {
 
 TEST(OutcomeText, ARemedyFitsTheReason) {
   CallOutcome faulty = rejected();
-  faulty.reason = "not_enabled: disabled since the fault following_error: it was too great.";
+  faulty.reason =
+      "not_enabled: the axis is disabled since a fault: following_error. It was too great.";
   EXPECT_THAT(reason_text(faulty, "feeder", {}, static_cast<int>(Cause::following_error)),
               HasSubstr("feeder reset` and `jounce order feeder enable`"));
+  CallOutcome aborted = rejected();
+  aborted.cause = static_cast<std::int32_t>(Cause::in_error);
+  aborted.reason = "in_error: the axis has a fault: aborted.";
+  const auto remedy = [&](CommandKind order) {
+    return reason_text(aborted, "feeder", order, static_cast<int>(Cause::aborted));
+  };
+  EXPECT_THAT(remedy(CommandKind::change_velocity),
+              EndsWith("Send `jounce order feeder reset`, then the motion again."));
+  EXPECT_THAT(remedy(CommandKind::move_velocity), EndsWith("Send `jounce order feeder reset`."));
   CallOutcome alone = rejected();
   alone.cause = static_cast<std::int32_t>(Cause::no_master_input);
   alone.reason = "the axis has no live master: add [follow] to its spec";
@@ -73,6 +83,11 @@ TEST(OutcomeText, AGearInPositionNamesTheBeginOfItsEngagement) {
 TEST(OutcomeText, AnAcceptedOrderNamesItsEffect) {
   wire::Status status;
   EXPECT_EQ(accepted_text({.what = "override"}, status, "knife"), "override accepted");
+  EXPECT_EQ(accepted_text({.what = "disable"}, status, "knife"), "disable accepted");
+  status.state = State::continuous_motion;
+  EXPECT_THAT(accepted_text({.what = "disable"}, status, "knife"),
+              HasSubstr("send `jounce order knife reset` and `jounce order knife enable`"));
+  status.state = State::disabled;
   EXPECT_EQ(accepted_text({.what = "set-coordinate-transform", .options = {{"zyz", ""}}}, status,
                           "plotter"),
             "set-coordinate-transform accepted: without values, it removes the frame");

@@ -72,9 +72,15 @@ TEST(KnotsSpec, ShortestTimesOfTwoKnotsUnderAJerkLimit) {
 
 TEST(KnotsSpec, ShortestTimesTakeNoTimesAndNeedALimit) {
   EXPECT_THAT(
-      complaint(spec("times = \"shortest\"\nlimits = { jerk = 1 }\nknot = [{ time = 0, "
-                     "position = 0 }, { position = 1 }]\n")),
-      ::testing::HasSubstr("knot[1].time: is computed by times = \"shortest\": leave it out"));
+      complaint(spec("times = \"shortest\"\noutside = \"hold\"\n"
+                     "knot = [{ time = 0, position = 0, velocity = 0 }, { position = 1 }]\n")),
+      ::testing::HasSubstr(
+          "t.toml:6:18: knot[1].time = 0: times = \"shortest\" computes the times and "
+          "velocities of all knots: give each knot a position only, or leave out times"));
+  EXPECT_THAT(
+      complaint(spec("times = \"shortest\"\nvelocities = \"clamped\"\nlimits = { jerk = 1 }\n"
+                     "knot = [{ position = 0 }, { position = 1 }]\n")),
+      ::testing::HasSubstr("velocities = \"clamped\": times = \"shortest\" computes"));
   EXPECT_THAT(
       complaint(spec("times = \"shortest\"\nknot = [{ position = 0 }, { position = 1 }]\n")),
       ::testing::HasSubstr(

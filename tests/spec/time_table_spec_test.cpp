@@ -75,7 +75,7 @@ TEST(PtSpec, LoopsAreNamedByPassOrHaveNoEnd) {
   EXPECT_EQ(endless.outside(), Extrapolation::advance);
   EXPECT_EQ(endless.at(3072e3 + 512).position, 4096e3 + 256);
   EXPECT_THAT(message(googol(ex_7_3 + "[pt]\nloops = 0\noutside = \"hold\"\n")),
-              HasSubstr("pt.outside: does not apply to loops = 0"));
+              HasSubstr("pt.outside = \"hold\": does not apply to loops = 0"));
   EXPECT_THAT(message(googol(ex_7_3 + "[pt]\nloops = -1\n")),
               HasSubstr("pt.loops = -1: must be at least 1, or 0 for an endless table"));
 }

@@ -34,12 +34,13 @@ std::string rise_line(const Rise& rise, const Labels& labels) {
   const auto n = fmt::format("{} .. {} {}", rounded(rise.cam.start()), rounded(rise.cam.end()),
                              labels.units.x);
   const bool uneven = std::abs(c.ca.value - c.ca_star.value) > uneven_peaks * c.peak_acceleration();
-  std::string line = fmt::format("  {} {:<22} Cv {:.5g}  Ca {:.5g}{}  Cj {:.5g}  Cm {:.5g}",
-                                 c.stroke < 0 ? "fall" : "rise", n, c.cv.value, c.ca.value,
-                                 uneven ? fmt::format("  Ca* {:.5g}", c.ca_star.value) : "",
-                                 c.cj.value, c.cm.value);
+  std::string line = fmt::format(
+      "  {} {:<15} velocity Cv {:.5g}, acceleration Ca {:.5g}{}, jerk Cj {:.5g}, torque Cm {:.5g}",
+      c.stroke < 0 ? "fall" : "rise", n, c.cv.value, c.ca.value,
+      uneven ? fmt::format(", deceleration Ca* {:.5g}", c.ca_star.value) : "", c.cj.value,
+      c.cm.value);
   if (front != best.findings.end())
-    line += fmt::format("; Ca is {:.1f} % above the least for its Cj", 100 * front->margin);
+    line += fmt::format("; with this Cj, Ca can be as low as {:.5g}", front->limit);
   return line + "\n";
 }
 

@@ -15,64 +15,22 @@
 #include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
+#include "design/src/check/cam_limit_advice.hpp"
+#include "design/src/check/stretch.hpp"
+
 namespace jounce {
+
+using design_detail::impossibility;
+using design_detail::least_length;
+using design_detail::least_peaks;
+using design_detail::order_of;
+using design_detail::rest;
+using design_detail::Stretch;
+using design_detail::stretch_between;
+using design_detail::stretch_of;
+using design_detail::Words;
+
 namespace {
-
-/// The least peak of the derivative of order k of any motion from rest to rest, for a stroke and a
-/// length of 1. The least peak velocity is the mean velocity, so it holds for all motions.
-constexpr std::array least_peaks{0.0, 1.0, 4.0, 32.0};
-
-constexpr double rest = 1e-9;    ///< share of the peak: a smaller value at an end is 0
-constexpr double beside = 1e-6;  ///< share of a piece: a peak that is so close to its end is there
-
-/// The segment of the spec to which a piece belongs.
-struct Stretch {
-  double length = 0;
-  double stroke = 0;    ///< signed
-  bool rests = false;   ///< the derivatives below that of the limit are 0 at both ends
-  bool still = false;   ///< velocity and acceleration are 0 at both ends: the shape scales
-  bool at_end = false;  ///< the finding is at an end of its piece
-};
-
-/// The part of a motion from x0 to x1, to which the finding belongs.
-template <class Over>
-Stretch stretch_between(const Curve<Over>& f, double x0, double x1, const Finding& finding,
-                        std::size_t order) {
-  Stretch s;
-  s.length = x1 - x0;
-  const Jet begin = f.jet(x0, Side::right);
-  const Jet end = f.jet(x1, Side::left);
-  s.stroke = end[0] - begin[0];
-  const auto is_still = [&](std::size_t below) {
-    for (std::size_t k = 1; k < below; ++k) {
-      const double scale =
-          rest * least_peaks[k] * std::abs(s.stroke) / std::pow(s.length, static_cast<double>(k));
-      if (std::abs(begin[k]) > scale || std::abs(end[k]) > scale) return false;
-    }
-    return true;
-  };
-  s.rests = is_still(order);
-  s.still = is_still(3);
-  const double near = beside * s.length;
-  s.at_end = finding.where <= x0 + near || finding.where >= x1 - near;
-  return s;
-}
-
-/// The same for all pieces of the segment of the spec to which the piece of the finding belongs.
-template <class Over>
-Stretch stretch_of(const Curve<Over>& f, const Labels& labels, const Finding& finding,
-                   std::size_t order) {
-  const std::size_t count = f.segments().size();
-  const auto label = [&](std::size_t i) {
-    return i < labels.segments.size() ? labels.segments[i] : std::to_string(i + 1);
-  };
-  const std::size_t piece = *finding.segment;
-  std::size_t first = piece;
-  std::size_t last = piece;
-  while (first > 0 && label(first - 1) == label(piece)) --first;
-  while (last + 1 < count && label(last + 1) == label(piece)) ++last;
-  return stretch_between(f, f.breaks()[first], f.breaks()[last + 1], finding, order);
-}
 
 /// The part of a cam over the segment of a spec whose index the finding has.
 Stretch stretch_of(const CamDesign& cam, const CamSpec& spec, const Finding& finding,
@@ -82,59 +40,23 @@ Stretch stretch_of(const CamDesign& cam, const CamSpec& spec, const Finding& fin
   return stretch_between(cam.cam, x0, spec.segments[i].end.master, finding, order);
 }
 
-/// The order of the derivative of a broken limit with a segment; 0 for any other finding.
-std::size_t order_of(const Finding& f, const std::array<const char*, 4>& names) {
-  if (!f.broken || !f.segment || f.rule.family() != RuleFamily::limit || f.limit == 0) return 0;
-  const auto name = std::find(names.begin() + 1, names.end(), std::string_view(f.quantity));
-  return name == names.end() ? 0 : static_cast<std::size_t>(name - names.begin());
-}
-
-/// Numbers with the units of a motion.
-struct Words {
-  const Labels& labels;
-
-  [[nodiscard]] std::string x(double value) const {
-    return fmt::format("{:.4g} {}", value, labels.units.x);
-  }
-  /// A length, rounded up, so that the limit holds with it.
-  [[nodiscard]] std::string at_least(double length) const {
-    const double unit = std::pow(10, std::floor(std::log10(length)) - 3);
-    return x(std::ceil(length / unit) * unit);
-  }
-  [[nodiscard]] std::string of(double value, std::size_t order) const {
-    const std::string unit =
-        rate_unit(labels.units.position, labels.units.x, static_cast<int>(order));
-    return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
-  }
-};
-
-/// "segment 1 rise moves 50 mm in 120 deg, so its geo_velocity ...": "" if a law may keep the limit.
+/// Why no law keeps the limit, with the least length for the best law.
 std::string impossible(const Finding& f, std::size_t order, const Stretch& s, const Words& words,
                        const std::string& who) {
+  const std::string why = impossibility(f, order, s, words, who);
   const double k = static_cast<double>(order);
-  const double needed = least_peaks[order] * std::abs(s.stroke) / std::pow(s.length, k);
-  const double limit = std::abs(f.limit);
-  if (!s.rests || needed <= limit) return "";
-  const std::string why =
-      order == 1
-          ? fmt::format("its mean {} is {}", f.quantity, words.of(needed, 1))
-          : fmt::format("any law reaches a {} of at least {}", f.quantity, words.of(needed, order));
-  return fmt::format(
-      "{} moves {} in {}: {}, above the limit {}. Lengthen the segment to more than {}, or raise "
-      "the limit",
-      who, words.of(std::abs(s.stroke), 0), words.x(s.length), why, words.of(limit, order),
-      words.at_least(s.length * std::pow(needed / limit, 1 / k)));
+  const double least = std::pow(least_peaks[order] * std::abs(s.stroke / f.limit), 1 / k);
+  return why.empty() ? ""
+                     : why + "Lengthen the segment to more than " + words.at_least(least) +
+                           ", or raise the limit";
 }
 
 constexpr std::array coefficients{"", "velocity", "acceleration", "jerk"};
 
 std::string cam_advice(const Finding& f, std::size_t order, const Stretch& s, const Words& words) {
   if (std::string text = impossible(f, order, s, words, "the segment"); !text.empty()) return text;
-  const double longer = std::pow(std::abs(f.value / f.limit), 1.0 / static_cast<double>(order));
-  return fmt::format(
-      "lengthen the segment{}, or use a law with a lower {} coefficient",
-      s.still && s.stroke != 0 ? " to at least " + words.at_least(s.length * longer) : "",
-      coefficients[order]);
+  return fmt::format("lengthen the segment{}, or raise the limit",
+                     s.scales() ? " to at least " + words.at_least(least_length(f, order, s)) : "");
 }
 
 /// The advice for a table of points with velocities (kind "pvt").
@@ -203,13 +125,10 @@ std::string over_time(const Input& input, const Finding& f, std::size_t order) {
 
 void advise_on_limits(const Input& input, Report& report) {
   if (input.labels.over_master) {
+    if (input.spec) return design_detail::advise_on_cam(input, report);
     for (Finding& f : report.findings)
-      if (const std::size_t order = order_of(f, OverMaster::names); order > 0)
-        f.advice = input.spec
-                       ? cam_advice(f, order,
-                                    stretch_of(std::get<Cam>(*input.curve), input.labels, f, order),
-                                    {input.labels})
-                       : "change the spec from which the table was made, or raise the limit";
+      if (order_of(f, OverMaster::names) > 0)
+        f.advice = "change the spec from which the table was made, or raise the limit";
     return;
   }
   for (Finding& f : report.findings) {

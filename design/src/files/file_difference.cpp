@@ -16,6 +16,20 @@ bool has_two_paths(const FileDifference& difference) {
   return before.plan && after.plan;
 }
 
+/// "cam.toml has kind = \"cam\", name = \"feeder\"; ...": for two specs of different kinds or names;
+/// otherwise "".
+std::string identities(const FileDifference& difference) {
+  const auto& [before, after] = difference.axes.front();
+  if (!before.spec || !after.spec) return "";
+  const auto identity = [](const Spec& spec) {
+    return "has kind = \"" + spec_kind(spec.document.text) + "\", name = \"" + spec.name + '"';
+  };
+  const std::string old = identity(*before.spec);
+  const std::string now = identity(*after.spec);
+  const Comparison& files = difference.comparisons.front();
+  return old == now ? "" : files.before + " " + old + "; " + files.after + " " + now + "\n";
+}
+
 }  // namespace
 
 bool FileDifference::equal() const {
@@ -39,10 +53,10 @@ FileDifference file_difference(std::vector<Input> before, std::vector<Input> aft
 }
 
 std::string to_text(const FileDifference& difference) {
-  std::string text;
+  std::string text = identities(difference);
   if (has_two_paths(difference)) {
     const auto& [before, after] = difference.axes.front();
-    text = path_difference(*after.spec, *before.plan, *after.plan) + "\n";
+    text += path_difference(*after.spec, *before.plan, *after.plan) + "\n";
   }
   for (std::size_t i = 0; i < difference.comparisons.size(); ++i)
     text += (i == 0 ? "" : "\n") + to_text(difference.comparisons[i]);

@@ -223,6 +223,21 @@ bool GroupServer::takes_answer(const CommandQueue::Reply& reply) {
 
 // ---- limits and override -----------------------------------------------------------------------
 
+namespace {
+
+/// "1 (x) or 2 (y)", the numbers of axes with these names.
+std::string numbered(const std::vector<std::string>& names) {
+  std::string all;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    all += (k == 0                  ? ""
+            : k + 1 == names.size() ? " or "
+                                    : ", ") +
+           std::to_string(k + 1) + " (" + names[k] + ")";
+  return all;
+}
+
+}  // namespace
+
 void GroupServer::set_limits(const command::GroupSetLimits& what, const Request& request,
                              bool continues) {
   try {
@@ -231,8 +246,10 @@ void GroupServer::set_limits(const command::GroupSetLimits& what, const Request&
     if (moving()) set_rate(present_rate());
     answer(request, std::nullopt);
   } catch (const InputError& error) {
-    receiver_.refuse(request.session, request.command,
-                     error.key() + " " + error.value() + " " + error.rule(),
+    const InputError named(
+        error.key(), error.value(),
+        error.key() == "axis" ? "must be " + numbered(options_.group->names) : error.rule());
+    receiver_.refuse(request.session, request.command, named.what(),
                      static_cast<std::int32_t>(Cause::no_value));
   }
 }

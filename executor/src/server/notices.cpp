@@ -157,7 +157,7 @@ std::string start_position_text(const Refusal& refusal, const Tick& now,
   const std::string order = "`jounce order " + options.receiver.executor;
   const std::string start = in_units(refusal.value, options);
   if (now.fault != Cause::none)
-    return "the axis has the fault " + std::string(name(now.fault)) + ": first send " + order +
+    return "the axis has a fault: " + std::string(name(now.fault)) + ". First send " + order +
            " reset`, and move the axis to the start of the table, " + start;
   if (std::isnan(refusal.value))
     return "the motion does not begin at the position of the axis, " +
@@ -198,12 +198,29 @@ std::string home_position_text(const Refusal& refusal, const ExecutorOptions& op
          " move --to " + place + "`";
 }
 
+/// The orders that enable a disabled group without a fault: its axes, then the group. "" for another
+/// refusal.
+std::string disabled_group_text(Cause cause, const Tick& now, const ExecutorOptions& options) {
+  if (cause != Cause::not_enabled || !options.group || now.fault != Cause::none) return "";
+  const auto words = [&](const std::string& axes) {
+    return "the group is disabled: send `jounce order AXIS enable` for " + axes +
+           ", then `jounce order " + options.receiver.executor + " enable`";
+  };
+  std::string names;
+  for (const std::string& axis : options.group->names) names += (names.empty() ? "" : ", ") + axis;
+  const std::string all = words(names);
+  return all.size() < wire::reason_bytes ? all : words("each of its axes");
+}
+
 }  // namespace
 
 std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options,
                          CommandKind order) {
   if (refusal.cause == Cause::in_group && !options.groups.empty())
     return in_group_text(options.groups, order);
+  if (const std::string order_of_enables = disabled_group_text(refusal.cause, now, options);
+      !order_of_enables.empty())
+    return order_of_enables;
   if (const std::string most = distance_text(refusal, now, options, order); !most.empty())
     return most;
   if (const std::string missing = missing_part_text(refusal.cause, options); !missing.empty())
@@ -226,8 +243,8 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
   if (!fault || now.fault == Cause::none) return words;
   const std::string who = options.group ? ": the group " : ": the axis ";
   const std::string why =
-      std::string(name(refusal.cause)) +
-      (refusal.cause == Cause::in_error ? who + "has the fault " : ": disabled since the fault ") +
+      std::string(name(refusal.cause)) + who +
+      (refusal.cause == Cause::in_error ? "has a fault: " : "is disabled since a fault: ") +
       name(now.fault);
   const std::string numbers =
       numbers_of(now, options.units.position, options.axis, group_names(options), true);

@@ -25,10 +25,11 @@ void require_valid(const Indexer& spec) {
   const double room = spec.cycle / spec.count;
   // The rounding of cycle / count is not a dwell.
   if (spec.before + spec.motion > room * (1 + rounded_sum))
-    throw InputError("motion", spec.motion,
-                     "must be at most " + six_digits_down(room - spec.before) +
-                         ", the time for one index: cycle / count - before = " + six_digits(room) +
-                         " - " + number(spec.before));
+    throw InputError(
+        "motion", spec.motion,
+        "must be at most " + six_digits_down(room - spec.before) +
+            ", the time for one step: cycle / count - before, where cycle = " + number(spec.cycle) +
+            ", count = " + std::to_string(spec.count) + " and before = " + number(spec.before));
   gearing::require_rest_to_rest("law", spec.law, spec.form);
 }
 

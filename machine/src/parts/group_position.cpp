@@ -38,6 +38,11 @@ const MachineSpec::Group& group_named(const MachineSpec& machine, const std::str
     throw InputError("FILE", machine.document.name,
                      "has no [[group]]: only a group has kinematics");
   if (name.empty() && names.size() == 1) return machine.groups.front();
+  if (name.empty())
+    throw InputError("--group", "",
+                     "is missing: " + machine.document.name + " has " +
+                         counted(names.size(), "group") + ", " + listed(names) + ": add --group " +
+                         names.front());
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
     throw InputError("--group", name, "must be a group of the machine: " + listed(names));
@@ -53,9 +58,10 @@ std::optional<double> narrower(const std::optional<double>& a, const std::option
 
 GroupPlaces places_of(const MachineSpec& machine, const MachineSpec::Group& group) {
   if (group.kinematics.empty())
-    throw InputError("--group", group.name,
-                     "has no kinematics: the coordinates of its commands are the positions of its "
-                     "axes");
+    throw machine.document.located(
+        InputError(group.key + ".kinematics", "",
+                   "is missing: without it, the coordinates of " + group.name +
+                       " are the positions of its axes, and need no conversion"));
   const Spec spec = read_spec(group.kinematics);
   const auto* const path = std::get_if<PathSpec>(&spec.subject);
   if (path == nullptr || !path->joints)

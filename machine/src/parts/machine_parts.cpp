@@ -157,8 +157,8 @@ AxisConfig axis_of(const Spec& spec) {
 /// spec has in [axis].
 InputError in_axis_spec(const Spec& spec, const InputError& error) {
   const std::string key = "axis." + error.key();
-  return spec.document.located(
-      spec.document.places.contains(key) ? InputError(key, error.value(), error.rule()) : error);
+  const bool is_own = spec.document.places.contains(key) || spec.document.known.contains(key);
+  return spec.document.located(is_own ? InputError(key, error.value(), error.rule()) : error);
 }
 
 ExecutorOptions executor_of(const MachineOptions& options, const Spec& spec, std::size_t axes) {

@@ -36,6 +36,11 @@ std::string refusal_text(const CallOutcome& outcome) {
 /// The kind of the rejected order; nullopt: a table was rejected.
 using Rejected = std::optional<CommandKind>;
 
+/// True for an order that an axis at rest rejects, because it changes a motion.
+bool changes_motion(Rejected order) {
+  return order && permitted(State::standstill, *order) == Cause::no_movement;
+}
+
 /// The remedy of a cause for this axis, which has this fault (0: none). "" if the cause has none, or
 /// if the executor wrote the reason itself, with a remedy: such a reason has no name of a cause.
 std::string remedy_of(std::int32_t cause, const std::string& reason, const std::string& executor,
@@ -46,7 +51,13 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
     std::string remedy =
         rejected ? remedy_of_order(one.cause, *rejected) : remedy_of_table(one.cause);
     if (one.cause == Cause::in_error && fault == static_cast<std::int32_t>(Cause::aborted))
-      remedy = "Send `jounce order NAME reset`.";
+      remedy = changes_motion(rejected) ? "Send `jounce order NAME reset`, then the motion again."
+                                        : "Send `jounce order NAME reset`.";
+    if (one.cause == Cause::in_error && fault == static_cast<std::int32_t>(Cause::axis_fault))
+      remedy =
+          "Remove the cause, send `jounce order AXIS reset` and `jounce order AXIS enable` for "
+          "this "
+          "axis, then `jounce order NAME reset`.";
     if (one.cause == Cause::not_enabled && fault != 0)
       remedy =
           "Remove its cause, then send `jounce order NAME reset` and `jounce order NAME enable`.";
@@ -88,6 +99,11 @@ std::string start_of_gear(const CommandWords& words, const std::string& unit) {
 
 constexpr const char* jerk_of_master =
     "; no jerk limit applies behind the master: the jerk is that of the master times the ratio";
+
+/// True for the states in which `disable` causes a fault.
+bool moves(State state) {
+  return state != State::disabled && state != State::standstill && state != State::error_stop;
+}
 
 const char* last_state(const StreamOutcome& outcome, bool waits) {
   if (outcome.started) return waits ? "accepted, waits for its start" : "started";
@@ -134,8 +150,14 @@ std::string plain_accepted_text(const CommandWords& words, const wire::Status& b
         "coordinate: the position was {} before",
         six_digits(before.slave_position) +
             (before.units.position.empty() ? "" : " " + before.units.position));
+  if (word == "disable" && moves(before.state))
+    return fmt::format(
+        "disable accepted in motion: the axis has a fault now, {1}. Before the next motion, send "
+        "`jounce order {0} reset` and `jounce order {0} enable`. `jounce stop {0}` before disable "
+        "avoids this",
+        executor, name(Cause::disabled_in_motion));
   if (word != "enable" || before.last_error == 0) return word + " accepted";
-  return fmt::format("enable accepted, but the fault {} remains: send `jounce order {} reset`",
+  return fmt::format("enable accepted, but a fault remains: {}. Send `jounce order {} reset`",
                      name(static_cast<Cause>(before.last_error)), executor);
 }
 

@@ -71,6 +71,16 @@ Points points_with(const std::string& document, const Units& units, std::vector<
   return points;
 }
 
+/// Calls a function of a library with the keys of the drawing; an error gets the place of its key.
+template <class Make>
+auto with_place(TomlReader& drawing, Make make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    drawing.fail(error.key().c_str(), error.value(), error.rule());
+  }
+}
+
 DrawnCam plate_of(TomlReader& drawing, const Outline& outline, Units units) {
   drawing.describe("the drawing of a plate, a closed curve");
   if (units.x.empty()) units.x = "deg";
@@ -87,7 +97,8 @@ DrawnCam plate_of(TomlReader& drawing, const Outline& outline, Units units) {
   for (std::size_t i = 0; i <= n; ++i)
     masters.push_back(2 * std::numbers::pi / disc.geometry.angle * static_cast<double>(i) /
                       static_cast<double>(n));
-  PlateMotion motion = plate_motion(profile, disc.geometry, masters);
+  PlateMotion motion =
+      with_place(drawing, [&] { return plate_motion(profile, disc.geometry, masters); });
   motion.slave.back() = motion.slave.front();  // one turn later
   disc.geometry.base_radius = motion.base_radius;
   return {points_with(outline.document, units, std::move(masters), std::move(motion.slave)), disc};

@@ -23,7 +23,7 @@ const std::vector<std::string> compare_sources{"position", "actual"};
 std::int64_t count_of(TomlReader& compare) {
   const std::int64_t count = compare.whole("count");
   if (count < 1 || count > 10'000'000)
-    compare.fail("count", std::to_string(count), "must be 1 to 1e7");
+    compare.fail("count", std::to_string(count), "must be a whole number from 1 to 10000000");
   return count;
 }
 

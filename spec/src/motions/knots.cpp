@@ -148,7 +148,7 @@ Table filled_table(TomlReader& top, Spec& spec, Interpolation rule) {
 }
 
 /// The cubic spline as a table with its knots. It is exact, also as a quintic table.
-Table table_of(const Trajectory& spline, Interpolation rule) {
+Table table_of(const Trajectory& spline, Interpolation rule, Extrapolation outside) {
   Columns columns;
   for (const double x : spline.breaks()) {
     const Jet jet = spline.jet(x, x == spline.end() ? Side::left : Side::right);
@@ -157,29 +157,39 @@ Table table_of(const Trajectory& spline, Interpolation rule) {
     columns.v.push_back(jet[1]);
     if (rule == Interpolation::quintic_hermite) columns.a.push_back(jet[2]);
   }
-  return Table(Domain::time, rule, Extrapolation::hold, std::move(columns));
+  return Table(Domain::time, rule, outside, std::move(columns));
 }
 
-void refuse_beside_times(TomlReader& reader, const char* key) {
-  if (reader.has(key)) reader.fail(key, "", "is computed by times = \"shortest\": leave it out");
+/// Rejects the first key that times = "shortest" computes.
+void refuse_computed(TomlReader& top) {
+  std::vector<TomlReader> knots = top.tables("knot");
+  for (const char* key : {"time", "velocity", "acceleration"})
+    for (TomlReader& knot : knots)
+      if (knot.has(key))
+        return knot.refuse_here(key,
+                                "times = \"shortest\" computes the times and velocities of all "
+                                "knots: give each knot a position only, or leave out times");
 }
 
 Table shortest_table(TomlReader& top, const Spec& spec, Interpolation rule) {
   if (rule == Interpolation::linear)
     top.fail("times", "\"shortest\"", "needs rule = \"cubic_hermite\" or \"quintic_hermite\"");
-  refuse_beside_times(top, "velocities");
+  top.refuse_here("velocities",
+                  "times = \"shortest\" computes the velocities: leave it out, or leave out times");
+  const Extrapolation outside = read_outside(top, false);
   if (top.has("points"))
     top.fail("points", "",
              "has times: for times = \"shortest\" give each [[knot]] a position only");
   SplineTimesSpec times;
   times.limits = {spec.limits};
+  refuse_computed(top);
   for (TomlReader& knot : top.tables("knot")) {
     times.points.push_back({knot.number("position", spec.units.position)});
-    for (const char* key : {"time", "velocity", "acceleration"}) refuse_beside_times(knot, key);
+    for (const char* key : {"time", "velocity", "acceleration"}) knot.may_have(key);
     knot.finish();
   }
   try {
-    return table_of(spline_times(times).best.joints.front(), rule);
+    return table_of(spline_times(times).best.joints.front(), rule, outside);
   } catch (const InputError& error) {
     const bool of_limits = error.key().starts_with("limits[1]");
     throw InputError(of_limits ? "limits" + error.key().substr(9) : "knot", error.value(),

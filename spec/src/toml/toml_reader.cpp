@@ -101,7 +101,10 @@ std::string TomlReader::path(std::string_view key) const {
 }
 
 void TomlReader::fail(const char* key, const std::string& value, const std::string& rule) {
-  throw document_->located(InputError(path(key), value, rule));
+  const toml::node* const node = table_->get(key);
+  if (node != nullptr) document_->places.emplace(path(key), place(node->source()));
+  const bool shows = value.empty() && node != nullptr && node->is_value();
+  throw document_->located(InputError(path(key), shows ? shown(*node) : value, rule));
 }
 
 void TomlReader::fail_all(const char* key, const std::string& value, const std::string& rule) {

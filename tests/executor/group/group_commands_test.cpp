@@ -273,7 +273,7 @@ TEST(GroupCommands, AFrameMovesTheFollowingCommands) {
   ASSERT_TRUE(site.order("plotter", frame).ok());
   ASSERT_TRUE(site.order("plotter", command::Disable{}).ok());
   site.advance(10ms);
-  EXPECT_THAT(site.order("plotter", frame).reason, HasSubstr("not_enabled"));
+  EXPECT_THAT(site.order("plotter", frame).reason, HasSubstr("the group is disabled"));
   ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
   site.requested.lines = {{120, 30, 100, 0}};
   ASSERT_TRUE(site.order("plotter", command::MoveLinearAbsolute{.to = at(100, 0)}).ok());
@@ -377,7 +377,7 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
   EXPECT_EQ(site.moving, 0);
 
   ASSERT_TRUE(site.order("plotter", command::Disable{}).ok());
-  EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(1, 0)}), HasSubstr("not_enabled"));
+  EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(1, 0)}), HasSubstr("the group is disabled"));
 }
 
 TEST(GroupCommands, FollowAPathThatWasSentAsAWhole) {

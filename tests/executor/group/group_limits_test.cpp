@@ -446,16 +446,17 @@ TEST(GroupLimits, OfAxesThatAreQueuedEqualTheOfflinePlan) {
 TEST(GroupLimits, AreChecked) {
   Measured site;
   EXPECT_THAT(site.refused(command::GroupSetLimits{.dynamics = {.velocity = 5}, .axis = 3}),
-              HasSubstr("axis 3 must be from 1 to 2, the number of axes of the group"));
+              HasSubstr("axis = 3: must be 1 (x) or 2 (y)"));
   EXPECT_THAT(site.refused(command::GroupSetLimits{.dynamics = {.deceleration = 5}, .axis = 1}),
-              HasSubstr("deceleration 5 applies along the path only"));
+              HasSubstr("deceleration = 5: applies along the path only"));
   EXPECT_THROW(site.order("plotter", command::GroupSetLimits{.dynamics = {.velocity = -1}}),
                InputError);
   EXPECT_THAT(site.order("x", command::GroupSetLimits{.dynamics = {.velocity = 5}}).reason,
               HasSubstr("not_a_group"));
   site.accepts(command::Disable{});
-  EXPECT_THAT(site.refused(command::GroupSetLimits{.dynamics = {.velocity = 5}}),
-              HasSubstr("not_enabled"));
+  EXPECT_EQ(site.refused(command::GroupSetLimits{.dynamics = {.velocity = 5}}),
+            "axis: the group is disabled: send `jounce order AXIS enable` for x, y, then `jounce "
+            "order plotter enable`");
 }
 
 // ---- coordinates -------------------------------------------------------------------------------

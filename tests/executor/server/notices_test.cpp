@@ -95,9 +95,9 @@ TEST(Notices, ARejectionNamesThePresentFault) {
   ExecutorOptions limited;
   limited.units.position = "mm";
   limited.axis.limits.position_max = 300;
-  EXPECT_EQ(refusal_text({Cause::in_error}, {.fault = Cause::positive_soft_limit}, limited),
-            "in_error: the axis has the fault positive_soft_limit. The limit is position_max = 300 "
-            "mm.")
+  EXPECT_EQ(
+      refusal_text({Cause::in_error}, {.fault = Cause::positive_soft_limit}, limited),
+      "in_error: the axis has a fault: positive_soft_limit. The limit is position_max = 300 mm.")
       << "its meaning and its number together do not fit";
   limited.axis.longest_gap = 100;
   Tick stalled{.fault = Cause::stalled};
