@@ -7,6 +7,7 @@
 #include "jounce/command/causes.hpp"
 #include "jounce/command/commands.hpp"
 #include "jounce/command/refusal_text.hpp"
+#include "jounce/profiles/digits_beside.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
@@ -569,13 +570,19 @@ std::string of_group_axis(const Refusal& refusal, const std::string& unit,
          " instead of " + six_digits(refusal.limit) + unit_of(refusal.cause, unit) + ".";
 }
 
+/// The value of a rejection, with as many digits as show that it is not its limit.
+std::string value_text(const Refusal& refusal) {
+  return refusal.value == refusal.limit ? six_digits(refusal.value)
+                                        : digits_beside(refusal.value, six_digits(refusal.limit));
+}
+
 /// The limit that a motion uses up, from its derivative in Refusal::where.
 std::string used_up(const Refusal& refusal, const std::string& unit) {
   constexpr std::array limits{Cause::velocity_limit, Cause::acceleration_limit, Cause::jerk_limit};
   constexpr std::array names{"velocity", "acceleration", "jerk"};
   const auto index = static_cast<std::size_t>(refusal.where) - 1;
   if (index >= limits.size()) return ".";
-  return std::string(": ") + names[index] + " " + six_digits(refusal.value) +
+  return std::string(": ") + names[index] + " " + value_text(refusal) +
          unit_of(limits[index], unit) + ", limit " + six_digits(refusal.limit) +
          unit_of(limits[index], unit) + ".";
 }
@@ -668,7 +675,10 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
            "the axis would start it at " + shown(refusal.limit) + ".";
   const std::string instant =
       std::isnan(refusal.where) ? "" : " at " + six_digits(refusal.where) + " s";
-  return words + ": " + shown(refusal.value) + instant + ", limit " + shown(refusal.limit) + ".";
+  const bool is_near_zero = std::abs(refusal.value) < rounding * scale;
+  const std::string value =
+      is_near_zero ? shown(refusal.value) : value_text(refusal) + unit_of(cause, unit);
+  return words + ": " + value + instant + ", limit " + shown(refusal.limit) + ".";
 }
 
 std::string unready_axis_text(const Refusal& refusal, std::span<const std::string> axes) {

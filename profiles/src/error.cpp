@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/digits_beside.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
@@ -89,6 +90,13 @@ std::string six_digits_up(double value) {
 std::string six_digits_down(double value) {
   const std::string text = six_digits_up(-value);
   return text.starts_with('-') ? text.substr(1) : value == 0 ? "0" : '-' + text;
+}
+
+std::string digits_beside(double value, const std::string& other) {
+  constexpr int most = 17;  // a double has no more
+  std::string text = six_digits(value);
+  for (int digits = 7; text == other && digits <= most; ++digits) text = rounded(value, digits);
+  return text;
 }
 
 InputError::InputError(std::string key, std::string value, std::string rule)

@@ -25,6 +25,14 @@ constexpr std::array rules{
              "Lower the acceleration, or the inertia of the load."},
     RuleInfo{"limit/load_rms_torque", "The rms torque at the load is above its limit.",
              "Lower the acceleration, or add standstill to the cycle."},
+    RuleInfo{"limit/acceleration_step",
+             "The acceleration steps by more than the jerk limit permits within one cycle of 1 ms.",
+             "Make the acceleration continuous, or raise the jerk limit; for a table, use the rule "
+             "quintic_hermite."},
+    RuleInfo{"limit/velocity_step",
+             "The velocity of a table steps by more than the acceleration limit permits within one "
+             "cycle of 1 ms.",
+             "Use the rule cubic_hermite or quintic_hermite, or more knots."},
     RuleInfo{"limit/*", "The named quantity exceeds its limit. Its value is the exact extremum.",
              "Give the segment more time or master travel, choose another law (`jounce laws`), or "
              "let `jounce optimize` choose."},

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/digits_beside.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
@@ -64,10 +65,7 @@ std::string limit_number(const Finding& f) {
 /// The value without its unit; beside a limit that it breaks, with as many digits as show the
 /// difference.
 std::string value_number(const Finding& f) {
-  std::string text = rounded(f.value);
-  for (int digits = 7; f.broken && text == limit_number(f) && digits <= 17; ++digits)
-    text = fmt::format("{:.{}g}", f.value, digits);
-  return text;
+  return f.broken ? digits_beside(f.value, limit_number(f)) : rounded(f.value);
 }
 
 std::string in_unit(const std::string& number, const std::string& unit) {

@@ -71,6 +71,17 @@ TEST(Causes, ARemedyOfAnOrderSuitsItsKind) {
   }
 }
 
+TEST(Causes, AValueBesideItsLimitShowsTheDifference) {
+  EXPECT_THAT(text(Refusal{Cause::jerk_limit, 50000.04, 50000, 1.5}, "mm"),
+              EndsWith(": 50000.04 mm/s^3 at 1.5 s, limit 50000 mm/s^3."));
+  EXPECT_THAT(text(Refusal{Cause::velocity_limit, 300.0000000001, 300}, "mm"),
+              EndsWith(": 300.0000000001 mm/s, limit 300 mm/s."));
+  EXPECT_THAT(text(Refusal{Cause::position_limit, 600.0000000001, 600}, "mm"),
+              EndsWith(": 600.0000000001 mm, limit 600 mm."));
+  EXPECT_THAT(text(Refusal{Cause::velocity_limit, 400, 300}, "mm"),
+              EndsWith(": 400 mm/s, limit 300 mm/s."));
+}
+
 TEST(Causes, TextsHaveTheNumbersOfTheRejection) {
   EXPECT_EQ(
       text(Refusal{Cause::too_late, 5, 123456789}, "mm"),

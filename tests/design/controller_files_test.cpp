@@ -14,6 +14,7 @@
 #include "jounce/base/file.hpp"
 #include "jounce/base/input_errors.hpp"
 #include "jounce/design/convert.hpp"
+#include "jounce/report/report_text.hpp"
 
 #include "support/errors.hpp"
 
@@ -548,6 +549,76 @@ TEST(ControllerFiles, ApplyTheResolutionsOfTheUser) {
     EXPECT_GE(c.x.size(), 2U);
     EXPECT_TRUE(made.within_limit());
   }
+}
+
+/// The greatest third derivative of the pieces, at 65 places of each.
+double greatest_jerk(const Played& played) {
+  double greatest = 0;
+  for (const Piece& piece : played.pieces)
+    for (int k = 0; k <= 64; ++k) {
+      const double u = piece.length * k / 64;
+      greatest = std::max(greatest,
+                          std::abs(6 * piece.c[3] + u * (24 * piece.c[4] + u * 60 * piece.c[5])));
+    }
+  return greatest;
+}
+
+/// Knots of a motion a minute after its start, 46 us apart: half a nanosecond of such an interval would
+/// change its jerk a thousandfold.
+TEST(ControllerFiles, KeepTheMotionAtWholeNanoseconds) {
+  constexpr double begin = 60.0000000004, duration = 0.4, jerk = 60 * 40 / (0.4 * 0.4 * 0.4);
+  Columns columns{{0}, {0}, {0}, {0}};
+  const auto add = [&](double s) {
+    columns.x.push_back(begin + s * duration);
+    columns.p.push_back(40 * law_345(s));
+    columns.v.push_back(40 * 30 * s * s * (1 - s) * (1 - s) / duration);
+    columns.a.push_back(40 * 60 * s * (1 - s) * (1 - 2 * s) / (duration * duration));
+  };
+  for (const double s : {0.0, 0.25, 0.500000001, 0.500116, 0.75, 1.0}) add(s);
+  const Input input =
+      input_of({Table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold, columns),
+                {"s", "mm"},
+                {}},
+               "late.csv");
+  const ExchangeFormat& ros = *exchange_format_named("ros");
+  const Converted made = converted(input, {.rule = rule_of(ros), .format = &ros});
+  ASSERT_EQ(made.file.table.size(), columns.x.size());
+  const Played file = play_ros(exchange_text(ros, made.file));
+  EXPECT_LT(1000 * greatest_jerk(file), 1.1 * jerk);
+  ASSERT_TRUE(made.error);
+  double velocity = 0, position = 0;  // the greatest errors, in mm
+  for (const Piece& piece : file.pieces)
+    for (int k = 1; k < 64; ++k) {
+      const double u = piece.length * k / 64;
+      const double s = (piece.from + u - begin) / duration;
+      const double v =
+          piece.c[1] +
+          u * (2 * piece.c[2] + u * (3 * piece.c[3] + u * (4 * piece.c[4] + u * 5 * piece.c[5])));
+      const double law = s < 0 ? 0 : 40 * 30 * s * s * (1 - s) * (1 - s) / duration;
+      velocity = std::max(velocity, std::abs(1000 * v - law));
+      position = std::max(position, std::abs(1000 * piece.at(piece.from + u) - 40 * law_345(s)));
+    }
+  EXPECT_LE(position, made.error->position + 1e-12);
+  EXPECT_LE(velocity, made.error->velocity + 1e-8) << "the rounding of the witness";
+  EXPECT_LT(made.error->velocity, 1e-5);
+}
+
+/// An S-curve that reaches its limits is exported: the file keeps them.
+TEST(ControllerFiles, KeepTheLimitsOfAnSCurveAtWholeNanoseconds) {
+  const Input input = inputs_of(parse_spec("jounce = 1\nkind = \"move\"\nunits = { position = "
+                                           "\"mm\", time = \"s\" }\n[move]\nprofile = "
+                                           "\"s_curve\"\nto = 100\nvelocity = 300\n"
+                                           "acceleration = 3000\njerk = 1e6\n[limits]\n"
+                                           "velocity = 300\nacceleration = 3000\njerk = 1e6\n",
+                                           "rot.toml"),
+                                "rot.toml")
+                          .front();
+  const ExchangeFormat& ros = *exchange_format_named("ros");
+  const Converted made = converted(input, {.rule = rule_of(ros), .format = &ros});
+  EXPECT_TRUE(made.keeps()) << (made.exceeded.findings.empty()
+                                    ? ""
+                                    : sentence(made.exceeded.findings.front(), input.labels));
+  EXPECT_LT(1000 * greatest_jerk(play_ros(exchange_text(ros, made.file))), 1e6 * (1 + 1e-6));
 }
 
 TEST(ControllerFiles, ApplyTheSpacing) {

@@ -162,26 +162,64 @@ MasterLimit greatest(const Transfers& f, const Constraint& c) {
 }
 
 /// A step of the nth derivative, so that the next one is infinite.
-std::optional<double> step_of(const Cam& cam, int n, double peak) {
+std::optional<Jump> step_of(const Cam& cam, int n, double peak) {
   const Jump jump = largest_jump(cam, n);
   if (std::abs(jump.step) <= rounded_input * peak) return std::nullopt;
-  return jump.where;
+  return jump;
 }
 
-MasterLimit least(const Cam& cam, const std::vector<Constraint>& constraints) {
+/// Steps of the derivatives of a cam, and the limits that they set.
+class Steps {
+ public:
+  /// `speed`: the speed of the master; nullopt if it is the result.
+  Steps(const Cam& cam, const Transfers& f, double cycle, std::optional<double> speed)
+      : cycle_(cycle), speed_(speed) {
+    const Range travel = extrema(cam, 0);
+    const std::array peaks{travel.max.value - travel.min.value, f.most()[0], f.most()[1]};
+    for (std::size_t k = 0; k < steps_.size(); ++k)
+      steps_[k] = step_of(cam, static_cast<int>(k), peaks[k]);
+  }
+
+  /// The limit that a step sets to a quantity; `limits_acceleration`: the acceleration is limited.
+  [[nodiscard]] MasterLimit limit(const Constraint& c, bool limits_acceleration) const {
+    const std::string quantity = c.quantity;
+    if (steps_[0]) return {0, quantity, steps_[0]->where, true};
+    if (steps_[1] && quantity == "acceleration") return within_a_cycle(c, 1);
+    if (steps_[1] && quantity == "jerk" && !(cycle_ > 0 && limits_acceleration))
+      return {0, quantity, steps_[1]->where, true};
+    if (steps_[2] && quantity == "jerk") return within_a_cycle(c, 2);
+    return {};
+  }
+
+ private:
+  /// Equation (3) of master_limits.hpp.
+  [[nodiscard]] MasterLimit within_a_cycle(const Constraint& c, std::size_t order) const {
+    const double most = c.limit * cycle_ / std::abs(steps_[order]->step);
+    const double speed = order == 1 ? most : std::sqrt(most);
+    if (!speed_) return {speed, c.quantity, steps_[order]->where, true};
+    if (most > 0 && *speed_ <= speed * (1 + rounded_value)) return {};
+    return {0, c.quantity, steps_[order]->where, true};
+  }
+
+  double cycle_;
+  std::optional<double> speed_;
+  std::array<std::optional<Jump>, 3> steps_;
+};
+
+/// `speed`: as for Steps.
+MasterLimit least(const Cam& cam, const std::vector<Constraint>& constraints, double cycle,
+                  std::optional<double> speed) {
   const Transfers f(cam);
-  const Range travel = extrema(cam, 0);
-  const auto position_step = step_of(cam, 0, travel.max.value - travel.min.value);
-  const auto velocity_step = step_of(cam, 1, f.most()[0]);
-  const auto acceleration_step = step_of(cam, 2, f.most()[1]);
+  const Steps steps(cam, f, cycle, speed);
+  const bool limits_acceleration =
+      std::any_of(constraints.begin(), constraints.end(),
+                  [](const Constraint& c) { return std::string(c.quantity) == "acceleration"; });
   MasterLimit least;
   for (const Constraint& c : constraints) {
-    const std::string quantity = c.quantity;
-    if (position_step) return {0, quantity, *position_step};
-    if (quantity != "velocity" && velocity_step) return {0, quantity, *velocity_step};
-    if (quantity == "jerk" && acceleration_step) return {0, quantity, *acceleration_step};
-    const MasterLimit one = greatest(f, c);
-    if (one.value < least.value) least = one;
+    const MasterLimit step = steps.limit(c, limits_acceleration);
+    if (step.value == 0) return step;
+    for (const MasterLimit& one : {step, greatest(f, c)})
+      if (one.value < least.value) least = one;
   }
   return least;
 }
@@ -193,19 +231,21 @@ MasterLimit greatest_master_velocity(const Cam& cam, const Limits& slave,
   require_valid(slave);
   require_not_negative("acceleration", rates.acceleration);
   require_not_negative("jerk", rates.jerk);
+  require_not_negative("cycle", rates.cycle);
   const double a = rates.acceleration;
   std::vector<Constraint> all;  // Equation (2), x = w
   if (slave.velocity) all.push_back({"velocity", *slave.velocity, {1, 0, 0}, {1, 0, 0}});
   if (slave.acceleration)
     all.push_back({"acceleration", *slave.acceleration, {a, 1, 0}, {0, 2, 0}});
   if (slave.jerk) all.push_back({"jerk", *slave.jerk, {rates.jerk, 3 * a, 1}, {0, 1, 3}});
-  return least(cam, all);
+  return least(cam, all, rates.cycle, std::nullopt);
 }
 
 MasterLimit greatest_master_acceleration(const Cam& cam, const Limits& slave, double velocity,
-                                         double jerk) {
+                                         double jerk, double cycle) {
   require_valid(slave);
   require_not_negative("velocity", velocity);
+  require_not_negative("cycle", cycle);
   require_not_negative("jerk", jerk);
   const double w = velocity;
   std::vector<Constraint> all;  // Equation (2), x = a
@@ -213,7 +253,7 @@ MasterLimit greatest_master_acceleration(const Cam& cam, const Limits& slave, do
   if (slave.acceleration)
     all.push_back({"acceleration", *slave.acceleration, {1, w * w, 0}, {1, 0, 0}});
   if (slave.jerk) all.push_back({"jerk", *slave.jerk, {jerk, 3 * w, w * w * w}, {0, 1, 0}});
-  return least(cam, all);
+  return least(cam, all, cycle, w);
 }
 
 }  // namespace jounce

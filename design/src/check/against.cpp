@@ -125,11 +125,13 @@ AgainstSpec deviation(const Curve<Over>& curve, const Input& spec, const Input& 
   return against;
 }
 
-/// The rules of limits that the spec itself breaks.
-std::vector<std::string> broken_limits(const Input& spec) {
+/// The rules of limits and of continuity that the spec itself breaks.
+std::vector<std::string> broken_rules(const Input& spec) {
   std::vector<std::string> all;
   for (const Finding& f : check_all(spec).findings)
-    if (f.broken && f.rule.family() == RuleFamily::limit) all.push_back(f.rule.text());
+    if (f.broken &&
+        (f.rule.family() == RuleFamily::limit || f.rule.family() == RuleFamily::continuity))
+      all.push_back(f.rule.text());
   return all;
 }
 
@@ -151,7 +153,7 @@ void set_spec(Input& table, const Input& given, const std::string& path,
       *spec.curve);
   table.newer_spec.clear();  // the comparison replaces it
   table.against->spec = path;
-  table.against->broken = broken_limits(spec);
+  table.against->broken = broken_rules(spec);
   table.curve = LazyCurve(table.table.table);
   table.spec = spec.spec;
   table.limits = spec.limits;
@@ -254,7 +256,8 @@ void judge_against(const Input& input, Report& report) {
   sort(report);
   bool has_remedy = false;  // one remedy for all limits that only the table exceeds
   for (Finding& f : report.findings) {
-    if (!f.broken || f.rule.family() != RuleFamily::limit) continue;
+    if (!f.broken || f.rule.family() != RuleFamily::limit || f.rule.name().ends_with("_step"))
+      continue;  // a step has its remedy
     const bool is_known = std::find(against.broken.begin(), against.broken.end(), f.rule.text()) !=
                           against.broken.end();
     f.advice = is_known ? "the curve of " + spec + " exceeds this limit, too: `jounce check " +

@@ -73,11 +73,13 @@ KeyPlace place_of_segment(const Finding& finding, const Subject& subject) {
 /// The key of the limit that a finding is compared with.
 KeyPlace place_of_limit(const Finding& finding, const Subject& subject) {
   const std::string own = prefix_of(subject);
-  const std::string name(finding.rule.name());
+  std::string name(finding.rule.name());
   switch (finding.rule.family()) {
     case RuleFamily::limit:
       if (name == "master_velocity" || name == "master_acceleration")
         return first_of(subject.spec->document, {"limits.slave", "master"});
+      if (name == "acceleration_step" || name == "velocity_step")
+        name = name == "velocity_step" ? "acceleration" : "jerk";
       if (name.starts_with("load_"))
         return first_of(subject.spec->document, {"load.limits." + name.substr(5), "load"});
       return first_of(subject.spec->document, {own + "limits." + name, "path.limits." + name,

@@ -10,7 +10,11 @@
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
+#include "design/src/check/step_check.hpp"
+
 namespace jounce {
+
+using design_detail::usual_cycle;
 
 bool has_slave_limits(const Spec& spec) {
   const Limits& slave = spec.slave;
@@ -36,28 +40,37 @@ std::string slave_rate_unit(const Spec& spec, int order) {
 }
 
 MasterRates master_rates(const Spec& spec) {
-  if (!spec.master) return {};
-  return {spec.master->acceleration.value_or(0), 0};
+  if (!spec.master) return {0, 0, usual_cycle(spec.time_unit)};
+  return {spec.master->acceleration.value_or(0), 0, usual_cycle(spec.time_unit)};
 }
+
+namespace {
+
+MasterLimit acceleration_at(const Cam& cam, const Spec& spec, double velocity) {
+  return greatest_master_acceleration(cam, spec.slave, velocity, 0, usual_cycle(spec.time_unit));
+}
+
+}  // namespace
 
 bool master_accelerates_too_fast(const Cam& cam, const Spec& spec) {
   const double given = master_rates(spec).acceleration;
-  const double most = greatest_master_acceleration(cam, spec.slave, 0).value;
-  return given > most && greatest_master_velocity(cam, spec.slave).value > 0;
+  const double most = acceleration_at(cam, spec, 0).value;
+  return given > most &&
+         greatest_master_velocity(cam, spec.slave, {0, 0, usual_cycle(spec.time_unit)}).value > 0;
 }
 
 MasterLimit greatest_master_acceleration(const Cam& cam, const Spec& spec) {
-  const Limits& slave = spec.slave;
-  const MasterLimit running = greatest_master_acceleration(cam, slave, spec.master->velocity);
-  return running.value > 0 ? running : greatest_master_acceleration(cam, slave, 0);
+  const MasterLimit running = acceleration_at(cam, spec, spec.master->velocity);
+  return running.value > 0 ? running : acceleration_at(cam, spec, 0);
 }
 
 MasterSpeed fastest_master_with_ramp(const Cam& cam, const Spec& spec) {
   const double given = spec.master->velocity;
-  const double running = greatest_master_acceleration(cam, spec.slave, given).value;
+  const double running = acceleration_at(cam, spec, given).value;
   if (running > 0) return {given, running};
-  const double half = greatest_master_acceleration(cam, spec.slave, 0).value / 2;
-  return {greatest_master_velocity(cam, spec.slave, {half, 0}).value, half};
+  const double half = acceleration_at(cam, spec, 0).value / 2;
+  return {greatest_master_velocity(cam, spec.slave, {half, 0, usual_cycle(spec.time_unit)}).value,
+          half};
 }
 
 namespace {
@@ -167,6 +180,12 @@ Finding master_finding(const Cam& cam, const Spec& spec) {
         "no speed of the master keeps limits.slave.{} at this place, because the {} of the cam "
         "steps there: remove the step",
         limit.quantity, before(limit.quantity));
+  else if (f.broken && limit.is_step)
+    f.advice = fmt::format(
+        "the {} of the cam steps there, and in one cycle of 1 ms limits.slave.{} permits no "
+        "greater "
+        "step: remove the step, or slow the master down",
+        before(limit.quantity), limit.quantity);
   else if (f.broken)
     f.advice = "there the slave reaches limits.slave." + limit.quantity + ": slow the master down";
   return f;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -130,6 +131,21 @@ void require_units(const TableFile& file) {
       throw InputError(key, "", "is missing: the file names no unit. Give one, such as mm or deg");
 }
 
+namespace {
+
+/// The peak of a motion with a reserve for the rounding to counts; "" for other formats.
+std::string reserve_for_counts(const Finding& f, const Labels& labels,
+                               const ExchangeFormat* format) {
+  if (format == nullptr || format->p != Numbers::whole || f.value == 0) return "";
+  const double peak = std::abs(f.limit * (f.limit / f.value));
+  const std::string unit = labels.unit_of(f);
+  return fmt::format(
+      "; the rounding to counts needs a reserve: make the motion with a {} of at most {}{}",
+      f.quantity, six_digits_down(peak), unit.empty() ? "" : " " + unit);
+}
+
+}  // namespace
+
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses) {
   std::string text = fmt::format("{} -> {}: {}, {}\n{}\n", input.name, form.name,
@@ -147,7 +163,8 @@ std::string conversion_text(const Input& input, const Converted& made, const Tab
                             ? fmt::format("; the format holds at most {} knots", form.format->most)
                             : "");
   for (const Finding& f : made.exceeded.findings)
-    text += "the table exceeds a limit that the motion keeps: " + sentence(f, input.labels) + "\n";
+    text += "the table exceeds a limit that the motion keeps: " + sentence(f, input.labels) +
+            reserve_for_counts(f, input.labels, form.format) + "\n";
   return text;
 }
 

@@ -11,7 +11,10 @@
 #include "jounce/base/input_errors.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/points_text.hpp"
+#include "jounce/profiles/curve/difference.hpp"
+#include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/digits_beside.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/fill.hpp"
 
@@ -23,9 +26,10 @@ namespace {
 
 using profiles_detail::rounded_input;
 using profiles_detail::rounded_sum;
+using profiles_detail::rounded_value;
 
 constexpr double share_of_stroke = 1e-4;    ///< default tolerance, as a share of the stroke
-constexpr double share_of_limit = 0x1p-20;  ///< by which numbers in REAL may exceed a limit
+constexpr double share_of_limit = 0x1p-20;  ///< by which REAL and rounded times may exceed a limit
 
 bool joins_by_spline(const ExchangeFormat& format) {
   return format.join == KnotJoin::spline || format.join == KnotJoin::clamped_spline;
@@ -115,7 +119,8 @@ class ForController {
       }
     result.limit = limit_;
     result.exceeded =
-        check_converted(moved_on(result.file), input_, format_.single ? share_of_limit : 0);
+        check_converted(moved_on(result.file), input_,
+                        format_.single || format_.x_rounding > 0 ? share_of_limit : 0);
     if (is_one_count_ && result.counts.empty())
       result.counts = "tolerance: " + number(limit_) + unit_after(labels_.position) +
                       ", the resolution of the position";
@@ -422,25 +427,68 @@ class ForController {
                                 result.file.table.outside(), std::move(spline));
   }
 
-  /// Rounds the first column to the digits of the file. A knot moves by half a digit at most, and
-  /// with it the motion by the way at the greatest velocity: twice this bounds the error.
+  /// Rounds the first column to the digits of the file. Each knot moves along the table by half a
+  /// digit at most, with its velocity and its acceleration, so that the rounded table has the
+  /// derivatives of the given one. The difference of both is added to the error.
   void round_x(Converted& result) const {
-    Columns columns = result.file.table.columns();
-    const double first = columns.x.front();
-    for (double& x : columns.x)
-      x = std::round((x - first) / format_.x_rounding) * format_.x_rounding;
-    double moved = 0;
-    for (std::size_t i = 0; i < columns.x.size(); ++i)
-      moved = std::max(moved, std::abs(columns.x[i] - (result.file.table.columns().x[i] - first)));
-    if (moved > rounded_sum * (columns.x.back() - columns.x.front())) {
-      const Range velocity =
-          std::visit([](const auto& curve) { return extrema(curve, 1); }, *input_.curve);
-      if (!result.error) result.error = SampleError{};
-      result.error->position +=
-          2 * moved * conversion(format_.x_unit, labels_.x) * std::abs(velocity.peak().value);
-    }
-    result.file.table = Table(result.file.table.axis(), result.file.table.rule(),
-                              result.file.table.outside(), std::move(columns));
+    const Table before = result.file.table;
+    const double first = before.start();
+    Columns columns = before.columns();
+    for (double& x : columns.x) x -= first;
+    const Table given(before.axis(), before.rule(), before.outside(), columns);
+    for (std::size_t i = 0; i < columns.x.size(); ++i) move_knot(given, i, columns);
+    Table rounded(before.axis(), before.rule(), before.outside(), std::move(columns));
+    if (rounded.columns().x != given.columns().x) add_error(result, given, rounded);
+    result.file.table = std::move(rounded);
+  }
+
+  void move_knot(const Table& given, std::size_t i, Columns& columns) const {
+    const double x = given.columns().x[i];
+    const double rounded_x = std::round(x / format_.x_rounding) * format_.x_rounding;
+    const double d = rounded_x - x;
+    const bool is_right = i == 0 || (d > 0 && i + 1 < given.size());
+    const Jet jet =
+        profiles_detail::evaluate(given.segment(is_right ? i : i - 1), is_right ? 0 : 1);
+    columns.x[i] = rounded_x;
+    if (std::abs(d) <= rounded_value * std::abs(x)) return;  // a whole digit already
+    columns.p[i] = jet[0] + d * (jet[1] + d * (jet[2] / 2 + d * jet[3] / 6));
+    if (!columns.v.empty()) columns.v[i] = jet[1] + d * (jet[2] + d * jet[3] / 2);
+    if (!columns.a.empty()) columns.a[i] = jet[2] + d * jet[3];
+  }
+
+  /// States a peak that the rounding of the times raises. `size`: of its unit in that of the input.
+  void state_rise(Converted& result, const Change& change, std::size_t order, double size) const {
+    const double before = std::abs(change.before.peak().value);
+    const double after = std::abs(change.after.peak().value);
+    if (after <= before * (1 + share_of_limit)) return;
+    const char* name = OverTime::names[order];
+    const std::string unit =
+        unit_after(rate_unit(labels_.position, labels_.x, static_cast<int>(order)));
+    const std::string from = six_digits(size * before);
+    result.counts += (result.counts.empty() ? "" : "; ") + std::string("rounding of the times: ") +
+                     name + " up to " + digits_beside(size * after, from) + unit + " instead of " +
+                     from + unit;
+  }
+
+  /// Adds the difference of both tables to the error of the result.
+  void add_error(Converted& result, const Table& given, const Table& rounded) const {
+    const Changes changes = given.axis() == Domain::time
+                                ? compare(given.curve<OverTime>(), rounded.curve<OverTime>())
+                                : compare(given.curve<OverMaster>(), rounded.curve<OverMaster>());
+    const Units& from = result.file.units;
+    const auto size = [](const std::string& unit, const std::string& to) {
+      return unit.empty() || to.empty() ? 1.0 : conversion(unit, to);
+    };
+    const double p = size(from.position, labels_.position);
+    const double x = size(from.x, labels_.x);
+    if (!result.error) result.error = SampleError{};
+    const double position = p * std::abs(changes[0].largest.value);
+    if (position > result.error->position)
+      result.error->where = input_.table.table.start() + x * changes[0].largest.where;
+    result.error->position += position;
+    result.error->velocity += p / x * std::abs(changes[1].largest.value);
+    for (const std::size_t order : {2U, 3U})
+      state_rise(result, changes[order], order, p / std::pow(x, static_cast<double>(order)));
   }
 
   /// The table on which the controller moves, in the units of the input.

@@ -13,6 +13,7 @@
 
 #include "design/src/check/against.hpp"
 #include "design/src/check/load_check.hpp"
+#include "design/src/check/step_check.hpp"
 #include "design/src/check/table_check.hpp"
 #include "design/src/input/advice.hpp"
 #include "design/src/input/excursions.hpp"
@@ -29,6 +30,7 @@ void append(Report& report, const Report& part) {
 /// Checks the continuity at the joints. The moving ends of a cam that runs once are no joints;
 /// add_ends() reports them.
 Report check_joints(const Input& input, int continuity) {
+  if (design_detail::is_lines_of_a_smooth_curve(input)) continuity = std::min(continuity, 0);
   if (input.labels.over_master) {
     const Cam& cam = std::get<Cam>(*input.curve);
     if (!check_ends(cam).findings.empty())
@@ -54,6 +56,7 @@ Report check_curve(const Input& input, int continuity) {
       if (const std::string advice = design_detail::advice_at_edge(input, f); !advice.empty())
         f.advice = advice;
   if (input.plan) design_detail::discount_rounding(std::get<Trajectory>(*input.curve), report);
+  append(report, design_detail::check_steps(input, report));
   append(report, design_detail::check_slave(input));
   if (input.against) design_detail::judge_against(input, report);
   if (!input.error) return report;
@@ -131,7 +134,12 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
       add(merged(table_warnings(spec), report));
     }
     if (spec.is_cam()) add(check_load(spec, std::get<Cam>(*input.curve)));
-    if (spec.disc) add(check_disc(spec, std::get<Cam>(*input.curve)));
+    if (spec.disc) {
+      Report disc = check_disc(spec, std::get<Cam>(*input.curve));
+      if (design_detail::is_lines_of_a_smooth_curve(input))  // the plate follows the curve
+        std::erase_if(disc.findings, [](const Finding& f) { return f.rule == "disc/corner"; });
+      add(disc);
+    }
     if (spec.coupling) add(check_coupling(spec, std::get<Cam>(*input.curve), at));
     if (spec.compare && !spec.compare->plane && spec.compare->axis == input.axis)
       add(check(spec.compare->compare, std::get<Trajectory>(*input.curve), spec.compare->device));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,27 @@ TEST(GreatestMasterVelocity, IsInfiniteWithoutLimitsAndZeroWhereADerivativeSteps
   const auto kick = greatest_master_velocity(with(gear, Extrapolation::hold), {.acceleration = 1});
   EXPECT_EQ(kick.value, 0) << "from rest to 2 at once";
   EXPECT_EQ(kick.quantity, "acceleration");
+}
+
+/// A step of f'' by s is permitted up to s w^2 = J T, and a step of f' by s up to s w = A T.
+TEST(GreatestMasterVelocity, PermitsAStepWithinOneCycle) {
+  const Cam cam = placed("simple_sine", 1, 1);  // its acceleration begins with pi^2 / 2
+  const double step = std::numbers::pi * std::numbers::pi / 2;
+  const auto limit = greatest_master_velocity(cam, {.jerk = 10}, {.cycle = 1e-3});
+  EXPECT_NEAR(limit.value, std::sqrt(10 * 1e-3 / step), 1e-9 * limit.value);
+  EXPECT_TRUE(limit.is_step);
+  EXPECT_EQ(limit.quantity, "jerk");
+  EXPECT_EQ(greatest_master_acceleration(cam, {.jerk = 10}, 2 * limit.value, 0, 1e-3).value, 0);
+  EXPECT_GT(greatest_master_acceleration(cam, {.jerk = 10}, limit.value / 2, 0, 1e-3).value, 0);
+  const Cam kick = with(Cam({line(1, 0, 2)}), Extrapolation::hold);
+  const auto speed = greatest_master_velocity(kick, {.acceleration = 10}, {.cycle = 1e-3});
+  EXPECT_NEAR(speed.value, 10 * 1e-3 / 2, 1e-15);
+  EXPECT_TRUE(speed.is_step);
+  const Cam back = with(Cam({line(1, 0, 2)}), Extrapolation::wrap);
+  EXPECT_EQ(greatest_master_velocity(back, {.velocity = 1}, {.cycle = 1e-3}).value, 0)
+      << "a step of the position is never permitted";
+  EXPECT_FALSE(
+      greatest_master_velocity(placed("poly_345", 1, 1), {.jerk = 10}, {.cycle = 1e-3}).is_step);
 }
 
 TEST(GreatestMasterAcceleration, OfAStraightLineIsTheSlavesOverTheRatio) {

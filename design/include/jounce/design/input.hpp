@@ -20,7 +20,7 @@ struct AgainstSpec {
   SampleError error;     ///< deviation of the table from the curve of the spec
   double tolerance = 0;  ///< greatest permitted deviation of the position
   double digits = 0;     ///< share of a number that the rounding in the file may change
-  std::vector<std::string> broken = {};  ///< rules that the curve of the spec breaks, too
+  std::vector<std::string> broken = {};  ///< limits and continuity that the spec breaks, too
   bool limits_only = false;              ///< true: only the limits of the spec apply, not its curve
 };
 

@@ -14,6 +14,9 @@ namespace jounce {
 struct MasterRates {
   double acceleration = 0;  ///< m/s^2
   double jerk = 0;          ///< m/s^3
+  /// Time (s) within which a step of the slave may pass: the cycle of its controller. 0: no speed
+  /// permits a step.
+  double cycle = 0;
 };
 
 /// A limit of the master, and the quantity of the slave that sets it.
@@ -22,6 +25,7 @@ struct MasterLimit {
   /// "velocity", "acceleration" or "jerk" of the slave; "" if the value is infinite.
   std::string quantity = {};
   double where = 0;  ///< master position (m) at which the slave reaches its limit
+  bool is_step = false;  ///< true: a step of the cam sets the limit (see below)
 };
 
 /// Returns the greatest speed of the master at which the slave stays within its limits.
@@ -45,6 +49,12 @@ struct MasterLimit {
 /// limit. The value is then 0, and `where` is the position of the step. A step counts if it exceeds
 /// 1e-9 of the travel or of the derivative's peak, as in rises() (design/rise.hpp).
 ///
+/// A controller computes a new setpoint in each cycle T = `rates.cycle`, and a step takes one cycle.
+/// With T > 0, a step s of f' or f'' is permitted at the speeds at which the limits A of the
+/// acceleration and J of the jerk permit it within one cycle:
+///
+///     (3)  s w <= A T   (f' steps),      s w^2 <= J T   (f'' steps)
+///
 /// A value of 0 also means that the given acceleration and jerk of the master alone exceed a limit.
 /// Omitted limits do not apply; position limits are ignored. Throws InputError if a limit is not
 /// positive, or if a rate of the master is negative or not finite.
@@ -54,8 +64,9 @@ MasterLimit greatest_master_velocity(const Cam& cam, const Limits& slave,
 /// Returns the greatest acceleration or deceleration (magnitude, m/s^2) that a master may have
 /// while it runs at `velocity` (m/s, >= 0, in either direction), at any position on the cam.
 /// Requires that its jerk is at most `jerk` (m/s^3). The value is 0 if the slave exceeds a limit at
-/// this velocity and jerk alone. Steps and errors: as for greatest_master_velocity().
+/// this velocity and jerk alone. Steps within one `cycle` (s) and errors: as for
+/// greatest_master_velocity().
 MasterLimit greatest_master_acceleration(const Cam& cam, const Limits& slave, double velocity,
-                                         double jerk = 0);
+                                         double jerk = 0, double cycle = 0);
 
 }  // namespace jounce
