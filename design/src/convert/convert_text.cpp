@@ -140,7 +140,7 @@ std::string reserve_for_counts(const Finding& f, const Labels& labels,
   const double peak = std::abs(f.limit * (f.limit / f.value));
   const std::string unit = labels.unit_of(f);
   return fmt::format(
-      "; the rounding to counts needs a reserve: make the motion with a {} of at most {}{}",
+      "; the rounding to counts needs a reserve: lower the peak {} of the motion to {}{}",
       f.quantity, six_digits_down(peak), unit.empty() ? "" : " " + unit);
 }
 

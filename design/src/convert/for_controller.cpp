@@ -29,7 +29,8 @@ using profiles_detail::rounded_sum;
 using profiles_detail::rounded_value;
 
 constexpr double share_of_stroke = 1e-4;    ///< default tolerance, as a share of the stroke
-constexpr double share_of_limit = 0x1p-20;  ///< by which REAL and rounded times may exceed a limit
+constexpr double share_of_limit = 0x1p-20;  ///< by which numbers in REAL may exceed a limit
+constexpr double share_of_times = 1e-4;     ///< the same for rounded times
 
 bool joins_by_spline(const ExchangeFormat& format) {
   return format.join == KnotJoin::spline || format.join == KnotJoin::clamped_spline;
@@ -118,9 +119,10 @@ class ForController {
         result = played(fewest_knots());
       }
     result.limit = limit_;
-    result.exceeded =
-        check_converted(moved_on(result.file), input_,
-                        format_.single || format_.x_rounding > 0 ? share_of_limit : 0);
+    result.exceeded = check_converted(moved_on(result.file), input_,
+                                      format_.single           ? share_of_limit
+                                      : format_.x_rounding > 0 ? share_of_times
+                                                               : 0);
     if (is_one_count_ && result.counts.empty())
       result.counts = "tolerance: " + number(limit_) + unit_after(labels_.position) +
                       ", the resolution of the position";
@@ -446,7 +448,8 @@ class ForController {
     const double x = given.columns().x[i];
     const double rounded_x = std::round(x / format_.x_rounding) * format_.x_rounding;
     const double d = rounded_x - x;
-    const bool is_right = i == 0 || (d > 0 && i + 1 < given.size());
+    const auto& all = given.columns().x;  // a long interval keeps its motion, a dwell its rest
+    const bool is_right = i == 0 || (i + 1 < all.size() && all[i + 1] - x > x - all[i - 1]);
     const Jet jet =
         profiles_detail::evaluate(given.segment(is_right ? i : i - 1), is_right ? 0 : 1);
     columns.x[i] = rounded_x;
