@@ -377,7 +377,8 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
   EXPECT_EQ(site.moving, 0);
 
   ASSERT_TRUE(site.order("plotter", command::Disable{}).ok());
-  EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(1, 0)}), HasSubstr("the group is disabled"));
+  EXPECT_THAT(reason(command::MoveLinearAbsolute{.to = at(1, 0)}),
+              HasSubstr("the group is disabled"));
 }
 
 TEST(GroupCommands, FollowAPathThatWasSentAsAWhole) {

@@ -32,7 +32,8 @@ void expect_on_path(const Site& site) {
 TEST(GroupPlay, IsStartedHeldAndContinuedByCommands) {
   PlotterSite site;
   site.advance(10ms);
-  EXPECT_THAT(site.order("plotter", command::StartTable{}).reason, HasSubstr("the group is disabled"));
+  EXPECT_THAT(site.order("plotter", command::StartTable{}).reason,
+              HasSubstr("the group is disabled"));
   ASSERT_TRUE(site.order("plotter", command::Enable{}).ok());
   site.each_tick = [&] { expect_on_path(site); };
   const CallOutcome start = site.order("plotter", command::StartTable{});

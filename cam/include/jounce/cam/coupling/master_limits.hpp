@@ -24,7 +24,7 @@ struct MasterLimit {
   double value = std::numeric_limits<double>::infinity();  ///< m/s or m/s^2; infinite: no limit
   /// "velocity", "acceleration" or "jerk" of the slave; "" if the value is infinite.
   std::string quantity = {};
-  double where = 0;  ///< master position (m) at which the slave reaches its limit
+  double where = 0;      ///< master position (m) at which the slave reaches its limit
   bool is_step = false;  ///< true: a step of the cam sets the limit (see below)
 };
 
