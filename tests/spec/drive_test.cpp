@@ -99,7 +99,7 @@ TEST(DriveSpec, LooksAtLinearLoadsFromTheShaft) {
 
 TEST(DriveSpec, SaysWhereTheFlatKeysWent) {
   EXPECT_THAT(refused(model + "motor_inertia = 1e-4\n"),
-              HasSubstr("drive.motor_inertia: is now inertia in [drive.motor]"));
+              HasSubstr("drive.motor_inertia = 1e-04: is now inertia in [drive.motor]"));
   EXPECT_THAT(refused(model + "shaft_stiffness = 1\n"), HasSubstr("stiffness in [[drive.mass]]"));
 }
 

@@ -846,9 +846,10 @@ TEST(Then, InShapeAndTheVsfOfHimcExcludeEachOther) {
   EXPECT_EQ(both(zv + himc), "") << "with smoothing";
   EXPECT_EQ(both(vsf + himc), "");
   EXPECT_EQ(both(zv + vsf), "") << "filters of no controller";
-  EXPECT_THAT(both(zv + himc + vsf + himc),
-              HasSubstr("then[2].controller: is a second filter of HIMC: InShape is active, and "
-                        "excludes the VSF (error 0x83aa00c8): keep one of the two"));
+  EXPECT_THAT(
+      both(zv + himc + vsf + himc),
+      HasSubstr("then[2].controller = \"himc\": is a second filter of HIMC: InShape is active, and "
+                "excludes the VSF (error 0x83aa00c8): keep one of the two"));
   EXPECT_THAT(both(vsf + himc + zv + himc), HasSubstr("the VSF is active, and excludes InShape"));
   EXPECT_THAT(both(zv + himc + zv + himc), HasSubstr("excludes a second one"));
 }

@@ -142,11 +142,13 @@ TEST(MasterRate, AWrongMasterDoesNotMakeTheCouplingUnknown) {
 TEST(KnotsOverTime, NeedASpeedAndOneKey) {
   const std::string knot = "master = 60, slave = 10, velocity = 300";
   EXPECT_EQ(complaint(cam(segment("quintic", knot), "", "")),
-            "a.toml:7:45: segment[1].end.velocity: is over time and needs the speed of the master: "
+            "a.toml:7:45: segment[1].end.velocity = 300 mm/s: is over time and needs the speed of "
+            "the master: "
             "add [master] with velocity, or give geo_velocity");
   EXPECT_EQ(complaint(cam(segment("quintic", knot + ", geo_velocity = 1"),
                           "[master]\nvelocity = 720\n", "")),
-            "a.toml:7:45: segment[1].end.velocity: cannot be combined with geo_velocity: give one "
+            "a.toml:7:45: segment[1].end.velocity = 300 mm/s: cannot be combined with "
+            "geo_velocity: give one "
             "of the two");
   EXPECT_EQ(complaint(cam(segment("quintic", "master = 60, slave = 10, velocity = \"3 m\""),
                           "[master]\nvelocity = 720\n", "")),
@@ -173,7 +175,8 @@ TEST(KnotsOverTime, AnOptimizedKnotKeepsItsKey) {
 
 TEST(LimitsOverTime, BelongToTheSlave) {
   EXPECT_EQ(complaint(cam(turn, "[limits]\nacceleration = \"15 m/s^2\"\n")),
-            "a.toml:13:16: limits.acceleration: is a limit over time: give it in [limits.slave]");
+            "a.toml:13:16: limits.acceleration = \"15 m/s^2\": is a limit over time: give it in "
+            "[limits.slave]");
 }
 
 // ---- a line that keeps its speed ---------------------------------------------------------------

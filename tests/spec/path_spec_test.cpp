@@ -338,7 +338,7 @@ TEST(PathSpecFile, RefusesJointsThatDoNotFitWithTheirKeys) {
   EXPECT_THAT(refused(robot + "[kinematics]\ntype = \"scara\"\narms = [300]\n" + joints),
               HasSubstr("kinematics.arms = 1: must be the lengths"));
   EXPECT_THAT(refused(robot + "[kinematics]\ntype = \"linear_delta\"\narm = 3\n" + joints),
-              HasSubstr("kinematics.type: needs the axes x, y and z"));
+              HasSubstr("kinematics.type = \"linear_delta\": needs the axes x, y and z"));
   EXPECT_THAT(refused(robot + scara + "wrist = 3\n" + joints), HasSubstr("kinematics.wrist"));
   EXPECT_THAT(refused(robot + scara +
                       "[[joint]]\nname = \"a0\"\nunit = \"mm\"\n[[joint]]\nname = \"a1\"\n"),

@@ -324,7 +324,7 @@ TEST(FreeShapes, RefuseWhatMakesNoSense) {
         Bad{"shape = 30", "shape = 30, continuity = 3",
             "segment[2].free.continuity = 3: must be the same in all free segments"},
         Bad{"{ shape = 40 }", "{ monotone = true }",
-            "segment[1].free.monotone: needs a free shape: add shape = 100"},
+            "segment[1].free.monotone = true: needs a free shape: add shape = 100"},
         Bad{"shape = 40", "shap = 40", "did you mean shape?"},
         Bad{"shape = 40 }", "shape = 40, master = [100, 130] }",
             "segment[1].free.master: cannot be free next to free shapes"},

@@ -174,7 +174,7 @@ INSTANTIATE_TEST_SUITE_P(
             "no "
             "limit"},
         Bad{cam, "geo_velocity = 1", "velocity = 1",
-            "a.toml:9:12: limits.velocity: is a limit over time: give it in [limits.slave]"},
+            "a.toml:9:12: limits.velocity = 1: is a limit over time: give it in [limits.slave]"},
         Bad{cam, "[limits]", "[limits",
             "a.toml:8:8: [limits: needs a closing ] at the end of the section header"},
         Bad{cam, "law = \"quintic\"", "law = \"quintic\"\nlaw = \"line\"",

@@ -91,8 +91,9 @@ TEST(TargetSpec, SaysWhatIsWrongInTheDocument) {
   EXPECT_THAT(complaint(cam_with("knots = \"even\"\nmost = 5\n")),
               HasSubstr("needs knots = \"fewest\""));
   EXPECT_THAT(complaint(cam_with("intervals = 9\nmost = 5\n")), HasSubstr("give one of the two"));
-  EXPECT_THAT(complaint(cam_with("tolerance = 1e-6\nmost = 5\n")),
-              HasSubstr("a.toml:16:8: table.most = 5: must be at least 29 for a quintic_hermite table"));
+  EXPECT_THAT(
+      complaint(cam_with("tolerance = 1e-6\nmost = 5\n")),
+      HasSubstr("a.toml:16:8: table.most = 5: must be at least 29 for a quintic_hermite table"));
   EXPECT_THAT(complaint(cam_with("tolerance = 1e-3\nmaster_resolution = 3\n")),
               HasSubstr("table.master_resolution = 3 pulse: must divide the"));
 }

@@ -180,7 +180,7 @@ void set_against(std::vector<Input>& tables, const std::string& spec_path,
 
 void set_limits_of_header(Input& table) {
   const std::string spec_path = newer_spec(table.table.provenance, table.file, true);
-  if (table.spec || spec_path.empty()) return;
+  if (table.spec || table.error || spec_path.empty()) return;  // it has an exact curve
   Input limited = table;
   try {
     set_spec(limited, partner(table, read_inputs(spec_path), spec_path), spec_path, {});

@@ -191,7 +191,7 @@ std::vector<Report> check_reports(std::vector<Input>& axes, const CheckOptions& 
   if (!options.against.empty() &&
       (!options.selects_tables || may_be_made_from(axes.front(), options.against)))
     set_against(axes, options.against, options.tolerances);
-  if (options.against.empty())
+  if (options.against.empty() && options.limits.empty())
     for (Input& input : axes) set_limits_of_header(input);
   std::vector<Report> reports;
   for (Input& input : axes) {

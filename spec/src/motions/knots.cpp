@@ -160,17 +160,6 @@ Table table_of(const Trajectory& spline, Interpolation rule, Extrapolation outsi
   return Table(Domain::time, rule, outside, std::move(columns));
 }
 
-/// Rejects the first key that times = "shortest" computes.
-void refuse_computed(TomlReader& top) {
-  std::vector<TomlReader> knots = top.tables("knot");
-  for (const char* key : {"time", "velocity", "acceleration"})
-    for (TomlReader& knot : knots)
-      if (knot.has(key))
-        return knot.refuse_here(key,
-                                "times = \"shortest\" computes the times and velocities of all "
-                                "knots: give each knot a position only, or leave out times");
-}
-
 Table shortest_table(TomlReader& top, const Spec& spec, Interpolation rule) {
   if (rule == Interpolation::linear)
     top.fail("times", "\"shortest\"", "needs rule = \"cubic_hermite\" or \"quintic_hermite\"");
@@ -182,8 +171,17 @@ Table shortest_table(TomlReader& top, const Spec& spec, Interpolation rule) {
              "has times: for times = \"shortest\" give each [[knot]] a position only");
   SplineTimesSpec times;
   times.limits = {spec.limits};
-  refuse_computed(top);
-  for (TomlReader& knot : top.tables("knot")) {
+  std::vector<TomlReader> knots = top.tables("knot");
+  bool refused = false;  // one message for all of them
+  for (const char* key : {"time", "velocity", "acceleration"})
+    for (TomlReader& knot : knots)
+      if (!refused && knot.has(key)) {
+        refused = true;
+        knot.refuse_here(key,
+                         "times = \"shortest\" computes the times and velocities of all knots: "
+                         "give each knot a position only, or leave out times");
+      }
+  for (TomlReader& knot : knots) {
     times.points.push_back({knot.number("position", spec.units.position)});
     for (const char* key : {"time", "velocity", "acceleration"}) knot.may_have(key);
     knot.finish();

@@ -95,10 +95,9 @@ TEST(Notices, ARejectionNamesThePresentFault) {
   ExecutorOptions limited;
   limited.units.position = "mm";
   limited.axis.limits.position_max = 300;
-  EXPECT_EQ(
-      refusal_text({Cause::in_error}, {.fault = Cause::positive_soft_limit}, limited),
-      "in_error: the axis has a fault: positive_soft_limit. The limit is position_max = 300 mm.")
-      << "its meaning and its number together do not fit";
+  EXPECT_EQ(refusal_text({Cause::in_error}, {.fault = Cause::positive_soft_limit}, limited),
+            "in_error: the axis has a fault: positive_soft_limit. The motion would have passed "
+            "position_max: the axis stopped before it. The limit is position_max = 300 mm.");
   limited.axis.longest_gap = 100;
   Tick stalled{.fault = Cause::stalled};
   stalled.skipped = 3;
@@ -167,7 +166,7 @@ TEST(Notices, ARejectionFitsIntoItsField) {
       const std::string text = refusal_text({cause}, {.fault = fault.cause}, options);
       EXPECT_LT(text.size(), wire::reason_bytes) << text;
       EXPECT_THAT(text, ::testing::StartsWith(std::string(name(cause)) + ": "));
-      EXPECT_THAT(text, HasSubstr(std::string("fault ") + fault.name));
+      EXPECT_THAT(text, HasSubstr(std::string("fault: ") + fault.name));
     }
   }
   ExecutorOptions millimeters;
