@@ -10,9 +10,7 @@ import sys
 from tick_log import rows
 
 DT = 1e-3
-# No jerk limit applies behind a master (docs/executor/safety.md): to the jerk of a phase shift of the label, that of the line is
-# added, times the ratio, which is at most 1.
-LIMITS = {"line": (800, 4000, 40000), "corrector": (100, 1000, 20000), "label": (1500, 20000, 1e6 + 40000)}
+LIMITS = {"line": (800, 4000, 40000), "corrector": (100, 1000, 20000), "label": (1500, 20000, 1e6)}
 STOP = 2  # a stop has twice the acceleration and the jerk
 
 

@@ -47,6 +47,7 @@ order label gear-in 4:5 --clutch 100mm
 rejected "by a gear: end this with .jounce order label halt" label change-velocity 100mm/s
 sleep 1
 order label combine 1:1 --second -1:2
+sleep 0.5 # the label is in step before its second master begins, whose jerk adds to that of the label
 order corrector repeat --to 4mm --wait 100ms
 rejected in_motion corrector repeat --to 5mm
 past=$(position line | awk '{ print int($1) + 900 }')
