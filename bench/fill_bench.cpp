@@ -13,7 +13,8 @@
 #include <gsl/gsl_interp.h>
 #endif
 #ifdef JOUNCE_BENCH_BOOST
-// clang-format off: Boost 1.74's pchip.hpp calls isnan without std::
+// Boost 1.74's pchip.hpp calls isnan without std::
+// clang-format off
 #include <math.h>
 #include <boost/math/interpolators/pchip.hpp>
 // clang-format on

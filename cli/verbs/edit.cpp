@@ -36,7 +36,7 @@ int run_edit(const EditArguments& options) {
 void add_edit(CommandLine& line) {
   const auto options = std::make_shared<EditArguments>();
   const Verb verb = line.verb(
-      "edit", "Edit a spec of any kind in a browser: its curves with the mouse, its text beside them",
+      "edit", "Edit a spec of any kind in a browser: curves with the mouse, text beside them",
       "jounce edit cam.toml");
   verb.option("SPEC", options->spec,
               "Spec to edit; if it does not exist, the page offers examples to start from")

@@ -10,7 +10,8 @@
 namespace jounce {
 
 void require_valid(const OptimizeOptions& options, double greatest_tolerance) {
-  if (!(options.tolerance >= optimizer::finest_optimum && options.tolerance <= greatest_tolerance))
+  if (!(options.tolerance >= optimize_detail::finest_optimum &&
+        options.tolerance <= greatest_tolerance))
     throw InputError("tolerance", options.tolerance,
                      "must be between 1e-9 and " + number(greatest_tolerance));
   if (options.starts && *options.starts < 1)

@@ -2,7 +2,7 @@
 #pragma once
 
 /// Relative tolerances that several optimizers share.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Excess over a limit that counts as rounding: the same as in check().
 constexpr double rounding_tolerance = 1e-12;
@@ -16,4 +16,4 @@ constexpr double natural_zero = 1e-9;
 /// The least tolerance of an objective that a caller may choose.
 constexpr double finest_optimum = 1e-9;
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

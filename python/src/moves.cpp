@@ -374,8 +374,9 @@ Outside [0, duration], the state at the nearer end applies, with jerk 0.)")
            R"(Returns position, velocity, acceleration and jerk at t (s), as a Motion.
 
 The members are numbers, or arrays of the shape of t: u, u/s, u/s^2, u/s^3.)")
-      .def("sample", sampled_move, "step"_a, py::kw_only(), "uniform"_a = false,
-           R"(Returns the times 0, step, 2 step, ... and the end (s), and the motion there, as (t, motion).
+      .def(
+          "sample", sampled_move, "step"_a, py::kw_only(), "uniform"_a = false,
+          R"(Returns the times 0, step, 2 step, ... and the end (s), and the motion there, as (t, motion).
 
 With `uniform`, all times are multiples of the step: the last one is at or after the end, where the move
 holds its last position.)")

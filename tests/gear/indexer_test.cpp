@@ -65,8 +65,8 @@ TEST(Indexer, TakesEveryLawFromRestToRest) {
     Indexer spec{.distance = 7, .cycle = 3, .motion = 1.1, .before = 0.1, .law = each.law};
     if (each.law == Law::scca) spec.form.shares = {{0.25, 0.25, 0.5}};
     SCOPED_TRACE(each.name);
-    if (each.ends == Ends::straight || each.ends == Ends::standing ||
-        reverses(each.ends) || !has_own_shape(each.law)) {
+    if (each.ends == Ends::straight || each.ends == Ends::standing || reverses(each.ends) ||
+        !has_own_shape(each.law)) {
       EXPECT_THROW(indexer(spec), InputError);
       continue;
     }

@@ -9,7 +9,7 @@
 #include "optimize/src/knots/pieces.hpp"
 #include "optimize/src/solvers/program.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using test_optimize::fig614;
@@ -157,4 +157,4 @@ TEST(Space, BringsCrossedMastersBackInOrder) {
 }
 
 }  // namespace
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -132,7 +132,7 @@ TEST(LoadTorque, HasExactGradients) {
                                          TorqueOf{lever()}, RmsTorqueOf{lever()},
                                          EnergyOf{lever(), 0.4}};
   for (const ShapeFigure& figure : figures) {
-    const optimizer::Pointwise p = optimizer::pointwise(figure, 0).value();
+    const optimize_detail::Pointwise p = optimize_detail::pointwise(figure, 0).value();
     for (int n = 0; n < 50; ++n) {
       std::vector<double> q(p.of.size());
       for (double& each : q) each = random.uniform(-3, 3);

@@ -7,7 +7,7 @@
 #include "optimize/src/solvers/certificate.hpp"
 #include "optimize/src/solvers/interior_point.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 struct Ball {
@@ -77,4 +77,4 @@ TEST(RoundConstraint, StandsBesideOthers) {
 }
 
 }  // namespace
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -8,7 +8,7 @@
 #include "optimize/src/figures/figure_rows.hpp"
 #include "support/random.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using test::Random;
@@ -125,4 +125,4 @@ TEST(FigureRows, PlanesTouchTheFigureFromBelow) {
 }
 
 }  // namespace
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

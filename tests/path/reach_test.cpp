@@ -61,7 +61,8 @@ TEST(Reach, ALineEndsBeforeASingularPosition) {
   EXPECT_EQ(out.joint, 1U);
   const double r = 300 + out.length;
   const double e = std::acos((r * r - a * a - b * b) / (2 * a * b));
-  const double velocity = 300 * degree * a * b * std::sin(e) / r;  // velocity of the tool at 300 deg/s
+  const double velocity =
+      300 * degree * a * b * std::sin(e) / r;  // velocity of the tool at 300 deg/s
   EXPECT_NEAR(velocity, singular_margin * 50, 1e-3 * singular_margin * 50);
   EXPECT_LT(r, a + b);
   // Twice the velocity ends farther from it.

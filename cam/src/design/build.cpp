@@ -14,7 +14,7 @@
 #include "cam/src/laws/added.hpp"
 #include "cam/src/laws/polynomial.hpp"
 
-namespace jounce::camming {
+namespace jounce::cam_detail {
 namespace {
 
 /// h rise + ... as in law.hpp. Terms that are zero are omitted, so they cost no digits.
@@ -191,4 +191,4 @@ std::vector<Segment> built(const Placed& at) {
   }
 }
 
-}  // namespace jounce::camming
+}  // namespace jounce::cam_detail

@@ -30,7 +30,7 @@ char letter(double velocity, double acceleration, const Ranges& peaks) {
 
 std::vector<CamKnot> resolved_knots(const CamSpec& spec) {
   std::vector<CamKnot> knots;
-  for (const camming::Placed& placed : camming::resolve(spec)) {
+  for (const cam_detail::Placed& placed : cam_detail::resolve(spec)) {
     if (knots.empty()) knots.push_back(placed.from);
     knots.push_back(placed.to);
   }
@@ -40,8 +40,8 @@ std::vector<CamKnot> resolved_knots(const CamSpec& spec) {
 CamDesign design(const CamSpec& spec) {
   std::vector<Segment> segments;
   std::vector<std::size_t> origin;
-  for (const camming::Placed& placed : camming::resolve(spec)) {
-    const auto made = camming::built(placed);
+  for (const cam_detail::Placed& placed : cam_detail::resolve(spec)) {
+    const auto made = cam_detail::built(placed);
     segments.insert(segments.end(), made.begin(), made.end());
     origin.resize(segments.size(), placed.index);
   }
@@ -50,12 +50,12 @@ CamDesign design(const CamSpec& spec) {
 
 std::vector<std::vector<LawPiece>> shapes(const CamSpec& spec) {
   std::vector<std::vector<LawPiece>> all;
-  for (const camming::Placed& placed : camming::resolve(spec)) {
+  for (const cam_detail::Placed& placed : cam_detail::resolve(spec)) {
     if (!has_own_shape(placed.spec->law))
       throw InputError("segment[" + std::to_string(placed.index + 1) + "].law",
                        name(placed.spec->law),
                        "is a spline through points: it has no shape of its own");
-    all.push_back(camming::shapes(placed));
+    all.push_back(cam_detail::shapes(placed));
   }
   return all;
 }

@@ -16,7 +16,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
-namespace jounce::camming {
+namespace jounce::cam_detail {
 namespace {
 
 using profiles_detail::rounded_input;
@@ -410,4 +410,4 @@ std::vector<Placed> resolve(const CamSpec& spec) {
   return Resolver(spec).resolve();
 }
 
-}  // namespace jounce::camming
+}  // namespace jounce::cam_detail

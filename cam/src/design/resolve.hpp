@@ -6,7 +6,7 @@
 #include "jounce/cam/design/design.hpp"
 
 /// Resolves a spec into the data of each segment.
-namespace jounce::camming {
+namespace jounce::cam_detail {
 
 /// A segment of the spec between its two knots, ready to be built.
 struct Placed {
@@ -35,4 +35,4 @@ std::vector<LawPiece> shapes(const Placed& segment);
 /// Key of a knot's field: "start.slave", "segment[2].end.geo_velocity".
 std::string key_of(std::size_t knot, const char* field);
 
-}  // namespace jounce::camming
+}  // namespace jounce::cam_detail

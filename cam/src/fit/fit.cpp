@@ -22,9 +22,9 @@
 namespace jounce {
 namespace {
 
-using fitting::Deviation;
-using fitting::Parameter;
-using fitting::Stretch;
+using cam_detail::Deviation;
+using cam_detail::Parameter;
+using cam_detail::Stretch;
 
 constexpr std::size_t least_points = 5;
 
@@ -75,8 +75,8 @@ class Fitter {
   explicit Fitter(const MeasuredCam& measured) : measured_(measured) { lay_out(); }
 
   CamFit run() {
-    if (!by_parts()) spec_ = fitting::one_spline(measured_), found_.assign(1, {});
-    fitting::round_values(spec_, everything(), measured_);
+    if (!by_parts()) spec_ = cam_detail::one_spline(measured_), found_.assign(1, {});
+    cam_detail::round_values(spec_, everything(), measured_);
     align_lines();
     return result();
   }
@@ -91,7 +91,7 @@ class Fitter {
 
   [[nodiscard]] Law law(std::size_t segment) const { return spec_.segments[segment].law; }
   [[nodiscard]] const CamKnot& knot(std::size_t number) const {
-    return fitting::knot(spec_, number);
+    return cam_detail::knot(spec_, number);
   }
   [[nodiscard]] double master(std::size_t point) const { return measured_.points[point].master; }
   [[nodiscard]] double whole() const {
@@ -126,10 +126,10 @@ class Fitter {
   [[nodiscard]] std::vector<Parameter> everything() const;
   Deviation refine(CamSpec& spec, const std::vector<Parameter>& parameters,
                    const std::vector<std::size_t>& points) const {
-    return fitting::refine(spec, parameters, measured_, points);
+    return cam_detail::refine(spec, parameters, measured_, points);
   }
   [[nodiscard]] Deviation deviation(const CamSpec& spec) const {
-    return fitting::deviation(spec, measured_, all_points());
+    return cam_detail::deviation(spec, measured_, all_points());
   }
   CamFit result();
 
@@ -171,7 +171,7 @@ bool Fitter::by_parts() {
       if (!found_[i].settled) make_spline(i);
     for (std::size_t tries = spec_.segments.size(); tries > 1; --tries) {
       const Deviation now = refine(spec_, everything(), all_points());
-      const auto between = fitting::oscillation(spec_, measured_, all_points());
+      const auto between = cam_detail::oscillation(spec_, measured_, all_points());
       if (now.fits() && !between) return true;
       join_to_spline(now.fits() ? *between : master(now.where));
     }
@@ -204,11 +204,11 @@ void Fitter::lay_out() {
   const double travel = points.back().slave - points.front().slave;
   if (measured_.periodic && std::abs(travel) > points.front().tolerance + points.back().tolerance)
     advance_ = travel;
-  const std::vector<Stretch> rests = fitting::rests(measured_);
+  const std::vector<Stretch> rests = cam_detail::rests(measured_);
   const bool rests_first = !rests.empty() && rests.front().first == 0;
   const bool rests_last = !rests.empty() && rests.back().last + 1 == points.size();
-  double first = rests_first ? fitting::level(measured_, rests.front()) : points.front().slave;
-  double last = rests_last ? fitting::level(measured_, rests.back()) : points.back().slave;
+  double first = rests_first ? cam_detail::level(measured_, rests.front()) : points.front().slave;
+  double last = rests_last ? cam_detail::level(measured_, rests.back()) : points.back().slave;
   if (measured_.periodic) {  // one knot
     const double middle = (first + last - advance_) / 2;
     first = middle;
@@ -217,7 +217,7 @@ void Fitter::lay_out() {
   spec_.start = {points.front().master, first};
   for (const Stretch& rest : rests) {
     const bool to_end = rest.last + 1 == points.size();
-    const double at = rest.first == 0 ? first : to_end ? last : fitting::level(measured_, rest);
+    const double at = rest.first == 0 ? first : to_end ? last : cam_detail::level(measured_, rest);
     double from = master(rest.first), to = master(rest.last);
     if (rest.first == rest.last) {  // a reversal between two points
       from = (master(rest.first - 1) + from) / 2;
@@ -372,7 +372,7 @@ bool Fitter::split_at_line(std::size_t i, int depth) {
   constexpr double least_alone = 0.3;  // otherwise
   constexpr std::size_t near_end = 2;  // points beside the line that are no segment of their own
   const Stretch within = points_of(i);
-  const auto line = fitting::longest_line(measured_, within, least_line);
+  const auto line = cam_detail::longest_line(measured_, within, least_line);
   if (!line) return false;
   const CamSpec spec = spec_;
   const std::vector<Found> found = found_;
@@ -425,7 +425,7 @@ void Fitter::leave_out(std::size_t i) {
   if (!last) add(i + 1);
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  const Deviation before = fitting::deviation(spec_, measured_, points);
+  const Deviation before = cam_detail::deviation(spec_, measured_, points);
   const CamSpec spec = spec_;
   const std::vector<Found> found = found_;
   const double middle = (knot(i).master + knot(i + 1).master) / 2;
@@ -471,8 +471,8 @@ void Fitter::open_ends() {
     std::vector<std::size_t> points;
     for (const std::size_t end : ends) {
       const std::size_t segment = end == 0 ? 0 : last;
-      fitting::knot(trial, end).geo_velocity = 0;
-      fitting::knot(trial, end).geo_acceleration = 0;
+      cam_detail::knot(trial, end).geo_velocity = 0;
+      cam_detail::knot(trial, end).geo_acceleration = 0;
       trial.segments[segment].law = Law::quintic;
       for (const std::size_t i : points_near(segment))
         if (points.empty() || i > points.back()) points.push_back(i);
@@ -494,8 +494,8 @@ void Fitter::open_ends() {
 void Fitter::make_spline(std::size_t i) {
   if (spec_.periodic && (i == 0 || i + 1 == spec_.segments.size()) && !spec_.start.geo_velocity &&
       !is_straight(law(i)))
-    fitting::close_with_spline(spec_, measured_);
-  fitting::spline_part(spec_, i, measured_);
+    cam_detail::close_with_spline(spec_, measured_);
+  cam_detail::spline_part(spec_, i, measured_);
   found_[i] = {true};
 }
 
@@ -507,15 +507,15 @@ void Fitter::align_lines() {
   const auto& start = spec_.start;
   const auto& end = spec_.segments[last].end;
   const double slope = (knot(1).slave - start.slave) / (knot(1).master - start.master);
-  const int first = fitting::first_decimal(stroke_ / whole());
-  for (int d = first; d <= first + fitting::most_decimals; ++d) {
+  const int first = cam_detail::first_decimal(stroke_ / whole());
+  for (int d = first; d <= first + cam_detail::most_decimals; ++d) {
     CamSpec trial = spec_;
-    const double rounded = fitting::with_decimals(slope, d);
-    CamKnot& from = fitting::knot(trial, 1);
-    CamKnot& to = fitting::knot(trial, last);
+    const double rounded = cam_detail::with_decimals(slope, d);
+    CamKnot& from = cam_detail::knot(trial, 1);
+    CamKnot& to = cam_detail::knot(trial, last);
     from.slave = start.slave + rounded * (from.master - start.master);
     to.slave = end.slave - rounded * (end.master - to.master);
-    if (!fitting::is_as_good(deviation(trial), before) && d < first + fitting::most_decimals)
+    if (!cam_detail::is_as_good(deviation(trial), before) && d < first + cam_detail::most_decimals)
       continue;
     spec_ = std::move(trial);
     return;

@@ -7,7 +7,7 @@
 
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::fitting {
+namespace jounce::cam_detail {
 namespace {
 
 using Eigen::MatrixXd;
@@ -158,4 +158,4 @@ Deviation refine(CamSpec& spec, const std::vector<Parameter>& parameters,
   return summary(*now, points);
 }
 
-}  // namespace jounce::fitting
+}  // namespace jounce::cam_detail

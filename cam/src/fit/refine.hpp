@@ -8,7 +8,7 @@
 
 #include "jounce/cam/fit/fit.hpp"
 
-namespace jounce::fitting {
+namespace jounce::cam_detail {
 
 /// Distances of a cam from points, as shares of the tolerances of the points.
 struct Deviation {
@@ -54,4 +54,4 @@ std::optional<double> oscillation(const CamSpec& spec, const MeasuredCam& measur
 Deviation refine(CamSpec& spec, const std::vector<Parameter>& parameters,
                  const MeasuredCam& measured, const std::vector<std::size_t>& points);
 
-}  // namespace jounce::fitting
+}  // namespace jounce::cam_detail

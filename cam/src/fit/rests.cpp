@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace jounce::fitting {
+namespace jounce::cam_detail {
 namespace {
 
 using Points = std::vector<SplinePoint>;
@@ -166,4 +166,4 @@ std::optional<Stretch> longest_line(const MeasuredCam& measured, const Stretch& 
   return best;
 }
 
-}  // namespace jounce::fitting
+}  // namespace jounce::cam_detail

@@ -7,7 +7,7 @@
 
 #include "jounce/cam/fit/fit.hpp"
 
-namespace jounce::fitting {
+namespace jounce::cam_detail {
 
 /// Consecutive points, from `first` to `last`.
 struct Stretch {
@@ -28,4 +28,4 @@ double level(const MeasuredCam& measured, const Stretch& rest);
 std::optional<Stretch> longest_line(const MeasuredCam& measured, const Stretch& within,
                                     double least);
 
-}  // namespace jounce::fitting
+}  // namespace jounce::cam_detail

@@ -8,7 +8,7 @@
 
 #include "jounce/profiles/detail/tolerances.hpp"
 
-namespace jounce::fitting {
+namespace jounce::cam_detail {
 namespace {
 
 /// Sets every place of the parameter. A place that differs by a period keeps its difference.
@@ -59,4 +59,4 @@ void round_values(CamSpec& spec, const std::vector<Parameter>& parameters,
   }
 }
 
-}  // namespace jounce::fitting
+}  // namespace jounce::cam_detail

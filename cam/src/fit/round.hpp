@@ -3,7 +3,7 @@
 
 #include "cam/src/fit/refine.hpp"
 
-namespace jounce::fitting {
+namespace jounce::cam_detail {
 
 /// Greatest number of decimals of a rounded value, from the first one of its scale.
 inline constexpr int most_decimals = 12;
@@ -19,4 +19,4 @@ bool is_as_good(const Deviation& after, const Deviation& before);
 void round_values(CamSpec& spec, const std::vector<Parameter>& parameters,
                   const MeasuredCam& measured);
 
-}  // namespace jounce::fitting
+}  // namespace jounce::cam_detail

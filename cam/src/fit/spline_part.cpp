@@ -9,7 +9,7 @@
 
 #include "jounce/cam/laws/smoothing_spline.hpp"
 
-namespace jounce::fitting {
+namespace jounce::cam_detail {
 namespace {
 
 /// Share of a tolerance that the smoothest curve may use. The rest is for rounded values.
@@ -193,4 +193,4 @@ CamSpec one_spline(const MeasuredCam& measured) {
   return spec;
 }
 
-}  // namespace jounce::fitting
+}  // namespace jounce::cam_detail

@@ -3,7 +3,7 @@
 
 #include "cam/src/fit/refine.hpp"
 
-namespace jounce::fitting {
+namespace jounce::cam_detail {
 
 /// Changes a segment to the smoothest curve within the tolerances: a quintic spline through few
 /// points, or a quintic. It may begin or end within the dwell or the
@@ -17,4 +17,4 @@ void close_with_spline(CamSpec& spec, const MeasuredCam& measured);
 /// Returns a cam of one quintic spline through few points.
 CamSpec one_spline(const MeasuredCam& measured);
 
-}  // namespace jounce::fitting
+}  // namespace jounce::cam_detail

@@ -10,7 +10,7 @@
 #include "cam/src/design/resolve.hpp"
 #include "cam/src/laws/hermite.hpp"
 
-namespace jounce::camming {
+namespace jounce::cam_detail {
 namespace {
 
 using profiles_detail::rounded_input;
@@ -82,4 +82,4 @@ std::vector<Segment> through_hermite_points(const Placed& at) {
   return hermite(all);
 }
 
-}  // namespace jounce::camming
+}  // namespace jounce::cam_detail

@@ -52,13 +52,13 @@ std::vector<Segment> shape_of(const Cam& cam) {
 
 LoadPeak load_peak(const ShapeFigure& figure, const Cam& cam, double tolerance) {
   const std::vector<Segment> shape = shape_of(cam);
-  const auto pointwise = optimizer::pointwise(figure, cam.start());
+  const auto pointwise = optimize_detail::pointwise(figure, cam.start());
   if (!(tolerance > 0))
-    tolerance = torque_precision * optimizer::value_of(*pointwise, shape, cam.start());
+    tolerance = torque_precision * optimize_detail::value_of(*pointwise, shape, cam.start());
   LoadPeak peak;
   bool any = false;
-  for (const optimizer::Wave& wave : pointwise->waves(shape, cam.start())) {
-    const Extremum here = optimizer::range_of(wave, tolerance).peak();
+  for (const optimize_detail::Wave& wave : pointwise->waves(shape, cam.start())) {
+    const Extremum here = optimize_detail::range_of(wave, tolerance).peak();
     if (std::exchange(any, true) && std::abs(here.value) <= std::abs(peak.value)) continue;
     peak = {here.value, here.where, wave.piece};
   }
@@ -66,8 +66,8 @@ LoadPeak load_peak(const ShapeFigure& figure, const Cam& cam, double tolerance) 
 }
 
 double load_rms(const ShapeFigure& figure, const Cam& cam) {
-  return optimizer::value_of(*optimizer::pointwise(figure, cam.start()), shape_of(cam),
-                             cam.start());
+  return optimize_detail::value_of(*optimize_detail::pointwise(figure, cam.start()), shape_of(cam),
+                                   cam.start());
 }
 
 Report check_load(const Spec& spec, const Cam& cam) {

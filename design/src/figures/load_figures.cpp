@@ -35,7 +35,7 @@ Cam load_quantity(const LinearQuantity& quantity, const Cam& cam) {
 std::optional<Cam> product_of(const Cam& torque, const Cam& speed) {
   std::vector<Segment> segments;
   for (std::size_t i = 0; i < torque.segments().size(); ++i) {
-    auto power = optimizer::product(torque.segments()[i], speed.segments()[i]);
+    auto power = optimize_detail::product(torque.segments()[i], speed.segments()[i]);
     if (!power) return std::nullopt;
     segments.push_back(std::move(*power));
   }

@@ -27,7 +27,7 @@ struct ShearBuild {
 /// the slave's present position.
 void add_ramp(ShearBuild& build, const FlyingShear& shear, double from, double length, bool up,
               double k) {
-  for (Segment& speed : gearing::placed(shear.ramp, {}, from, length, shear.cut_length)) {
+  for (Segment& speed : gear_detail::placed(shear.ramp, {}, from, length, shear.cut_length)) {
     speed = up ? scaled(speed, k) : scaled(speed, -k, k);
     build.add(*integral(speed, build.slave()), up ? "accelerate" : "decelerate");
   }
@@ -55,8 +55,8 @@ SyncCam flying_shear(const FlyingShear& shear) {
   add_sync(build, plan.sync, plan.ratio);
   add_ramp(build, shear, end, plan.decelerate, false, plan.ratio);
   for (const Segment& piece :
-       gearing::moved(shear.return_law, shear.return_form, end + plan.decelerate, plan.back,
-                      shear.cut_length, build.slave(), 0))
+       gear_detail::moved(shear.return_law, shear.return_form, end + plan.decelerate, plan.back,
+                          shear.cut_length, build.slave(), 0))
     build.add(piece, "return");
   if (plan.wait > 0) build.add(line(plan.wait, 0, 0), "wait");
   return {Cam(std::move(build.segments), 0, Extrapolation::wrap),

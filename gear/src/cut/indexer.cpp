@@ -30,7 +30,7 @@ void require_valid(const Indexer& spec) {
         "must be at most " + six_digits_down(room - spec.before) +
             ", the time for one step: cycle / count - before, where cycle = " + number(spec.cycle) +
             ", count = " + std::to_string(spec.count) + " and before = " + number(spec.before));
-  gearing::require_rest_to_rest("law", spec.law, spec.form);
+  gear_detail::require_rest_to_rest("law", spec.law, spec.form);
 }
 
 /// The cam under construction. All positions are on the grid of the cycle, so it closes to the bit.
@@ -52,7 +52,7 @@ struct IndexerBuild {
 
   void index(double to, double target) {
     for (const Segment& piece :
-         gearing::moved(spec.law, spec.form, master, to - master, spec.cycle, slave, target)) {
+         gear_detail::moved(spec.law, spec.form, master, to - master, spec.cycle, slave, target)) {
       segments.push_back(piece);
       names.emplace_back("index");
     }
@@ -69,7 +69,7 @@ SyncCam indexer(const Indexer& spec) {
   const double room = spec.cycle / spec.count;
   for (int i = 0; i < spec.count; ++i) {
     const double part_end = i + 1 == spec.count ? spec.cycle : (i + 1) * room;
-    const auto grid = [&](double x) { return gearing::on_grid(x, spec.cycle); };
+    const auto grid = [&](double x) { return gear_detail::on_grid(x, spec.cycle); };
     build.dwell(grid(i * room + spec.before));
     const double moved = grid(i * room + spec.before + spec.motion);
     const bool full = part_end - moved <= rounded_sum * spec.cycle;

@@ -47,8 +47,8 @@ constexpr double six_digit_step = 1e-5;  ///< greatest relative step of a number
 struct Worked {
   const FlyingShear& spec;
   double ratio = 1;  // k of (1)
-  gearing::Peaks ramp = {};
-  gearing::Peaks back = {};
+  gear_detail::Peaks ramp = {};
+  gear_detail::Peaks back = {};
 };
 
 /// The cycle at one line speed, except for the part of it that is not yet determined.
@@ -80,7 +80,7 @@ ShearBound least_ramp(const Worked& shear, double v) {
 
 ShearBound least_return(const Worked& shear, double stroke, double v) {
   const Limits& most = shear.spec.limits;
-  const gearing::Peaks& law = shear.back;
+  const gear_detail::Peaks& law = shear.back;
   ShearBound least{0, "cut length"};
   if (most.velocity) raise(least, law.velocity * stroke * v / *most.velocity, "return velocity");
   if (most.acceleration)
@@ -193,8 +193,8 @@ Worked worked(const FlyingShear& spec) {
   require_numbers(spec);
   require_complete(spec);
   Worked shear{.spec = spec, .ratio = spec.ratio / std::cos(spec.angle)};
-  shear.ramp = gearing::peaks_of_ramp("ramp", spec.ramp);
-  shear.back = gearing::peaks("return_law", spec.return_law, spec.return_form);
+  shear.ramp = gear_detail::peaks_of_ramp("ramp", spec.ramp);
+  shear.back = gear_detail::peaks("return_law", spec.return_law, spec.return_form);
   return shear;
 }
 
@@ -307,13 +307,13 @@ ShearPlan shear_plan(const FlyingShear& spec) {
   const std::string wrong = broken(shear, cycle, spec.line_speed, length, rounded_sum);
   if (!wrong.empty()) refuse(shear, cycle, wrong);
   ShearPlan plan;
-  plan.accelerate = gearing::on_grid(cycle.accelerate, length);
-  plan.sync = gearing::on_grid(cycle.sync, length);
-  plan.decelerate = gearing::on_grid(cycle.decelerate, length);
+  plan.accelerate = gear_detail::on_grid(cycle.accelerate, length);
+  plan.sync = gear_detail::on_grid(cycle.sync, length);
+  plan.decelerate = gear_detail::on_grid(cycle.decelerate, length);
   plan.back = length - (plan.accelerate + plan.sync + plan.decelerate);
   if (spec.return_length && plan.back - *spec.return_length > rounded_sum * length) {
     const double left = plan.back;
-    plan.back = gearing::on_grid(*spec.return_length, length);
+    plan.back = gear_detail::on_grid(*spec.return_length, length);
     plan.wait = left - plan.back;
   }
   plan.ratio = shear.ratio;

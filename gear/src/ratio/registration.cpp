@@ -30,7 +30,7 @@ void require_valid(const Registration& registration, double period) {
   require_not_negative("window_from", registration.window_from);
   require_positive("window_length", registration.window_length);
   require_positive("most", registration.most);
-  gearing::require_rest_to_rest("law", registration.law, registration.form);
+  gear_detail::require_rest_to_rest("law", registration.law, registration.form);
   // The rounding of the sum is no way out of the period.
   if (registration.window_from + registration.window_length > period * (1 + rounded_sum))
     throw InputError("window_length", registration.window_length,
@@ -93,12 +93,13 @@ std::vector<Segment> correction(const Registration& registration, double period,
                                 double step) {
   require_valid(registration, period);
   if (step == 0) return {line(period, from, from)};
-  const double begin = gearing::on_grid(registration.window_from, period);
-  const double end = std::min(period, gearing::on_grid(begin + registration.window_length, period));
+  const double begin = gear_detail::on_grid(registration.window_from, period);
+  const double end =
+      std::min(period, gear_detail::on_grid(begin + registration.window_length, period));
   std::vector<Segment> all;
   if (begin > 0) all.push_back(line(begin, from, from));
-  for (const Segment& piece : gearing::moved(registration.law, registration.form, begin,
-                                             end - begin, period, from, from + step))
+  for (const Segment& piece : gear_detail::moved(registration.law, registration.form, begin,
+                                                 end - begin, period, from, from + step))
     all.push_back(piece);
   if (end < period) all.push_back(line(period - end, from + step, from + step));
   return all;

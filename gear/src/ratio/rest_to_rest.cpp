@@ -9,7 +9,7 @@
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
-namespace jounce::gearing {
+namespace jounce::gear_detail {
 namespace {
 
 using profiles_detail::rounded_input;
@@ -84,4 +84,4 @@ std::vector<Segment> moved(Law law, const LawForm& form, double from, double len
   return pieces;
 }
 
-}  // namespace jounce::gearing
+}  // namespace jounce::gear_detail

@@ -8,7 +8,7 @@
 
 /// Laws from rest to rest over a cycle of the master, for the shear, the indexer and the
 /// registration.
-namespace jounce::gearing {
+namespace jounce::gear_detail {
 
 /// Peaks of a law over stroke 1 and length 1 (Cv, Ca, Cj). A peak is infinite if the next lower
 /// derivative steps, inside the law or against the rest at its ends.
@@ -40,4 +40,4 @@ std::vector<Segment> placed(Law law, const LawForm& form, double from, double le
 std::vector<Segment> moved(Law law, const LawForm& form, double from, double length, double cycle,
                            double u0, double u1);
 
-}  // namespace jounce::gearing
+}  // namespace jounce::gear_detail

@@ -19,9 +19,9 @@ constexpr FieldRange percent_to_100{
     .not_zero = true,
     .words = "more than 0% and at most 100%, or more than 0 and at most 1"};
 constexpr FieldRange home_method{.least = 1,
-                                   .most = 37,
-                                   .whole = true,
-                                   .words = "1 to 14, 17 to 30, 33, 34, 35 or 37 (CiA 402)"};
+                                 .most = 37,
+                                 .whole = true,
+                                 .words = "1 to 14, 17 to 30, 33, 34, 35 or 37 (CiA 402)"};
 constexpr FieldRange captures{.least = 0,
                               .most = 1e9,
                               .whole = true,

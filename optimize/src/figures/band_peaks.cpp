@@ -5,7 +5,7 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using profiles_detail::two_pi;
@@ -107,4 +107,4 @@ std::vector<WorstMode> band_peaks(const Trajectory& motion, const ModeBand& band
   return std::move(peaks).found();
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

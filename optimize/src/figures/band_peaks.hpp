@@ -5,7 +5,7 @@
 
 #include "jounce/profiles/vibration/vibration_band.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Returns the local peaks of the residual that a motion leaves in the modes of a band, each exact
 /// to rounding, and the residual at the ends of the sides of the band. All peaks lie on the edge of
@@ -17,4 +17,4 @@ namespace jounce::optimizer {
 /// refined. Peaks that are closer together than two samples count as one.
 std::vector<WorstMode> band_peaks(const Trajectory& motion, const ModeBand& band);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

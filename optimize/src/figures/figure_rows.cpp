@@ -17,7 +17,7 @@
 //
 // Rms: a sum of squares (SplineSpace::squares).
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr std::array signs{1.0, -1.0};
@@ -219,4 +219,4 @@ FigureRows figure_rows(const ShapeFigure& figure, const SplineSpace& space,
       figure);
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

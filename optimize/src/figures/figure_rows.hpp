@@ -8,7 +8,7 @@
 
 #include "optimize/src/program/spline_space.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// A convex figure as rows of a program. A new kind of figure needs one more overload of rows_of().
 ///
@@ -77,4 +77,4 @@ std::vector<double> places_around(const Segment& g, double s, double excess);
 /// Returns max |q| over a shape that begins at x, signed, with its place.
 Extremum peak_of(const LinearQuantity& q, const std::vector<Segment>& shape, double x);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

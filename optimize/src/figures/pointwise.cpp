@@ -20,7 +20,7 @@
 // constant, and T is a polynomial plus the sine term. The product of two quantities that are linear
 // in the shape (a power) is a polynomial throughout.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using profiles_detail::rounded_sum;
@@ -233,4 +233,4 @@ std::optional<Pointwise> pointwise(const ShapeFigure& figure, double begin) {
   return std::nullopt;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

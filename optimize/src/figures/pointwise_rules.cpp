@@ -11,7 +11,7 @@
 
 #include "optimize/src/program/spline_space.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using profiles_detail::rounded_input;
@@ -78,4 +78,4 @@ void require_pointwise(const std::string& key, const ShapeFigure& figure, const 
   }
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

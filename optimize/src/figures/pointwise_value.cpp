@@ -21,7 +21,7 @@
 
 #include "optimize/src/program/spline_space.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double level_precision = 1e-9;  ///< share of the level
@@ -144,4 +144,4 @@ double value_of(const Pointwise& figure, const std::vector<Segment>& shape, doub
   return peak;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -24,7 +24,7 @@
 // convex. The first planes are four for each of a few modes. Each part of the band and each local
 // peak then adds the plane that touches it at its worst mode, if that exceeds the level.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using profiles_detail::rounded_value;
@@ -218,4 +218,4 @@ FigureRows rows_of(const ResidualOf& figure, const SplineSpace& space, const Aux
   return rows;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

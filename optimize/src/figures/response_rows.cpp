@@ -14,7 +14,7 @@
 //
 //   (2)  |y|^2 = u^2 |v|^2 + |(1 - Q Q') y(0)|^2
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using Eigen::Index;
@@ -120,4 +120,4 @@ FigureRows rows_of(const ResponseOf& figure, const SplineSpace& space, const Aux
   return rows;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -8,7 +8,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 double peak_of(const CamSpec& spec) {
   return std::abs(extrema(design(spec).cam, 2).peak().value);
@@ -91,4 +91,4 @@ std::optional<std::size_t> AffineCam::add(bool free, double unit, double reach) 
   return unknowns_.size() - 1;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -8,7 +8,7 @@
 
 #include "optimize/src/solvers/interior_point.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// One free derivative. The solver's variable is (value - given) / unit.
 struct Unknown {
@@ -62,4 +62,4 @@ class AffineCam {
   double mean_ = 1;
 };
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -51,8 +51,8 @@
 namespace jounce {
 namespace {
 
-using optimizer::Freedom;
-using optimizer::Knot;
+using optimize_detail::Freedom;
+using optimize_detail::Knot;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -290,8 +290,8 @@ double least_square_acceleration(const KnotInterval& s) {
 }
 
 double lower_bound(const CamProblem& problem, Objective objective) {
-  const auto knots = optimizer::knots_of(problem.cam);
-  const auto free = optimizer::freedom(problem);
+  const auto knots = optimize_detail::knots_of(problem.cam);
+  const auto free = optimize_detail::freedom(problem);
   const CamDesign made = design(problem.cam);
   const auto& segments = problem.cam.segments;
   const bool rms = objective == Objective::rms_acceleration;

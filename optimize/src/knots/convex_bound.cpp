@@ -8,7 +8,7 @@
 #include "optimize/src/solvers/certificate.hpp"
 #include "optimize/src/solvers/program.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr int places =
@@ -113,4 +113,4 @@ double convex_bound(const Subproblem& subproblem, const Point& z) {
   return Tangent(subproblem, z).bound();
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -3,7 +3,7 @@
 
 #include "optimize/src/knots/subproblem.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Returns a lower bound of the objective for all values of the free quantities within the ceilings
 /// of a subproblem, which must be convex. The bound is close if z is the best point. It follows by
@@ -11,4 +11,4 @@ namespace jounce::optimizer {
 /// and the rms is above its tangent.
 double convex_bound(const Subproblem& subproblem, const Point& z);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

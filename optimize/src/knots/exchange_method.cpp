@@ -6,7 +6,7 @@
 #include "optimize/src/knots/exchange_rows.hpp"
 #include "optimize/src/solvers/solve.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr int max_exchange_rounds = 200;
@@ -22,7 +22,7 @@ class ExchangeRun {
         go_on_(go_on),
         exchange_(subproblem, start),
         z_(start),
-        now_(optimizer::merit(subproblem, start)),
+        now_(optimize_detail::merit(subproblem, start)),
         best_{start, now_, false, 0},
         max_evaluations_(max_evaluations),
         held_(!subproblem.space.convex()) {
@@ -87,7 +87,7 @@ class ExchangeRun {
       best_.evaluations += solved.evaluations;
       const double hoped = t() - solved.t;
       if (!solved.finite || hoped <= exchange_.precision()) return false;
-      const Merit there = optimizer::merit(subproblem_, solved.z);
+      const Merit there = optimize_detail::merit(subproblem_, solved.z);
       const double gain = t() - there.value / exchange_.reference();
       const double harm =
           subproblem_.objective ? std::max(0.0, there.excess - rounding_tolerance) : 0;
@@ -121,4 +121,4 @@ LocalSolution exchange_method(const Subproblem& subproblem, const Point& start, 
   return run.best();
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

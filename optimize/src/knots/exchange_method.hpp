@@ -5,7 +5,7 @@
 
 #include "optimize/src/knots/subproblem.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Result of exchange_method().
 struct LocalSolution {
@@ -25,4 +25,4 @@ struct LocalSolution {
 LocalSolution exchange_method(const Subproblem& subproblem, const Point& start, int max_evaluations,
                               const std::function<bool()>& go_on);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

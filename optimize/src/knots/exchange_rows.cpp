@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double greatest_margin = 1e-9;  ///< relative, kept from limits
@@ -128,4 +128,4 @@ Row* ExchangeRows::find(const Row& row) {
   return nullptr;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

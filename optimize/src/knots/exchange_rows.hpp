@@ -6,7 +6,7 @@
 #include "optimize/src/knots/subproblem.hpp"
 #include "optimize/src/solvers/program.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// The rows that represent a subproblem: its ceilings and the epigraph of its objective. At first
 /// they are at a few Chebyshev points of every piece, later also at the exact extrema of solutions
@@ -46,4 +46,4 @@ class ExchangeRows {
   std::vector<Row> rows_;
 };
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

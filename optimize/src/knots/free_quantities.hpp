@@ -9,7 +9,7 @@
 #include "jounce/optimize/problem.hpp"
 
 /// The free quantities of the knots of a cam, for the validation, the bounds and the solver.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 enum class Quantity : std::size_t { master, slave, geo_velocity, geo_acceleration };
 
@@ -75,4 +75,4 @@ inline std::vector<Freedom> freedom(const CamProblem& problem) {
   return all;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -37,10 +37,10 @@
 namespace jounce {
 namespace {
 
-using optimizer::AffineCam;
-using optimizer::ConvexProgram;
-using optimizer::ConvexSolution;
-using optimizer::Form;
+using optimize_detail::AffineCam;
+using optimize_detail::ConvexProgram;
+using optimize_detail::ConvexSolution;
+using optimize_detail::Form;
 
 constexpr double slack = 1e-6;  ///< share of the peak that may be given up for less jerk
 constexpr double met = 1e-9;    ///< relative excess of a peak that counts as rounding
@@ -119,7 +119,7 @@ class Exchange {
   }
 
   ConvexSolution run(const ConvexProgram& program) {
-    ConvexSolution found = optimizer::solve(program, x_);
+    ConvexSolution found = optimize_detail::solve(program, x_);
     x_ = found.x;
     solutions_ += found.iterations;
     return found;
@@ -189,11 +189,12 @@ LeastPeak filled_for_least_peak(const CamSpec& spec) {
     const double allowed = std::max(least * (1 + slack), floor / affine.peak());
     exchange.smooth(allowed);
     const CamSpec smooth = affine.at(exchange.x());
-    if (optimizer::peak_of(smooth) <= affine.peak() * allowed * (1 + 2 * met)) answer.cam = smooth;
+    if (optimize_detail::peak_of(smooth) <= affine.peak() * allowed * (1 + 2 * met))
+      answer.cam = smooth;
     answer.bound = exchange.bound() * affine.peak();
     answer.solutions = exchange.solutions();
   }
-  answer.peak = optimizer::peak_of(answer.cam);
+  answer.peak = optimize_detail::peak_of(answer.cam);
   answer.bound = std::min(answer.peak, std::max(answer.bound, floor));
   return answer;
 }

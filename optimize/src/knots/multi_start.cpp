@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using namespace std::chrono_literals;
@@ -105,4 +105,4 @@ std::vector<LocalSolution> multi_start(const Subproblem& subproblem,
   return MultiStart(subproblem, starts, options).run();
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -7,7 +7,7 @@
 
 #include "optimize/src/knots/exchange_method.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Options of multi_start().
 struct MultiStartOptions {
@@ -26,4 +26,4 @@ std::vector<LocalSolution> multi_start(const Subproblem& subproblem,
                                        const std::vector<Point>& starts,
                                        const MultiStartOptions& options);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -17,13 +17,13 @@
 namespace jounce {
 namespace {
 
-using optimizer::brief;
-using optimizer::DerivativeBound;
-using optimizer::LocalSolution;
-using optimizer::natural_zero;
-using optimizer::Point;
-using optimizer::Space;
-using optimizer::Subproblem;
+using optimize_detail::brief;
+using optimize_detail::DerivativeBound;
+using optimize_detail::LocalSolution;
+using optimize_detail::natural_zero;
+using optimize_detail::Point;
+using optimize_detail::Space;
+using optimize_detail::Subproblem;
 using Clock = std::chrono::steady_clock;
 
 /// A significant change of the k-th derivative of this cam.
@@ -49,12 +49,12 @@ class Search {
       outcome_.figures.push_back({name(objective), value, value, lower_bound(problem, objective)});
     }
     for (Finding finding :
-         optimizer::limits_of(problem.limits, problem.ramped, given.cam).findings) {
+         optimize_detail::limits_of(problem.limits, problem.ramped, given.cam).findings) {
       if (!finding.broken || broken_where_fixed_) continue;
       finding.segment = given.origin[*finding.segment];
       if (!space_.moves[*finding.segment]) broken_where_fixed_ = finding;
     }
-    ceilings_ = optimizer::ceilings_of(problem.limits, problem.ramped, space_);
+    ceilings_ = optimize_detail::ceilings_of(problem.limits, problem.ramped, space_);
   }
 
   Outcome<CamSpec> run() {
@@ -96,12 +96,12 @@ class Search {
     const auto count = starts.size();
     const bool go = go_on(objective, 0, count, {});
     share_ = go ? std::max(0, evaluations_left()) / static_cast<int>(count) : 0;
-    std::vector<LocalSolution> all = optimizer::multi_start(
+    std::vector<LocalSolution> all = optimize_detail::multi_start(
         subproblem, starts,
         {share_,
-         [&](std::size_t done, const std::optional<optimizer::Merit>& best) {
+         [&](std::size_t done, const std::optional<optimize_detail::Merit>& best) {
            const bool known =
-               best && subproblem.objective && best->excess <= optimizer::rounding_tolerance;
+               best && subproblem.objective && best->excess <= optimize_detail::rounding_tolerance;
            return go_on(objective, done, count, known ? std::optional(best->value) : std::nullopt);
          },
          enough});
@@ -121,10 +121,10 @@ class Search {
     std::vector<Point> starts;
     for (int i = 0; i < count; ++i)
       starts.push_back(
-          optimizer::start_point(space_, problem_.options.seed, static_cast<std::size_t>(i)));
+          optimize_detail::start_point(space_, problem_.options.seed, static_cast<std::size_t>(i)));
     outcome_.starts = static_cast<int>(starts.size());
     for (const LocalSolution& attempt : attempted(0, subproblem, starts, {})) {
-      if (attempt.merit.excess <= optimizer::rounding_tolerance && !broken_where_fixed_)
+      if (attempt.merit.excess <= optimize_detail::rounding_tolerance && !broken_where_fixed_)
         pool_.push_back(attempt.z);
       else if (!least_violated_ || attempt.merit.excess < least_violated_->merit.excess)
         least_violated_ = attempt;
@@ -165,7 +165,7 @@ class Search {
     for (LocalSolution& attempt : attempted(k, subproblem, pool_, [&](const LocalSolution& each) {
            return last && at_bound(k, each.merit.value);
          })) {
-      if (!kept.empty() && attempt.merit.excess > optimizer::rounding_tolerance) continue;
+      if (!kept.empty() && attempt.merit.excess > optimize_detail::rounding_tolerance) continue;
       kept.push_back(std::move(attempt));
     }
     keep_best(k, std::move(kept));
@@ -206,11 +206,11 @@ class Search {
     const Point z =
         feasible() ? pool_.front()
                    : (least_violated_ ? least_violated_->z : Point(space_.variables.size(), 0.0));
-    outcome_.best = optimizer::spec_at(space_, z);
+    outcome_.best = optimize_detail::spec_at(space_, z);
     const CamDesign made = design(outcome_.best);
     for (std::size_t k = 0; k < outcome_.figures.size(); ++k)
       outcome_.figures[k].reached = value_of(problem_.minimize[k], made.cam);
-    outcome_.limits = optimizer::limits_of(problem_.limits, problem_.ramped, made.cam);
+    outcome_.limits = optimize_detail::limits_of(problem_.limits, problem_.ramped, made.cam);
     for (Finding& finding : outcome_.limits.findings)
       if (finding.segment) finding.segment = made.origin[*finding.segment];
     if (feasible() && space_.convex()) prove(z);
@@ -218,7 +218,7 @@ class Search {
     outcome_.value = outcome_.figures.back().reached;
     outcome_.bound = outcome_.figures.back().bound;
     outcome_.active =
-        optimizer::active_findings(space_, ceilings_, z, problem_.minimize, outcome_.figures);
+        optimize_detail::active_findings(space_, ceilings_, z, problem_.minimize, outcome_.figures);
     set_status();
   }
 
@@ -233,7 +233,7 @@ class Search {
                              problem_.minimize[k],
                              natural_zero * natural_k,
                              problem_.options.tolerance};
-      r.bound = std::max(*r.bound, std::min(optimizer::convex_bound(alone, z), r.reached));
+      r.bound = std::max(*r.bound, std::min(optimize_detail::convex_bound(alone, z), r.reached));
     }
   }
 
@@ -284,10 +284,10 @@ class Search {
   [[nodiscard]] std::string why_infeasible() const {
     if (const auto& broken = broken_where_fixed_)
       return "no free quantity changes segment " + std::to_string(*broken->segment + 1) +
-             ", where " + optimizer::sentence(*broken);
+             ", where " + optimize_detail::sentence(*broken);
     const auto impossible = [&](Objective objective, const std::optional<double>& limit) {
       return limit &&
-             lower_bound(problem_, objective) > *limit * (1 + optimizer::rounding_tolerance);
+             lower_bound(problem_, objective) > *limit * (1 + optimize_detail::rounding_tolerance);
     };
     for (const auto& [objective, limit] :
          {std::pair{Objective::peak_acceleration, problem_.limits.acceleration},
@@ -296,7 +296,7 @@ class Search {
         return std::string("no law through the fixed knots can keep the limits: ") +
                name(objective) + " of at least " + brief(lower_bound(problem_, objective)) +
                " is needed, " + brief(*limit) + " allowed";
-    const std::string worst = optimizer::sentence(outcome_.limits.findings.front());
+    const std::string worst = optimize_detail::sentence(outcome_.limits.findings.front());
     if (space_.convex())
       return "no values of the free quantities meet the limits, and the problem is convex: at "
              "best " +

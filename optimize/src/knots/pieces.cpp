@@ -6,7 +6,7 @@
 
 #include "jounce/cam/detail/quadrature.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr std::array<int, 6> power{0, 1, 2, 0, 1, 2};  // e of (1)
@@ -108,4 +108,4 @@ double square_acceleration(const Gram& gram, const Knot& from, const Knot& to,
   return total;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -24,7 +24,7 @@
 ///          G_ij = integral of B_i'' B_j'' over z
 ///     (6)  dI/dq_i = 2 sum_j q_j L^(e_i + e_j - 3) G_ij,
 ///          dI/dL   = sum_ij (e_i + e_j - 3) q_i q_j L^(e_i + e_j - 4) G_ij
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// A gradient with respect to the values of the knot before (0 to 3) and of the knot after (4 to
 /// 7).
@@ -70,4 +70,4 @@ std::vector<Gram> grams(std::span<const Piece> pieces);
 double square_acceleration(const Gram& gram, const Knot& from, const Knot& to,
                            KnotGradient& gradient);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

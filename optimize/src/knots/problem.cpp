@@ -15,7 +15,7 @@
 namespace jounce {
 namespace {
 
-using optimizer::Quantity;
+using optimize_detail::Quantity;
 
 constexpr std::array objectives{Objective::peak_acceleration, Objective::peak_jerk,
                                 Objective::rms_acceleration};
@@ -82,9 +82,9 @@ bool can_be_free(const CamSpec& cam, std::size_t knot) {
 
 /// Advice for a spec without a free quantity: the key that frees one.
 std::string what_to_free(const CamSpec& cam) {
-  const auto knots = optimizer::knots_of(cam);
+  const auto knots = optimize_detail::knots_of(cam);
   const auto stroke = [&](std::size_t i) {
-    const std::size_t slave = optimizer::index(Quantity::slave);
+    const std::size_t slave = optimize_detail::index(Quantity::slave);
     return std::abs(knots[i + 1][slave] - knots[i][slave]);
   };
   std::size_t longest = 0;
@@ -101,9 +101,9 @@ std::string what_to_free(const CamSpec& cam) {
 
 void require_bound(const CamProblem& problem, const FreeKnot& free, Quantity quantity,
                    double given) {
-  const auto& bound = optimizer::bound_of(free, quantity);
+  const auto& bound = optimize_detail::bound_of(free, quantity);
   if (!bound) return;
-  const std::string key = optimizer::free_key(free.knot, quantity);
+  const std::string key = optimize_detail::free_key(free.knot, quantity);
   require_finite((key + ".lower").c_str(), bound->lower);
   require_finite((key + ".upper").c_str(), bound->upper);
   const std::string interval = "[" + number(bound->lower) + ", " + number(bound->upper) + "]";
@@ -119,11 +119,11 @@ void require_bound(const CamProblem& problem, const FreeKnot& free, Quantity qua
 }
 
 void require_free(const CamProblem& problem) {
-  const auto knots = optimizer::knots_of(problem.cam);
+  const auto knots = optimize_detail::knots_of(problem.cam);
   const std::size_t last = knots.size() - 1;
   std::vector<bool> named(knots.size());
   for (const FreeKnot& free : problem.free) {
-    const std::string key = optimizer::free_key(free.knot);
+    const std::string key = optimize_detail::free_key(free.knot);
     if (free.knot > last)
       throw InputError(key, static_cast<double>(free.knot),
                        "must be at most " + std::to_string(last) + ", the number of segments");
@@ -136,11 +136,11 @@ void require_free(const CamProblem& problem) {
     named[free.knot] = true;
     if (problem.cam.periodic && (free.knot == 0 || free.knot == last))
       named.front() = named.back() = true;
-    for (const Quantity q : optimizer::quantities)
-      require_bound(problem, free, q, knots[free.knot][optimizer::index(q)]);
+    for (const Quantity q : optimize_detail::quantities)
+      require_bound(problem, free, q, knots[free.knot][optimize_detail::index(q)]);
   }
-  const auto freedom = optimizer::freedom(problem);
-  if (std::none_of(freedom.begin(), freedom.end(), optimizer::any))
+  const auto freedom = optimize_detail::freedom(problem);
+  if (std::none_of(freedom.begin(), freedom.end(), optimize_detail::any))
     throw InputError("free", "", "nothing is free to optimize: " + what_to_free(problem.cam));
 }
 

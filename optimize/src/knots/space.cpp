@@ -7,7 +7,7 @@
 
 #include "jounce/profiles/detail/random.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double closest =
@@ -106,8 +106,8 @@ std::vector<double> ordered_masters(const Space& space, const Choose& choose) {
 Space::Space(const CamProblem& problem)
     : given(problem.cam),
       knots(knots_of(problem.cam)),
-      pieces(optimizer::pieces(problem.cam)),
-      grams(optimizer::grams(pieces)) {
+      pieces(optimize_detail::pieces(problem.cam)),
+      grams(optimize_detail::grams(pieces)) {
   const auto free = freedom(problem);
   const std::size_t last = knots.size() - 1;
   for (const FreeKnot& knot : problem.free)
@@ -202,4 +202,4 @@ Point start_point(const Space& space, std::uint64_t seed, std::size_t number) {
   return z;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -9,7 +9,7 @@
 #include "optimize/src/knots/free_quantities.hpp"
 #include "optimize/src/knots/pieces.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// One free quantity. The variable of the solver is z = (value - given) / scale.
 struct Variable {
@@ -60,4 +60,4 @@ void add_gradient(const Space& space, std::size_t segment, const KnotGradient& b
 /// The result is the same on every platform (splitmix64 of seed and number).
 Point start_point(const Space& space, std::uint64_t seed, std::size_t number);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 std::vector<DerivativeBound> ceilings_of(const Limits& limits, const RampedLimits& ramped,
                                          const Space& space) {
@@ -100,4 +100,4 @@ double floor_of(const Subproblem& subproblem) {
   return floor;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -11,7 +11,7 @@
 #include "optimize/src/tolerances.hpp"
 
 /// One objective under ceilings that hold everywhere, not only at sampled points.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// A ceiling: sign * (f^(order) + lower * f^(order - 1)) <= limit on the whole cam. Violations are
 /// measured in units of `scale`.
@@ -86,4 +86,4 @@ bool is_better(const Merit& a, const Merit& b);
 /// Returns the peak of the segments that no free quantity changes: a lower bound of the objective.
 double floor_of(const Subproblem& subproblem);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -33,7 +33,7 @@
 //
 //   (3)  |v_k| <= |y| / u <= F sqrt(rows) / u
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using Eigen::Index;
@@ -97,4 +97,4 @@ Affine with_auxiliary_variables(const Affine& y, const Auxiliary& auxiliary, Fig
   return {y.constant - q * c, unit * q, auxiliary.first, y.natural};
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -7,7 +7,7 @@
 
 /// Numbers that are affine in the coordinates of a spline, in terms of auxiliary unknowns. The
 /// derivation is at the head of auxiliary_variables.cpp.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// y = constant + factor x, where x begins at unknown `first`.
 struct Affine {
@@ -28,4 +28,4 @@ Eigen::MatrixXd without_joints(const Eigen::MatrixXd& rows, const SplineSpace& s
 /// rounding of the rows must be set before.
 Affine with_auxiliary_variables(const Affine& y, const Auxiliary& auxiliary, FigureRows& rows);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

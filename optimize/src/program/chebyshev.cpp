@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr std::size_t most = 64;
@@ -46,4 +46,4 @@ std::vector<double> ChebyshevNodes::shares(double x) const {
   return share;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

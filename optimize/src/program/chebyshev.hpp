@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Chebyshev's nodes of an interval, and Lagrange's polynomials at these nodes (barycentric:
 /// Berrut, Trefethen, SIAM Review 46, 2004). They are for a function that grows like exp(size |x|)
@@ -27,4 +27,4 @@ class ChebyshevNodes {
   std::vector<double> at_, weight_;
 };
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 double worst_equality(const ShapeModel& model, const Coordinates& z) {
   double worst = 0;
@@ -40,4 +40,4 @@ Coordinates as_fixed(const ShapeModel& model, Coordinates z) {
   return z;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -5,7 +5,7 @@
 
 /// The equalities of a shape: continuity between its pieces, fixed ends, values that are kept
 /// exactly.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Returns the greatest residual of an equality at z; NaN if a residual is NaN.
 double worst_equality(const ShapeModel& model, const Coordinates& z);
@@ -18,4 +18,4 @@ double worst_equality(const ShapeModel& model, const Coordinates& z);
 /// 60 e / h^3.
 Coordinates as_fixed(const ShapeModel& model, Coordinates z);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

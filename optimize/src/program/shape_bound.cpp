@@ -23,7 +23,7 @@
 //
 // For n = 2 and 3 with any ends see jounce/optimize/bound.hpp.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using Ends = std::array<std::optional<double>, 5>;
@@ -110,4 +110,4 @@ std::optional<double> known_bound(const ShapeProblem& problem, const ShapeFigure
   return {};
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

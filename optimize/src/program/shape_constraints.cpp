@@ -7,7 +7,7 @@
 
 #include "optimize/src/tolerances.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double most_off = 1e-2;
@@ -166,4 +166,4 @@ ShapeConstraint constraint_of(FigureRows rows, double at_most) {
   return constraint;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -7,7 +7,7 @@
 
 #include "optimize/src/figures/figure_rows.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Distance that is kept from a constraint that something free changes, in units of its scale. It
 /// covers the rounding of the solver.
@@ -40,4 +40,4 @@ double edge_at(const Corridor& corridor, const Edge& edge, double x);
 /// True if the corridor has no width: its quantity is kept exactly.
 bool is_exact(const Corridor& corridor);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -21,7 +21,7 @@
 // together a quadratic program (norms: shape_norms.hpp). Limited norms are second-order cones. For
 // planes and constraints see shape_rows.hpp.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double coarsest_rows_met = 1e-7;  ///< residual of the least precise program
@@ -268,4 +268,4 @@ ShapeSolution minimized(const ShapeModel& model, const Coordinates& start, doubl
   return ShapeExchange(model, start, precision, go_on).run(slack);
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

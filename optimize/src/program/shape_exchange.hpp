@@ -10,7 +10,7 @@
 
 /// Solves a ShapeModel with its figures and constraints at every place: an exchange method over convex
 /// programs.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Result of minimized().
 struct ShapeSolution {
@@ -38,4 +38,4 @@ using GoOn = std::function<bool(int round, double value)>;
 ShapeSolution minimized(const ShapeModel& model, const Coordinates& start, double precision,
                         double slack, const GoOn& go_on);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -7,7 +7,7 @@
 
 #include "optimize/src/tolerances.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 /// Share of the natural size: a smaller limit is a limit of zero.
@@ -279,4 +279,4 @@ void make_exact(const ShapeProblem& p, std::vector<Segment>& shape) {
   }
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

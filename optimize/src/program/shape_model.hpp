@@ -7,7 +7,7 @@
 #include "optimize/src/tolerances.hpp"
 
 /// A shape problem over fixed knots, as forms in the coordinates of a spline space.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// A figure to be minimized. `unit`: its value for the given shape.
 struct Term {
@@ -80,4 +80,4 @@ std::vector<Segment> given_shape(const ShapeProblem& problem);
 /// Sets the values that corridors without width require, exact to the last bit.
 void make_exact(const ShapeProblem& problem, std::vector<Segment>& shape);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

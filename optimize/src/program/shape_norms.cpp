@@ -6,7 +6,7 @@
 
 #include "optimize/src/tolerances.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double settled_norm = 1e-8;  ///< relative change of a norm that needs no further program
@@ -73,4 +73,4 @@ double ShapeNorms::to_bound(const std::vector<Segment>& shape, double sum) const
   return more;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -7,7 +7,7 @@
 
 #include "optimize/src/program/shape_model.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Finds the root of a decreasing function by the secant method.
 class Root {
@@ -58,4 +58,4 @@ class ShapeNorms {
   std::vector<Root> c_;  ///< log c of each term; unused for peaks
 };
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

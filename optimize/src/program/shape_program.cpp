@@ -7,7 +7,7 @@
 
 #include "optimize/src/solvers/certificate.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double smoothing_weight = 1e-5;  ///< weight of the figure that makes the solution unique
@@ -110,4 +110,4 @@ std::vector<Form> hint(const SplineSpace& space) {
   return squares;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -6,7 +6,7 @@
 
 #include "optimize/src/program/shape_rows.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// One kind of program: how it replaces t and mu.
 struct ShapeTask {
@@ -39,4 +39,4 @@ double bound_of(const ShapeModel& model, const ShapeRows& rows, const ShapeTask&
 /// Returns very small squares. They determine every coordinate that the constraints leave free.
 std::vector<Form> hint(const SplineSpace& space);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

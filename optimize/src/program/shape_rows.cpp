@@ -7,7 +7,7 @@
 
 // Constraints are tightened by `off` where there is freedom, so that rounding does not break them.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double alike = 1e-7;
@@ -69,4 +69,4 @@ int ShapeRows::exchange(const std::vector<Segment>& shape, const std::vector<dou
   return added;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -6,7 +6,7 @@
 
 #include "optimize/src/program/shape_model.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// The inequality form(z) <= t of its term; without a term a constraint, form(z) <= 0.
 struct ShapeRow {
@@ -39,4 +39,4 @@ class ShapeRows {
 /// If a smaller share of the slope of a form is free, the form counts as fixed.
 constexpr double no_freedom = 1e-11;
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -8,7 +8,7 @@
 
 #include "jounce/cam/detail/quadrature.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr std::array factorials{1.0,   1.0,    2.0,     6.0,      24.0,      120.0,
@@ -207,4 +207,4 @@ std::array<std::optional<double>, 5> derivatives_of(const ShapeEnd& end) {
   return {end.value, end.velocity, end.acceleration, end.jerk, end.jounce};
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

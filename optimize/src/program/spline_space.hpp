@@ -26,7 +26,7 @@
 /// contains two adjacent knots only: all matrices remain banded, and a short piece is as well
 /// conditioned as a long one. (Coefficients of B-splines lose a factor 1/h in every derivative: at
 /// n = 5 and h = 1/1000 all digits.)
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 using Coordinates = std::vector<double>;
 
@@ -108,4 +108,4 @@ class SplineSpace {
 /// Returns the fixed values at an end, by order; nullopt: free.
 std::array<std::optional<double>, 5> derivatives_of(const ShapeEnd& end);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

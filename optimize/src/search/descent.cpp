@@ -14,7 +14,7 @@
 // and agrees with an interior point method to 6 digits. MMA and CCSAQ end at values up to 40 times
 // too high and report success. COBYLA takes seconds for 20 coefficients.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using Eigen::Index;
@@ -169,4 +169,4 @@ Descended descend(const DescentProgram& program, const VectorXd& y, int max_eval
   return result;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -9,7 +9,7 @@
 
 #include "optimize/src/solvers/reduced_space.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// The function g of a figure at one place, as a function of y (ReducedSpace).
 struct PlaceRow {
@@ -75,4 +75,4 @@ Descended descend(const DescentProgram& program, const Eigen::VectorXd& y, int m
 /// Returns the least t that the rows permit at y.
 Eigen::VectorXd least_t(const DescentProgram& program, const Eigen::VectorXd& y);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 double median(std::vector<double> values) {
@@ -149,4 +149,4 @@ const Evaluation& Evaluations::nearest_possible(const Choice& z) const {
   return *nearest;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

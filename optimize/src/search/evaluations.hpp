@@ -9,7 +9,7 @@
 
 #include "jounce/optimize/search.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// A choice of the free variables. Each is 0 at its lower bound and 1 at its upper bound.
 using Choice = std::vector<double>;
@@ -98,4 +98,4 @@ bool is_gain(const Evaluations& evaluations, const Evaluation& before, const Eva
 /// Returns the greatest distance in any variable.
 double distance(const Choice& a, const Choice& b);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 /// The quantity of a ceiling, and its rule.
@@ -114,4 +114,4 @@ std::vector<Finding> active_findings(const Space& space, std::span<const Derivat
   return active;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -10,7 +10,7 @@
 #include "optimize/src/knots/subproblem.hpp"
 
 /// The words and numbers of an outcome.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Returns a number with six digits, for sentences.
 std::string brief(double value, int digits = 6);
@@ -29,4 +29,4 @@ std::vector<Finding> active_findings(const Space& space, std::span<const Derivat
                                      const Point& z, std::span<const Objective> minimize,
                                      std::span<const FigureResult> figures);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

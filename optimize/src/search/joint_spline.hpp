@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// One joint of a motion from rest to rest. T is double, or complex for derivatives with respect to
 /// an interval.
@@ -63,4 +63,4 @@ JointSpline<T> joint_spline(std::span<const double> points, std::span<const T> h
   return s;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -14,9 +14,9 @@
 namespace jounce {
 namespace {
 
-using optimizer::brief;
-using optimizer::Evaluation;
-using optimizer::Evaluations;
+using optimize_detail::brief;
+using optimize_detail::Evaluation;
+using optimize_detail::Evaluations;
 using Status = OptimizeStatus;
 
 constexpr double edge =
@@ -50,7 +50,7 @@ void require_valid(const std::vector<SearchVariable>& variables, const OptimizeO
 /// The result of the phases of a search.
 struct Searched {
   bool settled = false;  ///< no phase gains any more
-  optimizer::MultiStartCounts counts;
+  optimize_detail::MultiStartCounts counts;
 };
 
 Searched searched(Evaluations& evaluations) {
@@ -67,7 +67,7 @@ Searched searched(Evaluations& evaluations) {
       if (evaluations.is_global()) all.counts = multi_start(evaluations, 0.5);
       all.settled = polish(evaluations);
     }
-  } catch (const optimizer::Stop&) {
+  } catch (const optimize_detail::Stop&) {
     all.settled = false;
   }
   return all;
@@ -141,7 +141,7 @@ void add_reasons(const Evaluations& evaluations, SearchOutcome& outcome) {
       outcome.met.push_back(i);
   double nearest = edge;
   for (const Evaluation& evaluation : evaluations.all()) {
-    const double away = optimizer::distance(evaluation.z, best.z);
+    const double away = optimize_detail::distance(evaluation.z, best.z);
     if (evaluation.answer.possible || away > nearest) continue;
     nearest = away;
     outcome.beyond = evaluation.answer.why;

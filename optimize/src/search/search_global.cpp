@@ -27,7 +27,7 @@
 //
 //   (1)  w (N - 1) / (N - w - 2)
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 Choice drawn_choice(std::size_t n, std::uint64_t& state) {
@@ -138,4 +138,4 @@ MultiStartCounts multi_start(Evaluations& evaluations, double share) {
   return BasinSearch(evaluations).run(share);
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -10,7 +10,7 @@
 // minima (by golden section). The method makes no assumption about the whole range. It assumes that
 // a cell between two places has at most one edge or one minimum.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 class Line {
@@ -120,4 +120,4 @@ void search_line(Evaluations& evaluations) {
   Line(evaluations).run();
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -19,7 +19,7 @@
 //
 //   (2)  r_i(z) in (1) is replaced by  r_i(z + d) - a_i . d
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 // Steps of the differences that estimate the slopes, relative to the free interval.
@@ -108,4 +108,4 @@ bool linearized_step(Evaluations& evaluations) {
   return false;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -16,7 +16,7 @@
 // with central differences follows such valleys. Of eleven test problems, COBYLA alone failed on
 // one, Rosenbrock's function in a disc (5 of 20 starts). With SLSQP before it, it failed on none.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double least_first_step = 1e-7;  ///< first step of a further attempt
@@ -149,4 +149,4 @@ bool polish(Evaluations& evaluations) {
   return false;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -5,7 +5,7 @@
 
 /// The phases of a search. Each evaluates through Evaluations, which keeps the best choice and
 /// throws Stop.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Result of multi_start().
 struct MultiStartCounts {
@@ -36,4 +36,4 @@ Evaluation run_cobyla(Evaluations& evaluations, const Choice& z, double radius, 
 /// gained.
 bool linearized_step(Evaluations& evaluations);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 SolverValues solver_values(Evaluations& evaluations, const Choice& z, double margin) {
   const Evaluation& asked = evaluations.at(z);
@@ -34,4 +34,4 @@ std::vector<SolverValues> slopes(Evaluations& evaluations, const Choice& z, doub
   return all;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

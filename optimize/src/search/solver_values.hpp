@@ -5,7 +5,7 @@
 
 #include "optimize/src/search/evaluations.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// A choice (a point of the search) as rows r_i(z) <= 0 for a solver: the objective f, the
 /// constraints c_i divided by their usual sizes s_i and tightened by a small h, and one more row
@@ -28,4 +28,4 @@ SolverValues solver_values(Evaluations& evaluations, const Choice& z, double mar
 std::vector<SolverValues> slopes(Evaluations& evaluations, const Choice& z, double margin,
                                  double difference);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -19,7 +19,7 @@
 namespace jounce {
 namespace {
 
-using optimizer::TimeAttempt;
+using optimize_detail::TimeAttempt;
 using Points = std::vector<std::vector<double>>;
 
 constexpr double agreement = 1e-6;
@@ -162,7 +162,7 @@ void judge(const std::vector<TimeAttempt>& attempts, bool cancelled, bool spent,
   if (out.agreeing > 1)
     return answer(OptimizeStatus::converged,
                   std::to_string(out.agreeing) + of + " agree to 1e-6, the best two to " +
-                      optimizer::brief(out.spread) + "; a local search is no proof");
+                      optimize_detail::brief(out.spread) + "; a local search is no proof");
   answer(OptimizeStatus::stalled,
          spent ? "the budget ended after " + std::to_string(attempts.size()) + " starts"
                : "only one" + of + " found this result: more starts may find a better one");
@@ -177,7 +177,7 @@ class Starts {
   SplineTimesOutcome run() {
     std::uint64_t state = spec_.options.seed;
     for (int i = 0; i < count_ && (i == 0 || go_on()); ++i) {
-      attempts_.push_back(optimizer::improve(spec_, start(spec_, i, state)));
+      attempts_.push_back(optimize_detail::improve(spec_, start(spec_, i, state)));
       out_.evaluations += attempts_.back().evaluations;
       out_.value = i == 0 ? attempts_.back().value : std::min(out_.value, attempts_.back().value);
     }
@@ -230,7 +230,7 @@ std::vector<Trajectory> spline_through(const Points& points, const std::vector<d
   for (std::size_t j = 0; j < points[0].size(); ++j) {
     std::vector<double> positions;
     for (const auto& point : points) positions.push_back(point[j]);
-    const auto s = optimizer::joint_spline<double>(positions, intervals);
+    const auto s = optimize_detail::joint_spline<double>(positions, intervals);
     std::vector<Segment> segments;
     for (std::size_t i = 0; i < intervals.size(); ++i)
       segments.push_back(

@@ -30,7 +30,7 @@
 // The result of the solver need not be feasible: (1) makes it feasible. The search starts again there,
 // until that improves nothing.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using Complex = std::complex<double>;
@@ -209,4 +209,4 @@ TimeAttempt improve(const SplineTimesSpec& spec, std::vector<double> h) {
   return best;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

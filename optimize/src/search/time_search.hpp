@@ -6,7 +6,7 @@
 
 #include "jounce/optimize/spline_times.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// The result of one start.
 struct TimeAttempt {
@@ -18,4 +18,4 @@ struct TimeAttempt {
 /// Returns a local optimum from these intervals, of which only the ratios matter.
 TimeAttempt improve(const SplineTimesSpec& spec, std::vector<double> intervals);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -58,10 +58,10 @@ FigureResult result_of(ShapeProblem run, const ShapeFigure& figure,
                        const std::vector<Segment>& shape) {
   run.minimize = {{figure}};
   run.ceilings.clear();
-  const auto given =
-      optimizer::needs_search(run) ? optimizer::given_as_spline(run) : optimizer::given_shape(run);
-  const optimizer::ShapeModel model(run, optimizer::knots_of(run, shape), given);
-  return optimizer::figure_results(run, model.space, given, shape).front();
+  const auto given = optimize_detail::needs_search(run) ? optimize_detail::given_as_spline(run)
+                                                        : optimize_detail::given_shape(run);
+  const optimize_detail::ShapeModel model(run, optimize_detail::knots_of(run, shape), given);
+  return optimize_detail::figure_results(run, model.space, given, shape).front();
 }
 
 /// The figures of all entries of `minimize`, including those that were not reached, then those of the ceilings.
@@ -82,7 +82,7 @@ ShapeOutcome minimized(const CamShapeProblem& problem, ShapeProblem& run, Watch&
     watch.stage = stage;
     run.minimize = problem.minimize[stage];
     run.ceilings = kept(problem, stages);
-    ShapeOutcome found = optimizer::optimized_from(run, best.best, watch);
+    ShapeOutcome found = optimize_detail::optimized_from(run, best.best, watch);
     if (stage > 0 && !found.usable()) {
       best.status = found.status == Status::cancelled ? found.status : Status::stalled;
       best.reason = name(problem.minimize[stage].front().figure) +
@@ -141,17 +141,17 @@ bool keeps(const Corridor& corridor, const Segment& segment, double x) {
   if (corridor.from == corridor.to || x + segment.length > corridor.to * (1 + rounding) ||
       x < corridor.from * (1 - rounding))
     return true;
-  const Range range =
-      segment_range(optimizer::quantity_of(corridor.quantity, segment), x, x + segment.length, 0);
+  const Range range = segment_range(optimize_detail::quantity_of(corridor.quantity, segment), x,
+                                    x + segment.length, 0);
   const auto flat = [](const std::optional<Edge>& edge) {
     return edge && edge->at_from == edge->at_to;
   };
   return !(flat(corridor.upper) &&
-           range.max.value > corridor.upper->at_from + optimizer::rounding_tolerance *
+           range.max.value > corridor.upper->at_from + optimize_detail::rounding_tolerance *
                                                            std::abs(corridor.upper->at_from)) &&
          !(flat(corridor.lower) &&
-           range.min.value < corridor.lower->at_from -
-                                 optimizer::rounding_tolerance * std::abs(corridor.lower->at_from));
+           range.min.value < corridor.lower->at_from - optimize_detail::rounding_tolerance *
+                                                           std::abs(corridor.lower->at_from));
 }
 
 /// True if the segments of a run keep the corridors of derivatives as designed.

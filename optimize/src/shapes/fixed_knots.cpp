@@ -18,7 +18,7 @@
 #include "optimize/src/shapes/optimized_from.hpp"
 #include "optimize/src/tolerances.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using Eigen::Index;
@@ -197,4 +197,4 @@ int FixedKnots::exchange(const std::vector<Segment>& shape, const VectorXd& t) {
   return added;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

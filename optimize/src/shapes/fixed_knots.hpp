@@ -13,7 +13,7 @@
 #include "optimize/src/program/shape_model.hpp"
 #include "optimize/src/search/descent.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Residual of the equalities of a shape, relative, that no solution has.
 inline constexpr double greatest_contradiction = 1e-7;
@@ -160,4 +160,4 @@ class FixedKnots {
   bool finite_ = true;
 };
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

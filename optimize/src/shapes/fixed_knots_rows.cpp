@@ -10,7 +10,7 @@
 #include "optimize/src/shapes/fixed_knots.hpp"
 #include "optimize/src/tolerances.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double flat_slope = 1e-9;     ///< slope of a row that no step changes
@@ -156,4 +156,4 @@ void FixedKnots::drop_near(const SearchedFigure& part, std::size_t piece, double
   });
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

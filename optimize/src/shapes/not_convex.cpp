@@ -14,7 +14,7 @@
 #include "optimize/src/shapes/shape_report.hpp"
 #include "optimize/src/tolerances.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -118,4 +118,4 @@ NotConvexResult search_shape(const ShapeProblem& problem, const std::vector<Segm
   return result_of(std::move(best), budget, finite);
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -6,7 +6,7 @@
 
 #include "jounce/optimize/shape.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Result of a search for a shape with figures that are not convex.
 struct NotConvexResult {
@@ -42,4 +42,4 @@ std::vector<Segment> given_as_spline(const ShapeProblem& problem);
 /// active constraints of the finished shape, with a bound if one is known.
 ShapeOutcome searched(const ShapeProblem& problem, const KeepGoing& keep_going);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -7,7 +7,7 @@
 #include "optimize/src/shapes/not_convex.hpp"
 #include "optimize/src/shapes/shape_report.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 /// True if every minimized figure is within the tolerance of a proven bound.
@@ -81,4 +81,4 @@ ShapeOutcome searched(const ShapeProblem& problem, const KeepGoing& keep_going) 
   return out;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

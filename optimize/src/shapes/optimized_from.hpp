@@ -5,7 +5,7 @@
 
 #include "jounce/optimize/shape.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// optimize_shape() that starts from a shape near the result. The figures of that shape are the
 /// units of the program, so that its numbers are of about size one. (The figures of the given shape
@@ -23,4 +23,4 @@ inline OptimizeProgress round_progress(int round, int evaluations, double reache
           .reached = reached};
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -28,10 +28,10 @@
 namespace jounce {
 namespace {
 
-using optimizer::brief;
-using optimizer::Coordinates;
-using optimizer::ShapeModel;
-using optimizer::ShapeSolution;
+using optimize_detail::brief;
+using optimize_detail::Coordinates;
+using optimize_detail::ShapeModel;
+using optimize_detail::ShapeSolution;
 using Clock = std::chrono::steady_clock;
 using End = ShapeSolution::End;
 
@@ -128,7 +128,7 @@ class Switches {
       const LinearQuantity& q = corridor.quantity;
       const double by = q.by[static_cast<std::size_t>(space_.degree())];
       const auto at = [&](const Edge& edge) {
-        return (optimizer::edge_at(corridor, edge, x) - q.constant) / by;
+        return (optimize_detail::edge_at(corridor, edge, x) - q.constant) / by;
       };
       const auto& upper = by > 0 ? corridor.upper : corridor.lower;
       const auto& lower = by > 0 ? corridor.lower : corridor.upper;
@@ -139,7 +139,7 @@ class Switches {
   }
 
   const ShapeProblem& problem_;
-  const optimizer::SplineSpace& space_;
+  const optimize_detail::SplineSpace& space_;
   std::vector<double> top_;  ///< the highest derivative of each piece
   double largest_ = 0;
   std::vector<KnotPlace> found_;
@@ -159,11 +159,11 @@ class ShapeSearch {
       : problem_(problem),
         keep_going_(keep_going),
         begin_(Clock::now()),
-        given_(optimizer::given_shape(problem)),
+        given_(optimize_detail::given_shape(problem)),
         start_(std::move(start)) {
     if (start_.empty()) return;
-    const ShapeModel model(problem_, optimizer::first_knots(problem_), given_);
-    const double sum = optimizer::weighted_sum(model, start_);
+    const ShapeModel model(problem_, optimize_detail::first_knots(problem_), given_);
+    const double sum = optimize_detail::weighted_sum(model, start_);
     if (std::isfinite(sum) && sum > least_sum_scale) scale_ = sum;
   }
 
@@ -176,7 +176,7 @@ class ShapeSearch {
 
  private:
   void optimize() {
-    std::vector<double> knots = optimizer::first_knots(problem_);
+    std::vector<double> knots = optimize_detail::first_knots(problem_);
     std::vector<Segment> from = start_.empty() ? given_ : start_;
     for (int k = 0;; ++k) {
       const ShapeModel model(problem_, knots, given_, true, scale_);
@@ -221,13 +221,13 @@ class ShapeSearch {
     if (found.status == OptimizeStatus::cancelled)
       return answer(found.status, "stopped by the caller");
     if (!found.usable()) return;
-    const ShapeModel model(problem_, optimizer::first_knots(problem_), given_);
+    const ShapeModel model(problem_, optimize_detail::first_knots(problem_), given_);
     out_.best = found.best;
-    out_.value = optimizer::weighted_sum(model, out_.best);
-    out_.limits = optimizer::checked(problem_, model, out_.best);
+    out_.value = optimize_detail::weighted_sum(model, out_.best);
+    out_.limits = optimize_detail::checked(problem_, model, out_.best);
     out_.bound = 0;
     fill_figures(model);
-    out_.active = optimizer::active(problem_, model, out_.best);
+    out_.active = optimize_detail::active(problem_, model, out_.best);
     answer(
         OptimizeStatus::optimal,
         "the figure is zero to rounding; of all such shapes, this one has the least rms geo_jerk");
@@ -240,7 +240,8 @@ class ShapeSearch {
     ShapeSolution found = improve(model, model.space.coordinates(from));
     ShapeProblem held = problem_;
     for (int k = 0; k < max_lowerings && found.end == End::solved; ++k) {
-      if (!optimizer::lower_exceeded(problem_, model, model.space.segments(found.z), held)) break;
+      if (!optimize_detail::lower_exceeded(problem_, model, model.space.segments(found.z), held))
+        break;
       const ShapeModel lower(held, knots, given_, true, scale_);
       ShapeSolution again = improve(lower, found.z);
       if (again.end != End::solved) break;
@@ -257,11 +258,12 @@ class ShapeSearch {
       out_of_time_ =
           problem_.options.budget.seconds && elapsed() > *problem_.options.budget.seconds;
       return !out_of_time_ &&
-             (!keep_going_ || keep_going_(optimizer::round_progress(
+             (!keep_going_ || keep_going_(optimize_detail::round_progress(
                                   out_.rounds + round, out_.evaluations, value * scale_)));
     };
     const double tolerance = problem_.options.tolerance;
-    return optimizer::minimized(model, from, tolerance, problem_.refine ? 0 : tolerance / 2, go_on);
+    return optimize_detail::minimized(model, from, tolerance, problem_.refine ? 0 : tolerance / 2,
+                                      go_on);
   }
 
   [[nodiscard]] double elapsed() const {
@@ -282,11 +284,11 @@ class ShapeSearch {
   /// Takes the outcome of these knots, unless the one before was better. Returns true if it is taken.
   bool take(const ShapeModel& model, const ShapeSolution& found) {
     std::vector<Segment> shape = model.space.segments(found.z);
-    optimizer::make_exact(problem_, shape);
+    optimize_detail::make_exact(problem_, shape);
     out_.rounds += found.rounds;
     out_.evaluations += found.iterations;
-    const double value = optimizer::weighted_sum(model, shape) * model.scale;
-    Report limits = optimizer::checked(problem_, model, shape);
+    const double value = optimize_detail::weighted_sum(model, shape) * model.scale;
+    Report limits = optimize_detail::checked(problem_, model, shape);
     const bool first = out_.best.empty();
     if (!first && (found.end != End::solved || !limits.ok() || value > out_.value)) {
       if (found.end == End::stopped) set_status(found);
@@ -306,13 +308,13 @@ class ShapeSearch {
     }
     if (out_.value <= nothing_ && out_.bound) out_.bound = 0;
     fill_figures(model);
-    out_.active = optimizer::active(problem_, model, out_.best);
+    out_.active = optimize_detail::active(problem_, model, out_.best);
     set_status(found);
     return true;
   }
 
   void fill_figures(const ShapeModel& model) {
-    out_.figures = optimizer::figure_results(problem_, model.space, given_, out_.best);
+    out_.figures = optimize_detail::figure_results(problem_, model.space, given_, out_.best);
   }
 
   void answer(OptimizeStatus status, std::string reason) {
@@ -329,8 +331,9 @@ class ShapeSearch {
                                                         " s is reached")
                           : answer(Status::cancelled, "stopped by the caller");
     if (!out_.limits.ok())
-      return answer(Status::stalled, "the shape found exceeds a limit: " +
-                                         optimizer::broken_sentence(out_.limits.findings.front()));
+      return answer(Status::stalled,
+                    "the shape found exceeds a limit: " +
+                        optimize_detail::broken_sentence(out_.limits.findings.front()));
     if (found.end == End::stalled) return answer(Status::stalled, found.why);
     if (!std::isfinite(out_.value)) return answer(Status::stalled, "a figure is not finite");
     const double gap = out_.bound ? (out_.value - *out_.bound) / out_.value : 1;
@@ -359,11 +362,12 @@ class ShapeSearch {
 }  // namespace
 
 ShapeOutcome optimize_shape(const ShapeProblem& problem, const KeepGoing& keep_going) {
-  return optimizer::optimized_from(problem, {}, keep_going);
+  return optimize_detail::optimized_from(problem, {}, keep_going);
 }
 
-ShapeOutcome optimizer::optimized_from(const ShapeProblem& problem, std::vector<Segment> start,
-                                       const KeepGoing& keep_going) {
+ShapeOutcome optimize_detail::optimized_from(const ShapeProblem& problem,
+                                             std::vector<Segment> start,
+                                             const KeepGoing& keep_going) {
   require_valid(problem);
   if (needs_search(problem)) return searched(problem, keep_going);
   return ShapeSearch(problem, std::move(start), keep_going).run();

@@ -31,7 +31,7 @@ void require(bool holds, const std::string& key, double value, const char* rule)
 void require_quantity(const std::string& key, const LinearQuantity& q, int degree) {
   for (const double by : q.by) require(std::isfinite(by), key + ".by", by, "must be finite");
   require(std::isfinite(q.constant), key + ".constant", q.constant, "must be finite");
-  const int order = optimizer::order_of(q);
+  const int order = optimize_detail::order_of(q);
   if (order < 0) throw InputError(key + ".by", 0.0, "must not be zero throughout");
   if (order > degree)
     throw InputError(key, q.name,
@@ -106,8 +106,8 @@ void require_place(const ShapeProblem& p) {
 
 /// A periodic shape has the same derivatives at both ends.
 void require_periodic(const ShapeProblem& p) {
-  const auto from = optimizer::derivatives_of(p.from);
-  const auto to = optimizer::derivatives_of(p.to);
+  const auto from = optimize_detail::derivatives_of(p.from);
+  const auto to = optimize_detail::derivatives_of(p.to);
   for (std::size_t k = 1; p.periodic && k < to.size(); ++k)
     if (from[k] && to[k])
       require(*from[k] == *to[k], std::string("to.") + quantity_names[k], *to[k],
@@ -115,7 +115,7 @@ void require_periodic(const ShapeProblem& p) {
 }
 
 void require_end(const char* key, const ShapeEnd& end, int degree, double length) {
-  const auto given = optimizer::derivatives_of(end);
+  const auto given = optimize_detail::derivatives_of(end);
   double power = 1;
   for (std::size_t k = 0; k < given.size(); ++k, power *= length) {
     if (!given[k]) continue;
@@ -138,7 +138,8 @@ void require_corridor(std::size_t i, const Corridor& c, const ShapeProblem& p) {
   require_quantity(entry_key("corridors", i, "quantity"), c.quantity, p.degree);
   require(c.from >= p.begin && c.from <= p.end, entry_key("corridors", i, "from"), c.from,
           "must be within the shape");
-  const double least = optimizer::same_knot * (p.end - p.begin) / static_cast<double>(p.pieces);
+  const double least =
+      optimize_detail::same_knot * (p.end - p.begin) / static_cast<double>(p.pieces);
   require(c.to >= c.from && c.to <= p.end, entry_key("corridors", i, "to"), c.to,
           "must not be before from, nor beyond the end");
   require(c.to == c.from || c.to - c.from > 2 * least, entry_key("corridors", i, "to"), c.to,
@@ -208,9 +209,9 @@ void require_valid(const ShapeProblem& p) {
             "must be finite and > 0");
   }
   for (std::size_t i = 0; i < p.minimize.size(); ++i)
-    optimizer::require_pointwise(entry_key("minimize", i, "figure"), p.minimize[i].figure, p);
+    optimize_detail::require_pointwise(entry_key("minimize", i, "figure"), p.minimize[i].figure, p);
   for (std::size_t i = 0; i < p.ceilings.size(); ++i)
-    optimizer::require_pointwise(entry_key("ceilings", i, "figure"), p.ceilings[i].figure, p);
+    optimize_detail::require_pointwise(entry_key("ceilings", i, "figure"), p.ceilings[i].figure, p);
   for (std::size_t i = 0; i < p.corridors.size(); ++i) require_corridor(i, p.corridors[i], p);
   for (std::size_t i = 0; i < p.ceilings.size(); ++i) {
     require_figure(entry_key("ceilings", i, "figure"), p.ceilings[i].figure, p);

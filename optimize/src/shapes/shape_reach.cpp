@@ -8,7 +8,7 @@
 #include "optimize/src/program/shape_rows.hpp"
 #include "optimize/src/search/findings.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 bool apart(const ShapeModel& model, const Coordinates& z) {
@@ -46,4 +46,4 @@ std::string worst_constraints(const ShapeModel& model, const Coordinates& z, dou
   return names.empty() ? "the limits" : names;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -7,7 +7,7 @@
 #include "optimize/src/program/shape_model.hpp"
 
 /// The reason why no shape satisfies its limits.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Residual of an equality, or of a constraint that nothing changes, above which there is no
 /// solution.
@@ -25,4 +25,4 @@ std::optional<std::string> broken_where_fixed(const ShapeModel& model, const Coo
 /// in words.
 std::string worst_constraints(const ShapeModel& model, const Coordinates& z, double slack);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

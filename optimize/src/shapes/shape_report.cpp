@@ -6,7 +6,7 @@
 
 #include "optimize/src/tolerances.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr double at_the_edge = 1e-6;  ///< share of a segment: a window has knots at both ends
@@ -228,4 +228,4 @@ std::vector<Finding> active(const ShapeProblem& problem, const ShapeModel& model
   return all;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

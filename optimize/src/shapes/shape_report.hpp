@@ -7,7 +7,7 @@
 
 /// The evaluation of a finished shape from its segments alone, by exact extrema, without the rows
 /// of a program.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Returns the findings of corridors and ceilings, each with its smallest margin. A corridor may be
 /// exceeded by 1e-9 of the size of its quantity, and a ceiling by 1e-9 of its value, which covers
@@ -35,4 +35,4 @@ std::vector<Finding> active(const ShapeProblem& problem, const ShapeModel& model
 /// is known for the peak and the rms of one derivative between given ends.
 std::optional<double> known_bound(const ShapeProblem& problem, const ShapeFigure& figure);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -18,7 +18,7 @@
 // convex, a point k times outside the range that were lower by e would imply a point inside it that
 // is lower by e / k.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 double norm(const std::vector<double>& numbers) {
   double sum = 0;
@@ -57,4 +57,4 @@ double weak_bound(const ConvexProgram& p, const ConvexSolution& found,
   return bound;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -5,7 +5,7 @@
 
 #include "optimize/src/solvers/interior_point.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Returns the root of the sum of squares.
 double norm(const std::vector<double>& numbers);
@@ -16,4 +16,4 @@ double norm(const std::vector<double>& numbers);
 double weak_bound(const ConvexProgram& program, const ConvexSolution& solution,
                   const std::vector<double>& range);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

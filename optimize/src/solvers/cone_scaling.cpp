@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using Eigen::Index;
@@ -175,4 +175,4 @@ std::vector<VectorXd> ConeScaling::rank_ones() const {
   return all;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// The cones of the slacks of a program: numbers >= 0, then second-order cones { (a, b) : |b| <= a
 /// }.
@@ -59,4 +59,4 @@ class ConeScaling {
   std::vector<Eigen::VectorXd> w_;
 };
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

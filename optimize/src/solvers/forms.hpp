@@ -7,7 +7,7 @@
 
 #include "optimize/src/solvers/interior_point.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Returns the constant of each form.
 inline Eigen::VectorXd constants_of(const std::vector<Form>& forms) {
@@ -17,4 +17,4 @@ inline Eigen::VectorXd constants_of(const std::vector<Form>& forms) {
   return c;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

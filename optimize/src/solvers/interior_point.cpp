@@ -24,7 +24,7 @@
 // lowered, and the second-order term (W^-1 ds) o (W dy). The second step includes both (Mehrotra
 // 1992; for cones: L. Vandenberghe, The CVXOPT linear and quadratic cone program solvers, 2010).
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using Vector = Kkt::Vector;
@@ -195,4 +195,4 @@ ConvexSolution solve(const ConvexProgram& program, const std::vector<double>& st
   return best;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

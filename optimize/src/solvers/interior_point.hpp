@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// An affine function of a few unknowns: constant + sum of factor * x[index].
 struct Form {
@@ -69,4 +69,4 @@ struct SolveOptions {
 ConvexSolution solve(const ConvexProgram& program, const std::vector<double>& start,
                      const SolveOptions& options = {});
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

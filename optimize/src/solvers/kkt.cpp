@@ -14,7 +14,7 @@
 // (Vanderbei 1995), and the order can be chosen for sparsity alone. Iterative refinement removes
 // the effect of the small number.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 constexpr int refinements = 8;
@@ -161,4 +161,4 @@ Kkt::Vector Kkt::curved(const Vector& x) const {
   return 2 * (f_.transpose() * (f_ * x));
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

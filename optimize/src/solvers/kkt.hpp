@@ -9,7 +9,7 @@
 #include "optimize/src/solvers/interior_point.hpp"
 #include "optimize/src/solvers/sparse_factor.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// The matrix of a Newton step,  K = [ Q + G' W^-2 G, A'; A, 0 ].  G are the constraints (the round
 /// ones last), A the equalities of a program, and Q the second derivative of its squares. The
@@ -63,4 +63,4 @@ class Kkt {
   SparseFactor factor_;
 };
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -10,7 +10,7 @@
 // NLopt is a C library: an exception must not pass through it. The first exception stops the run; after it the
 // callbacks only return zeros.
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 class NloptRun {
@@ -96,4 +96,4 @@ std::vector<double> run_local_solver(const LocalProblem& problem, std::vector<do
   return run.from(std::move(x));
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

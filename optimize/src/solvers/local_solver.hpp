@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Thrown by a function of a LocalProblem to end the run at the best point so far.
 struct StopSolver {};
@@ -44,4 +44,4 @@ struct LocalProblem {
 /// function of Jounce that calls NLopt.
 std::vector<double> run_local_solver(const LocalProblem& problem, std::vector<double> x);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 double rms(const Space& space, std::span<const Knot> knots, std::span<double> gradient) {
@@ -55,4 +55,4 @@ std::vector<Knot> separated_knots(const Space& space, std::span<const double> z)
   return knots;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

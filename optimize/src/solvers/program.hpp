@@ -10,7 +10,7 @@
 /// A smooth problem with finitely many constraints over the free quantities z and a scalar t:
 ///
 ///     minimize t   subject to   factor * f(z) - offset - (relaxed ? t : 0) <= 0   for every row.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 struct Rms {};  ///< the rms acceleration of the whole cam
 /// The length of a segment.
@@ -47,4 +47,4 @@ double evaluate(const Program& program, const Row& row, std::span<const Knot> kn
 /// knots meet.
 std::vector<Knot> separated_knots(const Space& space, std::span<const double> z);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -8,7 +8,7 @@
 
 #include "optimize/src/solvers/forms.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 using Eigen::Index;
@@ -90,4 +90,4 @@ VectorXd ReducedSpace::y(const Coordinates& z) const {
   return inverse_ * (Eigen::Map<const VectorXd>(z.data(), static_cast<Index>(z.size())) - z0_);
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -7,7 +7,7 @@
 
 #include "optimize/src/program/spline_space.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// The affine function constant + slope . y.
 struct DenseRow {
@@ -49,4 +49,4 @@ class ReducedSpace {
   double contradiction_ = 0;
 };
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -9,7 +9,7 @@
 #include "optimize/src/solvers/local_solver.hpp"
 #include "optimize/src/solvers/whitening.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 namespace {
 
 /// The rows of the program, then both bounds of every variable, at x = (y, t).
@@ -128,4 +128,4 @@ Solved linear_step(const Program& program, const Point& z, double t, double radi
   return solved;
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

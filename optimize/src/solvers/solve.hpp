@@ -6,7 +6,7 @@
 
 #include "optimize/src/solvers/program.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Result of solve().
 struct Solved {
@@ -27,4 +27,4 @@ Solved solve(const Program& program, const Point& z, double t, int max_evaluatio
 /// result is the predicted value. The evaluation counts as one.
 Solved linear_step(const Program& program, const Point& z, double t, double radius);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -4,7 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 struct SparseFactor::Factors {
   Method method = Method::cholesky;
@@ -44,4 +44,4 @@ Eigen::MatrixXd SparseFactor::solve(const Eigen::MatrixXd& right) const {
   return factors_->cholesky.solve(right);
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -5,7 +5,7 @@
 
 #include <Eigen/SparseCore>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Factors of a symmetric sparse matrix K, of which only the lower half is read. One source file
 /// instantiates Eigen's templates, which take seconds to compile.
@@ -36,4 +36,4 @@ class SparseFactor {
   std::unique_ptr<Factors> factors_;
 };
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

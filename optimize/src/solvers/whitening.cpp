@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 Whitening::Whitening(const Program& program, const Point& z0)
     : z0_(z0), n_(z0.size()), factor_(n_ * n_) {
@@ -50,4 +50,4 @@ void Whitening::cholesky() {
     }
 }
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -6,7 +6,7 @@
 
 #include "optimize/src/solvers/program.hpp"
 
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// Solver coordinates: z = z0 + W y with W^-T W^-1 = H, so that
 ///
@@ -36,4 +36,4 @@ class Whitening {
   std::vector<double> factor_;  ///< L below and on the diagonal, row by row
 };
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail

@@ -28,8 +28,8 @@
 namespace jounce {
 namespace {
 
-using maps::Interval;
-using maps::Series;
+using path_detail::Interval;
+using path_detail::Series;
 
 template <class T, std::size_t n>
 Series<T, n> at_series(std::span<const double> c, const Series<T, n>& t) {

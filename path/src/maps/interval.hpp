@@ -11,7 +11,7 @@
 // Intervals that contain every value of an expression. Each operation widens its result by more
 // than its rounding error, so no rounding mode is set. Division by an interval that contains 0, and
 // the root of one that is not positive, give the whole line.
-namespace jounce::maps {
+namespace jounce::path_detail {
 
 struct Interval {
   double low = 0, high = 0;
@@ -100,4 +100,4 @@ inline double angle_of(double c, double s) {
   return std::atan2(s, c);
 }
 
-}  // namespace jounce::maps
+}  // namespace jounce::path_detail

@@ -123,7 +123,7 @@ std::shared_ptr<const AxisMap> linear_delta_map(const LinearDeltaSpec& spec) {
   of.distance = spec.distance;
   of.sn = std::sin(spec.rail_angle * (std::numbers::pi / 180));
   of.cs = std::cos(spec.rail_angle * (std::numbers::pi / 180));
-  return std::make_shared<maps::SeriesMap<LinearDelta>>(of);
+  return std::make_shared<path_detail::SeriesMap<LinearDelta>>(of);
 }
 
 }  // namespace jounce

@@ -105,7 +105,7 @@ std::shared_ptr<const AxisMap> scara_map(const ScaraSpec& spec) {
   of.with_z = spec.with_z;
   std::copy(spec.offsets.begin(), spec.offsets.end(), of.offset.begin());
   if (spec.with_z) of.offset[arms] = spec.offset_z;
-  return std::make_shared<maps::SeriesMap<Scara>>(of);
+  return std::make_shared<path_detail::SeriesMap<Scara>>(of);
 }
 
 }  // namespace jounce

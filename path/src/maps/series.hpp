@@ -9,7 +9,7 @@
 // Taylor arithmetic: computes the coefficients f^(k) / k! of an expression from the coefficients of
 // its parts. With intervals for a whole part of a path, the results enclose the coefficients
 // everywhere on this part.
-namespace jounce::maps {
+namespace jounce::path_detail {
 
 template <class T, std::size_t n>
 struct Series {
@@ -108,4 +108,4 @@ void cosine_and_sine(const Series<T, n>& f, Series<T, n>& c, Series<T, n>& s) {
   }
 }
 
-}  // namespace jounce::maps
+}  // namespace jounce::path_detail

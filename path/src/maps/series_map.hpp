@@ -11,7 +11,7 @@
 
 #include "path/src/maps/series.hpp"
 
-namespace jounce::maps {
+namespace jounce::path_detail {
 
 /// Coefficients of a segment with respect to s, enclosed over the whole of [0, 1].
 inline Series<Interval, 9> enclosure(const Segment& f) {
@@ -90,4 +90,4 @@ class SeriesMap final : public AxisMap {
   Kinematics of_;
 };
 
-}  // namespace jounce::maps
+}  // namespace jounce::path_detail

@@ -86,7 +86,8 @@ std::optional<DiscPart> read_disc(TomlReader& top, const Units& units) {
                                    {"cutter_radius", disc.limits.cutter_radius.value_or(1)},
                                    {"hub_radius", disc.hub_radius.value_or(1)}})
     if (!(value > 0)) table->fail(key, number(value), "must be greater than 0");
-  if (disc.hub_radius && disc.geometry.base_radius > 0 && !(*disc.hub_radius < disc.geometry.base_radius))
+  if (disc.hub_radius && disc.geometry.base_radius > 0 &&
+      !(*disc.hub_radius < disc.geometry.base_radius))
     table->fail("hub_radius", number(*disc.hub_radius),
                 "must be less than base_radius = " + number(disc.geometry.base_radius) + " " +
                     disc.length + ": the hub lies inside the plate");

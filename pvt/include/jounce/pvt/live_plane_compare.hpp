@@ -79,10 +79,10 @@ class LivePlaneCompare {
   bool armed_ = false;
   bool placed_ = false;
   std::size_t next_ = 0;
-  Place x_, y_;                   // in the last step
-  Segment of_x_, of_y_;           // motions since then
-  double elapsed_ = 0;            // their length, s
-  double s_ = 0;                  // the part of them that has been searched, 0 to 1
+  Place x_, y_;                        // in the last step
+  Segment of_x_, of_y_;                // motions since then
+  double elapsed_ = 0;                 // their length, s
+  double s_ = 0;                       // the part of them that has been searched, 0 to 1
   std::vector<double> found_, roots_;  // candidates
   std::array<double, 32> off_{};  // s after the last step, at which the pulse of an output ends
   PlaneStep step_;

@@ -13,7 +13,7 @@
 
 /// Figures that are not convex: power, torque with friction and gravity, energy. At each place,
 /// such a figure is a function of a few linear quantities.
-namespace jounce::optimizer {
+namespace jounce::optimize_detail {
 
 /// The function g(x, q_0(x), q_1(x), ...) on an interval of a shape on which it is smooth:
 ///
@@ -74,4 +74,4 @@ void require_pointwise(const std::string& key, const ShapeFigure& figure,
 /// Returns the product of two polynomial segments; nullopt if it exceeds the capacity of a Segment.
 std::optional<Segment> product(const Segment& f, const Segment& g);
 
-}  // namespace jounce::optimizer
+}  // namespace jounce::optimize_detail
