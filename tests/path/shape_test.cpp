@@ -69,7 +69,8 @@ TEST(Ellipse, ItsDeviationIsABound) {
 }
 
 TEST(Ellipse, ACircleIsACircle) {
-  const PathCurve circle = ellipse({50, 0}, {}, {50, 0}, xy, 30, 1, ArcRotation::clockwise, 2, 1);
+  const PathCurve circle =
+      ellipse({50, 0}, {}, {50, 0}, xy, 30, 1, ArcRotation::clockwise, 2, {.extra_turns = 1});
   EXPECT_NEAR(circle.length, 4 * std::numbers::pi * 50, 1e-10);
 }
 
@@ -126,11 +127,50 @@ TEST(Curves, AnEllipseKeepsItsFeed) {
   }
 }
 
+// The third axis is a follower. The curve of the first two is the curve without it.
+void expect_same_in_plane(const PathCurve& with, const PathCurve& without) {
+  EXPECT_EQ(with.length, without.length);
+  EXPECT_EQ(with.speed_error, without.speed_error);
+  ASSERT_EQ(with.segments.size(), without.segments.size() / 2 * 3);
+  for (std::size_t k = 0; k < without.segments.size(); ++k)
+    for (const double s : {0.0, 0.3, 1.0})
+      EXPECT_EQ(value(with.segments[k / 2 * 3 + k % 2], s), value(without.segments[k], s));
+  EXPECT_NEAR(value(with.segments.back(), 1), with.to[2], 1e-12 * std::abs(with.to[2]));
+}
+
+TEST(Curves, AFollowerAddsNoLength) {
+  const auto half = [](double c, std::size_t axes) {
+    return ellipse({}, {100, 0}, {200, 0, c}, xy, 0, 0.5, ArcRotation::clockwise, axes,
+                   {.path_axes = 2});
+  };
+  expect_same_in_plane(half(360, 3), half(0, 2));
+  const std::vector<Point> points{{}, {70, 50, 120}, {130, 60, 240}, {200, 0, 360}};
+  const SplineDirections ends{.start = Point{1, 0, 3}};
+  const PathCurve spline = spline_through(points, 3, ends, 2);
+  expect_same_in_plane(spline, spline_through(points, 2, ends));
+  // Over arc length, the follower only adds pieces.
+  EXPECT_NEAR(over_length(spline, 1e-6, 2).length,
+              over_length(spline_through(points, 2, ends), 1e-6).length, 1e-6);
+  EXPECT_NEAR(over_length(b_spline(points, 3), 1e-6, 2).length,
+              over_length(b_spline(points, 2), 1e-6).length, 1e-6);
+}
+
+TEST(Curves, FollowersAloneDetermineTheLength) {
+  const std::vector<Point> points{{5, 5}, {5, 5, 30}, {5, 5, 40}, {5, 5, 100}};
+  EXPECT_NEAR(spline_through(points, 3, {}, 2).length, 100, 1e-12);
+  EXPECT_NEAR(over_length(b_spline(points, 3), 1e-9, 2).length, 100, 1e-9);
+}
+
 TEST(Curves, RejectPoints) {
   const std::vector<Point> one{{}};
   EXPECT_THROW(spline_through(one, 2), InputError);
   const std::vector<Point> twice{{}, {1, 1}, {1, 1}};
   EXPECT_THROW(spline_through(twice, 2), InputError);
+  const std::vector<Point> follows{{}, {1}, {1, 0, 5}, {2}};  // only the follower moves
+  EXPECT_THROW(spline_through(follows, 3, {}, 2), InputError);
+  EXPECT_THROW(ellipse({}, {100, 0}, {200, 0}, Plane{0, 2}, 0, 1, ArcRotation::clockwise, 3,
+                       {.path_axes = 2}),
+               InputError);
 }
 
 }  // namespace

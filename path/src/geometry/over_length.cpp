@@ -178,11 +178,23 @@ void require_knots(std::span<const double> knots, std::size_t points, std::size_
   }
 }
 
+/// True if one of the first `count` axes moves.
+bool moves(const PathCurve& curve, std::size_t count) {
+  for (std::size_t k = 0; k < curve.segments.size(); ++k) {
+    const Segment& f = curve.segments[k];
+    const auto slopes = std::span(f.c).subspan(1, static_cast<std::size_t>(f.degree));
+    if (k % curve.axes < count &&
+        std::any_of(slopes.begin(), slopes.end(), [](double c) { return c != 0; }))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 PathCurve over_length(const PathCurve& curve, double tolerance, std::size_t path_axes) {
   require_positive("tolerance", tolerance);
-  const std::size_t measured = path_axes == 0 ? curve.axes : path_axes;
+  const std::size_t measured = moves(curve, path_axes) ? path_axes : curve.axes;
   return OverArcLength(curve, measured, tolerance).run();
 }
 

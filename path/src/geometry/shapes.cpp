@@ -106,29 +106,41 @@ struct Halves {
   }
 };
 
-void measure(PathCurve& curve) {
+/// Sets the bound of the speed in the first `measured` axes.
+void measure(PathCurve& curve, std::size_t measured) {
   for (std::size_t k = 0; k < curve.segments.size(); k += curve.axes) {
-    const auto [low, high] =
-        hull_of_speed_squared(std::span(curve.segments).subspan(k, curve.axes));
+    const auto [low, high] = hull_of_speed_squared(std::span(curve.segments).subspan(k, measured));
     curve.speed_error =
         std::max({curve.speed_error, std::sqrt(high) - 1, 1 - std::sqrt(std::max(low, 0.0))});
   }
 }
 
+/// Number of axes in which the length of a spline is measured.
+std::size_t measured_axes(std::span<const Point> points, std::size_t axes, std::size_t path_axes) {
+  const bool moves = std::any_of(points.begin(), points.end(), [&](const Point& p) {
+    return vec::distance(p, points.front(), path_axes) > 0;
+  });
+  return moves ? path_axes : axes;
+}
+
 }  // namespace
 
 PathCurve spline_through(std::span<const Point> points, std::size_t axes,
-                         const SplineDirections& ends) {
+                         const SplineDirections& ends, std::size_t path_axes) {
   if (axes < 1 || axes > max_axes) throw InputError("axes", std::to_string(axes), "must be 1 to 9");
   if (points.size() < 2)
     throw InputError("points", std::to_string(points.size()),
                      "must be at least 2: a start and an end");
+  const std::size_t measured = measured_axes(points, axes, path_axes);
   std::vector<double> at{0};
   for (std::size_t k = 1; k < points.size(); ++k) {
-    const double chord = vec::distance(points[k], points[k - 1], axes);
+    const double chord = vec::distance(points[k], points[k - 1], measured);
     if (!(chord > 0) || !std::isfinite(chord))
       throw InputError("points[" + std::to_string(k + 1) + "]", "",
-                       "coincides with the point before it, or is not finite: remove it");
+                       measured == axes
+                           ? "coincides with the point before it, or is not finite: remove it"
+                           : "coincides with the point before it, except for followers, or is not "
+                             "finite: remove it");
     at.push_back(at.back() + chord);
   }
   PathCurve curve;
@@ -140,7 +152,7 @@ PathCurve spline_through(std::span<const Point> points, std::size_t axes,
   const auto slope = [&](const std::optional<Point>& direction,
                          std::size_t i) -> std::optional<double> {
     if (!direction) return {};
-    const double size = vec::norm(*direction, axes);
+    const double size = vec::norm(*direction, measured);
     require_positive("direction", size);
     return (*direction)[i] / size;
   };
@@ -152,21 +164,23 @@ PathCurve spline_through(std::span<const Point> points, std::size_t axes,
     const std::vector<Segment> segments = cubic_spline(spec);
     for (std::size_t k = 0; k < segments.size(); ++k) curve.segments[k * axes + i] = segments[k];
   }
-  measure(curve);
+  measure(curve, measured);
   return curve;
 }
 
 PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane plane,
                   double degrees, double ratio, ArcRotation rotation, std::size_t axes,
-                  int extra_turns, double tolerance) {
+                  const EllipseOptions& options) {
+  const std::size_t measured = options.path_axes == 0 ? axes : options.path_axes;
   require_finite("angle", degrees);
   if (!(ratio > 0 && ratio <= 1))
     throw InputError("ratio", ratio, "must be greater than 0 and at most 1");
-  if (plane.first >= axes || plane.second >= axes || plane.first == plane.second || axes > max_axes)
+  if (plane.first >= measured || plane.second >= measured || plane.first == plane.second ||
+      measured > axes || axes > max_axes)
     throw InputError("plane", std::to_string(plane.first) + ", " + std::to_string(plane.second),
-                     "must be two different axes of the group");
-  if (extra_turns < 0)
-    throw InputError("turns", std::to_string(extra_turns), "must not be negative");
+                     "must be two different axes of the group that are not followers");
+  if (options.extra_turns < 0)
+    throw InputError("turns", std::to_string(options.extra_turns), "must not be negative");
   const double angle = degrees * (std::numbers::pi / 180);
   const double cs = std::cos(angle);
   const double sn = std::sin(angle);
@@ -182,18 +196,18 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
   require_positive("center", a);
   const Halves half{a, a * ratio};
   const double off = std::hypot(x1 / half.a, y1 / half.b) - 1;
-  if (!(std::abs(off) <= tolerance))
+  if (!(std::abs(off) <= options.tolerance))
     throw InputError("to", number(to[plane.first]) + ", " + number(to[plane.second]),
                      "must lie on the ellipse through the start, but is " +
                          six_digits(100 * std::abs(off)) + " % of its size " +
                          (off < 0 ? "inside" : "outside") + "; at most " +
-                         six_digits(100 * tolerance) + " % is permitted");
+                         six_digits(100 * options.tolerance) + " % is permitted");
   const double sense = rotation == ArcRotation::counterclockwise ? 1 : -1;
   const double t0 = std::atan2(y0 / half.b, x0 / half.a);
   double sweep = sense * (std::atan2(y1 / half.b, x1 / half.a) - t0);
   if (std::hypot(x1 - x0, y1 - y0) <= rounded_input * a) sweep = 0;
   while (sweep <= 0) sweep += profiles_detail::two_pi;
-  sweep += profiles_detail::two_pi * extra_turns;
+  sweep += profiles_detail::two_pi * options.extra_turns;
   const int count = std::max(1, static_cast<int>(std::ceil(sweep / profiles_detail::two_pi * 32)));
   PathCurve curve;
   curve.axes = axes;
@@ -206,7 +220,7 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
   double whole = 0;
   for (const double length : planar) whole += length;
   double drift = 0;
-  for (std::size_t i = 0; i < axes; ++i)
+  for (std::size_t i = 0; i < measured; ++i)
     if (i != plane.first && i != plane.second) drift += profiles_detail::square(to[i] - from[i]);
   const double stretch = std::hypot(1.0, std::sqrt(drift) / whole);
   double gone = 0;
@@ -234,7 +248,7 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
   curve.length = whole * stretch;
   curve.deviation =
       half.a * (farthest < 1 ? farthest / (1 + std::sqrt(1 - farthest)) : farthest);  // (2)
-  measure(curve);
+  measure(curve, measured);
   return curve;
 }
 

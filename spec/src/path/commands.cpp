@@ -136,7 +136,8 @@ PathCurve read_ellipse(TomlReader& command, const PathAxes& axes, const Point& f
   const double major = command.optional_number("major", "deg").value_or(0);
   const double ratio = command.number("ratio", "1");
   const ArcRotation rotation = read_rotation(command);
-  return ellipse(from, center, to, plane, major, ratio, rotation, axes.size(), read_turns(command));
+  return ellipse(from, center, to, plane, major, ratio, rotation, axes.size(),
+                 {.extra_turns = read_turns(command), .path_axes = axes.path_axes});
 }
 
 /// Reads the start and each [[command.point]].
@@ -160,10 +161,13 @@ PathCurve read_b_spline(TomlReader& command, const PathAxes& axes, const Point& 
   std::vector<double> knots;
   if (command.has("knots")) knots = command.number_list("knots", "1");
   const PathCurve curve = b_spline(points, axes.size(), degree, knots);
-  double size = 0;
-  for (std::size_t k = 1; k < points.size(); ++k)
-    for (std::size_t i = 0; i < axes.path_axes; ++i)
-      size += std::abs(points[k][i] - points[k - 1][i]);
+  const auto travel = [&](std::size_t count) {
+    double sum = 0;
+    for (std::size_t k = 1; k < points.size(); ++k)
+      for (std::size_t i = 0; i < count; ++i) sum += std::abs(points[k][i] - points[k - 1][i]);
+    return sum;
+  };
+  const double size = travel(axes.path_axes) > 0 ? travel(axes.path_axes) : travel(axes.size());
   const auto tolerance = command.optional_positive("tolerance", axes.unit(0));
   return over_length(curve, tolerance.value_or(curve_tolerance * size), axes.path_axes);
 }
@@ -177,7 +181,7 @@ PathCurve read_spline(TomlReader& command, const PathAxes& axes, const Point& fr
   if (command.has("start_direction"))
     ends.start = read_position(command, "start_direction", axes, {});
   if (command.has("end_direction")) ends.end = read_position(command, "end_direction", axes, {});
-  const PathCurve curve = spline_through(points, axes.size(), ends);
+  const PathCurve curve = spline_through(points, axes.size(), ends, axes.path_axes);
   const auto tolerance = command.optional_positive("tolerance", axes.unit(0));
   return tolerance ? over_length(curve, *tolerance, axes.path_axes) : curve;
 }

@@ -42,10 +42,11 @@ struct SplineDirections {
 
 /// Returns the cubic spline through `points`; the first point is the start. The parameter is the
 /// length of the chords. The spline is twice continuously differentiable, and has the given
-/// directions at its ends. Throws InputError "points" for fewer than two points, or for equal
-/// neighbors.
+/// directions at its ends. `path_axes` is the number of axes in which length is measured; 0, or if
+/// only followers move: all. Throws InputError "points" for fewer than two points, or for neighbors
+/// without a distance in these axes.
 PathCurve spline_through(std::span<const Point> points, std::size_t axes,
-                         const SplineDirections& ends = {});
+                         const SplineDirections& ends = {}, std::size_t path_axes = 0);
 
 /// Returns the B-spline of the given control points, of degree 3 to 7, with continuous curvature.
 /// The first point is the start. `knots` has points.size() + degree + 1 values. The first and the
@@ -59,19 +60,26 @@ PathCurve b_spline(std::span<const Point> points, std::size_t axes, std::size_t 
 /// Returns a polynomial curve as a function of arc length, by pieces of degree 7. `deviation` grows
 /// by at most `tolerance` (unit of length); an enclosure of the eighth derivative proves this.
 /// Lengths are computed by Gauss quadrature of two orders. `path_axes` is the number of axes in
-/// which length is measured; 0: all. Tangential neighbors of the result are passed without a
-/// corner. Throws InputError "tolerance", and "point" at a cusp.
+/// which length is measured; 0, or if only followers move: all. Tangential neighbors of the result
+/// are passed without a corner. Throws InputError "tolerance", and "point" at a cusp.
 PathCurve over_length(const PathCurve& curve, double tolerance, std::size_t path_axes = 0);
+
+/// Options of ellipse().
+struct EllipseOptions {
+  int extra_turns = 0;  ///< whole turns that are added
+  /// Greatest distance of the end from the ellipse, as a share of the major half axis.
+  double tolerance = 1e-6;
+  std::size_t path_axes = 0;  ///< number of axes in which length is measured; 0: all
+};
 
 /// Returns a part of an ellipse (PMC600 manual 8.1.4, LS_2AxisEllipses), as a fit in arc length
 /// with 32 pieces for each turn. `degrees` is the angle of the major axis in the plane, and
 /// `ratio`, in (0, 1], the minor axis divided by the major axis. The start determines the size. If
-/// start and end are equal, the part is a full turn; `extra_turns` turns are added. All other axes
-/// move in proportion to the length. Throws InputError "to" if the end is farther from the ellipse
-/// than `tolerance` times the major half axis, and "ratio", "plane" or "turns" for a value out of
-/// range.
+/// start and end are equal, the part is a full turn. All other axes move in proportion to the
+/// length. Throws InputError "to" if the end is farther from the ellipse than the tolerance, and
+/// "ratio", "plane" or "turns" for a value out of range.
 PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane plane,
                   double degrees, double ratio, ArcRotation rotation, std::size_t axes,
-                  int extra_turns = 0, double tolerance = 1e-6);
+                  const EllipseOptions& options = {});
 
 }  // namespace jounce
