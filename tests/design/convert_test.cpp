@@ -9,13 +9,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/base/file.hpp"
 #include "jounce/io/samples_csv.hpp"
 
 #include "support/errors.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace jounce::convert_test {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 
 const std::string examples = JOUNCE_SOURCE_DIR "/examples/";
@@ -35,6 +38,35 @@ TEST(Convert, ATableOfTheSameRuleIsUnchanged) {
   EXPECT_FALSE(made.error);
   EXPECT_EQ(made.file.table.columns().p, table.table.table.columns().p);
   EXPECT_EQ(error_text(made, table.labels), "the numbers are unchanged");
+}
+
+// The controller lays a spline through the points; Jounce reads straight lines.
+TEST(Convert, NamesTheSplineThatItDoesNotRead) {
+  const Converted made =
+      converted(cam_table(), {.rule = Interpolation::linear,
+                              .intervals = 90,
+                              .format = exchange_format_named("siemens-points")});
+  const TableForm points = table_form("siemens-points", "");
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "cam.sp";
+  write_file(file, form_text(points, made.file));
+  const Input read = read_inputs(file).front();
+  EXPECT_THAT(all_losses(read, table_form("", "cam.csv"), read.table.table),
+              Contains(HasSubstr("straight lines between them")));
+}
+
+// CODESYS: with an absolute slave, a cam that advances would jump back at the end of each period.
+TEST(Convert, TheSlaveOfACamThatAdvancesIsRelative) {
+  const auto text = [](double end, Extrapolation outside) {
+    const TableFile file{Table(Domain::master, Interpolation::quintic_hermite, outside,
+                               {{0, 360}, {0, end}, {0, 0}, {0, 0}}),
+                         {"deg", "deg"},
+                         {}};
+    return form_text(table_form("codesys", ""), file);
+  };
+  EXPECT_THAT(text(45, Extrapolation::advance), HasSubstr("SlaveAbsolute := FALSE"));
+  EXPECT_THAT(text(0, Extrapolation::advance), HasSubstr("SlaveAbsolute := TRUE"));
+  EXPECT_THAT(text(45, Extrapolation::hold), HasSubstr("SlaveAbsolute := TRUE"));
 }
 
 TEST(Convert, AChangeOfUnitsIsNamed) {

@@ -149,12 +149,18 @@ std::vector<Exchanged> read_codesys(const std::string& text, const Place& place)
 
 const KnotType cam_xyva{.name = "SMC_CAMXYVA", .fields = {"dX", "dY", "dV", "dA"}};
 
+// With an absolute slave, a cam that advances would jump back at the end of each period.
 std::string coupling_calls(const TableFile& file) {
+  const std::vector<double>& slave = file.table.columns().p;
+  const bool advances =
+      file.table.outside() == Extrapolation::advance && slave.back() != slave.front();
   return std::string(
              "// once, in the program: Cam.pce := ADR(CamPoints);\n"
              "//   MC_CamTableSelect(CamTable := Cam, Periodic := ") +
          (repeats(file.table.outside()) ? "TRUE" : "FALSE") +
-         ", MasterAbsolute := TRUE, SlaveAbsolute := TRUE, ...)\n"
+         ", MasterAbsolute := TRUE, SlaveAbsolute := " + (advances ? "FALSE" : "TRUE") +
+         ", ...)\n" +
+         (advances ? "//   FALSE: each period begins where the previous one ended\n" : "") +
          "//   MC_CamIn(MasterOffset := 0, SlaveOffset := 0, MasterScaling := 1,"
          " SlaveScaling := 1, ...)\n"
          "// A negative scaling reverses the direction.\n";

@@ -81,7 +81,12 @@ constinit const FormatRow siemens_points_format{
         [](const std::string& text) { return declares_array(text, "to_cam_struct_pointdata"); },
     .read =
         [](const std::string& text, const Place& place) {
-          return read_points(text, place, cam_point, Interpolation::linear);
+          std::vector<Exchanged> cams = read_points(text, place, cam_point, Interpolation::linear);
+          for (Exchanged& cam : cams)
+            cam.unread = {
+                "the spline that the controller lays through the points is not read: the "
+                "table has straight lines between them"};
+          return cams;
         },
     .write =
         [](const TableFile& file) {
