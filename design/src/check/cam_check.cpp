@@ -32,6 +32,44 @@ bool is_free_shape(const Input& input, const Finding& f) {
          });
 }
 
+/// Slave positions through which a segment of the spec must pass, or which control it: its ends and
+/// its points, in the order of the master.
+std::vector<double> given_positions(const CamSpec& cam, std::size_t segment) {
+  const CamSegment& one = cam.segments[segment];
+  if (!one.control.values.empty()) return one.control.values;
+  std::vector<double> given{segment == 0 ? cam.start.slave : cam.segments[segment - 1].end.slave};
+  for (const CamPoint& point : one.points)
+    if (point.slave) given.push_back(*point.slave);
+  given.push_back(one.end.slave);
+  return given;
+}
+
+/// True for an overshoot or a reversal that the points of its segment require.
+bool is_given_by_points(const CamSpec& cam, std::size_t segment, const Finding& f) {
+  const std::vector<CamPoint>& points = cam.segments[segment].points;
+  if (points.empty() && cam.segments[segment].control.values.empty()) return false;
+  const std::vector<double> given = given_positions(cam, segment);
+  if (f.rule == "warning/reversal")
+    return !std::is_sorted(given.begin(), given.end()) &&
+           !std::is_sorted(given.rbegin(), given.rend());
+  const auto [least, greatest] = std::minmax_element(given.begin(), given.end());
+  double tolerance = 0;
+  for (const CamPoint& point : points) tolerance = std::max(tolerance, point.tolerance);
+  return f.rule == "warning/overshoot" && f.value >= *least - tolerance &&
+         f.value <= *greatest + tolerance;
+}
+
+/// Removes the warnings about a shape that the points of the spec require.
+void remove_given(Report& odd, const Input& input) {
+  const CamSpec* const cam = std::get_if<CamSpec>(&input.spec->subject);
+  if (cam == nullptr) return;
+  std::erase_if(odd.findings, [&](const Finding& f) {
+    const std::size_t segment = f.segment ? input.labels.number_of_segment(*f.segment) : 0;
+    return segment >= 1 && segment <= cam->segments.size() &&
+           is_given_by_points(*cam, segment - 1, f);
+  });
+}
+
 }  // namespace
 
 bool has_designed_rises(const Input& input) {
@@ -56,6 +94,7 @@ void add_cam_findings(Report& report, const Input& input, int continuity) {
                   [](const Finding& f) { return f.broken && f.rule == "knife/reversal"; });
   if (reported)  // knife/reversal has an advice of its own
     std::erase_if(odd.findings, [](const Finding& f) { return f.rule == "warning/reversal"; });
+  if (input.spec) remove_given(odd, input);
   if (input.spec)
     for (Finding& f : odd.findings) {
       if (f.rule == "warning/reversal" && is_free_shape(input, f))
