@@ -83,19 +83,71 @@ DataTable compared_figures(const json& result) {
   return table;
 }
 
+/// The figures of a search over numbers of the spec.
+DataTable searched_figures(const json& rows) {
+  DataTable table{.caption = "Figures of the search; the first one is the objective",
+                  .columns = {"figure", "unit", "given", "reached", "at least", "at most"}};
+  for (const json& row : rows)
+    table.rows.push_back({{word(row, "name"), word(row, "unit"), shown(row, "given"),
+                           shown(row, "reached"), shown(row, "at_least"), shown(row, "at_most")}});
+  return table;
+}
+
+DataTable searched_numbers(const json& rows) {
+  DataTable table{.caption = "Numbers of the spec that the search changed",
+                  .columns = {"key", "unit", "given", "reached", "from", "to"}};
+  for (const json& row : rows) {
+    DataTable::Row cells{
+        {word(row, "key"), word(row, "unit"), shown(row, "given"), shown(row, "reached")}};
+    if (const auto range = row.find("range"); range != row.end() && range->is_array())
+      for (const json& end : *range)
+        cells.cells.push_back(end.is_number() ? short_number(end.get<double>()) : "");
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+/// Sentences on the limits that prevent a better result.
+DataTable reasons(const json& rows) {
+  DataTable table{.columns = {"prevents a better result"}};
+  for (const json& row : rows)
+    if (row.is_string()) table.rows.push_back({{row.get<std::string>()}});
+  return table;
+}
+
+/// The duration of a path before and after the refinement of its timing law.
+Facts refinement_facts(const json& row) {
+  const std::string unit = " " + word(row, "unit");
+  return {{{"duration with the usual timing law", shown(row, "given") + unit},
+           {"duration with the refined timing law", shown(row, "reached") + unit}}};
+}
+
+template <class Make>
+void add(Section& section, const json& result, const char* key, const Make& make) {
+  const auto part = result.find(key);
+  if (part != result.end() && !part->empty()) section.blocks.emplace_back(make(*part));
+}
+
 }  // namespace
 
 Section optimum_section(const std::string& text, const std::string& name, const Labels& labels) {
   const json result = json::parse(text, nullptr, false);
-  if (!result.is_object() || !result.contains("status") || !result.contains("objectives"))
+  const auto has = [&](const char* key) { return result.contains(key); };
+  if (!result.is_object() ||
+      !((has("status") && (has("objectives") || has("parameters"))) || has("refinement")))
     throw InputError("", "", "is not the output of `jounce optimize --json`").at(name);
-  Section section{"Optimization",
-                  {Facts{{{"result", word(result, "status")},
-                          {"reason", word(result, "reason")},
-                          {"evaluations", shown(result, "evaluations")}}}}};
-  section.blocks.emplace_back(objectives(result["objectives"]));
-  if (const auto active = result.find("active"); active != result.end() && !active->empty())
-    section.blocks.emplace_back(active_limits(*active, labels));
+  Section section{"Optimization", {}};
+  if (has("status"))
+    section.blocks.emplace_back(Facts{{{"result", word(result, "status")},
+                                       {"reason", word(result, "reason")},
+                                       {"evaluations", shown(result, "evaluations")}}});
+  add(section, result, "objectives", objectives);
+  add(section, result, "figures", searched_figures);
+  add(section, result, "parameters", searched_numbers);
+  add(section, result, "active", [&](const json& rows) {
+    return rows.front().is_string() ? reasons(rows) : active_limits(rows, labels);
+  });
+  add(section, result, "refinement", refinement_facts);
   if (DataTable figures = compared_figures(result); !figures.rows.empty())
     section.blocks.emplace_back(std::move(figures));
   return section;

@@ -123,6 +123,26 @@ TEST(ReportPage, ShowsTheResultOfTheOptimizer) {
               ::testing::HasSubstr("is not the output of `jounce optimize --json`"));
 }
 
+TEST(ReportPage, ShowsTheResultOfASearchOverNumbers) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "optimum.json";
+  write_file(file, R"({"status":"converged","reason":"the best value","evaluations":257,"figures":[
+    {"name":"cycle time","unit":"s","given":1.5,"reached":1.28}],"parameters":[
+    {"key":"shear.cut_length","unit":"mm","given":1800,"reached":1538,"range":[1000,3000]}],
+    "active":["acceleration 11000 mm/s^2 just meets its limit"],
+    "refinement":{"unit":"s","given":69.2,"reached":68.1}})");
+  const Page page =
+      report_page(example("pmc600-cam/cam.toml"), std::nullopt, {.optimum = file}).page;
+  const std::string shown = html(page);
+  for (const char* text :
+       {"cycle time", "1.28", "shear.cut_length", "1538", "3000", "just meets its limit", "68.1 s"})
+    EXPECT_THAT(shown, ::testing::HasSubstr(text));
+  const auto* figures = part_of<DataTable>(page, "Optimization");
+  ASSERT_NE(figures, nullptr);
+  EXPECT_THAT(figures->rows.at(0).cells,
+              ::testing::ElementsAre("cycle time", "s", "1.5", "1.28", "", ""));
+}
+
 TEST(ReportPage, HoldsTheFindingsOfCheckAndProof) {
   const Input input = example("pmc600-cam/cam.toml");
   const ReportPage page = report_page(input, std::nullopt, {});
