@@ -167,6 +167,8 @@ TEST_F(FitFile, RejectsWithTheLineOfTheFile) {
   EXPECT_THAT(
       complaint("master,slave\n0,0\n1,1\n1,2\n2,2\n3,3\n", {.tolerance = "1"}),
       HasSubstr("master_unit: is missing, and --position-unit, too: the file names no units"));
+  EXPECT_THAT(complaint("time [s],position [mm]\n0,0\n1,1\n2,2\n3,3\n4,4\n", {.tolerance = "1"}),
+              HasSubstr(":1: time: is a column of a motion over time"));
   const std::string head = "master [deg],slave [mm]\n";
   EXPECT_EQ(complaint(head + "0,0\n1,1\n1,2\n2,2\n3,3\n", {.tolerance = "1"}),
             ":4: master = 1: must be greater than 1 deg, the previous point");

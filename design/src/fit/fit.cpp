@@ -77,9 +77,19 @@ std::vector<double> tolerances_of(const Points& file, const FitOptions& options,
   return all;
 }
 
+void require_over_master(const Points& file) {
+  const auto is_named = [&](const char* column) { return file.find(column) != nullptr; };
+  if (is_named("time") && !is_named("master"))
+    throw InputError("time", "",
+                     "is a column of a motion over time: fit makes cams, from the columns "
+                     "master and slave. For such points, use `points` of a spec of kind pvt or pt")
+        .at(file.document, 1);
+}
+
 Measurement from_points(Points file, const FitOptions& options) {
-  const std::vector<std::string> known{"master", "slave", "tolerance"};
+  const std::vector<std::string> known{"master", "slave", "time", "tolerance"};
   file.name_columns(known);
+  require_over_master(file);
   const auto named = [&](const char* column) {
     const PointColumn* found = file.find(column);
     return found == nullptr ? std::string() : found->unit;
