@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "jounce/base/csv.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
@@ -33,25 +35,41 @@ double real(std::string_view cell, const char* column, const LogPlace& place) {
   return *value;
 }
 
-/// The index of the column whose heading begins with this name.
-std::size_t column(const std::vector<std::string_view>& header, std::string_view wanted,
-                   const LogPlace& place) {
+/// The index of the column whose heading begins with this name; nullopt if there is none.
+std::optional<std::size_t> find_column(const std::vector<std::string_view>& header,
+                                       std::string_view wanted) {
   const auto it = std::find_if(header.begin(), header.end(), [&](std::string_view cell) {
     return cell.substr(0, cell.find(' ')) == wanted;
   });
-  if (it == header.end())
-    place.fail("", "",
-               "has no column " + std::string(wanted) +
-                   ": the file is not a tick log of `jounce run --log`");
+  if (it == header.end()) return std::nullopt;
   return static_cast<std::size_t>(it - header.begin());
 }
 
+std::size_t column(const std::vector<std::string_view>& header, std::string_view wanted,
+                   const LogPlace& place) {
+  const auto found = find_column(header, wanted);
+  if (!found)
+    place.fail("", "",
+               "has no column " + std::string(wanted) +
+                   ": the file is not a tick log of `jounce run --log`");
+  return *found;
+}
+
+/// Where a tick is on its motion: the argument of the motion, and a shift of the position.
+struct OnMotion {
+  std::function<double(const PlayedTick&)> at;
+  double shift = 0;  // u
+  /// Time or distance of the master since its zero, whose rounding shifts the argument.
+  std::function<double(const PlayedTick&)> counted;
+};
+
 /// The greatest deviation of a position from the commanded one.
 template <class Position>
-Deviation farthest(const std::vector<PlayedTick>& ticks, const Position& position) {
+Deviation farthest(const std::vector<PlayedTick>& ticks, const OnMotion& on,
+                   const Position& position) {
   Deviation most;
   for (const PlayedTick& tick : ticks) {
-    const double error = std::abs(tick.position - position(tick));
+    const double error = std::abs(tick.position - on.shift - position(on.at(tick)));
     if (error <= most.error) continue;
     most.error = error;
     most.where = tick.time;
@@ -59,16 +77,59 @@ Deviation farthest(const std::vector<PlayedTick>& ticks, const Position& positio
   return most;
 }
 
-double rounding(const std::vector<PlayedTick>& ticks, const Designed& designed) {
+double rounding(const std::vector<PlayedTick>& ticks, const OnMotion& on,
+                const DesignedMotion& motion) {
   double position = 0;
   double velocity = 0;
+  double counted = 0;
   for (const PlayedTick& tick : ticks) {
-    const Motion motion = designed.table(std::min(tick.time, designed.duration));
-    position = std::max({position, std::abs(motion.position), std::abs(tick.position)});
-    velocity = std::max(velocity, std::abs(motion.velocity));
+    const Motion now = motion.table(on.at(tick));
+    position = std::max({position, std::abs(now.position), std::abs(tick.position)});
+    velocity = std::max(velocity, std::abs(now.velocity));
+    counted = std::max(counted, std::abs(on.counted(tick)));
   }
   const double unit = std::numeric_limits<double>::epsilon();
-  return most_roundings * unit * (position + velocity * std::abs(ticks.back().clock));
+  return most_roundings * unit * (position + velocity * counted);
+}
+
+struct Deviations {
+  Deviation table;
+  std::optional<Deviation> curve = {};
+  [[nodiscard]] bool ok() const { return table.error <= table.limit; }
+};
+
+Deviations compare(const std::vector<PlayedTick>& ticks, const OnMotion& on,
+                   const DesignedMotion& motion, double tolerance) {
+  Deviations result{farthest(ticks, on, [&](double x) { return motion.table(x).position; })};
+  result.table.limit = rounding(ticks, on, motion);
+  if (motion.curve) {
+    result.curve = farthest(ticks, on, motion.curve);
+    result.curve->limit = tolerance + result.table.limit;
+  }
+  return result;
+}
+
+Deviations compare_over_time(const std::vector<PlayedTick>& ticks, const Designed& designed) {
+  const OnMotion on{
+      .at = [&](const PlayedTick& tick) { return std::min(tick.time, designed.duration); },
+      .counted = [](const PlayedTick& tick) { return tick.clock; }};
+  return compare(ticks, on, designed.over_time, designed.tolerance);
+}
+
+/// Compares over the master of the log; nullopt if the axis did not follow the cam over it.
+std::optional<Deviations> compare_over_master(const std::vector<PlayedTick>& ticks,
+                                              const Designed& designed) {
+  if (!designed.over_master.table) return std::nullopt;
+  const PlayedTick& first = ticks.front();
+  const double shift = first.position - designed.over_master.table(0).position;
+  for (const auto& [origin, by] : {std::pair{0.0, 0.0}, {first.master, shift}}) {
+    const OnMotion on{.at = [origin](const PlayedTick& tick) { return tick.master - origin; },
+                      .shift = by,
+                      .counted = [](const PlayedTick& tick) { return tick.master; }};
+    Deviations result = compare(ticks, on, designed.over_master, designed.tolerance);
+    if (result.ok()) return result;
+  }
+  return std::nullopt;
 }
 
 void add(Report& report, const char* rule, const Deviation& deviation, const char* advice) {
@@ -86,8 +147,9 @@ void add(Report& report, const char* rule, const Deviation& deviation, const cha
                              .advice = broken ? advice : ""});
 }
 
-/// Reports the gaps of the log: in the middle, and at its end.
-void add_gap(Report& report, const std::vector<PlayedTick>& ticks, const Designed& designed) {
+/// Reports the gaps of the log: in the middle and, for a motion with a duration, at its end.
+void add_gap(Report& report, const std::vector<PlayedTick>& ticks, const Designed& designed,
+             bool live) {
   const auto add = [&](const char* rule, const char* quantity, double where, double value,
                        double bound, bool broken, const char* advice, const char* unit) {
     report.findings.push_back({.rule = rule,
@@ -96,7 +158,7 @@ void add_gap(Report& report, const std::vector<PlayedTick>& ticks, const Designe
                                .where = where,
                                .value = value,
                                .limit = bound,
-                               .margin = (bound - value) / bound,
+                               .margin = bound > 0 ? (bound - value) / bound : -1,
                                .broken = broken,
                                .segment = std::nullopt,
                                .advice = broken ? advice : "",
@@ -114,6 +176,12 @@ void add_gap(Report& report, const std::vector<PlayedTick>& ticks, const Designe
   add("played/gap", "ticks left out", gap_at, static_cast<double>(gap), 0.1 / cycle,
       static_cast<double>(gap) * cycle > 0.1,
       "rows are missing from the log, or the executor was suspended", "ticks");
+  if (live) {
+    if (ticks.back().fault)
+      add("played/fault", "faults", ticks.back().time, 1, 0, true,
+          "the column fault of the log names the fault", "");
+    return;
+  }
   // The last tick of a motion may lie one cycle before its end.
   const double missing = std::max(0.0, designed.duration - ticks.back().time);
   add("played/complete", "time missing at the end", ticks.back().time, missing, cycle,
@@ -132,6 +200,8 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
   const std::size_t time = column(header, "time", place);
   const std::size_t position = column(header, "position", place);
   const std::size_t job = column(header, "job", place);
+  const auto master_column = find_column(header, "master");
+  const auto fault_column = find_column(header, "fault");
   const std::size_t width = header.size();
 
   std::vector<PlayedTick> ticks;
@@ -144,15 +214,18 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
     const auto tick = static_cast<std::int64_t>(real(row_cells[number_of_tick], "tick", place));
     const double now = real(row_cells[time], "time", place);
     const double at = real(row_cells[position], "position", place);
+    const double master = master_column ? real(row_cells[*master_column], "master", place) : 0;
     if (row_cells[job] != current && row_cells[job] != "0") {  // another motion begins
       ticks.clear();
       start = now;
     }
     const bool has_ended = row_cells[job] == "0" && current != "0";
     current = row_cells[job];
+    if (has_ended && !ticks.empty())
+      ticks.back().fault = fault_column && row_cells[*fault_column] != "none";
     // A late cycle may skip the end: the first tick at rest then shows it.
     const bool shows_end = has_ended && !ticks.empty() && tick > ticks.back().tick + 1;
-    if (current != "0" || shows_end) ticks.push_back({tick, now - start, at, now});
+    if (current != "0" || shows_end) ticks.push_back({tick, now - start, at, now, master});
   }
   if (ticks.empty())
     throw InputError(
@@ -162,24 +235,27 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
 }
 
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed) {
-  assert(!ticks.empty() && designed.table);
-  Played played;
-  played.ticks = ticks.size();
-  const auto at = [&](const PlayedTick& tick) { return std::min(tick.time, designed.duration); };
-  played.table =
-      farthest(ticks, [&](const PlayedTick& t) { return designed.table(at(t)).position; });
-  played.table.limit = rounding(ticks, designed);
+  assert(!ticks.empty() && designed.over_time.table);
+  Deviations compared = compare_over_time(ticks, designed);
+  std::optional<Deviations> over_master;
+  if (!compared.ok()) over_master = compare_over_master(ticks, designed);
+  if (over_master) compared = *over_master;
+  Played played{.ticks = ticks.size(),
+                .live = over_master.has_value(),
+                .table = compared.table,
+                .curve = compared.curve,
+                .report = {}};
   add(played.report, "played/table", played.table,
-      "the executor played another table than the one designed, or a fault ended the motion: see "
-      "the column fault of the log");
-  if (designed.curve) {
-    Deviation curve = farthest(ticks, [&](const PlayedTick& t) { return designed.curve(at(t)); });
-    curve.limit = designed.tolerance + played.table.limit;
-    add(played.report, "played/curve", curve,
+      designed.over_master.table
+          ? "the executor played another table than the one designed, a fault ended the motion "
+            "(column fault of the log), or the axis followed a live master with a start mode, a "
+            "phase shift or a motion on top, which this comparison does not include"
+          : "the executor played another table than the one designed, or a fault ended the motion: "
+            "see the column fault of the log");
+  if (played.curve)
+    add(played.report, "played/curve", *played.curve,
         "the executor played another table, or the table exceeds its tolerance");
-    played.curve = curve;
-  }
-  add_gap(played.report, ticks, designed);
+  add_gap(played.report, ticks, designed, played.live);
   sort(played.report);
   return played;
 }

@@ -41,11 +41,20 @@ void in_position_unit(Report& report, const std::string& unit) {
 
 Played played(const Input& input, const std::string& log) {
   const Reference table = table_reference(input);
-  Designed designed{.table = [&](double t) { return at(table, t); }, .duration = duration(table)};
+  Designed designed{.over_time = {.table = [&](double t) { return at(table, t); }},
+                    .duration = duration(table)};
+  const Cam* const cam = std::get_if<Cam>(&*input.curve);
+  if (cam != nullptr)
+    designed.over_master.table = [&](double master) {
+      const Jet jet = input.table.table.jet(master);
+      return Motion{jet[0], jet[1], jet[2], jet[3]};
+    };
   std::optional<Reference> curve;
   if (const auto tolerance = table_tolerance(input)) {
     curve = exact_reference(input);
-    designed.curve = [&](double t) { return at(*curve, t).position; };
+    designed.over_time.curve = [&](double t) { return at(*curve, t).position; };
+    if (cam != nullptr)
+      designed.over_master.curve = [&](double master) { return cam->at(master).position; };
     designed.tolerance = *tolerance;
   }
   return compare_played(read_played(read_file(log), log), designed);
@@ -56,9 +65,9 @@ std::string played_text(const Played& played, const std::string& unit) {
     return fmt::format("at most {} {} from the {} (limit {})", rounded(from.error), unit, what,
                        rounded(from.limit));
   };
-  std::string text =
-      fmt::format("  {:<12} {}: {} ticks, {}", "executor", played.report.ok() ? "ok" : "BROKEN",
-                  played.ticks, part(played.table, "table"));
+  std::string text = fmt::format(
+      "  {:<12} {}: {} ticks{}, {}", "executor", played.report.ok() ? "ok" : "BROKEN", played.ticks,
+      played.live ? " over a live master" : "", part(played.table, "table"));
   if (played.curve) text += ", " + part(*played.curve, "exact curve");
   return text + "\n";
 }
@@ -67,7 +76,7 @@ Json played_json(const Played& played) {
   const auto part = [](const Deviation& from) {
     return Json{{"error", from.error}, {"where", from.where}, {"limit", from.limit}};
   };
-  Json json{{"ticks", played.ticks}, {"table", part(played.table)}};
+  Json json{{"ticks", played.ticks}, {"live_master", played.live}, {"table", part(played.table)}};
   if (played.curve) json["curve"] = part(*played.curve);
   return json;
 }

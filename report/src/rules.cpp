@@ -259,6 +259,8 @@ constexpr std::array rules{
              "Use the complete log. An executor that was suspended also leaves out ticks."},
     RuleInfo{"played/complete", "The log ends before the motion does.",
              "Stream the table again, and wait for its end."},
+    RuleInfo{"played/fault", "A fault of the axis ended the motion.",
+             "The column `fault` of the log names the fault: run `jounce explain` with this name."},
     RuleInfo{"played/*", "The log of the executor differs from the table.",
              "Look for a late cycle or an override in the log. If there is none, report a defect."},
 };

@@ -258,6 +258,7 @@ std::string sentence(const Finding& exact, const Labels& labels) {
   const std::string where = place(f, labels);
   const auto is_at = [&] { return at_its_place(f, value, where); };
   if (f.rule.name() == "integration") return fmt::format("the integration ended at {}", where);
+  if (f.rule == "played/fault") return fmt::format("a fault ended the motion at {}", where);
   switch (f.rule.family()) {
     case RuleFamily::table:
       return fmt::format("the table differs from the exact curve by {} at {}; {} is permitted",

@@ -314,10 +314,10 @@ class Play {
  private:
   /// Position by `validate`'s own comparison, velocity and acceleration against the table.
   void compare_ticks() const {
-    Designed designed{.table = [&](double t) { return at(promise_.table, t); },
+    Designed designed{.over_time = {.table = [&](double t) { return at(promise_.table, t); }},
                       .duration = duration(promise_.table)};
     if (const auto tolerance = table_tolerance(input_)) {
-      designed.curve = [&](double t) { return at(promise_.curve, t).position; };
+      designed.over_time.curve = [&](double t) { return at(promise_.curve, t).position; };
       designed.tolerance = *tolerance;
     }
     const Played played = compare_played(read_played(csv_, "log"), designed);

@@ -2,6 +2,7 @@
 #include "jounce/proof/played.hpp"
 
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,11 @@ std::string two_motions(double last_position) {
          number(last_position) + ",2,none\n";
 }
 
-const Designed ramp{.table = [](double t) { return Motion{10 * t, 10, 0, 0}; }, .duration = 0.2};
+const Designed ramp{.over_time = {.table =
+                                      [](double t) {
+                                        return Motion{10 * t, 10, 0, 0};
+                                      }},
+                    .duration = 0.2};
 
 TEST(Played, ComparesEveryTickOfTheLastMotion) {
   const auto ticks = read_played(two_motions(2), "run.csv");
@@ -49,7 +54,7 @@ TEST(Played, FindsOneWrongTick) {
 // The table may stray from its curve by its tolerance; what is played may not stray from the table.
 TEST(Played, TakesTheToleranceOfTheTableForTheCurveAlone) {
   Designed designed = ramp;
-  designed.curve = [](double t) { return 10 * t + 0.001; };
+  designed.over_time.curve = [](double t) { return 10 * t + 0.001; };
   designed.tolerance = 0.0011;
   const auto ticks = read_played(two_motions(2), "run.csv");
   const Played played = compare_played(ticks, designed);
@@ -65,7 +70,7 @@ TEST(Played, TakesTheToleranceOfTheTableForTheCurveAlone) {
   EXPECT_EQ(strays.report.findings.front().rule, "played/curve");
 
   designed.tolerance = 1;
-  designed.table = [](double t) { return Motion{10 * t + 0.001, 10, 0, 0}; };
+  designed.over_time.table = [](double t) { return Motion{10 * t + 0.001, 10, 0, 0}; };
   const Played other = compare_played(ticks, designed);
   EXPECT_EQ(other.report.findings.front().rule, "played/table")
       << "within the tolerance of the curve, yet another table";
@@ -80,7 +85,7 @@ TEST(Played, MeasuresRoundingByThePositionAndTheTime) {
            number(1e6 + 100 * k * 0.001) + ",1,none\n";
   const auto far = [](double t) { return Motion{1e6 + 100 * t, 100, 0, 0}; };
   const Played played =
-      compare_played(read_played(log, "run.csv"), {.table = far, .duration = 0.2});
+      compare_played(read_played(log, "run.csv"), {.over_time = {.table = far}, .duration = 0.2});
   EXPECT_TRUE(played.report.ok()) << played.table.error;
   EXPECT_GT(played.table.error, 0);
   EXPECT_LT(played.table.limit, 1e-7);
@@ -96,7 +101,7 @@ TEST(Played, AnEndThatALateCycleLeftOutIsShownByTheTickAfterIt) {
     return rows + "201,0.201,standstill,0," + number(rest) + ",0,none\n";
   };
   const auto line = [](double t) { return Motion{100 * t, 100, 0, 0}; };
-  const Designed designed{.table = line, .duration = 0.2};
+  const Designed designed{.over_time = {.table = line}, .duration = 0.2};
   EXPECT_TRUE(compare_played(read_played(log(20), "run.csv"), designed).report.ok());
   const Played beside = compare_played(read_played(log(19.7), "run.csv"), designed);
   EXPECT_FALSE(beside.report.ok());
@@ -121,7 +126,7 @@ TEST(Played, FindsAHoleInTheLog) {
       log += std::to_string(k) + "," + number(k * 0.001) + ",discrete_motion,0," +
              number(k * 0.01) + ",1,none\n";
   const Played played =
-      compare_played(read_played(log, "run.csv"), {.table = ramp.table, .duration = 0.4});
+      compare_played(read_played(log, "run.csv"), {.over_time = ramp.over_time, .duration = 0.4});
   EXPECT_FALSE(played.report.ok());
   EXPECT_EQ(played.report.findings.front().rule, "played/gap");
   EXPECT_EQ(played.report.findings.front().value, 151);
@@ -143,6 +148,58 @@ TEST(Played, RefusesWhatIsNoLog) {
             "run.csv:3: row = 1,0.1,discr: must have as many values as the header");
   EXPECT_EQ(complaint(header + "0,0,discrete_motion,0,nan,1,none\n"),
             "run.csv:2: position = nan: must be a finite number");
+}
+
+/// A cam y = m^2 that its axis followed: from the master position `start`, to 1, back, and to 2.
+std::string live_log(double start, double slave, double last_error) {
+  std::string text = "tick,time [s],state,master [mm],position [mm],job,fault\n";
+  int tick = 0;
+  for (const double m : {0.0, 0.5, 1.0, 0.2, 2.0}) {
+    const double error = m == 2 ? last_error : 0;
+    text += std::to_string(tick) + "," + number(tick * 0.1) + ",synchronized_motion," +
+            number(start + m) + "," + number(slave + m * m + error) + ",1,none\n";
+    ++tick;
+  }
+  return text;
+}
+
+Designed square_cam() {
+  Designed designed = ramp;
+  designed.over_master = {.table =
+                              [](double m) {
+                                return Motion{m * m, 2 * m, 2, 0};
+                              },
+                          .curve = [](double m) { return m * m + 0.001; }};
+  designed.over_time.curve = [](double t) { return 10 * t; };
+  designed.tolerance = 0.0011;
+  return designed;
+}
+
+TEST(Played, ACamMayFollowALiveMaster) {
+  for (const auto& [start, slave] : {std::pair{0.0, 0.0}, {300.0, 7.0}}) {
+    const Played played =
+        compare_played(read_played(live_log(start, slave, 0), "run.csv"), square_cam());
+    EXPECT_TRUE(played.live);
+    EXPECT_TRUE(played.report.ok()) << start;
+    EXPECT_LT(played.table.error, 1e-12);
+    ASSERT_TRUE(played.curve);
+    EXPECT_NEAR(played.curve->error, 0.001, 1e-12);
+  }
+}
+
+TEST(Played, ReportsTheFaultThatEndedALiveMotion) {
+  const std::string log = live_log(0, 0, 0) + "5,0.5,error_stop,9,4,0,jump\n";
+  const Played played = compare_played(read_played(log, "run.csv"), square_cam());
+  EXPECT_TRUE(played.live);
+  EXPECT_EQ(played.report.findings.front().rule, "played/fault");
+  EXPECT_FALSE(played.report.ok());
+}
+
+TEST(Played, FindsOneWrongTickOfALiveMaster) {
+  const Played played =
+      compare_played(read_played(live_log(300, 7, 1e-6), "run.csv"), square_cam());
+  EXPECT_FALSE(played.report.ok());
+  EXPECT_FALSE(played.live);
 }
 
 }  // namespace

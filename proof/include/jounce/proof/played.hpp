@@ -19,6 +19,8 @@ struct PlayedTick {
   double time = 0;        ///< time since the first tick of the motion, s
   double position = 0;    ///< commanded position, u
   double clock = 0;       ///< time since tick 0 of the log, s; it determines the rounding of `time`
+  double master = 0;      ///< position of the master, in its unit; 0 if the log has no such column
+  bool fault = false;     ///< true: in the tick after this one, a fault had ended the motion
 };
 
 /// Returns the ticks of the last motion in a tick log (TickLog). `csv` is the text of the log,
@@ -26,13 +28,19 @@ struct PlayedTick {
 /// tick log, or contains no motion.
 std::vector<PlayedTick> read_played(const std::string& csv, const std::string& name);
 
+/// A motion as a function of time or of its master.
+struct DesignedMotion {
+  std::function<Motion(double)> table;    ///< the interpolated table
+  std::function<double(double)> curve{};  ///< the exact curve, u; empty: there is only a table
+};
+
 /// The reference of a motion. Times are in s from its start.
 struct Designed {
-  std::function<Motion(double)> table;    ///< the interpolated table
-  std::function<double(double)> curve{};  ///< the exact curve, u; empty: the reference has only a
-                                          ///< table
-  double tolerance = 0;                   ///< permitted deviation of the table from the curve, u
-  double duration = 0;                    ///< duration of the motion, s
+  DesignedMotion over_time;
+  /// A cam over its master, for an axis that followed a live master; without a table: none.
+  DesignedMotion over_master{};
+  double tolerance = 0;  ///< permitted deviation of the table from the curve, u
+  double duration = 0;   ///< duration of the motion, s
 };
 
 /// The greatest deviation of the setpoints from a reference.
@@ -45,6 +53,7 @@ struct Deviation {
 /// Result of compare_played().
 struct Played {
   std::size_t ticks = 0;             ///< number of ticks compared
+  bool live = false;                 ///< true: compared over the master of the log
   Deviation table{};                 ///< deviation from the table
   std::optional<Deviation> curve{};  ///< deviation from the curve, if the reference has one
   /// Findings:
@@ -53,11 +62,15 @@ struct Played {
   ///   rounding.
   /// - "played/gap": greatest number of missing ticks at one place; the limit is a tenth of a
   ///   second. (A late cycle skips some ticks; a log with a gap lacks more.)
-  /// - "played/complete": broken if the log ends before the motion.
+  /// - "played/complete": broken if the log ends before the motion; not with a live master.
+  /// - "played/fault": a fault ended the motion; only with a live master, whose motion has no end of
+  ///   its own.
   Report report;
 };
 
-/// Compares every tick with the design. Requires at least one tick, and a table in `designed`. The
+/// Compares every tick with the design: over time, or, if the positions do not agree, over the
+/// master of the log. The axis may have engaged at the position of the cam, or with master and slave
+/// counted from its first tick. Requires at least one tick, and a table over time in `designed`. The
 /// permitted rounding is `most_roundings` units in the last place of the greatest position, plus as
 /// many of the distance that the fastest tick would travel during the time of the log. (A position
 /// is computed from a time, so the rounding of the time shifts the position.)
