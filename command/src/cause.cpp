@@ -77,8 +77,10 @@ constexpr std::array entries{
         Cause::jump, "jump",
         "The next setpoint is not a finite number, or needs more than stop_acceleration.",
         "With a live master: use a smaller gear ratio or a gentler cam, lower the acceleration of "
-        "the master, or filter its measured position. With a table: report a defect, because the "
-        "table was checked before it started."},
+        "the master, or filter its measured position. The slave of a follow table stops where the "
+        "master turns back, or moves back beyond the beginning of a pass: turn where the ratio is "
+        "0, or use a cam. With a table over time: report a defect, because the table was checked "
+        "before it started."},
     Entry{Cause::overacceleration, "overacceleration",
           "The master requires an acceleration above the limit of the axis.",
           "Lower the acceleration or the velocity of the master, use a smaller gear ratio or a "

@@ -55,7 +55,7 @@ std::size_t column(const std::vector<std::string_view>& header, std::string_view
   return *found;
 }
 
-/// Where a tick is on its motion: the argument of the motion, and a shift of the position.
+/// The place of a tick on its motion: the argument of the motion, and a shift of the position.
 struct OnMotion {
   std::function<double(const PlayedTick&)> at;
   double shift = 0;  // u

@@ -149,7 +149,7 @@ std::vector<Exchanged> read_codesys(const std::string& text, const Place& place)
 
 const KnotType cam_xyva{.name = "SMC_CAMXYVA", .fields = {"dX", "dY", "dV", "dA"}};
 
-// With an absolute slave, a cam that advances would jump back at the end of each period.
+// The slave of a cam that advances is relative: an absolute one would jump back after each period.
 std::string coupling_calls(const TableFile& file) {
   const std::vector<double>& slave = file.table.columns().p;
   const bool advances =
