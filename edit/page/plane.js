@@ -75,7 +75,7 @@ class Plane {
     for (const [value, words] of ticks(low[0], high[0], Math.max(3, width / 90))) children.push(path('grid', `M${px(this.toX(value))} ${y1}V${y0}`), label('tick mid', this.toX(value), y0 + 15, words));
     for (const [value, words] of ticks(low[1], high[1], 6)) children.push(path('grid', `M${x0} ${px(this.toY(value))}H${x1}`), label('tick end', x0 - 6, this.toY(value) + 4, words));
     children.push(path('frame', `M${x0} ${y1}H${x1}V${y0}H${x0}Z`), label('soft mid', (x0 + x1) / 2, height - 6, `${units[0].name} [${units[0].unit}]`), label('soft', 4, y1 + 10, `${units[1].name} [${units[1].unit}]`));
-    const sides = this.ends().map(({place}, i) => `${i ? 'L' : 'M'}${px(this.toX(place[0] / units[0].size))} ${px(this.toY(place[1] / units[1].size))}`).join('');
+    const sides = this.corners().map(({place}, i) => `${i ? 'L' : 'M'}${px(this.toX(place[0] / units[0].size))} ${px(this.toY(place[1] / units[1].size))}`).join('');
     children.push(path('sides', sides));
     if (this.path.length > 0) children.push(path('l l1', this.path.map(([x, y], i) => `${i ? 'L' : 'M'}${px(this.toX(x))} ${px(this.toY(y))}`).join('')));
     this.marker = svg('circle', {class: 'dot', r: 4});
@@ -121,8 +121,8 @@ class Plane {
     this.box = {low, high, height};
   }
 
-  /// The handles that are ends of lines, in order.
-  ends() { return this.grips.filter(({small}) => !small); }
+  /// The handles that are ends of commands or points of a spline, in order.
+  corners() { return this.grips.filter(({small, corner}) => !small || corner); }
 
   pointOf(event) {
     const box = this.root.getBoundingClientRect();
@@ -176,13 +176,14 @@ class Plane {
     return true;
   }
 
-  /// The line between two ends that is nearest to a place, or on whose part of the path it is; null: none is near.
+  /// The line to an end of a command that is nearest to a place, or on whose part of the path it is; null: none is near.
   sideAt(x, y) {
     const near_path = this.path.some(([u, v]) => Math.hypot(this.toX(u) - x, this.toY(v) - y) < near_px);
-    const ends = this.ends().map((handle) => ({...handle, at_all: this.edit.plane[this.grips.indexOf(handle)].at.map(({place}) => place)}));
+    const corners = this.corners().map((handle) => ({...handle, at_all: this.edit.plane[this.grips.indexOf(handle)].at.map(({place}) => place)}));
     let best = null;
-    ends.slice(1).forEach((to, i) => {
-      const from = ends[i], [dx, dy] = [to.at[0] - from.at[0], to.at[1] - from.at[1]];
+    corners.slice(1).forEach((to, i) => {
+      if (to.corner) return;  // a new command would divide a spline
+      const from = corners[i], [dx, dy] = [to.at[0] - from.at[0], to.at[1] - from.at[1]];
       const share = clamped(((x - from.at[0]) * dx + (y - from.at[1]) * dy) / (dx * dx + dy * dy || 1), 0, 1);
       const distance = Math.hypot(from.at[0] + share * dx - x, from.at[1] + share * dy - y);
       if (!best || distance < best.distance) best = {distance, share, from, to, before: to.before ?? i + 2};

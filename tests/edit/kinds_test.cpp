@@ -201,6 +201,16 @@ TEST(EditKinds, PathPointsInThePlane) {
               HasSubstr("before = 2: must be a line whose end is not relative"));
 }
 
+TEST(EditKinds, PointsOfASplineAreCornersOfItsPolygon) {
+  const json all = editable(path +
+                            "[[command]]\ntype = \"spline\"\n"
+                            "point = [{ to = [0, 90] }, { to = [50, 99] }]\n");
+  ASSERT_EQ(all["plane"].size(), 6U);
+  EXPECT_EQ(all["plane"][4]["label"], "command 4: point 1");
+  EXPECT_EQ(all["plane"][4]["corner"], true);
+  EXPECT_FALSE(all["plane"][2].contains("corner")) << "the center of an arc";
+}
+
 TEST(EditKinds, FollowTablesCountFromTheOriginOfTheirPass) {
   const std::string text = R"(jounce = 1
 kind = "follow"

@@ -87,20 +87,22 @@ void add_path(Editable& editable) {
     const std::string row = fmt::format("command[{}]", i + 1);
     const std::string label = fmt::format("command {}", i + 1);
     const Point shift = shift_of(editable, row, from, ends[i], axes);
-    const auto add = [&](const std::string& what, const std::string& key, bool end) {
+    const auto add = [&](const std::string& what, const std::string& key, bool end,
+                         bool corner = false) {
       Json place = at(editable, key, shift, axes);
       if (place.is_null()) return;
       Json& handle = editable.add_plane_handle(label + what, std::move(place));
       handle["before"] = i + 1;  // the number of the command
       if (end && ends.size() > 1) handle["remove"] = {{"do", "remove"}, {"row", row}};
       if (!end) handle["small"] = true;
+      if (corner) handle["corner"] = true;  // of the polygon of a spline
     };
     add("", row + ".to", true);
     add(": center", row + ".center", false);
     add(": via", row + ".via", false);
     const std::size_t points = editable.count(row + ".point");
     for (std::size_t k = 1; k <= points; ++k)
-      add(fmt::format(": point {}", k), fmt::format("{}.point[{}].to", row, k), false);
+      add(fmt::format(": point {}", k), fmt::format("{}.point[{}].to", row, k), false, true);
     from = ends[i];
   }
   editable.permit_plane_insert();
