@@ -12,6 +12,7 @@
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
 #include "path/src/plan/drawn.hpp"
+#include "path/src/timing/box.hpp"
 #include "path/src/timing/stretch.hpp"
 
 namespace jounce {
