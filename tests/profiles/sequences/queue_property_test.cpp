@@ -293,8 +293,8 @@ double highest(double low, double high, const Fits& fits) {
 /// Junction velocities of moves in one direction from rest to rest.
 std::vector<double> looked_ahead(const QueueSpec& spec) {
   struct Point {
-    double length;      ///< of the move that ends here
-    Dynamics dynamics;  ///< of this move
+    double length;      ///< length of the move that ends here
+    Dynamics dynamics;  ///< dynamics of this move
     double velocity = 0;
   };
   std::vector<Point> points;
