@@ -31,7 +31,7 @@ namespace {
 
 using profiles_detail::rounded_sum;
 
-using path_detail::none;
+using path_detail::unlimited;
 constexpr int deepest = 44;     ///< greatest number of halvings
 constexpr int deepest_box = 6;  ///< greatest number of halvings that make boxes more even
 /// A part must permit at least this share of the velocity at its ends.
@@ -92,7 +92,7 @@ class Fitting {
         n_(path_.axes()),
         all_(n_ + map_.joints()) {}
 
-  Jointed run(std::vector<JointMark> marks) {
+  Jointed run(std::vector<JunctionMark> marks) {
     for (std::size_t k = 0; k < tool_units_.size(); ++k)
       if (k == 0 || tool_units_[k].piece != tool_units_[k - 1].piece)
         add(k);  // not each part of an arc
@@ -204,7 +204,7 @@ class Fitting {
       for (std::size_t j = 0; j < m; ++j) {
         const double turn = map_.turn(j);
         if (!std::isfinite(bounds[j].eighth) || (turn > 0 && !(bounds[j].first < turn / 4)))
-          return none;
+          return unlimited;
         error = std::max(error, septic_error * bounds[j].eighth *
                                     (1 + rounded_sum));  // (1), with rounded constants
       }
@@ -240,7 +240,7 @@ class Fitting {
     Axes fitted;
     for (std::size_t j = 0; j < map_.joints(); ++j)
       fitted[j] = septic(part.length, begin[j], end[j]);
-    const double error = angle <= widest ? error_of(part, fitted) : none;
+    const double error = angle <= widest ? error_of(part, fitted) : unlimited;
     if (!(error <= joints_.tolerance)) {
       if (depth >= deepest) fail_to_fit(part, begin, end, error);
       return halves(part, depth);
@@ -315,7 +315,7 @@ class Fitting {
     added.box = box_of(part, axes, bounds);
     added.piece = static_cast<std::uint32_t>(pieces_.size());
     if (!first_) {
-      added.entry = none;
+      added.entry = unlimited;
       added.dwell = 0;
     }
     first_ = false;
@@ -343,7 +343,8 @@ class Fitting {
 
 Jointed fitted_joints(Path path, Rounded tool, const JointSpace& joints, const Rates& rates,
                       const Program& program) {
-  return Fitting(std::move(path), tool.units, joints, rates, program).run(std::move(tool.joints));
+  return Fitting(std::move(path), tool.units, joints, rates, program)
+      .run(std::move(tool.junctions));
 }
 
 }  // namespace jounce
