@@ -47,7 +47,7 @@ void by_segment(benchmark::State& state, const Program& program) {
     time = made.duration();
     const Path& path = made.path();
     bytes = static_cast<double>(path.bytes() + made.law().stretches().size_bytes() +
-                                made.joints().size_bytes());
+                                made.junctions().size_bytes());
     benchmark::DoNotOptimize(time);
   }
   const auto n = static_cast<double>(state.range(0));

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The commands of build/release, with other flags or for clang++: scripts/sanitize and scripts/tidy compile some of its
-sources again, where the headers that the build generates are. A source includes the headers that gcc has precompiled."""
+"""The commands of build/release, with other flags or for clang++: scripts/each, scripts/sanitize and scripts/tidy compile
+some of its sources again, where the headers that the build generates are. A source includes the headers that gcc has
+precompiled."""
 import json
 import os
 import re

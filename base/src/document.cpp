@@ -211,6 +211,12 @@ std::optional<std::string> reason_of_missing(const InputError& error) {
 
 }  // namespace
 
+std::vector<std::string> Document::all_files() const {
+  std::vector<std::string> all = files;
+  all.push_back(name);
+  return all;
+}
+
 InputError Document::located(const InputError& unplaced) const {
   if (!unplaced.document().empty()) return unplaced;
   const auto other = converted.find(unplaced.key());

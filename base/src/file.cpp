@@ -2,17 +2,12 @@
 #include "jounce/base/file.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <cassert>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
-#include <mutex>
-#include <optional>
 #include <random>
-#include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -226,24 +221,11 @@ std::string read_bytes(const std::string& path) {
   return bytes;
 }
 
-}  // namespace
-
-struct KeptInputs::Files {
-  using Id = std::pair<dev_t, ino_t>;
-
-  static std::optional<Id> id_of(const std::string& path) {
-    struct stat about {};
-    if (path == "-" || stat(path.c_str(), &about) != 0) return std::nullopt;
-    return Id{about.st_dev, about.st_ino};
-  }
-
-  std::mutex mutex;
-  std::set<Id> read;
-};
-
-namespace {
-
-std::atomic<const KeptInputs*> kept_inputs = nullptr;
+/// True if both names lead to one file that exists. "-" is no file.
+bool is_one_file(const std::string& a, const std::string& b) {
+  std::error_code none;
+  return a != "-" && b != "-" && std::filesystem::equivalent(a, b, none);
+}
 
 /// Names what stands where text was meant.
 void require_text(const std::string& path, const std::string& bytes, Archive archive) {
@@ -267,28 +249,16 @@ std::string utf8_of(const std::string& path, const std::string& utf16) {
 
 }  // namespace
 
-KeptInputs::KeptInputs() : files_(std::make_unique<Files>()) {
-  assert(kept_inputs == nullptr);
-  kept_inputs = this;
-}
-
-KeptInputs::~KeptInputs() {
-  kept_inputs = nullptr;
-}
-
-void require_not_read(const std::string& path, const std::string& option) {
-  const KeptInputs* const inputs = kept_inputs;
-  const auto id = KeptInputs::Files::id_of(path);
-  if (inputs == nullptr || !id) return;
-  const std::lock_guard lock(inputs->files_->mutex);
-  if (inputs->files_->read.contains(*id))
-    throw InputError(option, path, "is also an input: choose another name");
+void require_no_input(const std::vector<std::string>& inputs, const std::string& output,
+                      const std::string& option) {
+  for (const std::string& input : inputs)
+    if (is_one_file(input, output) || is_one_file(input.substr(0, input.rfind('#')), output))
+      throw InputError(option, output, "is also an input: choose another name");
 }
 
 void require_other_file(const std::string& input, const std::string& output,
                         const std::string& option) {
-  std::error_code none;  // a missing file is a different file
-  if (input != "-" && output != "-" && std::filesystem::equivalent(input, output, none))
+  if (is_one_file(input, output))
     throw InputError(option, output, "is also the input: choose another name");
 }
 
@@ -301,7 +271,7 @@ std::FILE* text_stream(bool json, std::initializer_list<std::string> files) {
   return taken ? stderr : stdout;
 }
 
-std::string read_edited_file(const std::string& path, Archive archive) {
+std::string read_file(const std::string& path, Archive archive) {
   std::string bytes = read_bytes(path);
   require_text(path, bytes, archive);
   if (base_detail::is_utf16(bytes)) return utf8_of(path, bytes);
@@ -310,19 +280,9 @@ std::string read_edited_file(const std::string& path, Archive archive) {
   return bytes;
 }
 
-std::string read_file(const std::string& path, Archive archive) {
-  std::string bytes = read_edited_file(path, archive);
-  const KeptInputs* const inputs = kept_inputs;
-  if (const auto id = KeptInputs::Files::id_of(path); inputs != nullptr && id) {
-    const std::lock_guard lock(inputs->files_->mutex);
-    inputs->files_->read.insert(*id);
-  }
-  return bytes;
-}
-
-void write_files(const std::vector<Output>& files) {
+void write_files(const std::vector<Output>& files, const std::vector<std::string>& inputs) {
   for (const Output& file : files)
-    if (!is_special(file.path)) require_not_read(file.path, "output");
+    if (!is_special(file.path)) require_no_input(inputs, file.path);
   for (std::size_t i = 0; i < files.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (is_same(files[i].path, files[k].path))
@@ -344,8 +304,9 @@ void write_files(const std::vector<Output>& files) {
   for (Temporary& file : written) file.rename();
 }
 
-void write_file(const std::string& path, const std::string& bytes) {
-  write_files({{path, bytes}});
+void write_file(const std::string& path, const std::string& bytes,
+                const std::vector<std::string>& inputs) {
+  write_files({{path, bytes}}, inputs);
 }
 
 }  // namespace jounce

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "jounce/about/standard_streams.hpp"
-#include "jounce/base/file.hpp"
 #include "jounce/base/input_errors.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/stream/transport/transport.hpp"
@@ -49,7 +48,6 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ,
               SIG_IGN);  // so write() reports a limit of the file size, like a full disk
   jounce::open_standard_streams();
-  const jounce::KeptInputs inputs;
   try {
     return flushed(run(argc, argv));
   } catch (const jounce::InputError& error) {

@@ -17,7 +17,8 @@ inline void require_other_file(const std::string& input, const std::string& outp
   require_other_file(input, output, "--output");
 }
 
-/// Calls write_figure(); errors name --output.
-void write_picture(const std::string& path, const Figure& figure, const SvgOptions& options = {});
+/// Calls write_figure(), if the picture replaces none of the files that were read; errors name --output.
+void write_picture(const std::string& path, const Figure& figure,
+                   const std::vector<std::string>& inputs, const SvgOptions& options = {});
 
 }  // namespace jounce::cli

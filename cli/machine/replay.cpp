@@ -43,7 +43,7 @@ int run_replay(const ReplayArguments& options) {
     throw InputError(options.last ? "--last" : "--axis", "",
                      "applies to --plot and --csv: add one of them");
   const ReplayedFile file = replayed(options);
-  if (!options.plot.empty()) write_picture(options.plot, tick_figure(file.ticks, file.axis));
+  if (!options.plot.empty()) write_picture(options.plot, tick_figure(file.ticks, file.axis), {});
   if (options.json)
     print_json(replay_json(file.replay));
   else

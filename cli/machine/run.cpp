@@ -54,21 +54,20 @@ int run_executor(const RunArguments& options) {
     require_no_specs(options.machine, options.run.record);
   });
   if (is_open(options.link)) fmt::print(stderr, "jounce: warning: {}\n", unprotected_warning);
-  auto [axes, masters, watchdog] = machine_parts(options.machine);
-  with_option_names(
-      files, [&, &axes = axes] { require_no_inputs(options.machine, options.run.record, axes); });
+  MachineParts parts = machine_parts(options.machine);
+  with_option_names(files, [&] { require_no_inputs(options.machine, options.run.record, parts); });
   KeyedLink link = open_link(options.link, true);
-  for (ExecutorOptions& axis : axes) axis.receiver.key = link.key();
-  const auto trace = options.web ? std::make_unique<Trace>(Trace::of(axes)) : nullptr;
-  const auto page = page_of(options, trace.get(), axes);
+  for (ExecutorOptions& axis : parts.axes) axis.receiver.key = link.key();
+  const auto trace = options.web ? std::make_unique<Trace>(Trace::of(parts.axes)) : nullptr;
+  const auto page = page_of(options, trace.get(), parts.axes);
   RunOptions how = options.run;
   how.trace = trace.get();
-  how.up = [&axes = axes, &options] {  // a run without output looks like a program that hangs
-    fmt::print(stderr, "jounce: {}\n", up_text(axes, options.machine.enable));
+  how.up = [&parts, &options] {  // a run without output looks like a program that hangs
+    fmt::print(stderr, "jounce: {}\n", up_text(parts.axes, options.machine.enable));
   };
-  how.masters = std::move(masters);
-  how.watchdog = options.watchdog.value_or(watchdog.value_or(how.watchdog));
-  const ExecutorSummary summary = run_executor(link.transport(), axes, how);
+  how.masters = std::move(parts.masters);
+  how.watchdog = options.watchdog.value_or(parts.watchdog.value_or(how.watchdog));
+  const ExecutorSummary summary = run_executor(link.transport(), parts.axes, how);
   if (options.json)
     print_json(summary_json(summary));
   else

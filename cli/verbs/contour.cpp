@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/file.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/design/disc.hpp"
 
@@ -34,9 +33,9 @@ int run_contour(const ContourArguments& options) {
     return finding;
   }
   require_other_file(options.spec, options.output);
-  write_file(options.output, with_option_names({"output"}, [&] {
-               return contour_file(options.output, spec, disc);
-             }));
+  const std::string drawing =
+      with_option_names({"output"}, [&] { return contour_file(options.output, spec, disc); });
+  write_file(options.output, drawing, input.files);
   fmt::print("{}: {} within {} {} of the exact contour (certified)\n", input.name,
              printable(options.output), rounded(spec.disc->tolerance), spec.disc->length);
   fmt::print("{}\n{}", extremes_text(spec, disc), full_text(report, input.labels));

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "jounce/base/file.hpp"
 #include "jounce/controllers/table_target.hpp"
 
 #include "cli/common/input.hpp"
@@ -65,7 +64,7 @@ int run_convert(const ConvertArguments& options) {
   const std::string text = with_option_names({"every", "master_unit", "position_unit"}, [&] {
     return form_text(form, made.file, options.every);
   });
-  if (writes) write_file(options.output, text);
+  if (writes) write_file(options.output, text, input.files);
   const auto lost = all_losses(input, form, made.file.table, !options.every.empty());
   if (options.json)
     fmt::print(out, "{}\n", conversion_json(made, form, writes ? options.output : "", lost));

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/file.hpp"
 #include "jounce/design/axes.hpp"
 #include "jounce/design/design_text.hpp"
 #include "jounce/design/files/file_check.hpp"
@@ -48,7 +47,7 @@ int run_design(const DesignArguments& options) {
     add_not_limited(reports.back(), input);
   }
   require_other_file(options.spec, options.output);
-  write_files(files);
+  write_files(files, files_of(inputs));
   std::vector<std::pair<std::string, std::string>> documents;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Input& input = inputs[i];

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/file.hpp"
 #include "jounce/design/output_events.hpp"
 
 #include "cli/common/input.hpp"
@@ -30,7 +29,7 @@ int run_events(const EventsArguments& options) {
     throw InputError("FILE", options.file,
                      "is a table: outputs need a spec with [compare] or [[switch]]");
   const OutputEvents events = output_events(axes);
-  write_file(options.output, json ? to_json(events) : to_csv(events));
+  write_file(options.output, json ? to_json(events) : to_csv(events), files_of(axes));
   for (const Finding& f : events.report.findings) {
     if (!f.broken) continue;
     fmt::print(stderr, "jounce: {}: {}\n", f.rule.text(), sentence(f, events.labels));

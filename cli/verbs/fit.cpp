@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/file.hpp"
-
 #include "cli/common/option_names.hpp"
 #include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/file.hpp"
 #include "jounce/base/progress_line.hpp"
 #include "jounce/io/recording.hpp"
 #include "jounce/proof/identification.hpp"
@@ -57,12 +56,14 @@ int run_identify(const IdentifyArguments& options) {
     write_file(options.output,
                fitted_drive_text(found, *spec.drive, spec.units,
                                  fmt::format("{} with numbers fitted to {} by jounce identify",
-                                             options.drive, options.log)));
+                                             options.drive, options.log)),
+               spec.document.files);
   if (!options.output.empty() && found.status != Identification::Status::converged)
     fmt::print(stderr, "jounce: wrote {}, although the fit is not accepted\n", options.output);
   if (!options.plot.empty())
     write_picture(options.plot,
-                  identification_figure(found, recording, "identification from " + options.log, u));
+                  identification_figure(found, recording, "identification from " + options.log, u),
+                  spec.document.files);
   return found.status == Identification::Status::converged ? fine : finding;
 }
 

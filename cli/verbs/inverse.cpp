@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/file.hpp"
-
 #include "cli/common/input.hpp"
 #include "cli/common/option_names.hpp"
 #include "cli/common/outputs.hpp"
@@ -28,7 +26,8 @@ int run_inverse(const InverseArguments& options) {
     return inverse_answer(cam, options.slave, options.output, options.texts);
   });
   require_other_file(options.file, options.output);
-  if (answer.table) write_file(options.output, table_text(options.output, *answer.table));
+  if (answer.table)
+    write_file(options.output, table_text(options.output, *answer.table), cam.files);
   fmt::print(out, "{}", options.json ? answer.json + "\n" : answer.text);
   return answer.found ? fine : finding;
 }

@@ -31,7 +31,7 @@ void draw(const LawsArguments& options) {
   if (options.law.empty())
     throw InputError("--output", options.output, "needs a LAW: name the law to draw");
   const Law law = named(options.law);
-  write_picture(options.output, under_option("LAW", [&] { return law_figure(law); }));
+  write_picture(options.output, under_option("LAW", [&] { return law_figure(law); }), {});
 }
 
 int run_laws(const LawsArguments& options) {

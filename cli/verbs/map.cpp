@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "jounce/base/file.hpp"
 #include "jounce/design/cut_map.hpp"
 #include "jounce/plot/cut_map_figure.hpp"
 
@@ -24,9 +23,9 @@ int run_map(const MapArguments& options) {
                                        [&] { return cut_map(options.file, options.texts); });
   const bool picture = options.output.ends_with(".svg") || options.output.ends_with(".png");
   if (picture)
-    write_picture(options.output, cut_map_figure(map));
+    write_picture(options.output, cut_map_figure(map), map.spec.document.files);
   else
-    write_file(options.output, to_csv(map));
+    write_file(options.output, to_csv(map), map.spec.document.files);
   return fine;
 }
 

@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "jounce/base/file.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/security/key.hpp"
 

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/file.hpp"
 #include "jounce/base/progress_line.hpp"
 #include "jounce/design/axes.hpp"
 #include "jounce/design/input.hpp"
@@ -43,6 +42,8 @@ SpecOptimum optimum(const OptimizeArguments& options, const Spec& spec) {
 void write(const OptimizeArguments& options, const Spec& given, const Spec& optimized,
            const std::string& text) {
   std::vector<Output> files;
+  std::vector<std::string> read = given.document.all_files();
+  read.push_back(options.against);
   if (!options.table.empty()) {
     const std::vector<Input> inputs = inputs_of(optimized, optimized.document.name);
     for (const Input& input : inputs) {
@@ -51,8 +52,8 @@ void write(const OptimizeArguments& options, const Spec& given, const Spec& opti
     }
   }
   if (!options.output.empty()) files.push_back({options.output, text});
-  if (!options.plot.empty()) write_picture(options.plot, optimum_figure(given, optimized));
-  write_files(files);
+  if (!options.plot.empty()) write_picture(options.plot, optimum_figure(given, optimized), read);
+  write_files(files, read);
 }
 
 /// Prints the optimum and the peaks of the optimized spec. Writes the files if it passes the check.

@@ -14,24 +14,26 @@ namespace jounce::cli {
 namespace {
 
 struct PlotArguments {
-  FigureRequest figure;
+  FigureRequest figure{.file = {}, .output = "-"};
   std::string plane;
-  std::string output = "-";
 };
 
 int run_plot(const PlotArguments& options) {
   const FigureRequest& request = options.figure;
-  require_other_file(request.file, options.output);
+  require_other_file(request.file, request.output);
   if (!options.plane.empty()) {
     const std::vector<Input> axes = load_program(request.file, request.machine, "");
     const std::string picture =
         svg(with_option_names({"plane"}, [&] { return path_figure(axes, options.plane); }));
-    under_option("--output", [&] { write_svg_file(options.output, picture); });
+    under_option("--output", [&] {
+      require_no_input(files_of(axes), request.output);
+      write_svg_file(request.output, picture);
+    });
     return fine;
   }
   const Figure figure =
       with_option_names({"axis", "over", "before", "drive"}, [&] { return any_figure(request); });
-  write_picture(options.output, figure, drive_look(request.drive));
+  write_picture(request.output, figure, {}, drive_look(request.drive));
   return fine;
 }
 
@@ -60,7 +62,7 @@ void add_plot(CommandLine& line) {
   verb.option("--plane", options->plane,
               "For a path: draw it in the plane of two axes, such as x,y, colored by its speed")
       .excludes({axis, over, before, drive, follower});
-  verb.option("-o,--output", options->output,
+  verb.option("-o,--output", options->figure.output,
               "Picture to write, .svg or .png; - is SVG on standard output")
       .check(output_file({".svg", ".png"}));
   verb.work([options] { return run_plot(*options); });

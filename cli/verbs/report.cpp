@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/file.hpp"
 #include "jounce/proof/report_page.hpp"
 
 #include "cli/common/input.hpp"
@@ -23,22 +22,25 @@ struct ReportArguments {
 int run_report(const ReportArguments& options) {
   require_other_file(options.file, options.output);
   const std::vector<Input> axes = load_program(options.file, options.machine, options.axis);
+  std::vector<std::string> read = files_of(axes);
+  read.insert(read.end(), {options.page.proof.log, options.page.optimum});
   if (axes.size() > 1) {
     for (const auto& [option, value] : {std::pair{"--before", &options.before},
                                         {"--log", &options.page.proof.log},
                                         {"--optimum", &options.page.optimum}})
       if (!value->empty()) throw InputError(option, *value, "is for one axis: name it with --axis");
     const auto [page, all] = report_page(axes, options.page);
-    write_file(options.output, html(page));
+    write_file(options.output, html(page), read);
     if (options.output != "-") fmt::print("{}: {}\n", page.title, page.verdict->text);
     return all.ok() ? fine : finding;
   }
   const Input& input = axes.front();
   const auto before =
       options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
+  if (before) read.insert(read.end(), before->files.begin(), before->files.end());
   const auto [page, all] =
       with_option_names({"before"}, [&] { return report_page(input, before, options.page); });
-  write_file(options.output, html(page));
+  write_file(options.output, html(page), read);
   if (options.output != "-") fmt::print("{}: {}\n", input.name, one_line(all, input.labels));
   return all.ok() ? fine : finding;
 }

@@ -55,7 +55,8 @@ int report(const SweepSpec& spec, const SweepResult& result, const SweepArgument
   const SweepSummary summary = summary_of(spec, result);
   write_sweep(options.files, spec, result);
   if (!options.plot.empty())
-    write_picture(options.plot, sweep_figure(spec, result, summary), sweep_look(spec));
+    write_picture(options.plot, sweep_figure(spec, result, summary), spec.document.all_files(),
+                  sweep_look(spec));
   if (const std::string journal = options.files.journal(); !journal.empty())
     std::remove(journal.c_str());
   fmt::print(stream_of(options), "{}",

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/file.hpp"
 #include "jounce/base/progress_line.hpp"
 #include "jounce/proof/drive_signals.hpp"
 #include "jounce/proof/proof.hpp"
@@ -31,6 +30,7 @@ void require_signals_of(const ValidateArguments& options, const std::vector<Inpu
   if (options.signals.empty()) return;
   require_signals("--signals", options.signals);
   require_other_file(options.run.file(), options.signals);
+  require_no_input({options.log}, options.signals);
   if (inputs.size() > 1)
     throw InputError("--signals", options.signals, "is for one axis: name it with --axis");
   if (!inputs.front().drive)
@@ -63,7 +63,7 @@ int print_answer(const ValidateArguments& options) {
     const Proof proof = proven(input, options);
     ok = ok && proof.report.ok() && (!options.run.strict || proof.report.warnings() == 0);
     if (!options.signals.empty())
-      write_file(options.signals, signals_file(*proof.drive, input, options.signals));
+      write_file(options.signals, signals_file(*proof.drive, input, options.signals), input.files);
     if (json)
       documents.emplace_back(input.axis, proof_json(proof, input));
     else

@@ -44,7 +44,7 @@ std::string picture_of(const std::string& kind, const std::string& text) try {
 void require_spec(const std::string& path) {
   std::error_code none;
   if (path == "-" || !std::filesystem::exists(path, none)) return;
-  const std::string text = read_edited_file(path);
+  const std::string text = read_file(path);
   const bool is_text = text.find('\0') == std::string::npos;
   const bool is_empty = text.find_first_not_of(" \t\r\n") == std::string::npos;
   if (is_empty || (is_text && has_version(text))) return;

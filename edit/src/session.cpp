@@ -38,7 +38,7 @@ EditSession::EditSession(std::string path) : path_(std::move(path)) {
   if (stamp_.empty())
     on_disk_ = OnDisk::missing;
   else
-    set_base(read_edited_file(path_));
+    set_base(read_file(path_));
   versions_.push_back({base_, ""});
   recover();
 }
@@ -52,7 +52,7 @@ void EditSession::set_base(std::string text) {
 void EditSession::recover() {
   std::error_code none;
   if (!std::filesystem::exists(side_file(), none)) return;
-  const std::string side = read_edited_file(side_file());
+  const std::string side = read_file(side_file());
   const std::size_t line = side.find('\n');
   if (!side.starts_with(side_mark) || line == std::string::npos)
     throw InputError("", "",
@@ -167,7 +167,7 @@ bool EditSession::poll() {
   } else {
     std::string file;
     try {
-      file = read_edited_file(path_);
+      file = read_file(path_);
     } catch (const InputError&) {
       return false;  // it is being replaced: the next poll reads it
     }

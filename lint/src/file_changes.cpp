@@ -202,8 +202,12 @@ void compare_motion(FileChange& change, const std::string& accepted, Tolerances&
                     bool pictures) {
   const auto after = motions_of(change);
   if (!after) return;
+  change.inputs = files_of(*after);
   try {
-    compare_motions(change, read_inputs(accepted), *after, tolerances, pictures);
+    const std::vector<Input> before = read_inputs(accepted);
+    const std::vector<std::string> files = files_of(before);
+    change.inputs.insert(change.inputs.end(), files.begin(), files.end());
+    compare_motions(change, before, *after, tolerances, pictures);
   } catch (const InputError& error) {
     if (error.key() == "tolerance") throw;
     Diagnostic d = diagnostic("baseline/changed", Level::broken, change.file, error.what());

@@ -86,10 +86,13 @@ void write_summary(const std::string& folder, const std::vector<FileChange>& cha
     return (std::filesystem::path(folder) / file).string();
   };
   std::vector<Output> outputs{{in_folder("summary.md"), to_markdown(changes, name)}};
-  for (const FileChange& change : changes)
+  std::vector<std::string> inputs;
+  for (const FileChange& change : changes) {
+    inputs.insert(inputs.end(), change.inputs.begin(), change.inputs.end());
     for (const Output& picture : change.files)
       outputs.push_back({in_folder(picture.path), picture.bytes});
-  write_files(outputs);
+  }
+  write_files(outputs, inputs);
 }
 
 }  // namespace jounce

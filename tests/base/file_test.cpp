@@ -174,23 +174,23 @@ TEST_F(Files, APipeOfTheShellIsReadByItsDescriptor) {
   close(ends[0]);
 }
 
-TEST_F(Files, WhatIsReadIsNotReplacedWhileInputsAreKept) {
+TEST_F(Files, NoInputIsReplaced) {
   write_file(in("points.csv"), "points");
   write_file(in("other.csv"), "other");
   std::filesystem::create_symlink(in("points.csv"), in("link.csv"));
-  {
-    const KeptInputs inputs;
-    (void)read_file(in("points.csv"));
-    for (const char* name : {"points.csv", "link.csv"})
-      EXPECT_THAT(why([&] { write_file(in(name), "made"); }),
-                  HasSubstr(std::string(name) + ": is also an input"));
-    EXPECT_THAT(why([&] {
-                  write_files({{in("new.csv"), ""}, {in("points.csv"), ""}});
-                }),
-                HasSubstr("is also an input"));
-    EXPECT_FALSE(std::filesystem::exists(in("new.csv")));
-    write_file(in("other.csv"), "made");
-  }
+  const std::vector<std::string> inputs{"-", in("missing.csv"), in("points.csv")};
+  for (const char* name : {"points.csv", "link.csv"})
+    EXPECT_THAT(why([&] { write_file(in(name), "made", inputs); }),
+                HasSubstr(std::string(name) + ": is also an input"));
+  EXPECT_THAT(why([&] {
+                write_files({{in("new.csv"), ""}, {in("points.csv"), ""}}, inputs);
+              }),
+              HasSubstr("is also an input"));
+  EXPECT_FALSE(std::filesystem::exists(in("new.csv")));
+  write_file(in("other.csv"), "made", inputs);
+  EXPECT_THAT(why([&] { require_no_input({in("points.csv") + "#Sheet 1"}, in("points.csv")); }),
+              HasSubstr("is also an input"));
+  (void)read_file(in("points.csv"));
   write_file(in("points.csv"), "made");
   EXPECT_EQ(read_file(in("points.csv")), "made") << "a library's user may replace what it has read";
 

@@ -1174,6 +1174,47 @@ TEST_F(Cli, NoFileThatASpecNamesIsReplaced) {
   EXPECT_EQ(slurp(folder / "p.html"), points);
 }
 
+TEST_F(Cli, NoFileThatAnInputNamesIsReplaced) {
+  const std::string points = "time [s],position [mm],velocity [mm/s]\n0,0,0\n1,10,0\n2,0,0\n";
+  const std::string spec = "jounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\n";
+  write("p.csv", points);
+  write("p.png", points);
+  write("p.toml", spec + "points = \"p.csv\"\n");
+  write("picture.toml", spec + "points = \"p.png\"\n");
+  write("cam.csv", slurp(cam));  // the content determines what it is
+  write("from.toml", "jounce = 1\nkind = \"cam\"\nfrom = \"cam.csv\"\n");
+  for (const auto& [verb, file] : {std::pair{"design - -o p.csv < p.toml", "p.csv"},
+                                   {"plot picture.toml -o p.png", "p.png"},
+                                   {"plot p.toml --before picture.toml -o p.png", "p.png"},
+                                   {"diff picture.toml p.toml -o p.png", "p.png"},
+                                   {"convert from.toml cam.csv --allow-loss", "cam.csv"}}) {
+    const std::string before = slurp(folder / file);
+    const Result result = run(verb);
+    EXPECT_EQ(result.status, 2) << verb;
+    EXPECT_THAT(result.err, HasSubstr(std::string(file) + ": is also an input")) << verb;
+    EXPECT_EQ(slurp(folder / file), before) << verb;
+  }
+}
+
+TEST_F(Cli, NoFileOfAMachineIsReplaced) {
+  for (const char* name : {"gantry", "cut-plan"})
+    std::filesystem::copy(examples + name, folder / name);
+  for (const auto& [machine, file] : {std::pair{"gantry", "y1.toml"},
+                                      {"gantry", "part.toml"},
+                                      {"gantry", "part.ngc"},
+                                      {"cut-plan", "drum.toml"},
+                                      {"cut-plan", "knife.toml"},
+                                      {"cut-plan", "line.toml"}}) {
+    const std::string path = std::string(machine) + "/" + file;
+    const std::string before = slurp(folder / path);
+    const Result result =
+        run("run " + std::string(machine) + "/machine.toml --seconds 0.1 --record " + path);
+    EXPECT_EQ(result.status, 2) << path;
+    EXPECT_THAT(result.err, HasSubstr(path + ": is also an input")) << path;
+    EXPECT_EQ(slurp(folder / path), before) << path;
+  }
+}
+
 TEST_F(Cli, AReportSaysWhatItFoundAndIsAPageOfHtml) {
   const Result page = run("report " + cam + " -o page.html");
   EXPECT_EQ(page.status, 1);

@@ -93,9 +93,9 @@ void expect_sound(const Plan& plan, double x, double y) {
   }
 }
 
-std::size_t noted(const Plan& plan, JointNote note) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(plan.joints(), [note](const JointMark& m) { return m.note == note; }));
+std::size_t noted(const Plan& plan, JunctionNote note) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      plan.junctions(), [note](const JunctionMark& m) { return m.note == note; }));
 }
 
 TEST_F(DegeneratePath, APieceWithoutLengthIsLeftOut) {
@@ -121,7 +121,7 @@ TEST_F(DegeneratePath, AReversalRests) {
   for (const char* y : {"0", "0.000000001"})
     for (const Plan& p : through({"10, 0", std::string("0, ") + y, "10, 0"})) {
       expect_sound(p, 10, 0);
-      EXPECT_EQ(noted(p, JointNote::turns_back), 2U);
+      EXPECT_EQ(noted(p, JunctionNote::turns_back), 2U);
       EXPECT_NEAR(p.duration(), p.stop_duration(), 1e-12);
     }
 }
@@ -166,7 +166,7 @@ TEST_F(DegeneratePath, AnArcOfANanometer) {
 TEST_F(DegeneratePath, ACornerWithoutRoomIsReported) {
   for (const Plan& p : through({"10, 0", "10, 0.001", "20, 0.001"})) {
     expect_sound(p, 20, 0.001);
-    EXPECT_EQ(noted(p, JointNote::short_sides) + noted(p, JointNote::slower), 2U);
+    EXPECT_EQ(noted(p, JunctionNote::short_sides) + noted(p, JunctionNote::slower), 2U);
     for (const CornerRecord& c : p.corners()) EXPECT_LE(c.trim, 0.0005 * (1 + 1e-9));
   }
 }

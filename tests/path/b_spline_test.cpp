@@ -82,7 +82,7 @@ TEST(BSpline, ATangentLineIsPassedAndAStepOfTheCurvatureIsStated) {
   ASSERT_EQ(motion.corners().size(), 2u);
   for (const CornerRecord& corner : motion.corners()) {
     EXPECT_FALSE(corner.stop);
-    EXPECT_EQ(corner.note, JointNote::steps);
+    EXPECT_EQ(corner.note, JunctionNote::steps);
   }
   // Three points on each line: the curvature is 0 there, too, and there is no corner.
   Program smooth(2);

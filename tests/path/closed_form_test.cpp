@@ -274,7 +274,7 @@ TEST(ClosedForms, OfTheFilletsOfThePmc600) {
     }
     p.line(corners[3]);
     const Plan made = plan(p, {.axes = std::vector<Limits>(2)});
-    EXPECT_TRUE(std::ranges::none_of(made.joints(), &JointMark::rests));
+    EXPECT_TRUE(std::ranges::none_of(made.junctions(), &JunctionMark::rests));
     const Path& path = made.path();
     ASSERT_EQ(path.pieces().size(), 5U);
     for (const std::size_t k : {1U, 2U}) {

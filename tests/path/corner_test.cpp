@@ -103,7 +103,7 @@ TEST(Corner, ByDistanceCurvatureAndVelocity) {
   EXPECT_NEAR(corner(Corner::velocity, 40).velocity, 40, 1e-12);
   // A trim that the sides do not have.
   const CornerRecord tight = corner(Corner::curvature, 0.001);
-  EXPECT_EQ(tight.note, JointNote::short_sides);
+  EXPECT_EQ(tight.note, JunctionNote::short_sides);
   EXPECT_LE(tight.trim, 50);
   EXPECT_GT(tight.curvature, 0.001);
   EXPECT_FALSE(tight.text.empty());
@@ -123,7 +123,7 @@ TEST(Corner, BlendsOfArcsByEveryMode) {
       const Program p = joint(mode, value, side);
       const Plan rounded = plan(p, limits);
       const CornerRecord c = rounded.corners().front();
-      EXPECT_EQ(c.note, JointNote::none);
+      EXPECT_EQ(c.note, JunctionNote::none);
       if (mode == Corner::deviation) {
         EXPECT_LE(c.deviation, value);
       }
@@ -151,13 +151,13 @@ TEST(Corner, ATangentJointStepsOrIsRounded) {
   };
   const Plan steps = plan(tangent_joint(Corner::stop), usual(2));
   ASSERT_EQ(steps.corners().size(), 1u);
-  EXPECT_EQ(steps.corners()[0].note, JointNote::steps);
+  EXPECT_EQ(steps.corners()[0].note, JunctionNote::steps);
   EXPECT_FALSE(steps.corners()[0].stop);
   EXPECT_NEAR(steps.corners()[0].velocity, 50, 1e-9);
   const Program smooth = tangent_joint(Corner::deviation);
   const Plan rounded = plan(smooth, usual(2));
   ASSERT_EQ(rounded.corners().size(), 1u);
-  EXPECT_EQ(rounded.corners()[0].note, JointNote::none);
+  EXPECT_EQ(rounded.corners()[0].note, JunctionNote::none);
   // A step of v^2 / R within the jerk limit takes v / (J R) times v^2; a quintic a little longer.
   EXPECT_GT(rounded.corners()[0].trim, 50.0 * 50 * 50 / 50 / 1e4 / 2);
   EXPECT_GT(rounded.corners()[0].velocity, 0.97 * 50);
@@ -173,7 +173,7 @@ TEST(Corner, AReversalRests) {
   const Plan back = plan(p, usual(2));
   ASSERT_EQ(back.corners().size(), 1u);
   EXPECT_TRUE(back.corners()[0].stop);
-  EXPECT_EQ(back.corners()[0].note, JointNote::turns_back);
+  EXPECT_EQ(back.corners()[0].note, JunctionNote::turns_back);
 }
 
 TEST(Corner, CommandsWithoutDistanceAreLeftOutAndReported) {
@@ -185,7 +185,7 @@ TEST(Corner, CommandsWithoutDistanceAreLeftOutAndReported) {
   const Plan plan_of = plan(p, usual(2));
   ASSERT_EQ(plan_of.corners().size(), 1u);
   EXPECT_EQ(plan_of.corners()[0].line, 2);
-  EXPECT_EQ(plan_of.corners()[0].note, JointNote::no_distance);
+  EXPECT_EQ(plan_of.corners()[0].note, JunctionNote::no_distance);
 }
 
 /// The lines from place `first` to place `last` of a curve, of about 0.01 to 0.02 mm.

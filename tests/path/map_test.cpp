@@ -344,10 +344,11 @@ TEST(Map, AnOverrideAndARetreatKeepTheLimitsOfTheJointsAndThePath) {
   }
 }
 
-InputError error_of(const Program& p, const std::shared_ptr<const AxisMap>& map) {
+InputError error_of(const Program& p, const std::shared_ptr<const AxisMap>& map,
+                    double tolerance = 1e-9) {
   try {
     plan(p, none(p.axes()),
-         {.joints = JointSpace{map, joint_limits(map->joints(), 100, 500, 5000)}});
+         {.joints = JointSpace{map, joint_limits(map->joints(), 100, 500, 5000), tolerance}});
   } catch (const InputError& error) {
     return error;
   }
@@ -383,6 +384,39 @@ TEST(Map, AWayAcrossTheBaseAndAFoldedArmAreSingular) {
       error_of(delta, linear_delta_map({.outer_radius = 200, .inner_radius = 40, .arm = 320}))
           .rule(),
       HasSubstr("is out of reach"));
+}
+
+/// The cube root of x: it is defined everywhere, and its velocity has no bound at x = 0.
+class CubeRoot final : public AxisMap {
+ public:
+  CubeRoot() : AxisMap(2, 1) {}
+  MapState jets(std::span<const Jet> point, std::span<Jet> joints) const override {
+    const auto [x, first, second, third] = point[0];
+    const double root = std::cbrt(x);
+    EXPECT_EQ(second, 0) << "a line";
+    EXPECT_EQ(third, 0);
+    joints[0] = {root, first * root / (3 * x), -2 * first * first * root / (9 * x * x),
+                 10 * first * first * first * root / (27 * x * x * x)};
+    return MapState::ok;
+  }
+};
+
+TEST(Map, AToleranceBelowTheRoundingIsNotASingularPosition) {
+  Program p(2, {200, 0});
+  p.set({.velocity = 100});
+  p.line({200, 100}, 3);
+  const InputError error = error_of(p, std::make_shared<OwnScara>(), 1e-20);
+  EXPECT_EQ(error.key(), "tolerance");
+  EXPECT_EQ(error.line(), 3);
+  EXPECT_THAT(error.rule(),
+              testing::MatchesRegex("is below the error of the fitted joints, which is "
+                                    "[1-9][.0-9]*e-1[3-5] in their unit at [.0-9e-]+ "
+                                    "along the path: give a greater tolerance"));
+  Program across(2, {-100, 0});
+  across.set({.velocity = 100});
+  across.line({200, 0}, 7);
+  EXPECT_THAT(error_of(across, std::make_shared<CubeRoot>()).rule(),
+              HasSubstr("is a singular position of the joints, at 100 along the path"));
 }
 
 TEST(Map, TheMotorsOfACoreXYKeepTheirLimitsExactly) {

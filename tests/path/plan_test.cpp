@@ -90,7 +90,7 @@ TEST(Plan, ASquareWithTurns) {
       EXPECT_NEAR(c.angle, std::numbers::pi / 2, 1e-12);
       EXPECT_LE(c.deviation, row.deviation * (1 + 1e-12));
       EXPECT_FALSE(c.stop);
-      EXPECT_EQ(c.note, JointNote::none);
+      EXPECT_EQ(c.note, JunctionNote::none);
     }
     const PlanAxes axes = to_axes(turned);
     path_tests::expect_whole(turned, axes, p);
@@ -106,7 +106,7 @@ TEST(Plan, ATurnThatIsSlowerThanAStopIsAStop) {
     EXPECT_NEAR(stopped.stop_duration(), 4.8, 1e-12);
     for (const CornerRecord& c : stopped.corners()) {
       EXPECT_TRUE(c.stop);
-      EXPECT_EQ(c.note, JointNote::slower);
+      EXPECT_EQ(c.note, JunctionNote::slower);
     }
   }
 }

@@ -112,7 +112,7 @@ TEST(Properties, OfPolylines) {
       if (corner.asked == Corner::distance) {
         ASSERT_LE(corner.trim, corner.value * (1 + 1e-12));
       }
-      if (corner.asked == Corner::curvature && !corner.stop && corner.note == JointNote::none) {
+      if (corner.asked == Corner::curvature && !corner.stop && corner.note == JunctionNote::none) {
         ASSERT_LE(corner.curvature, corner.value * (1 + 1e-9));
       }
     }

@@ -95,7 +95,7 @@ TEST(Refined, KeepsPathEndsAndDwells) {
   const Plan after = refined(before);
   EXPECT_LT(after.duration(), before.duration());
   EXPECT_EQ(after.path().length(), before.path().length());
-  EXPECT_EQ(after.joints().size(), before.joints().size());
+  EXPECT_EQ(after.junctions().size(), before.junctions().size());
   EXPECT_EQ(after.stop_duration(), before.stop_duration());
   const auto dwells = [](const Plan& plan) {
     double sum = 0;

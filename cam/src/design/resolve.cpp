@@ -253,7 +253,8 @@ void Resolver::demand_reversal(std::size_t i) {
   if (!moves(i) || moves(i + 1)) demand_at(i, &CamKnot::geo_velocity, "geo_velocity", 0, i, scale);
 }
 
-/// The first and the last knot of a periodic cam are one knot: each gets the values of the other.
+/// The first and the last knot of a periodic cam are one place: each gets the values that it lacks from the other. They
+/// stay two knots, because two given values, or the demands of two laws, may differ: a check finds this step.
 void Resolver::share_seam() {
   if (!spec_.periodic) return;
   for (const auto field :

@@ -215,7 +215,7 @@ std::string newer_spec(const Provenance& provenance, const std::string& table_pa
     std::error_code none;
     if (!fs::is_regular_file(path, none)) continue;
     try {
-      if (hex(sha256(read_edited_file(path.string()))) == provenance.spec_sha256)
+      if (hex(sha256(read_file(path.string()))) == provenance.spec_sha256)
         return same ? path.lexically_normal().string() : "";
     } catch (const InputError&) {
       continue;  // it cannot be read
@@ -229,7 +229,7 @@ std::string renewal(const Input& table, const std::string& spec_path) {
   std::string axis;
   bool over_its_master = true;
   try {
-    const Spec spec = parse_spec(read_edited_file(spec_path), spec_path);
+    const Spec spec = parse_spec(read_file(spec_path), spec_path);
     over_its_master = table.labels.over_master || !spec.over_master();
     for (const AxisPart& part : spec.parts())
       if (names_axis(table.file, part.name)) axis = " --axis " + part.name;

@@ -38,7 +38,8 @@ Input from_made(Made made, const Spec& spec, const std::string& path) {
           .binding = made.sampled.binding,
           .plan = std::move(made.plan),
           .overlap = std::move(made.overlap),
-          .fit = made.fit};
+          .fit = made.fit,
+          .files = spec.document.all_files()};
 }
 
 }  // namespace
@@ -55,6 +56,12 @@ Input input_of(TableFile file, const std::string& path) {
           .labels = std::move(labels),
           .name = printable(path),
           .axis = ""};
+}
+
+std::vector<std::string> files_of(std::span<const Input> inputs) {
+  std::vector<std::string> all;
+  for (const Input& input : inputs) all.insert(all.end(), input.files.begin(), input.files.end());
+  return all;
 }
 
 std::vector<Input> inputs_of(const Spec& spec, const std::string& path) {

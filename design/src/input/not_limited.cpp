@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "jounce/design/input.hpp"
+#include "jounce/pvt/check.hpp"
 
 namespace jounce {
 

@@ -51,6 +51,7 @@ std::vector<Input> table_inputs(const std::string& text, const std::string& path
   }
   for (Input& input : all) {
     input.file = path;
+    input.files = {path};
     if (!is_table(text)) input.format = exchange_format_of_text(text, path);
   }
   return all;

@@ -140,7 +140,7 @@ class Corners {
   Corners(std::span<const CornerRecord> all, double length)
       : all_(all), margin_(rounded_input * length) {
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (all[i].note != JointNote::no_distance) order_.push_back(i);
+      if (all[i].note != JunctionNote::no_distance) order_.push_back(i);
   }
 
   [[nodiscard]] std::optional<std::size_t> between(double from, double to) const {

@@ -113,13 +113,13 @@ constexpr auto many_short_lines = 20;  ///< corners
 std::string notes_text(const PathSummary& s, const Along& units) {
   std::string text;
   for (std::size_t k = 1; k < note_names.size(); ++k) {
-    const auto has = [&](const CornerRecord& c) { return c.note == static_cast<JointNote>(k); };
+    const auto has = [&](const CornerRecord& c) { return c.note == static_cast<JunctionNote>(k); };
     const auto first = std::find_if(s.corners.begin(), s.corners.end(), has);
     if (first == s.corners.end()) continue;
     const auto count = std::count_if(first, s.corners.end(), has);
     text += fmt::format("warning: line {}: {}", first->line, explain(*first, units.length));
     if (count > 1) text += fmt::format(" {} corners in all have this note.", count);
-    if (count >= many_short_lines && first->note == JointNote::short_sides)
+    if (count >= many_short_lines && first->note == JunctionNote::short_sides)
       text +=
           " For many short lines, use corner = { average = 0.02 } in [path], with your tolerance.";
     text += '\n';
@@ -155,7 +155,7 @@ Json json_of(const CornerRecord& corner) {
               {"one_sided", corner.one_sided},
               {"curvature", corner.curvature},
               {"velocity", corner.velocity}};
-  if (corner.note != JointNote::none) {
+  if (corner.note != JunctionNote::none) {
     object["note"] = note_names[static_cast<std::size_t>(corner.note)];
     object["text"] = corner.text;
   }

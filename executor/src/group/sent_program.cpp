@@ -44,7 +44,8 @@ GroupProgram rest_at(const Point& axes, double duration, std::int32_t line,
   for (const AxisConfig& config : group.configs) given.limits.axes.push_back(config.limits);
   auto plan = std::make_shared<const Plan>(
       Path(n, {PathPiece{.length = resting_length, .line = line}}, std::move(numbers)),
-      TimingLaw({LawInterval{.duration = time}}), std::vector<JointMark>{}, time, std::move(given));
+      TimingLaw({LawInterval{.duration = time}}), std::vector<JunctionMark>{}, time,
+      std::move(given));
   GroupProgram program{.plan = std::move(plan), .axes = {}};
   for (const AxisConfig& config : group.configs)
     program.axes.push_back({resolved(config), {.velocity = *config.limits.velocity}});

@@ -19,8 +19,7 @@ void lower(std::optional<double>& limit, const std::optional<double>& other) {
 }
 
 Spec read_cutter(const Spec& axis, const std::string& file) {
-  const std::filesystem::path document = axis.document.name;
-  const std::string path = (document.parent_path() / file).string();
+  const std::string path = cutter_path(axis, file);
   try {
     return read_spec(path);
   } catch (const InputError& error) {
@@ -53,6 +52,10 @@ InputError in_cutter(const InputError& error, bool shear) {
 }
 
 }  // namespace
+
+std::string cutter_path(const Spec& axis, const std::string& file) {
+  return (std::filesystem::path(axis.document.name).parent_path() / file).string();
+}
 
 std::optional<ExecutorCutter> machine_cutter(const Spec& axis, const AxisConfig& config) {
   const std::string& file = std::get<AxisSpec>(axis.subject).cutter;

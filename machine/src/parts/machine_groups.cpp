@@ -111,27 +111,28 @@ std::shared_ptr<const SentProgram> program_of(const MachineSpec::Group& spec,
 
 /// The kinematics of a group from a spec of kind "path". Its joints are the axes of the group.
 GroupKinematics kinematics_of(const std::string& file, const ExecutorGroup& group,
-                              const std::vector<std::string>& units) {
+                              const std::vector<std::string>& units, MachineParts& parts) {
   const Spec spec = read_spec(file);
+  parts.add_files(spec.document.all_files());
   const auto* const path = std::get_if<PathSpec>(&spec.subject);
   if (path == nullptr || !path->joints)
     throw InputError("kinematics", file, "must be a spec of kind \"path\" with [kinematics]");
-  const std::vector<AxisPart> parts = spec.parts();
+  const std::vector<AxisPart> axes = spec.parts();
   const std::size_t tool = path->program.axes();
   GroupKinematics made{
       .path_axes = path->program.path_axes(), .joints = *path->joints, .limits = path->limits};
   std::vector<std::string> joints;
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    (k < tool ? made.names : joints).push_back(parts[k].name);
-  for (std::size_t k = 0; k < tool; ++k) made.units.push_back(parts[k].units.position);
+  for (std::size_t k = 0; k < axes.size(); ++k)
+    (k < tool ? made.names : joints).push_back(axes[k].name);
+  for (std::size_t k = 0; k < tool; ++k) made.units.push_back(axes[k].units.position);
   if (joints != group.names)
     throw InputError("kinematics", file,
                      "has the joints " + listed(joints) + ", but the axes of the group are " +
                          listed(group.names) + ": use the same names in the same order");
   for (std::size_t k = 0; k < joints.size(); ++k)
-    if (parts[tool + k].units.position != units[k])
+    if (axes[tool + k].units.position != units[k])
       throw InputError("kinematics", file,
-                       "has the unit " + parts[tool + k].units.position + " for the joint " +
+                       "has the unit " + axes[tool + k].units.position + " for the joint " +
                            joints[k] + ", but the axis has " + units[k]);
   if (seconds_per_unit(spec) != 1) throw InputError("kinematics", file, "needs units.time = \"s\"");
   made.unit = spec.units.position;
@@ -139,7 +140,7 @@ GroupKinematics kinematics_of(const std::string& file, const ExecutorGroup& grou
   return made;
 }
 
-ExecutorGroup group_of(const MachineSpec::Group& spec, const MachineParts& parts) {
+ExecutorGroup group_of(const MachineSpec::Group& spec, MachineParts& parts) {
   ExecutorGroup group;
   std::vector<std::string> units;
   for (const std::string& name : spec.axes) {
@@ -156,7 +157,8 @@ ExecutorGroup group_of(const MachineSpec::Group& spec, const MachineParts& parts
   if (std::all_of(units.begin(), units.end(), [&](const auto& u) { return u == units.front(); }))
     group.unit = units.front();
   group.units = units;
-  if (!spec.kinematics.empty()) group.kinematics = kinematics_of(spec.kinematics, group, units);
+  if (!spec.kinematics.empty())
+    group.kinematics = kinematics_of(spec.kinematics, group, units, parts);
   return group;
 }
 
@@ -188,7 +190,7 @@ AxisCompare compare_of(const Spec& program) {
 }
 
 ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& options,
-                     const MachineParts& parts) {
+                     MachineParts& parts) {
   ExecutorOptions made;
   ExecutorGroup& group = made.group.emplace(group_of(spec, parts));
   const ExecutorOptions& first = parts.axes[group.of.axes.front()];
@@ -197,8 +199,12 @@ ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& optio
   group.m_words = {.all = !spec.m_words,
                    .numbers = spec.m_words.value_or(std::vector<std::int32_t>{}),
                    .timeout = spec.m_word_timeout};
-  if (!spec.program.empty()) group.sent = program_of(spec, group, made.units);
-  if (!spec.program.empty()) made.compare = compare_of(read_spec(spec.program));
+  if (!spec.program.empty()) {
+    group.sent = program_of(spec, group, made.units);
+    const Spec program = read_spec(spec.program);
+    parts.add_files(program.document.all_files());
+    made.compare = compare_of(program);
+  }
   if (made.compare.plane && group.kinematics)
     throw InputError("program", spec.program,
                      "compares a plane of two coordinates, which is not possible with kinematics: "

@@ -79,8 +79,10 @@ Follow make(const MachineMasterSpec::Encoder& encoder, const MachineMasterSpec& 
 }
 
 /// The file's motion in s, in the master's unit.
-StoredTable stored(const MachineMasterSpec::FromTable& own, const std::string& unit) {
+StoredTable stored(const MachineMasterSpec::FromTable& own, const std::string& unit,
+                   MachineParts& parts) {
   const std::vector<Input> inputs = read_inputs(own.file);
+  parts.add_files(files_of(inputs));
   if (inputs.size() > 1)
     throw InputError("file", own.file, "must have one axis, not " + std::to_string(inputs.size()));
   ExecutorTables tables = executor_tables(inputs.front());
@@ -100,7 +102,7 @@ Follow make(const MachineMasterSpec::FromTable& own, const MachineMasterSpec& sp
             const MachineOptions& options, MachineParts& parts) {
   const ExecutorOptions& first = parts.axes.front();
   ExecutorOptions axis;
-  axis.table = stored(own, spec.unit);
+  axis.table = stored(own, spec.unit, parts);
   axis.axis.period = first.axis.period;
   axis.axis.longest_gap = first.axis.longest_gap;
   axis.axis.position = axis.table->table->jet(axis.table->table->start())[0];

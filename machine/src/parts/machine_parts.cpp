@@ -326,7 +326,9 @@ MachineParts parts_of(const MachineOptions& options, const std::optional<Machine
   const std::vector<Read> read = read_axes(options, machine);
   MachineParts parts;
   std::vector<Leader> axes;
+  if (machine) parts.files = machine->document.all_files();
   for (const Read& one : read) {
+    parts.add_files(one.spec.document.all_files());
     try {
       parts.axes.push_back(executor_of(options, one.spec, read.size() + virtual_axes(machine)));
     } catch (const InputError& error) {
@@ -338,6 +340,8 @@ MachineParts parts_of(const MachineOptions& options, const std::optional<Machine
             InputError("name", other.name,
                        "is also the name of another axis: rename one of them, and give each axis "
                        "its own spec"));
+    if (const std::string& cutter = std::get<AxisSpec>(one.spec.subject).cutter; !cutter.empty())
+      parts.files.push_back(machine_detail::cutter_path(one.spec, cutter));
     axes.push_back({one.spec.name,
                     one.spec.units.position,
                     {.what = Follow::What::setpoint, .index = axes.size()}});
@@ -423,12 +427,13 @@ void require_no_specs(const MachineOptions& options, const RecorderOptions& reco
 }
 
 void require_no_inputs(const MachineOptions& options, const RecorderOptions& record,
-                       const std::vector<ExecutorOptions>& axes) {
+                       const MachineParts& parts) {
   if (!options.log.empty())
-    for (const auto& axis : axes)
-      require_not_read(log_of(options.log, axis.receiver.executor, axes.size()), "log");
-  if (record.log) require_not_read(record.log->string(), "record");
-  if (record.black_box) require_not_read(record.black_box->string(), "black_box");
+    for (const auto& axis : parts.axes)
+      require_no_input(parts.files, log_of(options.log, axis.receiver.executor, parts.axes.size()),
+                       "log");
+  if (record.log) require_no_input(parts.files, record.log->string(), "record");
+  if (record.black_box) require_no_input(parts.files, record.black_box->string(), "black_box");
 }
 
 }  // namespace jounce

@@ -19,7 +19,7 @@ namespace {
 
 using profiles_detail::reserve_large;
 
-using path_detail::none;
+using path_detail::unlimited;
 
 using How = CornerShape::How;
 
@@ -39,8 +39,8 @@ class Rounding {
     else
       assemble(add);
     for (const std::int32_t line : view_.route.empty_lines)
-      joints_.push_back({0, line, JointNote::no_distance, false});
-    Rounded result{{}, std::move(units_), std::move(joints_)};
+      junctions_.push_back({0, line, JunctionNote::no_distance, false});
+    Rounded result{{}, std::move(units_), std::move(junctions_)};
     if (!sharp) result.path.emplace(n_, std::move(pieces_), std::move(numbers_));
     return result;
   }
@@ -77,7 +77,7 @@ class Rounding {
   }
 
   void require_ramps(const Box& b, std::size_t k) const {
-    if (!(b.acceleration < none) || !(b.acceleration > 0))
+    if (!(b.acceleration < unlimited) || !(b.acceleration > 0))
       throw InputError(
           "acceleration", "",
           "is missing: add acceleration to the limits of each axis that moves, or to [path.limits]")
@@ -97,7 +97,7 @@ class Rounding {
       if (s.how == How::turn) numbers += TurnNumbers::count(n_);
       if (s.is_round()) ++corners;
     }
-    reserve_large(joints_, marks);
+    reserve_large(junctions_, marks);
     units_ = path_detail::with_kept_memory<Unit>(count + corners);
     if (sharp) return;
     reserve_large(pieces_, count + corners);
@@ -105,11 +105,12 @@ class Rounding {
   }
 
   static bool is_marked(const CornerShape& s) {
-    return s.how != How::through || s.note != JointNote::none;
+    return s.how != How::through || s.note != JunctionNote::none;
   }
   void mark(std::size_t k) {
     const CornerShape& s = shapes_[k];
-    if (is_marked(s)) joints_.push_back({placed_, view_.piece(k).line, s.note, s.how == How::rest});
+    if (is_marked(s))
+      junctions_.push_back({placed_, view_.piece(k).line, s.note, s.how == How::rest});
   }
 
   /// Appends the pieces of the result, and calls `add` for each unit.
@@ -121,7 +122,7 @@ class Rounding {
       if (k > 0) mark(k);
       if (here.is_round()) {
         (here.how == How::turn) ? append_turn(k, here) : append_blend(k, here);
-        Unit unit{place_last(), {}, none, 0, placed_, 1, static_cast<std::uint32_t>(k)};
+        Unit unit{place_last(), {}, unlimited, 0, placed_, 1, static_cast<std::uint32_t>(k)};
         unit.box.constant = true;
         unit.box.velocity = here.velocity;
         add(unit);
@@ -140,7 +141,7 @@ class Rounding {
   template <class Add>
   void add_units(std::size_t k, double length, Add add) {
     const bool rests = how(k) == How::rest;
-    Unit unit{length, {}, none, 0, placed_, 1, static_cast<std::uint32_t>(k)};
+    Unit unit{length, {}, unlimited, 0, placed_, 1, static_cast<std::uint32_t>(k)};
     if (rests) {
       unit.entry = 0;
       unit.dwell = view_.route.joints[k].dwell;
@@ -156,7 +157,7 @@ class Rounding {
         unit.box = zones.zone[i].box;
         require_ramps(unit.box, k);
         add(unit);
-        unit.entry = none;
+        unit.entry = unlimited;
         unit.dwell = 0;
       }
       return;
@@ -215,7 +216,7 @@ class Rounding {
   std::vector<Unit> units_;
   std::uint32_t placed_ = 0;  // number of placed pieces
   double end_ = 0;            // end of the last piece
-  std::vector<JointMark> joints_;
+  std::vector<JunctionMark> junctions_;
 };
 
 }  // namespace

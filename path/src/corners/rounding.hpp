@@ -35,7 +35,7 @@ struct CornerShape {
   double share = 0;   ///< share b of a turn
   double velocity = PathSettings::none;
   How how = How::through;
-  JointNote note = JointNote::none;
+  JunctionNote note = JunctionNote::none;
 
   [[nodiscard]] bool is_round() const { return how == How::turn || how == How::blend; }
 };
@@ -49,7 +49,7 @@ std::vector<CornerShape> shapes_of(const Route& route, const Lines& lines, const
 struct Rounded {
   std::optional<Path> path;  ///< nullopt: no corner is rounded, so the path of the route applies
   std::vector<Unit> units;
-  std::vector<JointMark> joints;
+  std::vector<JunctionMark> junctions;
 };
 
 /// Rounds the corners.

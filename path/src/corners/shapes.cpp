@@ -22,7 +22,7 @@ using profiles_detail::rounded_sum;
 using profiles_detail::square;
 using profiles_detail::two_roundings;
 
-using path_detail::none;
+using path_detail::unlimited;
 
 using How = CornerShape::How;
 
@@ -151,7 +151,7 @@ class Shapes {
     const bool asked = view_.settings(k).corner == Corner::stop || stop_[k];
     if (!asked && !bend.turns_back()) return false;
     s.how = How::rest;
-    if (!asked) s.note = JointNote::turns_back;
+    if (!asked) s.note = JunctionNote::turns_back;
     return true;
   }
 
@@ -167,7 +167,7 @@ class Shapes {
     CornerShape s;
     // Without a jerk limit, the acceleration may step, and a blend takes only time.
     if (view_.settings(k).corner == Corner::stop || !has_jerk_limit()) {
-      s.note = JointNote::steps;
+      s.note = JunctionNote::steps;
     } else if (stop_[k]) {
       s.how = How::rest;
     } else {
@@ -178,7 +178,7 @@ class Shapes {
 
   [[nodiscard]] bool has_jerk_limit() const {
     const auto jerks = std::span(view_.rates.jerk).first(view_.axes());
-    return std::ranges::any_of(jerks, [](double jerk) { return jerk < none; });
+    return std::ranges::any_of(jerks, [](double jerk) { return jerk < unlimited; });
   }
 
   [[nodiscard]] CornerShape turned(std::size_t k, const Bend& corner, double room) const {
@@ -198,22 +198,22 @@ class Shapes {
       rates.jerk = std::min(rates.jerk, view_.rates.jerk[i] / d);
     }
     const PathSettings& asked = view_.settings(k);
-    const bool bounded = rates.acceleration < none || rates.jerk < none;
+    const bool bounded = rates.acceleration < unlimited || rates.jerk < unlimited;
     Turn turn;
     bool fits = true;
     if (asked.corner == Corner::curvature) {
       turn = curved_turn(rates, bend / square(corner.cosine()), asked.value);
       fits = turn.length <= 2 * room;
-      if (!fits) turn = fastest_turn(rates, none, 2 * room);
+      if (!fits) turn = fastest_turn(rates, unlimited, 2 * room);
     } else if (asked.corner == Corner::velocity) {
       fastest = std::min(fastest, asked.value);
-      turn = bounded ? least_turn(rates, fastest) : fastest_turn(rates, none, 2 * room);
+      turn = bounded ? least_turn(rates, fastest) : fastest_turn(rates, unlimited, 2 * room);
       fits = turn.length <= 2 * room;
-      if (!fits) turn = fastest_turn(rates, none, 2 * room);
+      if (!fits) turn = fastest_turn(rates, unlimited, 2 * room);
     } else {
       const bool distance = asked.corner == Corner::distance;
       const double length = distance ? std::min(2 * asked.value, 2 * room) : 2 * room;
-      turn = fastest_turn(rates, distance ? none : asked.value / bend, length);
+      turn = fastest_turn(rates, distance ? unlimited : asked.value / bend, length);
       fits = turn.length < 2 * room || (distance && asked.value <= room);
       // A corner is no larger than its velocity needs.
       if (bounded && turn.velocity > fastest) {
@@ -227,7 +227,7 @@ class Shapes {
     s.share = turn.share;
     s.velocity = std::min(turn.velocity, fastest);
     if (!fits && (asked.corner == Corner::curvature || turn.velocity < fastest))
-      s.note = JointNote::short_sides;
+      s.note = JunctionNote::short_sides;
     return s;
   }
 
@@ -282,14 +282,14 @@ class Shapes {
     CornerShape s;
     if (is_rounding(k, trim)) {
       s.how = How::rest;
-      s.note = JointNote::slower;
+      s.note = JunctionNote::slower;
       return s;
     }
     s.how = How::blend;
     s.trim = trim;
     s.velocity = blend_velocity(k, blend_of(view_.route.path, k - 1, trim));
     if (asked.corner == Corner::velocity) s.velocity = std::min(s.velocity, asked.value);
-    if (!fits) s.note = JointNote::short_sides;
+    if (!fits) s.note = JunctionNote::short_sides;
     return s;
   }
 
@@ -329,7 +329,7 @@ class Shapes {
     const Box before = box(k - 1);
     const Box behind = box(k);
     const auto lost = [](double v, const Box& b, double a) {
-      if (!(v < b.velocity) || !(b.velocity < none)) return 0.0;
+      if (!(v < b.velocity) || !(b.velocity < unlimited)) return 0.0;
       return ramp_time(b.velocity - v, a, b.jerk) -
              ramp_distance(v, b.velocity, a, b.jerk) / b.velocity;
     };
@@ -393,7 +393,7 @@ class Shapes {
 
   [[nodiscard]] double blend_velocity(std::size_t k, const Blend& blend) const {
     const double speed = greatest_speed(blend.segments(), view_.rates.path_axes);
-    const double feed = speed > 0 ? view_.cap(k) / std::max(speed, 1.0) : none;
+    const double feed = speed > 0 ? view_.cap(k) / std::max(speed, 1.0) : unlimited;
     return std::min(blend_box(view_.curved, blend.segments()).velocity, feed);
   }
 
@@ -432,16 +432,16 @@ class Shapes {
     const double a = std::min(before.deceleration, behind.acceleration);
     const double j = std::min(before.jerk, behind.jerk);
     const double half = std::min(view_.piece(k - 1).length, view_.piece(k).length) / 2;
-    const double v = std::min(
-        {before.velocity, behind.velocity, entry_velocity(half, 0, Ramp{a, j}).value_or(none)});
-    if (!(v < none) || s.velocity >= v) return;
+    const double v = std::min({before.velocity, behind.velocity,
+                               entry_velocity(half, 0, Ramp{a, j}).value_or(unlimited)});
+    if (!(v < unlimited) || s.velocity >= v) return;
     const auto lost = [&](double from) {
       return 2 * (ramp_time(v - from, a, j) - ramp_distance(from, v, a, j) / v);
     };
     if (lost(s.velocity) + 2 * s.trim * (1 / s.velocity - 1 / v) > lost(0)) {
       s = CornerShape{};
       s.how = How::rest;
-      s.note = JointNote::slower;
+      s.note = JunctionNote::slower;
     }
   }
 

@@ -38,7 +38,8 @@ Plan halted(const Plan& plan, double t) {
     if (held.law.empty())
       held.until(here, std::min(here.duration, path_detail::shortest_rest * plan.duration()));
     return Plan(plan.path(), TimingLaw(std::move(held.law)),
-                {plan.joints().begin(), plan.joints().end()}, plan.stop_duration(), plan.given());
+                {plan.junctions().begin(), plan.junctions().end()}, plan.stop_duration(),
+                plan.given());
   };
   if (here.pieces == 0) {  // in a dwell
     if (into > 0) {
@@ -147,7 +148,7 @@ Plan remaining(const Plan& plan, double from, double rested) {
   flush();
   return {plan.path(),
           TimingLaw(std::move(law)),
-          {plan.joints().begin(), plan.joints().end()},
+          {plan.junctions().begin(), plan.junctions().end()},
           plan.stop_duration(),
           plan.given()};
 }

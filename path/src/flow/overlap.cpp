@@ -35,7 +35,7 @@ namespace {
 using profiles_detail::rounded_root;
 using profiles_detail::rounded_value;
 
-using path_detail::none;
+using path_detail::unlimited;
 
 constexpr double overlap_resolution = 1e-14;  ///< relative, of a bisection
 /// Share of the greatest one: a shorter overlap saves no time.
@@ -147,7 +147,7 @@ class Overlapping {
       Unit unit;
       unit.length = pieces[k].length;
       unit.box = line_box(rates_, settings_[pieces[k].settings], legs[k].direction.data());
-      if (!(unit.box.acceleration > 0 && unit.box.acceleration < none))
+      if (!(unit.box.acceleration > 0 && unit.box.acceleration < unlimited))
         throw InputError("acceleration", unit.box.acceleration,
                          "is missing: add acceleration to the limits of each axis that moves, or "
                          "to [path.limits]")
@@ -204,12 +204,12 @@ class Overlapping {
               limits[order - 1] * (1 + rounded_root))
             return false;
       }
-    return !(options_.deviation < none) || deviation(a, b, common) <= options_.deviation;
+    return !(options_.deviation < unlimited) || deviation(a, b, common) <= options_.deviation;
   }
 
   [[nodiscard]] double deviation(const Leg& a, const Leg& b,
                                  const std::vector<Common>& common) const {
-    double least = none;
+    double least = unlimited;
     for (const Common& c : common) {
       std::array<Segment, max_axes> axes;
       for (std::size_t i = 0; i < n_; ++i) axes[i] = axis(i, a, b, c);

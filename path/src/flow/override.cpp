@@ -37,7 +37,7 @@ namespace {
 using profiles_detail::rounded_digit;
 using profiles_detail::rounded_sum;
 
-using path_detail::none;
+using path_detail::unlimited;
 constexpr double rounding = 1e-13;  ///< relative tolerance of velocities and lengths
 
 void require_valid(std::span<const FactorRequest> steps) {
@@ -92,7 +92,7 @@ class Player {
     if (law.law.empty()) law.rest(base_.path(), 0, path_detail::shortest_rest * base_.duration());
     return {base_.path(),
             TimingLaw(std::move(law.law)),
-            {base_.joints().begin(), base_.joints().end()},
+            {base_.junctions().begin(), base_.junctions().end()},
             base_.stop_duration(),
             base_.given()};
   }
@@ -137,14 +137,14 @@ class Player {
     const double now = factor_at(t);
     for (const FactorRequest& s : steps_)
       if (s.time > t * (1 + rounded_digit) && s.factor != now) return s.time;
-    return none;
+    return unlimited;
   }
 
   /// Rests until the override is above 0; false if it never is.
   bool wait(Place& at) {
     double until = at.time;
-    while (until < none && factor_at(until) == 0) until = next_change(until);
-    if (until == none) return false;
+    while (until < unlimited && factor_at(until) == 0) until = next_change(until);
+    if (until == unlimited) return false;
     out_.rest(base_.path(), all_.starts[at.unit] + at.within, until - at.time);
     at.time = until;
     return true;
@@ -349,7 +349,7 @@ class Player {
 Plan played(const Plan& plan, std::span<const FactorRequest> steps) {
   require_valid(steps);
   double greatest = 1;
-  double first = none;
+  double first = unlimited;
   for (const FactorRequest& s : steps) {
     greatest = std::max(greatest, s.factor);
     if (s.factor != 1) first = std::min(first, s.time);

@@ -167,7 +167,7 @@ class Replanned {
     out.rest(path_, path_.length(), dwells_[count]);
     return {path_,
             TimingLaw(std::move(out.law)),
-            {plan_.joints().begin(), plan_.joints().end()},
+            {plan_.junctions().begin(), plan_.junctions().end()},
             plan_.stop_duration(),
             plan_.given()};
   }

@@ -142,7 +142,7 @@ Plan retreated(const Plan& plan, const Plan& held, double to) {
   }
   return {path,
           TimingLaw(std::move(law.law)),
-          {plan.joints().begin(), plan.joints().end()},
+          {plan.junctions().begin(), plan.junctions().end()},
           plan.stop_duration(),
           std::move(given)};
 }

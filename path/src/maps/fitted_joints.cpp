@@ -31,12 +31,12 @@ namespace {
 
 using profiles_detail::rounded_sum;
 
-using path_detail::none;
+using path_detail::unlimited;
 constexpr int deepest = 44;     ///< greatest number of halvings
 constexpr int deepest_box = 6;  ///< greatest number of halvings that make boxes more even
 /// A part must permit at least this share of the velocity at its ends.
 constexpr double even = 0.85;
-/// rad of an arc; over this angle, a polynomial of degree 11 is exact to rounding.
+/// rad of an arc; up to this angle, a polynomial of degree 11 is exact to rounding.
 constexpr double widest = 0.25;
 constexpr int samples = 8;  ///< number of samples in each part, for a map without bounds
 constexpr double joint_rounding = 8e-15;
@@ -92,7 +92,7 @@ class Fitting {
         n_(path_.axes()),
         all_(n_ + map_.joints()) {}
 
-  Jointed run(std::vector<JointMark> marks) {
+  Jointed run(std::vector<JunctionMark> marks) {
     for (std::size_t k = 0; k < tool_units_.size(); ++k)
       if (k == 0 || tool_units_[k].piece != tool_units_[k - 1].piece)
         add(k);  // not each part of an arc
@@ -165,6 +165,25 @@ class Fitting {
     fail(part, bad, beyond);
   }
 
+  /// Reports why the fit does not converge. Over so short a part, a joint has one velocity, unless it is singular.
+  [[noreturn]] void fail_to_fit(const Part& part, const Jets& begin, const Jets& end,
+                                double error) const {
+    for (std::size_t j = 0; j < map_.joints(); ++j) {
+      const double mean = (end[j][0] - begin[j][0]) / part.length;
+      const double size = std::max(std::abs(begin[j][0]), std::abs(end[j][0]));
+      const auto [least, most] = std::minmax({begin[j][1], mean, end[j][1]});
+      const double allowed =
+          std::max(std::abs(least), std::abs(most)) / 2 + joint_rounding * size / part.length;
+      if (!std::isfinite(error) || !std::isfinite(allowed) || most - least > allowed)
+        fail(part, 1, MapState::singular);
+    }
+    throw InputError("tolerance", joints_.tolerance,
+                     "is below the error of the fitted joints, which is " + six_digits(error) +
+                         " in their unit at " + six_digits(part.start) +
+                         " along the path: give a greater tolerance")
+        .at({}, path_.pieces()[tool_units_[unit_].piece].line);
+  }
+
   /// Removes jumps of angles by whole turns: between this part and the previous one, and between
   /// its start and its end.
   void join(Jets& begin, Jets& end) const {
@@ -185,7 +204,7 @@ class Fitting {
       for (std::size_t j = 0; j < m; ++j) {
         const double turn = map_.turn(j);
         if (!std::isfinite(bounds[j].eighth) || (turn > 0 && !(bounds[j].first < turn / 4)))
-          return none;
+          return unlimited;
         error = std::max(error, septic_error * bounds[j].eighth *
                                     (1 + rounded_sum));  // (1), with rounded constants
       }
@@ -221,9 +240,9 @@ class Fitting {
     Axes fitted;
     for (std::size_t j = 0; j < map_.joints(); ++j)
       fitted[j] = septic(part.length, begin[j], end[j]);
-    const double error = angle <= widest ? error_of(part, fitted) : none;
+    const double error = angle <= widest ? error_of(part, fitted) : unlimited;
     if (!(error <= joints_.tolerance)) {
-      if (depth >= deepest) fail(part, 1, MapState::singular);
+      if (depth >= deepest) fail_to_fit(part, begin, end, error);
       return halves(part, depth);
     }
     Axes axes;
@@ -296,7 +315,7 @@ class Fitting {
     added.box = box_of(part, axes, bounds);
     added.piece = static_cast<std::uint32_t>(pieces_.size());
     if (!first_) {
-      added.entry = none;
+      added.entry = unlimited;
       added.dwell = 0;
     }
     first_ = false;
@@ -324,7 +343,8 @@ class Fitting {
 
 Jointed fitted_joints(Path path, Rounded tool, const JointSpace& joints, const Rates& rates,
                       const Program& program) {
-  return Fitting(std::move(path), tool.units, joints, rates, program).run(std::move(tool.joints));
+  return Fitting(std::move(path), tool.units, joints, rates, program)
+      .run(std::move(tool.junctions));
 }
 
 }  // namespace jounce

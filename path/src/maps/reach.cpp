@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "jounce/profiles/detail/tolerances.hpp"
+
+#include "path/src/timing/not_limited.hpp"
 
 // The line is passed in steps. A step from q to q + h is accepted if the joints stay in their ranges
 // on all of it. With b >= |d joint/ds| on the step, s = (position - q) / h, and the joint positions
@@ -24,7 +25,8 @@ namespace {
 using JointJets = std::array<Jet, max_axes>;
 using JointPlaces = std::array<double, max_axes>;
 
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+using path_detail::unlimited;
+
 /// Distance that the joints keep from the ends of their ranges, in their unit: the tolerance of
 /// fitted joints (JointSpace), twice.
 constexpr double joint_margin = 2e-9;

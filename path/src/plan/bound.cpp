@@ -30,7 +30,7 @@ namespace {
 
 using profiles_detail::rounded_input;
 
-using path_detail::none;
+using path_detail::unlimited;
 
 constexpr double short_cell = 1e-12;  ///< in (2) the cell is as short as if its slope were 0
 /// Share of the path's velocity: an axis below it gives no slope.
@@ -42,22 +42,22 @@ struct Growth {
 
 struct Cell {
   double length = 0;
-  double most = none;  ///< bound of B over the cell, from velocities along the path
+  double most = unlimited;  ///< bound of B over the cell, from velocities along the path
   std::array<Growth, max_axes + 1> up{}, down{};
   std::size_t ups = 0, downs = 0;
-  double total = none;   ///< bound of the total acceleration
-  double curvature = 0;  ///< constant curvature of a circle with unit speed; 0: none
+  double total = unlimited;  ///< bound of the total acceleration
+  double curvature = 0;      ///< constant curvature of a circle with unit speed; 0: none
 };
 
 double grown(const Cell& cell, std::span<const Growth> growth, double B) {
-  double most = none;
+  double most = unlimited;
   for (const auto& [f, s] : growth) {
     const double x = 2 * s * cell.length;
     const double factor = std::abs(x) < short_cell ? 2 * cell.length : std::expm1(x) / s;
     // A negative slope is replaced by 0, because (1) holds with p only if the slope is positive.
     most = std::min(most, f + s * B > 0 ? B * std::exp(x) + f * factor : B);
   }
-  if (cell.total < none && cell.curvature > 0) {
+  if (cell.total < unlimited && cell.curvature > 0) {
     const double peak = cell.total / cell.curvature;
     const double angle = std::asin(std::min(B / peak, 1.0)) + 2 * cell.curvature * cell.length;
     most = std::min(most, angle < std::numbers::pi / 2 ? peak * std::sin(angle) : peak);
@@ -67,10 +67,10 @@ double grown(const Cell& cell, std::span<const Growth> growth, double B) {
 
 /// The greatest dB/dq over a cell in which B runs from `from` to `cell.most`.
 double steepest(const Cell& cell, std::span<const Growth> growth, double from) {
-  double most = none;
+  double most = unlimited;
   for (const auto& [f, s] : growth)
     most = std::min(most, 2 * (f + std::max(0.0, s > 0 ? s * cell.most : 0.0)));
-  if (cell.total < none) {
+  if (cell.total < unlimited) {
     const double normal = std::min(cell.curvature * from, cell.total);
     most = std::min(most, 2 * std::sqrt((cell.total - normal) * (cell.total + normal)));
   }
@@ -87,12 +87,12 @@ double least_time(const Cell& cell, double b0, double b1) {
   const double up = steepest(cell, std::span(cell.up).first(cell.ups), b0);
   const double down = steepest(cell, std::span(cell.down).first(cell.downs), b1);
   const double top = cell.most;
-  const double rise = up < none ? std::max(0.0, (top - b0) / up) : 0;
-  const double fall = down < none ? std::max(0.0, (top - b1) / down) : 0;
-  if (rise + fall <= h && top < none)
+  const double rise = up < unlimited ? std::max(0.0, (top - b0) / up) : 0;
+  const double fall = down < unlimited ? std::max(0.0, (top - b1) / down) : 0;
+  if (rise + fall <= h && top < unlimited)
     return linear_time(rise, b0, top) + linear_time(fall, top, b1) +
            (h - rise - fall) / std::sqrt(top);
-  if (up == none || down == none) return 0;
+  if (up == unlimited || down == unlimited) return 0;
   const double x = up + down > 0 ? std::clamp((b1 + down * h - b0) / (up + down), 0.0, h) : h;
   const double peak = b0 + up * x;
   return linear_time(x, b0, peak) + linear_time(h - x, peak, b1);
@@ -156,9 +156,9 @@ class Bound {
       const PathLimits& p = rates_.path;
       const double up = std::min({p.acceleration, settings.acceleration});
       double down = std::min({p.deceleration, settings.deceleration});
-      if (down == none) down = up;
-      if (up < none) cell.up[cell.ups++] = {up, 0};
-      if (down < none) cell.down[cell.downs++] = {down, 0};
+      if (down == unlimited) down = up;
+      if (up < unlimited) cell.up[cell.ups++] = {up, 0};
+      if (down < unlimited) cell.down[cell.downs++] = {down, 0};
       curvature_of(k, (u0 + u1) / 2, cell);
       caps.back() = std::min(caps.back(), cell.most);
       cells.push_back(cell);
@@ -182,7 +182,7 @@ class Bound {
   /// Adds (1) of one axis over [u0, u1] of a piece.
   void add_axis(std::size_t i, const std::vector<Segment>& segments, double u0, double u1,
                 Cell& cell) const {
-    double p = none, P = -none, c = none, C = -none;
+    double p = unlimited, P = -unlimited, c = unlimited, C = -unlimited;
     double start = 0;
     for (const Segment& f : segments) {
       const double s0 = std::max(0.0, (u0 - start) / f.length);
@@ -205,7 +205,7 @@ class Bound {
     if (least > 0)
       cell.most = std::min(cell.most, rates_.velocity[i] * rates_.velocity[i] / (least * least));
     const double A = rates_.acceleration[i];
-    if (!(least > 0) || A == none) return;
+    if (!(least > 0) || A == unlimited) return;
     cell.up[cell.ups++] = {A / least, -c / least};
     cell.down[cell.downs++] = {A / least, C / least};
   }
@@ -215,7 +215,7 @@ class Bound {
     std::array<Jet, max_axes> jet{};
     const std::size_t n = rates_.axes;
     plan_.path().jets(k, u, std::span(jet).first(n));
-    double most = none;
+    double most = unlimited;
     std::size_t fastest = 0;
     for (std::size_t i = 1; i < n; ++i)
       if (std::abs(jet[i][1]) > std::abs(jet[fastest][1])) fastest = i;
@@ -241,7 +241,7 @@ class Bound {
       }
     }
     const double normal = std::min(rates_.path.normal_acceleration, rates_.path.total_acceleration);
-    if (normal < none && plan_.path().pieces()[k].kind == PieceKind::arc) {
+    if (normal < unlimited && plan_.path().pieces()[k].kind == PieceKind::arc) {
       Cell cell;
       curvature_of(k, u, cell);
       if (cell.curvature > 0) most = std::min(most, normal / cell.curvature);

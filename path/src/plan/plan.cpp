@@ -149,7 +149,7 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
   Rounded& made = result.rounded;
   return {made.path ? std::move(*made.path) : std::move(from->path),
           TimingLaw(std::move(law.stretches)),
-          std::move(made.joints),
+          std::move(made.junctions),
           stop_duration,
           {joined.limits(),
            {program.settings().begin(), program.settings().end()},
@@ -158,11 +158,11 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
            result.fit}};
 }
 
-Plan::Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration,
+Plan::Plan(Path path, TimingLaw law, std::vector<JunctionMark> junctions, double stop_duration,
            Given given)
     : path_(std::move(path)),
       law_(std::move(law)),
-      joints_(std::move(joints)),
+      junctions_(std::move(junctions)),
       stop_duration_(stop_duration),
       given_(std::move(given)) {}
 

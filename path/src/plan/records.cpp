@@ -12,6 +12,7 @@
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
 #include "path/src/plan/drawn.hpp"
+#include "path/src/timing/box.hpp"
 #include "path/src/timing/stretch.hpp"
 
 namespace jounce {
@@ -24,10 +25,10 @@ class Records {
   explicit Records(const Plan& plan)
       : plan_(plan), path_(plan.drawn()), n_(path_.axes()), m_(plan.given().path_axes) {}
 
-  [[nodiscard]] CornerRecord record(const JointMark& mark) const {
+  [[nodiscard]] CornerRecord record(const JunctionMark& mark) const {
     const PathPiece& piece = path_.pieces()[mark.piece];
     // A corner may replace the whole piece that begins with a step of the curvature.
-    const bool steps = mark.note == JointNote::steps;
+    const bool steps = mark.note == JunctionNote::steps;
     const bool corner = is_corner(piece) && !steps;
     const PathSettings& settings =
         plan_.given().settings[steps && is_corner(piece) ? piece.settings_before : piece.settings];
@@ -37,14 +38,14 @@ class Records {
     c.note = mark.note;
     c.asked = settings.corner;
     c.value = settings.value;
-    if (mark.note != JointNote::no_distance && (corner || mark.piece > 0)) {
+    if (mark.note != JunctionNote::no_distance && (corner || mark.piece > 0)) {
       c.angle = steps ? 0 : angle(mark.piece);
       c.where = piece.start + (corner ? piece.length / 2 : 0);
     }
     if (corner) c.trim = piece.length / 2;
     if (corner && piece.kind == PieceKind::turn) of_turn(mark.piece, c);
     if (corner && piece.kind == PieceKind::blend) of_blend(mark.piece, c);
-    if (!c.stop && mark.note != JointNote::no_distance) c.velocity = velocity(c.where);
+    if (!c.stop && mark.note != JunctionNote::no_distance) c.velocity = velocity(c.where);
     c.text = explain(c);
     return c;
   }
@@ -158,23 +159,23 @@ std::string request(const CornerRecord& c, std::string_view unit) {
 std::string explain(const CornerRecord& corner, std::string_view length_unit) {
   const std::string unit = length_unit.empty() ? "" : " " + std::string(length_unit);
   switch (corner.note) {
-    case JointNote::none:
+    case JunctionNote::none:
       return "";
-    case JointNote::turns_back:
+    case JunctionNote::turns_back:
       return "The path turns back by " + six_digits(corner.angle * 180 / std::numbers::pi) +
              " degrees: the plan stops here.";
-    case JointNote::short_sides:
+    case JunctionNote::short_sides:
       return "The sides are too short for " + request(corner, unit) + ": a corner with a trim of " +
              six_digits(corner.trim) + unit + " and a deviation of " +
              six_digits(corner.deviation) + unit + " is used.";
-    case JointNote::slower:
+    case JunctionNote::slower:
       return "Rounding within " + request(corner, unit) +
              " takes longer than stopping: the plan stops here.";
-    case JointNote::steps:
+    case JunctionNote::steps:
       return std::string("The curvature steps here, and the acceleration with it; ") +
              (corner.asked == Corner::stop ? "a corner mode" : "a jerk limit of the axes") +
              " rounds the step.";
-    case JointNote::no_distance:
+    case JunctionNote::no_distance:
       return "The command covers no distance: it is left out.";
   }
   return "";
@@ -199,9 +200,9 @@ std::vector<std::size_t> drawn_pieces(const Plan& plan) {
 
 std::vector<CornerRecord> Plan::corners() const {
   std::vector<CornerRecord> out;
-  out.reserve(joints_.size());
+  out.reserve(junctions_.size());
   const Records records(*this);
-  for (const JointMark& mark : joints_) out.push_back(records.record(mark));
+  for (const JunctionMark& mark : junctions_) out.push_back(records.record(mark));
   return out;
 }
 

@@ -35,7 +35,7 @@
 namespace jounce {
 namespace {
 
-using path_detail::none;
+using path_detail::unlimited;
 using profiles_detail::rounded_input;
 using profiles_detail::rounded_sum;
 
@@ -247,7 +247,7 @@ class RunProblem {
     for (std::size_t i = 0; i < 3; ++i) v += b[i] * most.b[first + i];
     v = std::sqrt(v);
     const auto row = [&](double of_a, double of_j, double of_b, double limit, double low) {
-      if (!(limit < none)) return;
+      if (!(limit < unlimited)) return;
       SpeedRow next{{}, low, static_cast<std::uint32_t>(first)};
       for (std::size_t i = 0; i < 3; ++i)
         next.c[i] = (of_a * a[i] + of_j * j[i] + of_b * b[i]) / limit;
@@ -272,8 +272,8 @@ class RunProblem {
     const PathLimits& limits = rates_.path;
     double up = std::min({limits.acceleration, own.acceleration, limits.total_acceleration});
     double down = std::min({limits.deceleration, own.deceleration, limits.total_acceleration});
-    if (up == none) up = down;
-    if (down == none) down = up;
+    if (up == unlimited) up = down;
+    if (down == unlimited) down = up;
     row(1, 0, 0, up, down / up);
     row(0, 1, 0, std::min(limits.jerk, own.jerk), 1);
     bend = std::sqrt(bend);
@@ -281,7 +281,7 @@ class RunProblem {
     if (bend > 0) row(0, 0, bend, normal, 1);
     // The circle of the total acceleration is replaced by a polygon of sixteen sides within it.
     constexpr double inside = 0.98078528040323044913;  // cos(pi / 16)
-    if (bend > 0 && limits.total_acceleration < none)
+    if (bend > 0 && limits.total_acceleration < unlimited)
       for (const double angle :
            {0.39269908169872415481, 0.78539816339744830962, 1.17809724509617246442})
         for (const double sign : {-1.0, 1.0})
@@ -329,7 +329,7 @@ class RunLaw {
     Speeds most = speeds_;
     for (double& b : most.b) b *= 1 + margin;
     most = equal_times(most, count_);
-    window_ = none;
+    window_ = unlimited;
     for (std::size_t k = 0; k < count_; ++k) window_ = std::min(window_, duration_of(most, k));
     const SpeedProblem problem = problem_.at(most, window_);
     std::vector<double> b = most.b;
@@ -489,8 +489,8 @@ class Refinement {
       }
       i = runs_[next++].end;
     }
-    const auto joints = plan_.joints();
-    return Plan(plan_.path(), TimingLaw(std::move(all)), {joints.begin(), joints.end()},
+    const auto junctions = plan_.junctions();
+    return Plan(plan_.path(), TimingLaw(std::move(all)), {junctions.begin(), junctions.end()},
                 plan_.stop_duration(), plan_.given());
   }
 

@@ -9,7 +9,7 @@
 
 namespace jounce {
 
-using path_detail::none;
+using path_detail::unlimited;
 
 CommandBoxes::CommandBoxes(const Path& path, const Rates& rates, const Program& program)
     : path_(path), rates_(rates), program_(program), limited_(limit_axes(program.settings())) {}
@@ -48,7 +48,7 @@ std::vector<Unit> CommandBoxes::lowered(std::vector<Unit> units) const {
     if (unit.box.constant && applies_to(unit))
       unit.box.velocity = std::min(unit.box.velocity, corner_velocity(unit.piece));
   const auto at_corner = [](const Unit& unit) {
-    return unit.box.constant ? unit.box.velocity : none;
+    return unit.box.constant ? unit.box.velocity : unlimited;
   };
   std::vector<Unit> out;
   out.reserve(units.size());
@@ -82,7 +82,7 @@ std::vector<Unit> CommandBoxes::lowered(std::vector<Unit> units) const {
       unit.length = zones.zone[i].length;
       unit.box = zones.zone[i].box;
       out.push_back(unit);
-      unit.entry = none;
+      unit.entry = unlimited;
       unit.dwell = 0;
     }
   }

@@ -52,11 +52,11 @@ std::vector<LawInterval> stretches_of(const Path& path, std::size_t first, std::
 
 namespace {
 
-using path_detail::none;
+using path_detail::unlimited;
 constexpr double reserve = 1 + 1e-9;  ///< for rounding of the times in an average
 
 double end_time(const std::vector<LawInterval>& law) {
-  return law.empty() ? none : law.back().time + law.back().duration;
+  return law.empty() ? unlimited : law.back().time + law.back().duration;
 }
 
 /// The law of a window over the pieces of a run. Its accelerations and jerks are shares of the rest
@@ -84,7 +84,7 @@ class WindowLaw {
         double feed = std::min(settings.velocity, rates.path.velocity) / bounds_.back().speed;
         if (corners_.back()) feed = std::min(feed, unit.box.velocity);
         feeds_.push_back(feed);
-        entries_.push_back(k == 0 ? unit.entry : none);
+        entries_.push_back(k == 0 ? unit.entry : unlimited);
         acceleration_ = std::min({acceleration_, settings.acceleration, settings.deceleration});
         jerk_ = std::min(jerk_, settings.jerk);
         for (std::size_t i = 0; i < rates.axes; ++i) {
@@ -99,8 +99,8 @@ class WindowLaw {
   }
 
   std::vector<LawInterval> run() {
-    if (!(acceleration_ < none) || !(jerk_ < none)) return {};
-    double best = none;
+    if (!(acceleration_ < unlimited) || !(jerk_ < unlimited)) return {};
+    double best = unlimited;
     double best_a = 0;
     double best_j = 0;
     std::vector<RawPhase> phases;
@@ -139,7 +139,7 @@ class WindowLaw {
     for (std::size_t k = 0; k < bounds_.size(); ++k) {
       const double v = std::min(
           {feeds_[k], entries_[k], velocity_of_piece(k, acceleration * reserve, jerk * reserve)});
-      if (!(v > 0) || !(v < none)) return {};
+      if (!(v > 0) || !(v < unlimited)) return {};
       caps.push_back({path_.pieces()[first_ + k].length, v});
     }
     return spread_law(caps, acceleration, acceleration / jerk);
@@ -153,7 +153,7 @@ class WindowLaw {
   std::vector<Derivatives> bounds_;
   std::vector<bool> corners_;
   std::vector<double> feeds_, entries_;
-  double acceleration_ = none, jerk_ = none;
+  double acceleration_ = unlimited, jerk_ = unlimited;
   double length_ = 0;
 };
 
@@ -168,7 +168,7 @@ bool is_curved(const Path& path, std::span<const Unit> units) {
 /// The faster of both laws for a run.
 std::vector<LawInterval> fastest(const Path& path, std::vector<Unit> run, const Rates& rates,
                                  const Program& program) {
-  run.front().entry = none;
+  run.front().entry = unlimited;
   if (!is_curved(path, run)) return stations(std::move(run));
   std::vector<LawInterval> law = stations(run);
   std::vector<LawInterval> window = WindowLaw(path, run, rates, program).run();

@@ -5,6 +5,6 @@
 
 namespace jounce::path_detail {
 
-inline constexpr double none = PathSettings::none;  ///< not limited
+inline constexpr double unlimited = PathSettings::none;  ///< a velocity, acceleration or jerk
 
 }  // namespace jounce::path_detail

@@ -18,7 +18,7 @@
 namespace jounce {
 namespace {
 
-using path_detail::none;
+using path_detail::unlimited;
 
 constexpr double reduction = 0.03;      ///< the share s
 constexpr std::size_t least_chain = 4;  ///< turns
@@ -64,7 +64,7 @@ class OpenTurn {
       if (!(first > 0)) continue;
       a = std::min(a, (rates_.acceleration[i] - second * v * v) / first);
       const double left = rates_.jerk[i] - bounds_.third[i] * v * v * v;
-      if (!(left < none)) continue;
+      if (!(left < unlimited)) continue;
       box.jerk = std::min(box.jerk, left / 2 / first);
       if (second > 0) a = std::min(a, left / 2 / (3 * second * v));
     }
@@ -115,7 +115,7 @@ class Chains {
   }
   [[nodiscard]] bool is_line(std::size_t k) const {
     return k < units_.size() && path_.pieces()[units_[k].piece].kind == PieceKind::line &&
-           units_[k].entry == none;
+           units_[k].entry == unlimited;
   }
 
   /// True if two turns leave nearly nothing of the line that they share.

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "jounce/base/file.hpp"
 #include "jounce/design/axes.hpp"
 #include "jounce/design/over_time.hpp"
 #include "jounce/plot/input_figure.hpp"
@@ -22,7 +23,7 @@ bool is_of_loop(const FigureRequest& request) {
 /// Calls loop_figure(); errors name the member `drive`.
 Figure loop_of(const FigureRequest& request) {
   try {
-    return loop_figure(request.file, request.axis, request.drive);
+    return loop_figure(request);
   } catch (const InputError& error) {
     if (error.key() != "axis") throw;
     throw InputError("drive", error.value(), error.rule());
@@ -32,6 +33,7 @@ Figure loop_of(const FigureRequest& request) {
 std::vector<Input> inputs_of(const FigureRequest& request) {
   std::vector<Input> all = request.machine.empty() ? read_inputs(request.file)
                                                    : gcode_inputs(request.file, request.machine);
+  require_no_input(files_of(all), request.output);
   all = axes_named(std::move(all), request.axis, request.file);
   for (Input& input : all) input = over(request.over, std::move(input));
   return all;
@@ -40,6 +42,7 @@ std::vector<Input> inputs_of(const FigureRequest& request) {
 /// The only axis of the file `before`, or the axis with the name of `input`.
 Input before_of(const FigureRequest& request, const Input& input) {
   std::vector<Input> all = read_inputs(request.before);
+  require_no_input(files_of(all), request.output);
   if (all.size() > 1) all = axes_named(std::move(all), input.axis, request.before);
   return over(request.over, only_axis(std::move(all), request.before));
 }

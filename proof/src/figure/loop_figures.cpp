@@ -127,26 +127,27 @@ Figure nyquist_figure(const Drive& drive) {
 namespace {
 
 /// The drive of a spec or of its axis, without the curve: a spec of kind "drive" has none.
-Drive drive_in(const std::string& path, const std::string& axis, const std::string& which) {
-  const std::string text = read_file(path);
-  const std::string name = path == "-" ? "standard input" : path;
+Drive drive_in(const FigureRequest& request) {
+  const std::string text = read_file(request.file);
+  const std::string name = request.file == "-" ? "standard input" : request.file;
   const InputError missing("drive", "", "is missing: this picture needs a spec with a [drive]");
   if (is_finished_table(text)) throw InputError(missing).at(name);
   const Spec spec = parse_spec(text, name);
+  require_no_input(spec.document.all_files(), request.output);
   const std::vector<AxisPart> parts = spec.parts();
-  if (parts.size() > 1 && axis.empty())
-    throw InputError("axis", which, "shows one axis: name it with --axis");
+  if (parts.size() > 1 && request.axis.empty())
+    throw InputError("axis", request.drive, "shows one axis: name it with --axis");
   for (const AxisPart& part : parts)
-    if (part.drive && (axis.empty() || part.name == axis)) return part.drive->drive;
+    if (part.drive && (request.axis.empty() || part.name == request.axis)) return part.drive->drive;
   throw spec.document.located(missing);
 }
 
 }  // namespace
 
-Figure loop_figure(const std::string& path, const std::string& axis, const std::string& which) {
-  const Drive drive = drive_in(path, axis, which);
-  Figure figure = which == "bode" ? bode_figure(drive) : nyquist_figure(drive);
-  figure.title = path + ": " + figure.title;
+Figure loop_figure(const FigureRequest& request) {
+  const Drive drive = drive_in(request);
+  Figure figure = request.drive == "bode" ? bode_figure(drive) : nyquist_figure(drive);
+  figure.title = request.file + ": " + figure.title;
   return figure;
 }
 

@@ -25,6 +25,7 @@ namespace jounce {
 namespace {
 
 using profiles_detail::rounded_digit;
+using profiles_detail::rounded_input;
 using profiles_detail::rounded_sum;
 using profiles_detail::rounded_value;
 using profiles_detail::two_roundings;

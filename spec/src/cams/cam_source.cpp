@@ -90,16 +90,13 @@ CamSource read_cam_source(TomlReader& owner, const char* key) {
     owner.fail(key, '"' + given + '"',
                "refers back to this file: a cam cannot be made from itself");
   const OpenFile self(document.string());
-  std::string text;
-  try {
-    text = read_file(path);
-  } catch (const InputError& error) {
-    throw owner.document().naming(owner.path(key), path, error);
-  }
+  std::string text = owner.file_of(key, path, [&] { return read_file(path); });
   if (is_table(text)) return of_table(parse_table(text, path), given, owner, key);
   if (exchange_format_of_text(text) != nullptr)
     return of_table(parse_exchange(text, path), given, owner, key);
-  return of_spec(parse_source(std::move(text), path), given, owner, key);
+  const Spec source = parse_source(std::move(text), path);
+  owner.record_files(source.document.files);
+  return of_spec(source, given, owner, key);
 }
 
 NamedCam in_units(const CamSource& source, const Units& units, TomlReader& owner, const char* key) {

@@ -76,7 +76,7 @@ void write_sweep(const SweepFiles& files, const SweepSpec& spec, const SweepResu
   std::vector<Output> all;
   if (!files.csv.empty()) all.push_back({files.csv, to_csv(spec, result)});
   if (!files.npy.empty()) all.push_back({files.npy, to_npy(spec, result)});
-  write_files(all);
+  write_files(all, spec.document.all_files());
 }
 
 std::string stopped_text(const SweepFiles& files, const SweepSpec& spec,

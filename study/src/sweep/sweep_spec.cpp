@@ -204,7 +204,9 @@ std::vector<std::string> wanted(const std::vector<std::string>& figures, const S
 Assessment assess_given(TomlReader& top, const SweepSpec& spec,
                         const std::vector<std::string>& names) {
   try {
-    return assess(spec.base.spec({}), names);
+    const Spec given = spec.base.spec({});
+    top.record_files(given.document.files);
+    return assess(given, names);
   } catch (const InputError& error) {
     if (error.key() != "figure") throw;
     for (const char* key : {"figures", "minimize", "maximize"}) {

@@ -183,8 +183,8 @@ double with_stop(const Case& c, std::size_t k) {
 }
 
 bool steps(const Plan& plan) {
-  return std::ranges::any_of(plan.joints(),
-                             [](const JointMark& m) { return m.note == JointNote::steps; });
+  return std::ranges::any_of(plan.junctions(),
+                             [](const JunctionMark& m) { return m.note == JunctionNote::steps; });
 }
 
 Demand demand_of(const Case& c, const Plan& motion) {

@@ -111,7 +111,7 @@ std::string judge_corner(const Case& c, const Path& path, const CornerRecord& co
   if (corner.asked == Corner::distance && !(corner.trim <= corner.value * (1 + permitted)))
     return "line " + std::to_string(corner.line) + " is cut by " + text(corner.trim) +
            ", permitted is " + text(corner.value);
-  if (corner.asked == Corner::curvature && corner.note == JointNote::none && !followers &&
+  if (corner.asked == Corner::curvature && corner.note == JunctionNote::none && !followers &&
       !(corner.curvature <= corner.value * (1 + permitted)))
     return "line " + std::to_string(corner.line) + " has the curvature " + text(corner.curvature) +
            ", permitted is " + text(corner.value);
@@ -123,7 +123,7 @@ std::string judge_corner(const Case& c, const Path& path, const CornerRecord& co
 std::string judge_corners(const Case& c, const Plan& plan, Worst& worst) {
   for (const CornerRecord& corner : plan.corners()) {
     if (corner.stop || corner.line < 2) continue;
-    if (corner.note == JointNote::no_distance || corner.note == JointNote::steps) continue;
+    if (corner.note == JunctionNote::no_distance || corner.note == JunctionNote::steps) continue;
     if (std::string why =
             judge_corner(c, plan.path(), corner, static_cast<std::size_t>(corner.line) - 1, worst);
         !why.empty())

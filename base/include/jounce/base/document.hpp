@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "jounce/base/hash.hpp"
 #include "jounce/profiles/error.hpp"
@@ -39,6 +40,12 @@ struct Document {
   /// Numbers under another key, by the key that an error uses: a derivative by the master that the
   /// text gives over time.
   std::map<std::string, Given> converted = {};
+
+  /// The files that this document names, and those that they name, as far as they were read. A path may end in # and
+  /// the name of a sheet or a layer.
+  std::vector<std::string> files = {};
+  /// Returns the name of this document, and its files.
+  [[nodiscard]] std::vector<std::string> all_files() const;
 
   /// Returns the unit that the text gives for the number under `key`. For a number without a unit,
   /// and for a missing number, returns `otherwise`.

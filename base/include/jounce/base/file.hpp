@@ -3,7 +3,6 @@
 
 #include <cstdio>
 #include <initializer_list>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,29 +19,10 @@ enum class Archive {
 /// document, for a file that cannot be read, for broken UTF-16, and for a compressed file.
 std::string read_file(const std::string& path, Archive archive = Archive::rejected);
 
-/// Like read_file(), for a file that the program edits: KeptInputs does not record it, so the
-/// program can replace it.
-std::string read_edited_file(const std::string& path, Archive archive = Archive::rejected);
-
-/// Records the files that read_file() reads while the object exists. write_files() then does not
-/// replace any of them, so an output never overwrites an input. At most one object exists at a
-/// time.
-class KeptInputs {
- public:
-  KeptInputs();
-  ~KeptInputs();
-  KeptInputs(const KeptInputs&) = delete;
-  KeptInputs& operator=(const KeptInputs&) = delete;
-
- private:
-  struct Files;
-  std::unique_ptr<Files> files_;
-  friend void require_not_read(const std::string& path, const std::string& option);
-  friend std::string read_file(const std::string& path, Archive archive);
-};
-
-/// Throws InputError, with `option` as its key, if KeptInputs has recorded the file.
-void require_not_read(const std::string& path, const std::string& option);
+/// Throws InputError, with `option` as its key, if `output` is one of the files `inputs`, under any name: an output
+/// must not replace an input. A path of an input may end in # and the name of a sheet or a layer.
+void require_no_input(const std::vector<std::string>& inputs, const std::string& output,
+                      const std::string& option = "output");
 
 /// Returns the stream for the summary of a command: standard error if one of its files is standard
 /// output ("-"). Throws InputError (key "--json") if the summary is JSON and a file is standard
@@ -63,9 +43,10 @@ struct Output {
 /// Writes all files or none: writes them under temporary names in their folders, then renames them.
 /// An existing file that is not regular (a device, a pipe) is written directly. Throws
 /// std::system_error if the system reports an error (no folder, no space), and InputError like
-/// require_not_read().
-void write_files(const std::vector<Output>& files);
+/// require_no_input(), for the files that the program has read.
+void write_files(const std::vector<Output>& files, const std::vector<std::string>& inputs = {});
 /// Like write_files(), for one file.
-void write_file(const std::string& path, const std::string& bytes);
+void write_file(const std::string& path, const std::string& bytes,
+                const std::vector<std::string>& inputs = {});
 
 }  // namespace jounce

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -52,7 +53,9 @@ struct Input {
   /// Bound of the error of the curve itself, which the error of the table includes: the error of
   /// cam operators with a tolerance, and of a slave over time.
   double fit = 0;
-  std::string file = {};        ///< path of the file; "-": standard input
+  std::string file = {};  ///< path of the file; "-": standard input
+  /// All files that were read: the file, and those that it names (Document::files).
+  std::vector<std::string> files = {};
   std::string newer_spec = {};  ///< for a table: the spec that its header names, if it has changed
   std::optional<AgainstSpec> against = {};  ///< for a table: its comparison with its spec
   const ExchangeFormat* format = nullptr;   ///< for a table: the format of a controller
@@ -113,6 +116,9 @@ bool is_finished_table(const std::string& text, const std::string& path = "");
 /// Like read_inputs(), for the text of a table of Jounce or of a controller.
 std::vector<Input> table_inputs(const std::string& text, const std::string& path,
                                 bool decimal_comma = false);
+
+/// Returns the files of all inputs.
+std::vector<std::string> files_of(std::span<const Input> inputs);
 
 /// Reads a G-code program (file `path`) for a machine (file `machine`: a path spec without
 /// commands). Returns one input for each axis. Throws InputError, with the place in the document.

@@ -67,6 +67,8 @@ struct FileChange {
   std::vector<std::string> pictures = {};    ///< names of two pictures for each comparison
   std::vector<Output> files = {};            ///< the pictures, named without a folder
   std::vector<std::string> errors = {};      ///< the errors of a wrong file
+  /// For a motion: the file, its accepted version, and the files that they name.
+  std::vector<std::string> inputs = {};
 };
 
 /// Options of compare_with().

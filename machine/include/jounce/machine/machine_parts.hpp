@@ -40,11 +40,16 @@ struct MachineParts {
   std::vector<ExecutorOptions> axes = {};
   std::vector<MachineMaster> masters = {};  ///< all other masters
   std::optional<double> watchdog = {};      ///< RunOptions::watchdog, s; nullopt: not in the spec
+  std::vector<std::string> files = {};      ///< all files that were read
+
+  void add_files(const std::vector<std::string>& more) {
+    files.insert(files.end(), more.begin(), more.end());
+  }
 };
 
 /// Reads the specs of a machine and makes its axes and masters:
 ///
-///     auto [axes, masters, watchdog] = machine_parts({.files = {"machine.toml"}});
+///     auto [axes, masters, watchdog, files] = machine_parts({.files = {"machine.toml"}});
 ///     run_executor(*link, axes, {.masters = masters});
 ///
 /// Throws InputError with file, line and key for a file of another kind, an invalid configuration,
@@ -62,8 +67,8 @@ void require_machine(const MachineSpec& spec);
 /// Throws InputError (key "log", "record" or "black_box") if a file that the run would write is one
 /// of its specs.
 void require_no_specs(const MachineOptions& options, const RecorderOptions& record);
-/// The same for all files that KeptInputs has recorded: the files that the specs name, too.
+/// The same for all files of the machine: the files that the specs name, too.
 void require_no_inputs(const MachineOptions& options, const RecorderOptions& record,
-                       const std::vector<ExecutorOptions>& axes);
+                       const MachineParts& parts);
 
 }  // namespace jounce

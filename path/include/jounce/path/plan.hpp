@@ -39,9 +39,8 @@ struct PlanCanceled : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "the plan was canceled"; }
 };
 
-/// Note on a *junction* of the path: a place where two pieces meet. (JointNote, JointMark and
-/// Plan::joints() refer to junctions, PlanOptions::joints to the joints of a machine.)
-enum class JointNote : std::uint8_t {
+/// Note on a *junction* of the path: a place where two pieces meet.
+enum class JunctionNote : std::uint8_t {
   none,        ///< the result is as requested
   turns_back,  ///< the path reverses: the plan stops
   /// The adjacent pieces are too short for the requested corner; a smaller one is used.
@@ -53,11 +52,11 @@ enum class JointNote : std::uint8_t {
   no_distance,  ///< the command covers no distance and is omitted
 };
 /// A junction of the path with its note.
-struct JointMark {
+struct JunctionMark {
   /// Index of a piece: the corner at the junction, or the piece that begins at the junction.
   std::uint32_t piece = 0;
   std::int32_t line = 0;  ///< source line
-  JointNote note = JointNote::none;
+  JunctionNote note = JunctionNote::none;
   bool rests = false;  ///< true: the plan stops here
 };
 
@@ -78,7 +77,7 @@ struct CornerRecord {
   double one_sided = 0;
   double curvature = 0;  ///< 1/u, greatest curvature
   double velocity = 0;   ///< u/s, velocity along q at the middle
-  JointNote note = JointNote::none;
+  JunctionNote note = JunctionNote::none;
   /// The note as a sentence without units; empty if the result is as requested.
   std::string text;
 };
@@ -116,11 +115,12 @@ class Plan {
   };
 
   /// Used by plan() and the functions of hold.hpp and override.hpp, which make plans.
-  Plan(Path path, TimingLaw law, std::vector<JointMark> joints, double stop_duration, Given given);
+  Plan(Path path, TimingLaw law, std::vector<JunctionMark> junctions, double stop_duration,
+       Given given);
 
   /// The path of all axes: the axes of the program, then the joints of the machine.
   [[nodiscard]] const Path& path() const { return path_; }
-  /// The path with its lines, arcs and corners. joints() and corners() refer to the pieces of this
+  /// The path with its lines, arcs and corners. junctions() and corners() refer to the pieces of this
   /// path. It equals path(), unless joints of the machine are fitted: then it has only the axes of
   /// the program, as functions of the same q.
   [[nodiscard]] const Path& drawn() const { return given_.drawn ? *given_.drawn : path_; }
@@ -129,7 +129,7 @@ class Plan {
   /// Duration with a stop at each corner, s.
   [[nodiscard]] double stop_duration() const { return stop_duration_; }
   /// All junctions of the path that are not tangential or have a note, in the order of the path.
-  [[nodiscard]] std::span<const JointMark> joints() const { return joints_; }
+  [[nodiscard]] std::span<const JunctionMark> junctions() const { return junctions_; }
   /// Returns the junctions of the path with their full results.
   [[nodiscard]] std::vector<CornerRecord> corners() const;
 
@@ -143,7 +143,7 @@ class Plan {
  private:
   Path path_;
   TimingLaw law_;
-  std::vector<JointMark> joints_;
+  std::vector<JunctionMark> junctions_;
   double stop_duration_;
   Given given_;
 };

@@ -16,10 +16,11 @@ struct FigureRequest {
   std::string before = {};   ///< file that is drawn paler underneath
   std::string drive = {};    ///< name for drive_figure() or loop_figure()
   bool follower = false;     ///< true: the follower of a cam
+  std::string output = {};  ///< file for the picture, which must not be one of the inputs; "": none
 };
 
 /// Returns the picture. Throws InputError with the name of a member for a request that does not fit
-/// the file.
+/// the file. Does not write it.
 Figure any_figure(const FigureRequest& request);
 
 }  // namespace jounce

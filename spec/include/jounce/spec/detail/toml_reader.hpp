@@ -194,12 +194,19 @@ class TomlReader {
   void convert(const char* key, const char* given, double factor) {
     document_->converted[path(key)] = {path(given), factor};
   }
-  /// Calls `read`, which reads the file `file` that `key` names. If the file cannot be read, the
-  /// error gets the place of the key.
+  /// Records files that the document names, in Document::files.
+  void record_files(const std::vector<std::string>& files) const {
+    document_->files.insert(document_->files.end(), files.begin(), files.end());
+  }
+  /// Calls `read`, which reads the file `file` that `key` names, and records this file and those that it names. If the
+  /// file cannot be read, the error gets the place of the key.
   template <class Read>
   auto file_of(const char* key, const std::string& file, Read read) const {
     try {
-      return read();
+      auto made = read();
+      record_files({file});
+      if constexpr (requires { made.document.files; }) record_files(made.document.files);
+      return made;
     } catch (const InputError& error) {
       throw document_->naming(path(key), file, error);
     }
