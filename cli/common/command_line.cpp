@@ -70,8 +70,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error,
   const bool is_verb = given[0] != '-';
   const CLI::App& asked = is_verb ? *app.get_subcommand(given) : app;
   constexpr auto extra = static_cast<int>(CLI::ExitCodes::ExtrasError);
-  const std::string wrong = wrong_option(words.subspan(is_verb ? 1 : 0), option_names(asked),
-                                         program, is_verb ? given : "");
+  const std::string wrong = wrong_option(words, option_names(asked), program, is_verb ? given : "");
   return (wrong.empty() ? parser_sentence(error.what(), error.get_exit_code() == extra) : wrong) +
          (is_verb ? " (see jounce " + given + " --help)" : all);
 }
