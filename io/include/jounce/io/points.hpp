@@ -46,7 +46,7 @@ struct PointColumn {
 /// without a name are ignored. The line of a point is its row. An error names the sheet and the
 /// cell.
 ///
-/// The whole file is read, or InputError is thrown with file, line, key (the name of the column),
+/// The whole file is read, or InputError is thrown with file, line, character, key (the name of the column),
 /// value and rule. Errors are: a missing header, a repeated name, an unknown unit, a row of another
 /// length, an empty cell or text that is not a finite number (except in the column `type`), decimal
 /// commas together with points, and a file without points; in a workbook also a date, an error
