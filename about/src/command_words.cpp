@@ -59,7 +59,7 @@ std::string described_by(const VerbInfo& verb, std::string word) {
   return found == verb.options.end() ? "" : found->names.back();
 }
 
-/// ": an option of check, validate"; "" if no verb has it, or more than four verbs.
+/// ", but of check, validate"; "" if no verb has it, or more than four verbs.
 std::string verbs_with(const ProgramInfo& program, const std::string& name) {
   constexpr int most = 4;
   std::string verbs;
@@ -81,7 +81,8 @@ std::string meant_option(const std::string& name, const ProgramInfo& program,
   if (own != nullptr && word.size() > 1)
     if (const std::string option = described_by(*own, word); !option.empty())
       return did_you_mean(option);
-  if (const std::string near = word.size() > 1 ? nearest(name, visible_options(program, own)) : ""; !near.empty())
+  if (const std::string near = word.size() > 1 ? nearest(name, visible_options(program, own)) : "";
+      !near.empty())
     return did_you_mean(near);
   return verbs_with(program, name);
 }

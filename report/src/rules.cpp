@@ -286,8 +286,9 @@ std::vector<std::string> quantities_of(std::string_view family) {
   constexpr std::array<std::string_view, 6> families{"limit/*", "unlimited/*", "continuity/*",
                                                      "joint/*", "fixed/*",     "witness/*"};
   if (std::find(families.begin(), families.end(), family) == families.end()) return {};
-  std::vector<std::string> words{"direction", "curvature",  // geometry of a path
-                                 "slave", "value", "geo_jounce", "geo_crackle"};  // free shapes
+  std::vector<std::string> words{"direction",  "curvature",  // geometry of a path
+                                 "slave",      "value",
+                                 "geo_jounce", "geo_crackle"};  // free shapes
   words.insert(words.end(), OverTime::names.begin(), OverTime::names.end());
   words.insert(words.end(), OverMaster::names.begin() + 1, OverMaster::names.end());
   if (family == "witness/*") words.emplace_back("integration");

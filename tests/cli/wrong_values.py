@@ -55,7 +55,7 @@ def repeats(message, wrong):
 
 
 def fault_of(output, status, file, lines, changed, wrong):
-    """What is wrong with the answer; "" if it is as it must be."""
+    """The rule that the answer breaks; "" if it breaks none."""
     if status in (0, 1):
         return ""
     if status != 2:
