@@ -34,6 +34,59 @@ std::string did_you_mean(const std::string& near) {
   return near.empty() ? "" : ": did you mean " + near + "?";
 }
 
+bool has_option(const VerbInfo& verb, const std::string& name) {
+  return std::any_of(verb.options.begin(), verb.options.end(), [&](const OptionInfo& option) {
+    return std::find(option.names.begin(), option.names.end(), name) != option.names.end();
+  });
+}
+
+/// The visible options of a verb; those of the program if it is null.
+std::vector<std::string> visible_options(const ProgramInfo& program, const VerbInfo* verb) {
+  std::vector<std::string> names;
+  for (const OptionInfo& option : verb != nullptr ? verb->options : program.options)
+    names.insert(names.end(), option.names.begin(), option.names.end());
+  return names;
+}
+
+/// The option of the verb whose help begins with this word: --to ("Format, if ...") for "format"; "" for none.
+std::string described_by(const VerbInfo& verb, std::string word) {
+  word[0] = static_cast<char>(std::toupper(word[0]));
+  const auto begins = [&](const OptionInfo& option) {
+    return option.help.starts_with(word) && option.help.size() > word.size() &&
+           std::isalpha(option.help[word.size()]) == 0;
+  };
+  const auto found = std::find_if(verb.options.begin(), verb.options.end(), begins);
+  return found == verb.options.end() ? "" : found->names.back();
+}
+
+/// ", but of check, validate"; "" if no verb has it, or more than four verbs.
+std::string verbs_with(const ProgramInfo& program, const std::string& name) {
+  constexpr int most = 4;
+  std::string verbs;
+  int count = 0;
+  for (const VerbInfo& one : program.verbs)
+    if (has_option(one, name) && ++count <= most) verbs += (count > 1 ? ", " : "") + one.name;
+  return count == 0 || count > most ? "" : ", but of " + verbs;
+}
+
+/// The hint for a wrong option.
+std::string meant_option(const std::string& name, const ProgramInfo& program,
+                         const std::string& verb) {
+  const VerbInfo* const own = program.verb(verb);
+  if (own != nullptr && (name == "-o" || name == "--output") &&
+      std::any_of(own->positionals.begin(), own->positionals.end(),
+                  [](const OptionInfo& one) { return one.names.front() == "OUT"; }))
+    return ": name the output as the second argument";
+  const std::string word = name.substr(name.find_first_not_of('-'));
+  if (own != nullptr && word.size() > 1)
+    if (const std::string option = described_by(*own, word); !option.empty())
+      return did_you_mean(option);
+  if (const std::string near = word.size() > 1 ? nearest(name, visible_options(program, own)) : "";
+      !near.empty())
+    return did_you_mean(near);
+  return verbs_with(program, name);
+}
+
 }  // namespace
 
 bool looks_like_option(const std::string& word) {
@@ -61,8 +114,8 @@ std::string wrong_verb(std::span<const char* const> given, const std::vector<std
 }
 
 std::string wrong_option(std::span<const char* const> given,
-                         const std::vector<std::string>& options, bool names_output,
-                         const std::string& owner) {
+                         const std::vector<std::string>& options, const ProgramInfo& program,
+                         const std::string& verb) {
   if (const std::string pair = number_and_unit(given); !pair.empty())
     return "`" + pair + "` is one value: write it without a space";
   for (const std::string word : given) {
@@ -71,11 +124,8 @@ std::string wrong_option(std::span<const char* const> given,
     if (!looks_like_option(name) ||
         std::find(options.begin(), options.end(), name) != options.end())
       continue;
-    if (names_output && (name == "-o" || name == "--output"))
-      return "`" + name + "` is not an option of " + owner +
-             ": name the output as the second argument";
-    return "`" + name + "` is not an option of " + owner +
-           did_you_mean(name.size() > 2 ? nearest(name, options) : "");
+    return "`" + name + "` is not an option of " + (verb.empty() ? program.name : verb) +
+           meant_option(name, program, verb);
   }
   return "";
 }
@@ -91,6 +141,9 @@ std::string parser_sentence(std::string text, bool extra) {
   const std::string required = " is required";
   if (text.ends_with(required))
     return text.substr(0, text.size() - required.size()) + " is missing";
+  if (const auto flag = text.find(" was given a disallowed flag override");
+      flag != std::string::npos)
+    return "--" + text.substr(0, flag) + " takes no value: write it alone, or leave it out";
   if (!extra) return text;
   const std::size_t colon = text.find(": ");
   const std::string all = text.substr(colon == std::string::npos ? 0 : colon + 2);

@@ -61,7 +61,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 /// The error of the command line, with the nearest verb or option if there is one, and the command that lists all.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error,
-                      std::span<const char* const> words) {
+                      std::span<const char* const> words, const ProgramInfo& program) {
   std::vector<std::string> verbs;
   for (const auto* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
   const std::string all = " (see jounce --help)";
@@ -70,9 +70,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error,
   const bool is_verb = given[0] != '-';
   const CLI::App& asked = is_verb ? *app.get_subcommand(given) : app;
   constexpr auto extra = static_cast<int>(CLI::ExitCodes::ExtrasError);
-  const std::string wrong =
-      wrong_option(words.subspan(is_verb ? 1 : 0), option_names(asked),
-                   asked.get_option_no_throw("OUT") != nullptr, is_verb ? "this verb" : "jounce");
+  const std::string wrong = wrong_option(words, option_names(asked), program, is_verb ? given : "");
   return (wrong.empty() ? parser_sentence(error.what(), error.get_exit_code() == extra) : wrong) +
          (is_verb ? " (see jounce " + given + " --help)" : all);
 }
@@ -84,7 +82,10 @@ CommandLine::CommandLine()
                                       "jounce")) {
   app_->formatter(std::make_shared<Help>());
   CLI::Option* version = app_->set_version_flag("--version", "", "Print the version and the build");
-  app_->add_flag("--json")->description("With --version: as JSON")->needs(version);
+  app_->add_flag("--json")
+      ->description("With --version: as JSON")
+      ->needs(version)
+      ->disable_flag_override();
   app_->require_subcommand(1);
   std::vector<std::string> statuses;
   for (const auto& [status, meaning] : exit_statuses)
@@ -128,7 +129,7 @@ int CommandLine::run(int argc, char** argv) {
     fmt::print("{}", json ? build_json(build_info()) : build_text(build_info()));
     return fine;
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "jounce: {}\n", printable_lines(complaint(*app_, error, given)));
+    fmt::print(stderr, "jounce: {}\n", printable_lines(complaint(*app_, error, given, info())));
     return bad_input;
   }
   return chosen_();

@@ -86,7 +86,7 @@ Option Verb::option(const std::string& name, OptionTarget target, const std::str
 }
 
 Option Verb::flag(const std::string& name, bool& target, const std::string& help) const {
-  return {verb_->add_flag(name, target, help), *words_};
+  return {verb_->add_flag(name, target, help)->disable_flag_override(), *words_};
 }
 
 Option Verb::axis(std::string& target) const {

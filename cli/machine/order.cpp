@@ -87,8 +87,7 @@ int report(const OrderArguments& options, const CallOutcome& outcome, const wire
   else if (outcome.ok())
     fmt::print("{}: {}\n", axis, accepted_text(options.words, before, axis, outcome.reason));
   else
-    fmt::print(stderr, "jounce: {}: {}\n", axis,
-               reason_text(outcome, axis, kind_of(options.words), before.last_error));
+    fmt::print(stderr, "jounce: {}: {}\n", axis, reason_text(outcome, options.words, before, axis));
   return status_of(outcome, {StreamError::refused});
 }
 
@@ -151,7 +150,7 @@ void add_order(CommandLine& line) {
   verb.option(
       "VALUE", options->values,
       "Coordinates of a group (x=10mm y=5mm). Factor of override (50%), distance of inch, velocity "
-      "of change-velocity and jog (0: rest), "
+      "of change-velocity, of jog (0: rest), "
       "position of set-position, ratio of gear-in, gear-in-pos, combine (3:2), time of wait (s)");
   add_options(verb, options->words);
   verb.option("--seconds", options->seconds, "End a --hold-to-run jog after this number of seconds")

@@ -245,8 +245,10 @@ constexpr std::array entries{
     Entry{Cause::not_in_sync, "not_in_sync",
           "The master reaches its end before the axis has reached its cam.",
           "Shorten the distance of the ramp, or lengthen the travel of the master."},
-    Entry{Cause::home_timeout, "home_timeout", "The homing took longer than its timeout.",
-          "Raise timeout or search_velocity in [homing], and check that the override is not 0."},
+    Entry{
+        Cause::home_timeout, "home_timeout", "The homing took longer than its timeout.",
+        "Raise the timeout or the search velocity (--timeout, --search-velocity, or [homing]), and "
+        "check that the override is not 0."},
     Entry{Cause::home_not_found, "home_not_found",
           "The search reached the other limit switch before it found the switch of the homing "
           "method.",
@@ -415,6 +417,12 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::position_limit, CommandKind::move_superimposed, other_way},
     OrderRemedy{Cause::position_limit, CommandKind::home, inside_or_wider},
     OrderRemedy{Cause::position_limit, CommandKind::set_position, inside_or_wider},
+    OrderRemedy{Cause::velocity_limit, CommandKind::home,
+                "Give a lower search_velocity and index_velocity in [homing] of the spec of the "
+                "axis, or --search-velocity and --index-velocity."},
+    OrderRemedy{Cause::acceleration_limit, CommandKind::home,
+                "Give a lower acceleration in [homing] of the spec of the axis, or "
+                "--acceleration."},
     OrderRemedy{Cause::velocity_limit, CommandKind::gear_in, smaller_ratio},
     OrderRemedy{Cause::velocity_limit, CommandKind::gear_in_pos, smaller_ratio},
     OrderRemedy{Cause::acceleration_limit, CommandKind::gear_in, longer_clutch},

@@ -145,7 +145,8 @@ DriveOnMachine::DriveOnMachine(std::shared_ptr<AxisDrive> drive, const MachineSe
     try {
       marks_.emplace_back(marks);
     } catch (const InputError& error) {
-      throw InputError("machine.marks." + error.key(), error.value(), error.rule());
+      throw InputError("machine.marks[" + std::to_string(marks_.size() + 1) + "]." + error.key(),
+                       error.value(), error.rule());
     }
   }
   if (!spec.index) return;

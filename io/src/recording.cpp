@@ -16,9 +16,8 @@ const std::vector<std::string> known_columns{"time",   "command", "feedback", "v
 void require_ascending(const Points& points, const std::vector<double>& time) {
   for (std::size_t i = 1; i < time.size(); ++i)
     if (!(time[i] > time[i - 1]))
-      throw InputError("time", time[i],
-                       "must be greater than " + number(time[i - 1]) + " s, the previous row")
-          .at(points.document, static_cast<int>(points.lines[i]));
+      throw points.error(i, "time", time[i], "s",
+                         "must be greater than " + number(time[i - 1]) + " s, the previous row");
 }
 
 /// A column whose squares can be summed.
@@ -26,8 +25,7 @@ std::vector<double> column(const Points& points, const char* name, const std::st
   std::vector<double> values = points.in_unit(name, unit);
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!(std::abs(values[i]) < 1e100))
-      throw InputError(name, values[i], "must be below 1e100 in magnitude")
-          .at(points.document, static_cast<int>(points.lines[i]));
+      throw points.error(i, name, values[i], unit, "must be below 1e100 in magnitude");
   return values;
 }
 

@@ -23,7 +23,7 @@ std::string column_of(std::string axis) {
 class Records {
  public:
   Records(const Points& records, const GcodeMachine& machine, const RecordUnits& units)
-      : records_(records), machine_(machine) {
+      : records_(records), machine_(machine), units_(units) {
     require_columns();
     for (const GcodeMachine::Axis& axis : machine.axes)
       ends_.push_back(records.in_unit(column_of(axis.name), axis.unit));
@@ -43,8 +43,8 @@ class Records {
 
  private:
   [[noreturn]] void fail(std::size_t k, const std::string& key, double value,
-                         const std::string& rule) const {
-    throw InputError(key, value, rule).at(records_.document, static_cast<int>(records_.lines[k]));
+                         const std::string& rule, const std::string& unit = "") const {
+    throw records_.error(k, key, value, unit, rule);
   }
 
   void require_columns() const {
@@ -65,9 +65,9 @@ class Records {
 
   /// A number > 0 of a column; `otherwise` without it.
   [[nodiscard]] double positive(const std::vector<double>& values, std::size_t k, const char* key,
-                                double otherwise) const {
+                                const std::string& unit, double otherwise) const {
     if (values.empty()) return otherwise;
-    if (!(values[k] > 0)) fail(k, key, values[k], "must be greater than 0");
+    if (!(values[k] > 0)) fail(k, key, values[k], "must be greater than 0", unit);
     return values[k];
   }
 
@@ -75,8 +75,9 @@ class Records {
     if (!numbers_.empty() && (numbers_[k] < 0 || numbers_[k] != std::floor(numbers_[k])))
       fail(k, "linenum", numbers_[k], "must be a whole number of at least 0");
     PathSettings settings = machine_.settings;
-    settings.velocity = positive(velocities_, k, "vel", settings.velocity);
-    settings.acceleration = positive(accelerations_, k, "acc", settings.acceleration);
+    settings.velocity = positive(velocities_, k, "vel", units_.velocity, settings.velocity);
+    settings.acceleration =
+        positive(accelerations_, k, "acc", units_.acceleration, settings.acceleration);
     if (!accelerations_.empty()) settings.deceleration = settings.acceleration;
     made.set(settings);
     const int line = static_cast<int>(records_.lines[k]);
@@ -111,6 +112,7 @@ class Records {
 
   const Points& records_;
   const GcodeMachine& machine_;
+  const RecordUnits& units_;
   std::vector<std::vector<double>> ends_, via_;
   std::vector<double> types_, numbers_, velocities_, accelerations_;
 };

@@ -129,8 +129,9 @@ Json to_object(const KnotChange& change, const Comparison& c) {
 
 }  // namespace
 
-std::string to_text(const Comparison& c, std::size_t most) {
-  std::string text = fmt::format("{} -> {}: {}\n", c.before, c.after, verdict(c));
+std::string to_text(const Comparison& c, std::size_t most, const std::string& besides) {
+  std::string text = fmt::format("{} -> {}: {}{}\n", c.before, c.after, verdict(c),
+                                 c.equal() && !besides.empty() ? ", but " + besides : "");
   for (std::size_t k = 0; k < c.changes.size(); ++k) text += quantity_line(c, k);
   for (const auto& [what, before, after] : c.remarks)
     text += fmt::format("  ! {}: {} -> {}\n", what, before.empty() ? "none" : before,

@@ -35,6 +35,17 @@ std::string title_of(const Message& one) {
   return one.code + (one.code.empty() || one.name.empty() ? "" : " ") + one.name;
 }
 
+/// True for a rule of a family that names a quantity, with a word that is none: "limit/velocityy".
+bool names_other_quantity(const std::string& code) {
+  const RuleInfo* const rule = rule_info(code);
+  const std::size_t slash = code.find('/');
+  if (rule == nullptr || slash == std::string::npos || code == rule->rule) return false;
+  const std::vector<std::string> known = quantities_of(rule->rule);
+  const std::string word = code.substr(slash + 1);
+  return !known.empty() && word.find(' ') == std::string::npos &&
+         std::find(known.begin(), known.end(), word) == known.end();
+}
+
 }  // namespace
 
 std::string messages_markdown(const std::vector<Message>& all) {
@@ -83,9 +94,12 @@ std::string messages_list(const std::vector<Message>& all) {
   std::string text;
   for (const std::string& group : groups_of(all)) {
     text += fmt::format("{}:\n", group);
+    std::size_t width = 0;
+    for (const Message& one : all)
+      if (one.group == group) width = std::max(width, one.name.size());
     for (const Message& one : all)
       if (one.group == group)
-        text += fmt::format("  {:>6} {:<20} {}\n", one.code, one.name, one.meaning);
+        text += fmt::format("  {:>6} {:<{}} {}\n", one.code, one.name, width, one.meaning);
   }
   return text;
 }
@@ -99,7 +113,7 @@ std::vector<std::string> message_names(const std::vector<Message>& all) {
 
 std::vector<Message> messages_named(const std::vector<Message>& all, const std::string& code) {
   std::vector<Message> found;
-  const RuleInfo* const rule = rule_info(code);
+  const RuleInfo* const rule = names_other_quantity(code) ? nullptr : rule_info(code);
   const std::string name = rule != nullptr ? rule->rule : code;
   for (const Message& one : all)
     if (one.code == code || one.name == name) found.push_back(one);
@@ -108,8 +122,11 @@ std::vector<Message> messages_named(const std::vector<Message>& all, const std::
   for (const Message& one : all) {
     names.push_back(one.name);
     // Rules of one meaning are listed as one: "limit/*".
-    if (one.name.ends_with("/*"))
-      names.push_back(one.name.substr(0, one.name.size() - 1) + code.substr(code.find('/') + 1));
+    if (!one.name.ends_with("/*")) continue;
+    const std::string family = one.name.substr(0, one.name.size() - 1);
+    const std::vector<std::string> quantities = quantities_of(one.name);
+    for (const std::string& quantity : quantities) names.push_back(family + quantity);
+    if (quantities.empty()) names.push_back(family + code.substr(code.find('/') + 1));
   }
   const std::string meant = nearest(code, names);
   throw InputError(

@@ -5,6 +5,8 @@
 #include <array>
 #include <string>
 
+#include "jounce/profiles/curve/jet.hpp"
+
 namespace jounce {
 namespace {
 
@@ -280,6 +282,26 @@ const RuleInfo* rule_info(std::string_view rule) {
   const std::string family = std::string(rule.substr(0, rule.find('/'))) + "/*";
   const auto whole = std::find_if(rules.begin(), rules.end(), named(family));
   return whole != rules.end() ? &*whole : nullptr;
+}
+
+std::vector<std::string> quantities_of(std::string_view family) {
+  constexpr std::array<std::string_view, 6> families{"limit/*", "unlimited/*", "continuity/*",
+                                                     "joint/*", "fixed/*",     "witness/*"};
+  if (std::find(families.begin(), families.end(), family) == families.end()) return {};
+  std::vector<std::string> words{"direction",  "curvature",  // geometry of a path
+                                 "slave",      "value",
+                                 "geo_jounce", "geo_crackle"};  // free shapes
+  words.insert(words.end(), OverTime::names.begin(), OverTime::names.end());
+  words.insert(words.end(), OverMaster::names.begin() + 1, OverMaster::names.end());
+  if (family == "witness/*") words.emplace_back("integration");
+  if (family != "limit/*") return words;
+  const std::vector<std::string> peaks = words;
+  for (const std::string& one : peaks)
+    for (const char* end : {"_min", "_max", "_step"}) words.push_back(one + end);
+  for (const char* own : {"deceleration", "normal_acceleration", "total_acceleration", "residual",
+                          "ramped_geo_velocity", "ramped_geo_acceleration", "ramped_geo_jerk"})
+    words.emplace_back(own);
+  return words;
 }
 
 }  // namespace jounce

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "about/sample.hpp"
 #include "support/errors.hpp"
 
 namespace jounce::command_words_test {
@@ -36,7 +37,7 @@ TEST(CommandWords, AreReadAsTheyAreMeant) {
 }
 
 TEST(CommandWords, ANegativeNumberNeedsNoDashes) {
-  EXPECT_EQ(wrong_option(Words{"feeder", "jog", "--", "-20"}, {"--to"}, false, "this verb"),
+  EXPECT_EQ(wrong_option(Words{"feeder", "jog", "--", "-20"}, {"--to"}, {}, "jog"),
             "`--` is not needed before a negative number: leave it out");
 }
 
@@ -50,17 +51,37 @@ TEST(CommandWords, NameTheNearestVerb) {
 }
 
 TEST(CommandWords, NameTheNearestOption) {
+  const ProgramInfo program = about_test::sample();
   const std::vector<std::string> options{"--strict", "--json", "-n"};
-  EXPECT_EQ(wrong_option(Words{"a.toml", "-n", "-3", "--strict=1"}, options, false), "");
-  EXPECT_EQ(wrong_option(Words{"--stric=1"}, options, false),
-            "`--stric` is not an option of this verb: did you mean --strict?");
-  EXPECT_EQ(wrong_option(Words{"-o", "a.csv"}, options, false),
-            "`-o` is not an option of this verb");
-  EXPECT_EQ(wrong_option(Words{"-o", "a.csv"}, options, true),
-            "`-o` is not an option of this verb: name the output as the second argument");
-  EXPECT_EQ(wrong_option(Words{"a", "--strict", "-1.5", "mm/s", "b"}, options, false),
+  const auto wrong = [&](const Words& words, const std::string& verb = "check") {
+    return wrong_option(words, options, program, verb);
+  };
+  EXPECT_EQ(wrong({"a.toml", "-n", "-3", "--strict=1"}), "");
+  EXPECT_EQ(wrong({"--stric=1"}), "`--stric` is not an option of check: did you mean --strict?");
+  EXPECT_EQ(wrong({"--versoin"}, ""),
+            "`--versoin` is not an option of tool: did you mean --version?");
+  EXPECT_EQ(wrong({"--jso"}), "`--jso` is not an option of check") << "--json is hidden";
+  EXPECT_EQ(wrong({"-o", "a.csv"}), "`-o` is not an option of check");
+  EXPECT_EQ(wrong({"-o", "a.csv"}, "chart"),
+            "`-o` is not an option of chart: name the output as the second argument");
+  EXPECT_EQ(wrong({"a", "--strict", "-1.5", "mm/s", "b"}),
             "`-1.5 mm/s` is one value: write it without a space");
-  EXPECT_EQ(wrong_option(Words{"a", "1.5", "b", "mm"}, options, false), "");
+  EXPECT_EQ(wrong({"a", "1.5", "b", "mm"}), "");
+}
+
+TEST(CommandWords, NameTheOptionThatAnotherWordMeans) {
+  ProgramInfo program = about_test::sample();
+  program.verbs.push_back(
+      {.name = "turn",
+       .options = {{.names = {"--to"}, .help = "Format, if OUT has no extension"},
+                   {.names = {"--steps"}, .help = "Countless"}}});
+  const auto wrong = [&](const char* word) {
+    return wrong_option(Words{word}, {"--to", "--steps"}, program, "turn");
+  };
+  EXPECT_EQ(wrong("--format"), "`--format` is not an option of turn: did you mean --to?");
+  EXPECT_EQ(wrong("--count"), "`--count` is not an option of turn, but of check");
+  EXPECT_EQ(wrong("--limit=3"), "`--limit` is not an option of turn, but of check");
+  EXPECT_EQ(wrong("--nowhere"), "`--nowhere` is not an option of turn");
 }
 
 TEST(CommandWords, TranslateTheSentencesOfTheParser) {
@@ -68,6 +89,8 @@ TEST(CommandWords, TranslateTheSentencesOfTheParser) {
   EXPECT_EQ(parser_sentence("--a: At Most 1 required but received 2", false), "--a is given twice");
   EXPECT_EQ(parser_sentence("--a: 1 required value missing", false), "--a has no value after it");
   EXPECT_EQ(parser_sentence("FILE is required", false), "FILE is missing");
+  EXPECT_EQ(parser_sentence("force was given a disallowed flag override", false),
+            "--force takes no value: write it alone, or leave it out");
   EXPECT_EQ(parser_sentence("other", false), "other");
   EXPECT_EQ(parser_sentence("The following argument was not expected: x", true),
             "`x` is one argument too many");

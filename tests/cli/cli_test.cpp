@@ -117,6 +117,7 @@ TEST_F(Cli, ExplainNamesMeaningAndRemedy) {
   EXPECT_EQ(finding.status, 0);
   EXPECT_THAT(finding.out,
               HasSubstr("limit/* (Findings of a check)\n  The named quantity exceeds its limit."));
+  EXPECT_EQ(run("explain limit/velocityy").status, 2);
   const Result wrong = run("explain folowing_error");
   EXPECT_EQ(wrong.status, 2);
   EXPECT_EQ(wrong.err,
@@ -132,8 +133,16 @@ TEST_F(Cli, BadUsageIsTwoAndSaysWhatWasMeant) {
   const Result option = run("check --limt x");
   EXPECT_EQ(option.status, 2);
   EXPECT_EQ(option.err,
-            "jounce: `--limt` is not an option of this verb: did you mean --limit? (see jounce "
-            "check --help)\n");
+            "jounce: `--limt` is not an option of check: did you mean --limit? (see jounce check "
+            "--help)\n");
+  EXPECT_THAT(run("convert a.csv b.csv --format csv").err, HasSubstr("did you mean --to?"));
+  EXPECT_THAT(run("check a.toml --force").err, HasSubstr("not an option of check, but of new"));
+  EXPECT_THAT(run("order x move --speed 3").err, Not(HasSubstr("--seed"))) << "a hidden option";
+  for (const char* flag : {"new cam --force=3", "check a.toml --strict=no", "--json=3"}) {
+    const Result valued = run(flag);
+    EXPECT_EQ(valued.status, 2) << flag;
+    EXPECT_THAT(valued.err, HasSubstr("takes no value: write it alone, or leave it out")) << flag;
+  }
   EXPECT_EQ(run("check nothing.toml").status, 2);
 }
 

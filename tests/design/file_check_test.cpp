@@ -121,6 +121,11 @@ TEST(FileDifference, ALimitOfAnySectionIsADifference) {
   EXPECT_TRUE(plate.equal()) << "the motion is the same";
   EXPECT_THAT(to_text(plate),
               HasSubstr("  ~ differs outside the curve: disc.base_radius 60 mm -> 50 mm\n"));
+  EXPECT_THAT(to_text(plate),
+              HasSubstr("equal except for rounding, but disc.base_radius differs\n"));
+  EXPECT_THAT(to_text(difference(rise + disc + "60\n", rise)),
+              HasSubstr("equal except for rounding, but 2 keys outside the curve differ\n"));
+  EXPECT_THAT(to_text(difference(rise, rise)), HasSubstr("equal except for rounding\n"));
   EXPECT_THAT(to_json(plate), HasSubstr("\"keys\":[{\"key\":\"disc.base_radius\""));
   const FileDifference higher =
       difference(rise, "end = { master = 60, slave = 51 }\n" + disc + "60\n");

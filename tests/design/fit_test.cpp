@@ -171,7 +171,7 @@ TEST_F(FitFile, RejectsWithTheLineOfTheFile) {
               HasSubstr(":1: time: is a column of a motion over time"));
   const std::string head = "master [deg],slave [mm]\n";
   EXPECT_EQ(complaint(head + "0,0\n1,1\n1,2\n2,2\n3,3\n", {.tolerance = "1"}),
-            ":4: master = 1: must be greater than 1 deg, the previous point");
+            ":4:1: master = 1 deg: must be greater than 1 deg, the previous point");
   EXPECT_EQ(complaint(head + "0,0\n1,1\n", {.tolerance = "1"}), ": points = 2: must be at least 5");
   EXPECT_THAT(complaint(head + "0,0\n1,1\n", {.tolerance = "1", .master_unit = "rad"}),
               HasSubstr("master_unit = rad: is not the unit in the file, deg: leave it out"));
@@ -186,7 +186,7 @@ TEST_F(FitFile, RejectsWithTheLineOfTheFile) {
   EXPECT_THAT(complaint("jounce = 1\nkind = \"cam\"\n", {.tolerance = "1"}),
               HasSubstr("is a spec: fit reads points or a table"));
   EXPECT_THAT(complaint("master [deg],slave [mm],tolerance\n0,0,1\n1,0,0\n", {}),
-              HasSubstr(":3: tolerance = 0: must be greater than 0"));
+              HasSubstr(":3:5: tolerance = 0 mm: must be greater than 0"));
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ TEST(MachineMarks, InvalidOnesAreRejectedByTheirKeys) {
       DriveOnMachine drive(std::make_shared<NullDrive>(), spec, 1e-3);
       ADD_FAILURE() << key;
     } catch (const InputError& error) {
-      EXPECT_EQ(error.key(), "machine.marks." + key);
+      EXPECT_EQ(error.key(), "machine.marks[2]." + key);
     }
   }
 }

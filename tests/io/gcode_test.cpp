@@ -278,7 +278,7 @@ TEST(Gcode, NeedsALengthForG20AndLettersForItsAxes) {
   GcodeMachine pulses{.axes = {{"X", "pulse"}}};
   EXPECT_THAT(complaint("G21\n", pulses), HasSubstr("part.ngc:1:1: G21: needs axes"));
   pulses.axes[0].name = "gantry";
-  EXPECT_THAT(complaint("G0\n", pulses), HasSubstr("axis.name"));
+  EXPECT_THAT(complaint("G0\n", pulses), HasSubstr("axis[1].name"));
 }
 
 TEST(Gcode, IsRecognizedByItsFirstWord) {

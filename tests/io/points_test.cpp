@@ -48,16 +48,16 @@ TEST(Points, NameWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint("time [s],position [mm]\n"),
             "p.csv:1: has a header but no points: add at least one row");
   EXPECT_EQ(complaint("0,1\n1,2\n"),
-            "p.csv:1: header = 0: must be the name of a column, with or without a unit, such as "
+            "p.csv:1:1: header = 0: must be the name of a column, with or without a unit, such as "
             "position [mm]: write a header above the numbers");
   EXPECT_EQ(complaint("time [s,position\n0,1\n"),
-            "p.csv:1: time = time [s: needs a closing bracket after its unit");
+            "p.csv:1:1: time = time [s: needs a closing bracket after its unit");
   EXPECT_EQ(complaint("time [s],position [mm]\r0,1\r1,2\r"),
             "p.csv:1: header = time [s],position [mm]: ends with a carriage return alone: save the "
             "file with "
             "line ends LF or CRLF");
   EXPECT_EQ(complaint("time [furlong]\n0\n"),
-            "p.csv:1: time = furlong: is not a known unit: write one such as mm, deg, s or mm/s");
+            "p.csv:1:1: time = furlong: is not a known unit: write one such as mm, deg, s or mm/s");
   EXPECT_EQ(complaint("time,time\n0,1\n"), "p.csv:1: time: is the name of two columns: remove one");
   EXPECT_EQ(complaint("time,position\n0,1\n1\n"),
             "p.csv:3: has 1 value, but the header has 2 columns");
@@ -68,24 +68,24 @@ TEST(Points, NameWhatIsWrongAndWhere) {
             "commas need "
             "semicolons between columns");
   EXPECT_EQ(complaint("time,position\n0,1\n1,\n"),
-            "p.csv:3: position: is empty: every point needs a number");
+            "p.csv:3:3: position: is empty: every point needs a number");
   for (const char* bad : {"nan", "inf", "1e999", "0x10", "1 2", "--1", "+", ".", "1e", "1.2.3",
                           "++1", "+-1", "-+1", "\"1"})
     EXPECT_EQ(complaint(std::string("time,position\n0,") + bad + "\n"),
-              std::string("p.csv:2: position = ") + bad + ": must be a finite number")
+              std::string("p.csv:2:3: position = ") + bad + ": must be a finite number")
         << bad;
 }
 
 TEST(Points, DoNotGuessWhichDecimalSignIsMeant) {
   EXPECT_EQ(complaint("time;position\n0;1.5\n1;2,5\n"),
-            "p.csv:3: position = 2,5: has a decimal comma where other numbers have a point");
+            "p.csv:3:3: position = 2,5: has a decimal comma where other numbers have a point");
   EXPECT_EQ(complaint("time;position\n0;1,5\n1;2.5\n"),
-            "p.csv:3: position = 2.5: has a decimal point where other numbers have a comma");
+            "p.csv:3:3: position = 2.5: has a decimal point where other numbers have a comma");
   EXPECT_EQ(complaint("time;position\n0;1.234,5\n"),
-            "p.csv:2: position = 1.234,5: must be a finite number with one decimal comma and no "
+            "p.csv:2:3: position = 1.234,5: must be a finite number with one decimal comma and no "
             "thousands separator");
   EXPECT_EQ(complaint("time;position\n0;1,234,5\n"),
-            "p.csv:2: position = 1,234,5: must be a finite number with one decimal comma and no "
+            "p.csv:2:3: position = 1,234,5: must be a finite number with one decimal comma and no "
             "thousands separator");
 }
 
@@ -142,7 +142,7 @@ TEST(Points, HaveDecimalCommasInQuotes) {
   EXPECT_THAT(p.find("time")->values, ElementsAre(0.5, 1));
   EXPECT_THAT(p.find("position")->values, ElementsAre(-1.25, 2.5));
   EXPECT_EQ(complaint("time,position\n0,\"1.5\"\n1,\"2,5\"\n"),
-            "p.csv:3: position = 2,5: has a decimal comma where other numbers have a point");
+            "p.csv:3:4: position = 2,5: has a decimal comma where other numbers have a point");
 }
 
 TEST(Points, MayEndEachLineWithASeparator) {

@@ -71,13 +71,14 @@ TEST(Recording, RefusesWhatIsNone) {
   EXPECT_THAT(refused("time,feedback,load\n" + rows), HasSubstr("column \"command\": is missing"));
   EXPECT_THAT(refused("time,command,other\n" + rows), HasSubstr("feedback: is missing"));
   EXPECT_THAT(refused("time,command [mm],feedback\n" + rows), HasSubstr("command = mm"));
-  EXPECT_THAT(refused(head + "0,0,0\n1,nan,1\n2,2,2\n3,3,3\n"), HasSubstr(".csv:3: command = nan"));
+  EXPECT_THAT(refused(head + "0,0,0\n1,nan,1\n2,2,2\n3,3,3\n"),
+              HasSubstr(".csv:3:3: command = nan"));
   EXPECT_THAT(refused(head + "0,0,0\n1,1,1\n2,2,1e300\n3,3,3\n"),
-              HasSubstr(".csv:4: feedback = 1e300: must be below 1e100 in magnitude"));
+              HasSubstr(".csv:4:5: feedback = 1e300 deg: must be below 1e100 in magnitude"));
   EXPECT_THAT(refused(head + "0,0,0\n1,1\n2,2,2\n3,3,3\n"),
               HasSubstr(".csv:3: has 2 values, but the header has 3 columns"));
   EXPECT_THAT(refused(head + "0,0,0\n1,1,1\n1,2,2\n3,3,3\n"),
-              HasSubstr(".csv:4: time = 1: must be greater than 1 s"));
+              HasSubstr(".csv:4:1: time = 1 s: must be greater than 1 s"));
 }
 
 }  // namespace

@@ -71,17 +71,17 @@ TEST(Records, AnythingElseIsRefusedWithLineAndColumn) {
   EXPECT_THAT(complaint("X_EndPos;Y_EndPos;Z_EndPos\n1;2;3\n"),
               HasSubstr("records.csv:1: column \"u_endpos\": is missing"));
   EXPECT_THAT(complaint(header + row + "2;3;0;0;0;0;1;1;0;0\n"),
-              HasSubstr("records.csv:3: datatype = 3: must be 1, a line, or 2, an arc"));
+              HasSubstr("records.csv:3:3: datatype = 3: must be 1, a line, or 2, an arc"));
   EXPECT_THAT(complaint(header + row + "2;1;0;0;0;0;0;1;0;0\n"),
-              HasSubstr("records.csv:3: vel = 0: must be greater than 0"));
+              HasSubstr("records.csv:3:13: vel = 0 pulse/s: must be greater than 0"));
   EXPECT_THAT(complaint(header + row + "2;1;0;0;0;0;1;-1;0;0\n"),
-              HasSubstr("records.csv:3: acc = -1: must be greater than 0"));
+              HasSubstr("records.csv:3:15: acc = -1 pulse/s^2: must be greater than 0"));
   EXPECT_THAT(complaint(header + row + "2.5;1;0;0;0;0;1;1;0;0\n"),
-              HasSubstr("records.csv:3: linenum = 2.5: must be a whole number"));
+              HasSubstr("records.csv:3:1: linenum = 2.5: must be a whole number"));
   EXPECT_THAT(complaint(header + row + "2;2;2000;0;0;0;1;1;1500;0\n"),
               HasSubstr("records.csv:3: aux_pos0"));
   EXPECT_THAT(complaint(header + row + "2;1;x;0;0;0;1;1;0;0\n"),
-              HasSubstr("records.csv:3: x_endpos = x: must be a finite number"));
+              HasSubstr("records.csv:3:5: x_endpos = x: must be a finite number"));
   EXPECT_THAT(complaint("DataType;X_EndPos;Y_EndPos;Z_EndPos;U_EndPos\n2;1;2;3;4\n"),
               HasSubstr("records.csv:2: aux_pos0 = 2: is missing"));
 }

@@ -178,6 +178,13 @@ TEST(CommandWords, CoordinatesHaveTheNamesOfTheAxes) {
       command_of(words("set-coordinate-transform", {"x=120"}, {{"rotation", "30"}}), mm, axes));
   EXPECT_EQ(frame.offset[0], 120);
   EXPECT_EQ(frame.rotation, 30);
+  const auto turned = std::get<command::SetCoordinateTransform>(command_of(
+      words("set-coordinate-transform", {}, {{"rotation", "0.5 rev"}, {"zyz", "30deg,90,0.25rev"}}),
+      mm, axes, {"mm", "mm", "mm"}));
+  EXPECT_DOUBLE_EQ(turned.rotation, 180);
+  EXPECT_EQ(turned.zyz[0], 30);
+  EXPECT_EQ(turned.zyz[1], 90);
+  EXPECT_DOUBLE_EQ(turned.zyz[2], 90);
   EXPECT_FALSE(names_axes(words("wait", {"0.5"})));
   const auto along = std::get<command::GroupJog>(
       command_of(words("jog", {"20mm/s"}, {{"along", "1,0,0"}}), mm, axes));
@@ -190,6 +197,14 @@ TEST(CommandWords, CoordinatesHaveTheNamesOfTheAxes) {
                          const std::map<std::string, std::string>& options = {}) {
     return test::error_of([&] { (void)command_of(words(what, values, options), mm, axes); });
   };
+  EXPECT_THAT(wrong("move-circular", {"x=1", "y=1"}, {{"radius", "many"}}),
+              testing::StartsWith("--radius = many: "));
+  EXPECT_THAT(wrong("move-circular", {"x=1", "y=1"}, {{"center", "1,many"}}),
+              testing::StartsWith("--center: y = many: "));
+  EXPECT_THAT(wrong("move-circular", {"x=many", "y=1"}, {{"radius", "1"}}),
+              testing::StartsWith("x = many: "));
+  EXPECT_THAT(wrong("set-coordinate-transform", {}, {{"zyz", "1,5 mm"}}),
+              testing::AllOf(testing::StartsWith("--zyz = 5 mm: "), testing::HasSubstr("in deg")));
   EXPECT_EQ(wrong("move-linear", {"u=1"}),
             "VALUE = u=1: names u, but the axes of the group are x, y, z");
   EXPECT_EQ(wrong("move-linear", {"x=1", "x=2"}), "VALUE = x=1,x=2: names an axis twice");

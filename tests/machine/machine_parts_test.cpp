@@ -68,7 +68,7 @@ TEST_F(MachineParts, TheCheckOfASpecRejectsWhatTheRunRejects) {
        {std::pair{"position_max = 10\n[homing]\nmethod = 37\noffset = 500\n",
                   "homing.offset = 500"},
         {"[homing]\nmethod = 37\nindex_velocity = 5000\n", "homing.index_velocity = "},
-        {"position_max = -7\n", "axis.position = 0"},
+        {"position_max = -7\n", "limits.position_max = -7"},
         {"[homing]\nmethod = 24\n", "homing.method = 24"}}) {
     const std::string file = axis("feeder", more);
     const std::string run = test::error_of([&] { machine_parts({.files = {file}}); });
@@ -309,6 +309,8 @@ TEST_F(MachineGroups, RejectAKinematicsOfOtherJoints) {
               HasSubstr("must be u, v, the coordinates of the group"));
   EXPECT_THAT(error("axes = [\"x\", \"y\"]\nkinematics = \"part.toml\"\n"),
               HasSubstr("must be a spec of kind \"path\" with [kinematics]"));
+  EXPECT_THAT(error("axes = [\"x\", \"y\"]\nkinematics = \"none.toml\"\n"),
+              HasSubstr("none.toml: cannot be read"));
   std::ofstream(folder_ / "tool.toml")
       << "jounce = 1\nkind = \"path\"\nunits = { position = \"mm\", time = \"s\" }\n[path]\n"
          "velocity = 10\n[kinematics]\ntype = \"corexy\"\n[[axis]]\nname = \"u\"\n"

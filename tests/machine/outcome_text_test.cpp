@@ -56,6 +56,37 @@ TEST(OutcomeText, ARemedyFitsTheReason) {
   EXPECT_THAT(reason_text(homing, "feeder"), EndsWith("or choose another method."));
 }
 
+TEST(OutcomeText, ARemedyNamesTheOptionThatGaveTheNumber) {
+  wire::Status before;
+  before.units = {"s", "mm"};
+  const auto text = [&](Cause cause, const std::string& number, const CommandWords& words) {
+    CallOutcome no = rejected();
+    no.cause = static_cast<std::int32_t>(cause);
+    no.reason = std::string("axis: ") + name(cause) + ": " + number + ".";
+    return reason_text(no, words, before, "feeder");
+  };
+  EXPECT_THAT(text(Cause::velocity_limit, "9000 mm/s, limit 500 mm/s",
+                   {.what = "home", .options = {{"search-velocity", "9m/s"}}}),
+              EndsWith("Give a lower --search-velocity."));
+  EXPECT_THAT(
+      text(Cause::velocity_limit, "900 mm/s, limit 500 mm/s",
+           {.what = "home", .options = {{"search-velocity", "20"}, {"index-velocity", "900"}}}),
+      EndsWith("Give a lower --index-velocity."));
+  EXPECT_THAT(text(Cause::velocity_limit, "900 mm/s, limit 500 mm/s", {.what = "home"}),
+              HasSubstr("search_velocity and index_velocity in [homing]"));
+  EXPECT_THAT(text(Cause::acceleration_limit, "1e9 mm/s^2, limit 10000 mm/s^2",
+                   {.what = "move",
+                    .options = {{"to", "5"}, {"acceleration", "10"}, {"deceleration", "1e9"}}}),
+              EndsWith("Give a lower --deceleration."));
+  EXPECT_THAT(text(Cause::acceleration_limit, "1e9 mm/s^2, limit 10000 mm/s^2",
+                   {.what = "gear-in", .value = "1:1", .options = {{"clutch", "1e9"}}}),
+              HasSubstr("--clutch"))
+      << "a distance is no acceleration";
+  EXPECT_THAT(
+      text(Cause::velocity_limit, "900 mm/s, limit 500 mm/s", {.what = "jog", .value = "900"}),
+      EndsWith("Give a lower velocity."));
+}
+
 TEST(OutcomeText, ARejectedPathHasTheNameOfItsFile) {
   for (const std::string sender : {"", "axis: "})
     EXPECT_EQ(with_file(sender + "line 23: x.position = 399 mm: exceeds", "part.toml"),
@@ -72,6 +103,8 @@ TEST(OutcomeText, AGearInPositionNamesTheBeginOfItsEngagement) {
                           status, "knife"),
             "gear-in-pos accepted: the slave waits until the master passes -190 mm; no jerk limit "
             "applies behind the master: the jerk is that of the master times the ratio");
+  EXPECT_THAT(accepted_text({.what = "combine", .value = "1:1"}, status, "knife"),
+              HasSubstr("no jerk limit applies behind the master"));
   status.gear = wire::GearState::engaging;
   status.progress = wire::Progress::waiting;
   status.ratio = 2;

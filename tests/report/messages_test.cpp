@@ -26,6 +26,20 @@ TEST(Messages, AreFoundByNumberAndName) {
       testing::HasSubstr("did you mean limit/acceleration?"));
 }
 
+TEST(Messages, OfAFamilyNeedAKnownQuantity) {
+  const std::vector<Message> rules{{"Findings", "", "limit/*", "Above.", "Less."},
+                                   {"Findings", "", "constraint/*", "Violated.", "Relax it."}};
+  const auto rule = [&](const std::string& code) {
+    return test::rule_of([&] { messages_named(rules, code); });
+  };
+  for (const char* code : {"limit", "limit/*", "limit/velocity", "limit/geo_jerk_step",
+                           "limit/peak load torque", "constraint/disc.base_radius"})
+    EXPECT_EQ(messages_named(rules, code).size(), 1U) << code;
+  EXPECT_THAT(rule("limit/velocityy"), testing::HasSubstr("did you mean limit/velocity?"));
+  EXPECT_THAT(rule("limit/geo_jrk"), testing::HasSubstr("did you mean limit/geo_jerk?"));
+  EXPECT_THAT(rule("limit/colour"), testing::HasSubstr("`jounce explain` lists them all"));
+}
+
 TEST(Messages, HaveNamesUnlessTheyAreNumbers) {
   EXPECT_THAT(message_names(all), testing::ElementsAre("following_error", "busy"));
 }

@@ -69,10 +69,11 @@ TEST_F(CamPoints, AreWithinTheToleranceOfTheSegmentOrTheFile) {
 TEST_F(CamPoints, MeetTheKnotsOfTheSpec) {
   const std::string start = "start = { master = 0, slave = 0, geo_velocity = 0 }\n";
   EXPECT_EQ(cam(start + spline, points).start.geo_velocity, 0);
-  EXPECT_EQ(complaint("start = { master = 0, slave = 1 }\n" + spline, points),
-            "points.csv:2: slave = 0: must be 1, the knot of the spec at this master position");
+  EXPECT_EQ(
+      complaint("start = { master = 0, slave = 1 }\n" + spline, points),
+      "points.csv:2:3: slave = 0 mm: must be 1 mm, the knot of the spec at this master position");
   EXPECT_EQ(complaint("start = { master = 10, slave = 0 }\n" + spline, points),
-            "points.csv:2: master = 0: must lie in its segment, 10 to 360");
+            "points.csv:2:1: master = 0 deg: must lie in its segment, 10 to 360 deg");
 }
 
 TEST_F(CamPoints, GiveDerivativesToHermite) {
@@ -86,7 +87,7 @@ TEST_F(CamPoints, GiveDerivativesToHermite) {
 
 TEST_F(CamPoints, ThatAreWrongNameTheirLine) {
   EXPECT_EQ(complaint(spline, "master,slave\n0,0\n90,5\n90,6\n360,0\n"),
-            "points.csv:4: master = 90: must be greater than 90 deg, the previous point");
+            "points.csv:4:1: master = 90 deg: must be greater than 90 deg, the previous point");
   const std::string empty = complaint(spline, "");
   EXPECT_THAT(empty, testing::StartsWith("spec.toml:6:10: segment[1].points = "));
   EXPECT_THAT(empty, testing::EndsWith("points.csv: is empty: a header must name the columns, such "

@@ -67,13 +67,17 @@ TEST(CompensationSpecOfAnAxis, MistakesAreNamed) {
   EXPECT_THAT(error("most = 1\n" + grid + "values = [0, \"1 deg\", 0]\n"), HasSubstr("deg"));
   EXPECT_THAT(error("most = 1\nvalues = [0, 0]\n"
                     "reference = [{ base = 0, interval = -1, count = 2 }]\n"),
-              HasSubstr("interval"));
+              HasSubstr("compensation.reference[1].interval = -1 mm: must be greater than 0"));
   EXPECT_THAT(error("most = 1\nvalues = [0, 0]\n"
                     "reference = [{ base = 0, interval = 1, count = 2, unit = \"deg\" }]\n"),
               HasSubstr("must be mm, the unit of this axis"));
   EXPECT_THAT(error("most = 1\nvalues = [0, 0, 0, 0]\n"
                     "reference = [{ base = 0, interval = 1, count = 2 },\n"
                     "  { axis = \"x\", base = 0, interval = 1, count = 2 }]\n"),
+              HasSubstr("reference[2].axis = \"x\": is this axis, as in another reference"));
+  EXPECT_THAT(error("most = 1\nvalues = [0, 0, 0, 0]\n"
+                    "reference = [{ axis = \"y\", base = 0, interval = 1, count = 2 },\n"
+                    "  { axis = \"y\", base = 0, interval = 1, count = 2 }]\n"),
               HasSubstr("is the axis of two references"));
   EXPECT_THAT(error("most = 1\n" + grid + "user_table = { file = \"none.csv\" }\n"),
               HasSubstr("none.csv"));

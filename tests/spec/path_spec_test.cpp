@@ -256,7 +256,7 @@ TEST_F(PathBesideFile, RefusesPointsThatDoNotFit) {
   EXPECT_THAT(complaint(top, "p.csv", "x,velocity\n1,2\n2,3\n"),
               HasSubstr("p.csv:1: column \"y\": is missing"));
   EXPECT_THAT(complaint(top, "p.csv", "x,y,velocity\n1,2,1\n2,3,0\n"),
-              HasSubstr("p.csv:3: velocity = 0"));
+              HasSubstr("p.csv:3:5: velocity = 0 mm/s"));
 }
 
 TEST_F(PathBesideFile, TakesAGcodeProgram) {

@@ -84,10 +84,10 @@ TEST_F(PointFile, HoldsThePointsOfAPtTableWithTheirTypes) {
   EXPECT_EQ(curve.jet(1024)[1], 2);
   EXPECT_EQ(curve.jet(3072, Side::left)[0], 4096);
   EXPECT_EQ(complaint(keys, "time,position,type\n1024,1024,sideways\n"),
-            "points.csv:2: type = sideways: must be one of normal, even, stop, continue, or its "
+            "points.csv:2:11: type = sideways: must be one of normal, even, stop, continue, or its "
             "number, counted from 0");
   EXPECT_EQ(complaint(pt + "[pt]\n", "time,position\n5,1\n4,2\n"),
-            "points.csv:3: time = 4: must be greater than 5");
+            "points.csv:3:1: time = 4 ms: must be greater than 5 ms, the previous point");
 }
 
 TEST_F(PointFile, HoldsTheSegmentsOfAFollowTable) {
@@ -103,18 +103,19 @@ TEST_F(PointFile, HoldsTheSegmentsOfAFollowTable) {
 TEST_F(PointFile, APtTableThatTheControllerRefusesIsNamedWithItsOwnLine) {
   const std::string googol = pt + "[pt]\ncontroller = \"googol\"\n";
   EXPECT_THAT(complaint(googol, "time,position\n16,1\n\n32.5,2\n"),
-              ::testing::StartsWith("points.csv:4: time = 32.5: must be a whole number of ms"));
-  EXPECT_THAT(complaint(googol, "time,position\n16,1\n2147483648,2\n"),
-              ::testing::StartsWith("points.csv:3: time = 2147483648: must be at most 2147483647"));
+              ::testing::StartsWith("points.csv:4:1: time = 32.5: must be a whole number of ms"));
+  EXPECT_THAT(
+      complaint(googol, "time,position\n16,1\n2147483648,2\n"),
+      ::testing::StartsWith("points.csv:3:1: time = 2147483648: must be at most 2147483647"));
   EXPECT_THAT(complaint(pt + "[pt]\n", "time,position\n1,1e308\n2,-1e308\n"),
-              ::testing::StartsWith("points.csv:2: position = 1e308: is too far"));
+              ::testing::StartsWith("points.csv:2:3: position = 1e308: is too far"));
   EXPECT_THAT(complaint(pvt, "time,position,velocity\n0,0,0\n1,1e308,0\n2,-1e308,0\n"),
               ::testing::StartsWith("points.csv:3: knot[2]: is the end of a segment whose value"));
   const std::string follow =
       "kind = \"follow\"\nunits = { position = \"pulse\", master = \"pulse\" }\npoints = "
       "\"points.csv\"\n";
   EXPECT_THAT(complaint(follow, "master,slave\n100,1\n200,-1e308\n"),
-              ::testing::StartsWith("points.csv:3: slave = -1e308: is too far"));
+              ::testing::StartsWith("points.csv:3:5: slave = -1e308: is too far"));
 }
 
 TEST_F(PointFile, HoldsTheStagesOfAPmc600Table) {
@@ -125,12 +126,13 @@ TEST_F(PointFile, HoldsTheStagesOfAPmc600Table) {
   const auto& curve = std::get<Trajectory>(*made.curve);
   EXPECT_EQ(curve.end(), 3);
   EXPECT_EQ(curve.jet(1)[1], 10);
-  EXPECT_EQ(complaint(head, "delta_time,velocity\n1,10\n0.0005,0\n"),
-            "points.csv:3: delta_time = 0.0005: must be a whole number of ms, the resolution of "
-            "the data type TIME");
+  EXPECT_EQ(
+      complaint(head, "delta_time,velocity\n1,10\n0.0005,0\n"),
+      "points.csv:3:1: delta_time = 0.0005 s: must be a whole number of ms, the resolution of "
+      "the data type TIME");
   EXPECT_THAT(
       complaint(head, "delta_time,velocity\n1,10\n0,0\n"),
-      ::testing::StartsWith("points.csv:3: delta_time = 0: must be greater than 0 (PMC600"));
+      ::testing::StartsWith("points.csv:3:1: delta_time = 0: must be greater than 0 (PMC600"));
   EXPECT_THAT(complaint(head, "delta_time,position\n1,10\n"),
               ::testing::StartsWith("points.csv:1: position: is not a column of this table"));
 }

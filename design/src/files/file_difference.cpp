@@ -59,7 +59,8 @@ std::string to_text(const FileDifference& difference) {
     text += path_difference(*after.spec, *before.plan, *after.plan) + "\n";
   }
   for (std::size_t i = 0; i < difference.comparisons.size(); ++i)
-    text += (i == 0 ? "" : "\n") + to_text(difference.comparisons[i]);
+    text +=
+        (i == 0 ? "" : "\n") + to_text(difference.comparisons[i], 10, headline_of(difference.keys));
   return difference.keys.empty() ? text : text + "  ~ " + to_text(difference.keys) + "\n";
 }
 

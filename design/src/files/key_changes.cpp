@@ -86,4 +86,10 @@ std::string to_text(const std::vector<KeyChange>& keys) {
   return keys.size() > most ? text + fmt::format("; and {} more", keys.size() - most) : text;
 }
 
+std::string headline_of(const std::vector<KeyChange>& keys) {
+  if (keys.empty()) return "";
+  return keys.size() == 1 ? keys.front().key + " differs"
+                          : fmt::format("{} keys outside the curve differ", keys.size());
+}
+
 }  // namespace jounce

@@ -71,9 +71,7 @@ std::vector<double> tolerances_of(const Points& file, const FitOptions& options,
                      "column tolerance in the file");
   std::vector<double> all = file.in_unit("tolerance", unit);
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (!(all[i] > 0))
-      throw InputError("tolerance", all[i], "must be greater than 0")
-          .at(file.document, static_cast<int>(file.lines[i]));
+    if (!(all[i] > 0)) throw file.error(i, "tolerance", all[i], unit, "must be greater than 0");
   return all;
 }
 
@@ -102,10 +100,9 @@ Measurement from_points(Points file, const FitOptions& options) {
   const std::vector<double> tolerances = tolerances_of(file, options, m.units.position);
   for (std::size_t i = 0; i < m.points; ++i) {
     if (i > 0 && !(m.columns.x[i] > m.columns.x[i - 1]))
-      throw InputError("master", m.columns.x[i],
+      throw file.error(i, "master", m.columns.x[i], m.units.x,
                        "must be greater than " + number(m.columns.x[i - 1]) + " " + m.units.x +
-                           ", the previous point")
-          .at(file.document, static_cast<int>(file.lines[i]));
+                           ", the previous point");
     m.cam.points.push_back({m.columns.x[i], m.columns.p[i], tolerances[i]});
   }
   return m;

@@ -33,7 +33,8 @@ GcodeInterpreter::GcodeInterpreter(const GcodeMachine& machine)
                        ? static_cast<char>(std::toupper(static_cast<unsigned char>(axis.name[0])))
                        : '\0';
     if (c == '\0' || gcode_axes.find(c) == std::string_view::npos)
-      throw InputError("axis.name", '"' + axis.name + '"',
+      throw InputError("axis[" + std::to_string(letters_.size() + 1) + "].name",
+                       '"' + axis.name + '"',
                        "must be one of X Y Z A B C U V W, so that G-code can move it");
     letters_ += c;
   }

@@ -78,15 +78,23 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& key, std::string_view value, const std::string& rule) {
+  /// `cell`: the place in the line; null for the whole line.
+  [[noreturn]] void fail(const std::string& key, std::string_view value, const std::string& rule,
+                         const char* cell = nullptr) {
     throw InputError(key, printable(std::string(value)), rule)
-        .at(points_.document, static_cast<int>(line_));
+        .at(points_.document, static_cast<int>(line_),
+            cell == nullptr ? 0 : static_cast<int>(character(cell)));
+  }
+
+  /// The place of a cell in its line, from 1.
+  [[nodiscard]] std::uint32_t character(const char* cell) const {
+    return static_cast<std::uint32_t>(cell - line_begin_) + 1;
   }
 
   /// The next line that is neither empty nor a comment.
   bool next_line() {
     while (at_ != end_) {
-      begin_ = at_;
+      begin_ = line_begin_ = at_;
       const auto* newline =
           static_cast<const char*>(std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_)));
       line_end_ = newline == nullptr ? end_ : newline;
@@ -139,7 +147,7 @@ class Reader {
       is_words_.push_back(io_detail::has_words(column));
       points_.columns.push_back(std::move(column));
     } catch (const InputError& error) {
-      fail(error.key(), error.value(), error.rule());
+      fail(error.key(), error.value(), error.rule(), cell.data());
     }
   }
 
@@ -192,7 +200,10 @@ class Reader {
     const std::size_t rows =
         std::min<std::size_t>(left / (2 * points_.columns.size()) + 1, 1U << 20U);
     points_.lines.reserve(rows);
-    for (PointColumn& column : points_.columns) column.values.reserve(rows);
+    for (PointColumn& column : points_.columns) {
+      column.values.reserve(rows);
+      column.characters.reserve(rows);
+    }
   }
 
   void read_row() {
@@ -205,6 +216,7 @@ class Reader {
       while (after != line_end_ && is_blank(*after)) ++after;
       const bool ends = after == line_end_ ? i == last : *after == separator_ && i != last;
       PointColumn& column = points_.columns[i];
+      column.characters.push_back(character(cell));
       if (number.end != cell && ends && std::isfinite(number.value) && !is_words_[i]) [[likely]] {
         column.values.push_back(number.value);
       } else {
@@ -226,7 +238,7 @@ class Reader {
       column.words.emplace_back(text);
       return to;
     }
-    if (text.empty()) fail(column.name, text, "is empty: every point needs a number");
+    if (text.empty()) fail(column.name, text, "is empty: every point needs a number", cell);
     column.values.push_back(with_comma(column.name, text, text.size() < written.size()));
     return to;
   }
@@ -238,13 +250,16 @@ class Reader {
         plain.end == to && !text.empty() && std::isfinite(plain.value))
       return plain.value;
     if ((separator_ == ',' && !quoted) || text.find(other) == text.npos)
-      fail(key, text, "must be a finite number");
+      fail(key, text, "must be a finite number", text.data());
     const char* const end = text.data() + text.size();
     const Number number = number_at(text.data(), end, other);
     if (number.end != end || !std::isfinite(number.value))
-      fail(key, text, "must be a finite number with one decimal comma and no thousands separator");
-    if (point_ == ',') fail(key, text, "has a decimal point where other numbers have a comma");
-    if (has_points()) fail(key, text, "has a decimal comma where other numbers have a point");
+      fail(key, text, "must be a finite number with one decimal comma and no thousands separator",
+           text.data());
+    if (point_ == ',')
+      fail(key, text, "has a decimal point where other numbers have a comma", text.data());
+    if (has_points())
+      fail(key, text, "has a decimal comma where other numbers have a point", text.data());
     point_ = ',';
     return number.value;
   }
@@ -281,7 +296,8 @@ class Reader {
 
   const char* at_;
   const char* end_;
-  const char* begin_ = nullptr;
+  const char* line_begin_ = nullptr;
+  const char* begin_ = nullptr;  // after the blanks
   const char* line_end_ = nullptr;
   const char* first_row_ = nullptr;
   Points& points_;
@@ -318,6 +334,21 @@ std::vector<double> Points::in_unit(std::string_view name, const std::string& un
         .at(document, static_cast<int>(header));
   }
   return values;
+}
+
+InputError Points::error(std::size_t point, const std::string& name, const std::string& value,
+                         const std::string& rule) const {
+  const PointColumn* const column = find(name);
+  const bool placed = column != nullptr && point < column->characters.size();
+  return InputError(name, value, rule)
+      .at(document, static_cast<int>(lines[point]),
+          placed ? static_cast<int>(column->characters[point]) : 0);
+}
+
+InputError Points::error(std::size_t point, const std::string& name, double value,
+                         const std::string& unit, const std::string& rule) const {
+  const std::string text = InputError(name, value, rule).value();
+  return error(point, name, text + (unit.empty() || unit == "1" ? "" : " " + unit), rule);
 }
 
 Points parse_points(std::string_view text, const std::string& document) {

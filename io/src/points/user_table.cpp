@@ -66,7 +66,7 @@ UserTable read_user_table(const std::string& path) {
   std::map<std::int64_t, bool> seen;
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const auto refuse = [&](const std::string& rule) {
-      throw InputError("index", indices[i], rule).at(path, static_cast<int>(points.lines[i]));
+      throw points.error(i, "index", indices[i], "", rule);
     };
     if (!is_index(indices[i])) refuse(index_rule);
     const auto index = static_cast<std::int64_t>(indices[i]);

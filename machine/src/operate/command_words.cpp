@@ -228,11 +228,20 @@ void require_choice(const std::string& name, const std::string& text,
     throw InputError(name, text, "must be one of " + listed(choices));
 }
 
+/// The option of a word that takes coordinates, and that stands for its arguments; "": none.
+std::string coordinate_option(const std::string& word) {
+  for (const Form& form : forms_of(word))
+    for (const Field& field : form.command->fields)
+      if (form.form(field) == OptionForm::coordinates) return form.option(field);
+  return "";
+}
+
 /// The name of a coordinate in messages: "x", "--to", "--to: x".
 std::string coordinate_name(const CommandWords& words, const std::string& option, std::size_t index,
                             const std::vector<std::string>& axes) {
-  if (index >= axes.size()) return option;
-  return words.typed_coordinates ? axes[index] : option + ": " + axes[index];
+  if (index >= axes.size()) return dashed(option);
+  const bool typed = words.typed_coordinates && option == coordinate_option(words.what);
+  return typed ? axes[index] : dashed(option) + ": " + axes[index];
 }
 
 /// The coordinate with this index in a list such as "10,5mm,,2"; NaN: not given.
@@ -353,7 +362,8 @@ double number_in_range(const CommandWords& words, const Field& field, const Fiel
                        const std::string& name, const std::string& text, const std::string& unit) {
   const double value = number_of(name, text, unit);
   if (const std::string rule = rule_for_number(words.what, field, name, value); !rule.empty())
-    throw InputError(name, text, rule + about.reason);
+    throw InputError(name, csv_number(text) && !unit.empty() ? text + " " + unit : text,
+                     rule + about.reason);
   return value;
 }
 
@@ -377,8 +387,8 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
   const std::string option = form.option(field);
   const std::string name = dashed(option);
   const std::string text = text_of(words, option);
-  const std::string unit = unit_of(field.quantity, units);
   const FieldOption& about = form.about(field);
+  const std::string unit = *about.unit != 0 ? about.unit : unit_of(field.quantity, units);
   const FieldRange& range = about.range ? *about.range : field.range;
   const bool is_input = about.form == OptionForm::trigger_input;
   if (option == value_word && text.empty() && !is_input)
@@ -394,9 +404,13 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
       return field.range.not_zero ? ratio_of(name, text).second : ratio_of(name, text).first;
     case OptionForm::trigger_input:
       return input_of(text);
-    case OptionForm::coordinates:
-      return coordinate_of(coordinate_name(words, name, index, axes), text, index,
-                           index < coordinate_units.size() ? coordinate_units[index] : unit);
+    case OptionForm::coordinates: {
+      const bool angle = *about.unit != 0;
+      const bool of_axis = !angle && coordinates(form, option) > 1;
+      return coordinate_of(
+          of_axis ? coordinate_name(words, option, index, axes) : name, text, index,
+          !angle && index < coordinate_units.size() ? coordinate_units[index] : unit);
+    }
     case OptionForm::direction:
       require_choice(name, text, choices_of(about.form, field.range));
       return direction_of(text);
@@ -410,14 +424,6 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
       break;
   }
   return text.empty() ? otherwise : number_in_range(words, field, about, name, text, unit);
-}
-
-/// The option of a word that takes coordinates, and that stands for its arguments; "": none.
-std::string coordinate_option(const std::string& word) {
-  for (const Form& form : forms_of(word))
-    for (const Field& field : form.command->fields)
-      if (form.form(field) == OptionForm::coordinates) return form.option(field);
-  return "";
 }
 
 /// The option of a word, written with this text.
@@ -511,6 +517,22 @@ void require_taken(const CommandWords& words) {
   const Form form = form_of(words);
   require_unbuffered(words, form);
   require_applies(words, form);
+}
+
+std::vector<std::string> options_with(const CommandWords& words, Quantity quantity, double value,
+                                      const Units& units) {
+  constexpr double six_digits_of = 1e-5;
+  std::vector<std::string> names;
+  for (const CommandOption& option : options_of(words.what)) {
+    const std::string text = text_of(words, option.name);
+    if (option.name == value_word || option.quantity != quantity || text.empty() ||
+        option.form != OptionForm::number)
+      continue;
+    const double given = number_of(option.name, text, unit_of(quantity, units));
+    if (std::abs(given - value) <= six_digits_of * std::abs(value))
+      names.push_back(dashed(option.name));
+  }
+  return names;
 }
 
 CommandKind kind_of(const CommandWords& words) {

@@ -23,6 +23,7 @@ struct FieldOption {
   /// Permitted values, if their words differ from those of the field, or if they are fewer.
   std::optional<FieldRange> range = std::nullopt;
   const char* reason = "";  ///< added to the rule that a value breaks
+  const char* unit = "";    ///< unit of a number whose field has no physical quantity
 };
 
 /// Returns all entries, those of single commands first.

@@ -237,8 +237,10 @@ void add_machine_group(const MachineSpec::Group& spec, const Document& document,
     for (const std::size_t axis : parts.axes.back().group->of.axes)
       parts.axes[axis].groups.push_back(spec.name);
   } catch (const InputError& error) {
-    if (!error.document().empty())  // an error of the program, or a missing file
-      throw document.naming(spec.key + ".program", spec.program, error);
+    const bool of_kinematics = error.document() == spec.kinematics;
+    if (!error.document().empty())  // an error in one of the two files, or a missing file
+      throw document.naming(spec.key + (of_kinematics ? ".kinematics" : ".program"),
+                            error.document(), error);
     throw document.located(InputError(spec.key + "." + error.key(), error.value(), error.rule()));
   }
 }

@@ -136,6 +136,17 @@ void require_home_inside(const HomingSpec& homing, const Limits& limits) {
           number(no->limit) + ": the axis stands there after the homing");
 }
 
+/// Throws InputError for limits that exclude the default of the start position.
+void require_default_inside(const Spec& spec, const AxisConfig& config) {
+  if (spec.document.places.contains("axis.position")) return;
+  const std::string is =
+      " the start position, " + number(config.position) + ": give position in [axis]";
+  if (const auto& most = config.limits.position_max; most && config.position > *most)
+    throw InputError("limits.position_max", *most, "must be at least" + is);
+  if (const auto& least = config.limits.position_min; least && config.position < *least)
+    throw InputError("limits.position_min", *least, "must be at most" + is);
+}
+
 /// The configuration of an axis, checked against its drive.
 AxisConfig axis_of(const Spec& spec) {
   AxisConfig config = config_of(spec);
@@ -145,6 +156,7 @@ AxisConfig axis_of(const Spec& spec) {
         "is missing: add name = \"NAME\", by which streams and commands address the axis");
   if (!wire::is_executor_name(spec.name))
     throw InputError("name", '"' + spec.name + '"', wire::executor_name_rule);
+  require_default_inside(spec, config);
   (void)resolved(config);
   if (std::get<AxisSpec>(spec.subject).homing) require_home_inside(config.homing, config.limits);
   const auto drive = axis_drive(spec);

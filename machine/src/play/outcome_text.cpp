@@ -2,10 +2,12 @@
 #include "jounce/machine/outcome_text.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
@@ -73,8 +75,9 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
   return "";
 }
 
+/// `own`: a remedy in place of that of the cause, or "".
 std::string reason_and_remedy(const CallOutcome& outcome, const std::string& executor,
-                              Rejected rejected, std::int32_t fault) {
+                              Rejected rejected, std::int32_t fault, const std::string& own = "") {
   constexpr std::string_view homing = "not homed: ";
   if (outcome.reason.starts_with(homing)) {
     const std::string remedy =
@@ -85,8 +88,45 @@ std::string reason_and_remedy(const CallOutcome& outcome, const std::string& exe
   std::string reason = outcome.reason;
   constexpr std::string_view who = "axis: ";
   if (reason.starts_with(who)) reason.erase(0, who.size());
-  const std::string remedy = remedy_of(outcome.cause, reason, executor, rejected, fault);
+  const std::string remedy =
+      own.empty() ? remedy_of(outcome.cause, reason, executor, rejected, fault) : own;
   return remedy.empty() ? reason : reason + " " + remedy;
+}
+
+/// The quantity whose limit a rejection names; nullopt for other causes.
+std::optional<Quantity> limited_quantity(std::int32_t cause) {
+  switch (static_cast<Cause>(cause)) {
+    case Cause::velocity_limit:
+      return Quantity::velocity;
+    case Cause::acceleration_limit:
+      return Quantity::acceleration;
+    case Cause::jerk_limit:
+      return Quantity::jerk;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// The number of a rejection: 900 in "velocity_limit: ...: 900 mm/s, limit 500 mm/s.".
+std::optional<double> rejected_number(const std::string& reason) {
+  const std::size_t colon = reason.rfind(": ");
+  if (colon == std::string::npos) return std::nullopt;
+  double value = 0;
+  const char* const begin = reason.data() + colon + 2;
+  const auto [end, bad] = std::from_chars(begin, reason.data() + reason.size(), value);
+  return bad == std::errc() && end != begin ? std::optional(value) : std::nullopt;
+}
+
+/// "Give a lower --deceleration.", if the order gave the rejected number with an option.
+std::string remedy_of_option(const CallOutcome& outcome, const CommandWords& words,
+                             const Units& units) {
+  const auto quantity = limited_quantity(outcome.cause);
+  const auto value = rejected_number(outcome.reason);
+  const bool of_axis =
+      outcome.reason.find(name(static_cast<Cause>(outcome.cause))) != std::string::npos;
+  if (!quantity || !value || !of_axis) return "";
+  const std::vector<std::string> options = options_with(words, *quantity, *value, units);
+  return options.empty() ? "" : fmt::format("Give a lower {}.", fmt::join(options, " and "));
 }
 
 /// The position of the master at which a gear in position begins to engage.
@@ -127,6 +167,12 @@ std::string reason_text(const CallOutcome& outcome, const std::string& executor,
   return reason_and_remedy(outcome, executor, order, fault);
 }
 
+std::string reason_text(const CallOutcome& outcome, const CommandWords& words,
+                        const wire::Status& before, const std::string& executor) {
+  return reason_and_remedy(outcome, executor, kind_of(words), before.last_error,
+                           remedy_of_option(outcome, words, before.units));
+}
+
 namespace {
 
 std::string plain_accepted_text(const CommandWords& words, const wire::Status& before,
@@ -135,7 +181,7 @@ std::string plain_accepted_text(const CommandWords& words, const wire::Status& b
   if (word == "home") return "homed";
   if (word == "gear-in-pos")
     return word + " accepted: " + start_of_gear(words, before.units.x) + jerk_of_master;
-  if (word == "gear-in") return word + " accepted" + jerk_of_master;
+  if (word == "gear-in" || word == "combine") return word + " accepted" + jerk_of_master;
   if (word == "cut" && !words.options.contains("length") && !words.options.contains("waste"))
     return "cut accepted; it replaces a cut on demand that still waits";
   if (word == "set-coordinate-transform" &&

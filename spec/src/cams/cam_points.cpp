@@ -40,18 +40,13 @@ void read_column(const Points& file, const char* name, const std::string& unit,
   for (std::size_t i = 0; i < points.size(); ++i) points[i].*field = values[i];
 }
 
-[[noreturn]] void fail_at(const Points& file, std::size_t point, const char* column, double value,
-                          const std::string& rule) {
-  throw InputError(column, value, rule).at(file.document, static_cast<int>(file.lines[point]));
-}
-
 void read_masters(const Points& file, const std::string& unit, std::vector<CamPoint>& points) {
   const std::vector<double> masters = file.in_unit("master", unit);
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].master = masters[i];
     if (i > 0 && !(masters[i] > masters[i - 1]))
-      fail_at(
-          file, i, "master", masters[i],
+      throw file.error(
+          i, "master", masters[i], unit,
           "must be greater than " + number(masters[i - 1]) + " " + unit + ", the previous point");
   }
 }
@@ -72,7 +67,8 @@ void read_tolerances(TomlReader& segment, Law law, const Points& file, const std
     tolerances.assign(points.size(), *all);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(tolerances[i] >= 0)) fail_at(file, i, "tolerance", tolerances[i], "must not be negative");
+    if (!(tolerances[i] >= 0))
+      throw file.error(i, "tolerance", tolerances[i], unit, "must not be negative");
     points[i].tolerance = tolerances[i];
   }
 }
@@ -88,8 +84,9 @@ std::vector<CamPoint> CamPointFile::within(Law law, const CamKnot& from, const C
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CamPoint& point = points[i];
     if (point.master < from.master || point.master > to.master)
-      fail_at(file, i, "master", point.master,
-              "must lie in its segment, " + number(from.master) + " to " + number(to.master));
+      throw file.error(i, "master", point.master, units.x,
+                       "must lie in its segment, " + number(from.master) + " to " +
+                           number(to.master) + " " + units.x);
     const CamKnot* const knot = point.master == from.master ? &from
                                 : point.master == to.master ? &to
                                                             : nullptr;
@@ -97,8 +94,9 @@ std::vector<CamPoint> CamPointFile::within(Law law, const CamKnot& from, const C
     if (knot == nullptr) continue;
     const double rounding = rounded_input * std::max(std::abs(knot->slave), std::abs(*point.slave));
     if (std::abs(*point.slave - knot->slave) > point.tolerance + rounding)
-      fail_at(file, i, "slave", *point.slave,
-              "must be " + number(knot->slave) + ", the knot of the spec at this master position");
+      throw file.error(i, "slave", *point.slave, units.position,
+                       "must be " + number(knot->slave) + " " + units.position +
+                           ", the knot of the spec at this master position");
   }
   return inside;
 }
@@ -126,7 +124,7 @@ std::optional<CamPointFile> read_cam_points(TomlReader& segment, Law law, const 
                                     {"geo_jerk", &CamPoint::geo_jerk}})
     read_column(file, name, rate_unit(units.position, units.x, order++), points, field);
   read_tolerances(segment, law, file, units.position, points);
-  return CamPointFile{std::move(file), std::move(points)};
+  return CamPointFile{std::move(file), std::move(points), units};
 }
 
 std::optional<MasterSpan> span_of_points(TomlReader& segment, const Units& units) {

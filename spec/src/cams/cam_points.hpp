@@ -17,6 +17,7 @@ namespace jounce::spec_detail {
 struct CamPointFile {
   Points file;
   std::vector<CamPoint> points;  ///< one for each row of the file
+  Units units;                   ///< units of the points
 
   /// Returns the first or the last point as a knot.
   [[nodiscard]] static CamKnot knot_of(const CamPoint& point);

@@ -28,8 +28,7 @@ std::vector<PtPoint> segments_of(const Points& file, const Units& units, bool in
   }
   for (std::size_t i = 0; googol && i < points.size(); ++i)
     if (const std::string rule = googol::broken_follow_rule(points[i].x); !rule.empty())
-      throw InputError("master", points[i].x, rule)
-          .at(file.document, static_cast<int>(file.lines[i]));
+      throw file.error(i, "master", points[i].x, units.x, rule);
   return points;
 }
 

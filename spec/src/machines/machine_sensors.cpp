@@ -56,6 +56,8 @@ const std::vector<std::string> mark_sources{"motor", "master"};
 MachineMarks read_marks(TomlReader& reader, const Units& units, const std::string& master_unit) {
   MachineMarks marks;
   marks.input = static_cast<int>(reader.optional_whole("input").value_or(marks.input));
+  if (marks.input < 1 || marks.input > 4)
+    reader.fail("input", std::to_string(marks.input), "must be 1 to 4");
   marks.on_master = reader.optional_choice("of", mark_sources).value_or(0) == 1;
   if (marks.on_master && master_unit.empty())
     reader.fail("of", "\"master\"",

@@ -166,6 +166,8 @@ MoveSpec read_agito(MotionFields& f) {
   TomlReader& move = f.reader();
   s.target.abs_trgt = int_or(move, "abs_trgt", 0);
   s.target.rel_trgt = int_or(move, "rel_trgt", 0);
+  if (move.has("rel_trgt") && s.target.rel_trgt == 0 && !move.has("abs_trgt"))
+    move.fail("rel_trgt", "0", "must not be 0: there is no move");
   s.settings = read_agito_settings(f);
   s.strokes = read_strokes(move);
   f.may_in("rpt_wait", "ms", s.rpt_wait);

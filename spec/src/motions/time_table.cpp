@@ -114,9 +114,7 @@ std::vector<pmc600::ProfilePoint> profile_points(const Points& file, const char*
   const std::vector<double> values = file.in_unit(quantity, unit);
   std::vector<pmc600::ProfilePoint> points;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!is_whole_ms(times[i]))
-      throw InputError("delta_time", times[i], whole_ms_rule)
-          .at(file.document, static_cast<int>(file.lines[i]));
+    if (!is_whole_ms(times[i])) throw file.error(i, "delta_time", times[i], "s", whole_ms_rule);
     points.push_back({times[i], values[i]});
   }
   return points;

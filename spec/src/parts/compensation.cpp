@@ -88,7 +88,8 @@ std::optional<AxisSpec::Compensation> read_axis_compensation(TomlReader& top, co
     const std::string listed = own ? "" : axis;
     if (std::find(spec.axes.begin(), spec.axes.end(), listed) != spec.axes.end())
       reference.fail("axis", '"' + axis + '"',
-                     "is the axis of two references: leave one of them out");
+                     listed.empty() ? "is this axis, as in another reference: leave one of them out"
+                                    : "is the axis of two references: leave one of them out");
     spec.axes.push_back(listed);
     spec.units.push_back(unit);
     return unit;
@@ -106,7 +107,9 @@ std::optional<AxisSpec::Compensation> read_axis_compensation(TomlReader& top, co
   try {
     (void)Compensation(spec.table);
   } catch (const InputError& error) {
-    table->fail(error.key().c_str(), error.value(), error.rule());
+    std::string key = error.key();
+    if (key.starts_with("axes[")) key.replace(0, 4, "reference");
+    table->fail(key.c_str(), error.value(), error.rule());
   }
   return spec;
 }

@@ -64,8 +64,7 @@ Program program_of(const Points& points, const PathAxes& axes, PathSettings sett
     const int line = static_cast<int>(points.lines[k]);
     if (!feeds.empty()) settings.velocity = feeds[k];
     if (!(settings.velocity > 0))
-      throw InputError("velocity", settings.velocity, "must be greater than 0")
-          .at(points.document, line);
+      throw points.error(k, "velocity", settings.velocity, axes.unit(1), "must be greater than 0");
     program.set(settings);
     program.line(positions[k], line);
   }

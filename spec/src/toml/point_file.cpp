@@ -8,15 +8,6 @@
 #include "jounce/base/listed.hpp"
 
 namespace jounce::spec_detail {
-namespace {
-
-[[noreturn]] void fail(const Points& points, std::size_t point, const std::string& key,
-                       const std::string& value, const std::string& rule) {
-  throw InputError(key, value, rule).at(points.document, static_cast<int>(points.lines[point]));
-}
-
-}  // namespace
-
 std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
                                       const std::vector<std::string>& columns) {
   const auto given = owner.optional_text("points");
@@ -47,8 +38,8 @@ std::vector<std::size_t> types_of(const Points& points, std::span<const std::str
     if (at != words.end()) continue;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), types[i]);
     if (error != std::errc() || end != word.data() + word.size() || types[i] >= words.size())
-      fail(points, i, "type", word,
-           "must be one of " + listed(words) + ", or its number, counted from 0");
+      throw points.error(i, "type", word,
+                         "must be one of " + listed(words) + ", or its number, counted from 0");
   }
   return types;
 }
@@ -66,8 +57,11 @@ std::vector<PtPoint> pt_points(const Points& points, const PointQuantity& x,
     PtPoint point{at[i], to[i], static_cast<PtType>(type[i])};
     if (increments) point = {before.x + point.x, before.position + point.position, point.type};
     if (!(point.x > before.x))
-      fail(points, i, x.name, number(at[i]),
-           "must be greater than " + (increments ? "0" : number(before.x)));
+      throw points.error(i, x.name, at[i], x.unit,
+                         "must be greater than " +
+                             (increments || before.x == 0
+                                  ? "0"
+                                  : number(before.x) + " " + x.unit + ", the previous point"));
     all.push_back(point);
     before = point;
   }
@@ -84,8 +78,7 @@ InputError placed(const InputError& error, const Points& points) {
     return error;
   const auto dot = key.find('.', open);
   const std::string column = dot == key.npos ? key : key.substr(dot + 1);
-  return InputError(column, error.value(), error.rule())
-      .at(points.document, static_cast<int>(points.lines[point - 1]));
+  return points.error(point - 1, column, error.value(), error.rule());
 }
 
 }  // namespace jounce::spec_detail

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "jounce/about/program.hpp"
+
 /// Functions for the words of a command line. They run before its parser, or in addition to it.
 namespace jounce {
 
@@ -20,13 +22,13 @@ std::vector<std::string> meant_words(std::span<const char* const> given);
 /// (the sentence then names the nearest verb). Returns "" for a verb and for an option.
 std::string wrong_verb(std::span<const char* const> given, const std::vector<std::string>& verbs);
 
-/// Returns an error sentence for the first word that looks like an option and is none of `options`;
-/// the sentence names the nearest option. Returns "" if there is no such word. `names_output`: the
-/// verb takes its output as its second argument, not as an option. `owner`: the owner of the
-/// options, as the sentence names it.
+/// Returns an error sentence for the first word that looks like an option and is none of `options`; "" if there is no
+/// such word. `verb` is the verb of the options, or "" for the options of the program. The sentence names the option
+/// whose help begins with the word ("Format, ..." for --format), the nearest visible option, or the verbs that have an
+/// option of this name.
 std::string wrong_option(std::span<const char* const> given,
-                         const std::vector<std::string>& options, bool names_output = false,
-                         const std::string& owner = "this verb");
+                         const std::vector<std::string>& options, const ProgramInfo& program,
+                         const std::string& verb);
 
 /// Rewrites an error sentence of the parser (CLI11) in the style of the other messages, for example
 /// for a missing argument or an option that is given twice. `extra`: the parser reports an argument

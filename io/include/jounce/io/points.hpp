@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 
 /// One column of points, with the name and the unit from the header.
@@ -16,6 +18,9 @@ struct PointColumn {
   std::vector<double> values = {};  ///< numbers of the column
   /// Cells of a column of words, such as "type"; `values` is then empty.
   std::vector<std::string> words = {};
+  /// For each point, the character of its line at which the cell begins, from 1; empty for a
+  /// workbook.
+  std::vector<std::uint32_t> characters = {};
 };
 
 /// Points from a spreadsheet, a measuring device or another program: CSV, or a sheet of a workbook
@@ -41,7 +46,7 @@ struct PointColumn {
 /// without a name are ignored. The line of a point is its row. An error names the sheet and the
 /// cell.
 ///
-/// The whole file is read, or InputError is thrown with file, line, key (the name of the column),
+/// The whole file is read, or InputError is thrown with file, line, character, key (the name of the column),
 /// value and rule. Errors are: a missing header, a repeated name, an unknown unit, a row of another
 /// length, an empty cell or text that is not a finite number (except in the column `type`), decimal
 /// commas together with points, and a file without points; in a workbook also a date, an error
@@ -64,6 +69,13 @@ struct Points {
   /// be in `unit`. Throws InputError with file and line if the file has no such column, or if its
   /// unit does not convert.
   [[nodiscard]] std::vector<double> in_unit(std::string_view name, const std::string& unit) const;
+  /// Returns the error of a cell, with file, line and character. `point` counts from 0; `name` is
+  /// the name of a column.
+  [[nodiscard]] InputError error(std::size_t point, const std::string& name,
+                                 const std::string& value, const std::string& rule) const;
+  /// The same for a number in `unit` ("" for none).
+  [[nodiscard]] InputError error(std::size_t point, const std::string& name, double value,
+                                 const std::string& unit, const std::string& rule) const;
 };
 
 /// Returns the bytes of a file of points, for parse_points(). The path may name a sheet.

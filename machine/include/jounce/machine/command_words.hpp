@@ -72,6 +72,11 @@ std::vector<CommandOption> command_options();
 /// the error is "VALUE", or the option with its dashes ("--to").
 void require_taken(const CommandWords& words);
 
+/// Returns the given options whose number is `value`, to six digits: "--deceleration". `units`: those of the axis. The
+/// value of the command itself has no option.
+std::vector<std::string> options_with(const CommandWords& words, Quantity quantity, double value,
+                                      const Units& units);
+
 /// Returns the kind of the command; `words` must satisfy require_taken().
 CommandKind kind_of(const CommandWords& words);
 

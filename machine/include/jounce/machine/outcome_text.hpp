@@ -24,6 +24,11 @@ std::string with_file(const std::string& reason, const std::string& file);
 std::string reason_text(const CallOutcome& outcome, const std::string& executor,
                         CommandKind order = {}, std::int32_t fault = 0);
 
+/// The same for an order in words, with the status of the axis before it. If an option of the order gave the rejected
+/// number, the remedy names this option.
+std::string reason_text(const CallOutcome& outcome, const CommandWords& words,
+                        const wire::Status& before, const std::string& executor);
+
 /// Returns the answer to an accepted command: "move accepted". `before`: status of the axis before
 /// the command. If the axis stays in a fault after `enable`, the text includes the remedy; for a gear
 /// in position, the place of the master at which it begins. `note`: the remark of the executor.

@@ -82,8 +82,10 @@ Comparison compare(const Version& before, const Version& after, const Tolerance&
 Version in_units(Version version, const Units& units);
 
 /// Returns a text for people: one line for each quantity with its peaks and its largest difference,
-/// then knots and remarks. Only the first `most` knots are listed; the others are counted.
-std::string to_text(const Comparison& comparison, std::size_t most = 10);
+/// then knots and remarks. Only the first `most` knots are listed; the others are counted. The first
+/// line of equal curves also has `besides`, a statement about differences outside the curves.
+std::string to_text(const Comparison& comparison, std::size_t most = 10,
+                    const std::string& besides = "");
 
 /// Returns {"equal": ..., "changes": {...}, "knots": [...], "remarks": [...]}, with all digits of
 /// each number.

@@ -34,6 +34,9 @@ std::vector<KeyChange> take_key_changes(const Spec& before, const Spec& after,
 /// shown, the others are counted. "" if there are none.
 std::string to_text(const std::vector<KeyChange>& keys);
 
+/// Returns "disc.base_radius differs", or "3 keys outside the curve differ"; "" if there are none.
+std::string headline_of(const std::vector<KeyChange>& keys);
+
 /// Compares the axes of two files. `before_path` and `after_path` are the file names, for messages.
 /// `tolerance` returns the tolerance for the numbers of an axis with the given labels. With `axis`,
 /// only this axis. Throws InputError like paired_axes() and compare().
