@@ -14,13 +14,13 @@ from tick_log import rows
 
 CORNERS = [(300, 250, 0), (350, 150, 0), (420, 0, 0), (300, -200, 0)]
 DEVIATION = 3
-VELOCITY, ACCELERATION, JERK = 12, 100, 1500  # of a0 on the second line
+VELOCITY, ACCELERATION, JERK = 12, 100, 1500  # limits of a0 on the second line
 
 
 def main(group_log, *joint_logs):
     group, *joints = [dict(rows(path)) for path in (group_log, *joint_logs)]
     slow = fast = 0
-    peaks = [0.0, 0.0]  # of the velocity of a0: on the first and the last line, on the second
+    peaks = [0.0, 0.0]  # greatest velocity of a0: on the first and the last line, on the second
     for tick in group:
         now = [log.get(tick) for log in joints]
         was = joints[0].get(tick - 1)

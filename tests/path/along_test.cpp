@@ -100,7 +100,7 @@ TEST(Along, ALimitOfAnAxisInACommandIsAFindingIfThePlanBreaksIt) {
   const Plan made = plan(p, usual(2));
   EXPECT_TRUE(check_along(made).ok());
 
-  double most = 0;  // of the velocity of y on the lines 4 and 5
+  double most = 0;  // greatest velocity of y on the lines 4 and 5
   std::vector<Motion> now(2);
   PlanCursor cursor(made);
   for (int i = 0; i <= 200000; ++i) {

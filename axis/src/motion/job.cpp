@@ -187,16 +187,31 @@ Cause refusal_cause(CouplingStatus status) {
   }
 }
 
-std::array<Job::Required, 3> required_by(const Table& table, const Trajectory& curve) {
+/// `ranges`: the extrema of the table. Most intervals need no extrema of their own: the sum of the
+/// magnitudes of their terms is below the limit that another interval requires.
+std::array<Job::Required, 3> required_by(const Table& table, const Trajectory& curve,
+                                         const Ranges& ranges) {
   const pvt_detail::KnotRounding rounding(table);
+  const auto breaks = curve.breaks();
   std::array<Job::Required, 3> required;
-  for (std::size_t k = 0; k < required.size(); ++k)
-    for (std::size_t i = 0; i < curve.segments().size(); ++i) {
-      const Range range = segment_range(curve.segments()[i], curve.breaks()[i],
-                                        curve.breaks()[i + 1], static_cast<int>(k) + 1);
-      const double limit = rounding.least_limit(k + 1, i, range.peak().value);
-      if (limit > required[k].limit) required[k] = {range.peak(), limit};
+  const auto consider = [&](std::size_t k, std::size_t i) {
+    const Range range =
+        segment_range(curve.segments()[i], breaks[i], breaks[i + 1], static_cast<int>(k) + 1);
+    const double limit = rounding.least_limit(k + 1, i, range.peak().value);
+    if (limit > required[k].limit) required[k] = {range.peak(), limit};
+  };
+  for (std::size_t k = 0; k < required.size(); ++k) {
+    const double where = ranges[k + 1].peak().where;
+    const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, where);
+    consider(k, static_cast<std::size_t>(after - breaks.begin()) - 1);
+  }
+  for (std::size_t i = 0; i < curve.segments().size(); ++i) {
+    Segment of = curve.segments()[i];
+    for (std::size_t k = 0; k < required.size(); ++k) {
+      of = derivative(of);
+      if (magnitude(of) > required[k].limit) consider(k, i);
     }
+  }
   return required;
 }
 
@@ -219,7 +234,7 @@ Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<co
       throw InputError("slave_period", turn_, "must not be negative");
     const Trajectory trajectory = time_->curve<OverTime>();
     ranges_ = extrema(*time_);
-    required_ = required_by(*time_, trajectory);
+    required_ = required_by(*time_, trajectory, ranges_);
     survey_steps(trajectory, tick);
   }
   first_ = follow(master(0), 0);
