@@ -61,6 +61,19 @@ wait_for plotter '"queue_rows":[1-9]'
 wait_for plotter '"state":"standstill".*"queue_rows":0'
 last=$(tick)
 
+# Without speed, a motion waits. Its end by disable is no fault.
+order plotter override 0% || fail "override: $(cat out)"
+order plotter move-linear --by 5,0 --velocity 30 || fail "move-linear: $(cat out)"
+grep -q 'accepted; the override is 0 %, so nothing moves' out || fail "no remark: $(cat out)"
+wait_for plotter '"state":"discrete_motion"'
+order plotter resume || fail "resume: $(cat out)"
+grep -q 'accepted; the override is 0 %, so nothing moves' out || fail "no remark: $(cat out)"
+order plotter disable || fail "disable: $(cat out)"
+grep -q '^plotter: disable accepted; the motion that stood still is dropped$' out || fail "no remark: $(cat out)"
+wait_for plotter '"state":"disabled".*"reason":"stopped"'
+order plotter enable || fail "enable: $(cat out)"
+order plotter override 100% || fail "override: $(cat out)"
+
 order plotter jog --along 1,1 --velocity 20 --hold-to-run --seconds 0.5 || fail "jog: $(cat out)"
 order plotter jog --along -1,-1 --velocity 20 || fail "jog back: $(cat out)"
 sleep 1

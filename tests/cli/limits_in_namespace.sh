@@ -117,6 +117,12 @@ wait_for plotter '"state":"standstill".*"reason":"awaits_acknowledge"'
 order plotter move-linear --by -1,0 --velocity 50 || fail "move-linear: $(cat out)"
 reaches plotter x 4
 grep -q 'an aborting command replaces what waits: 2 commands were dropped' said || fail "no notice: $(cat said)"
+order plotter m-word 9 || fail "m-word: $(cat out)"
+order plotter move-linear --by 5,0 --velocity 50 --buffered || fail "move-linear: $(cat out)"
+wait_for plotter '"state":"standstill".*"reason":"awaits_acknowledge"'
+order plotter halt || fail "halt: $(cat out)"
+noticed() { grep -q "$1" said; }
+soon noticed 'what waits does not begin: 2 commands were dropped' || fail "no notice of the halt: $(cat said)"
 order plotter m-word 7 --timeout 6s || fail "m-word: $(cat out)"
 order plotter move-linear --by 5,0 --velocity 50 --buffered || fail "move-linear: $(cat out)"
 wait_for plotter '"state":"standstill".*"reason":"no_acknowledge"'
@@ -138,3 +144,20 @@ wait_for robot '"state":"discrete_motion".*"reason":"none"'
 wait_for robot '"state":"standstill".*"reason":"range_end"'
 end scara
 python3 "$here/judge_robot.py" jogs scara.robot.csv scara.a0.csv scara.a1.csv scara.z_joint.csv || fail "the judge of the jogs"
+
+# ---- queued limits of a joint; an order that is accepted with a remark ends with the exit status 0
+cp -r "$examples/scara" queued
+patient queued/a?.toml queued/z.toml
+run queued robot
+order robot wait 3 || fail "wait: $(cat out)"
+order robot move-linear x=350 y=150 --velocity 5000 || fail "an order with a remark: $(cat out)"
+grep -q 'move-linear accepted; the limits lower the velocity from 5000 mm/s' out || fail "no remark: $(cat out)"
+order robot set-limits --axis 1 --velocity 12 --acceleration 100 --jerk 1500 --queued || fail "set-limits: $(cat out)"
+order robot move-linear x=420 y=0 --velocity 200 --blend look-ahead --deviation 3 || fail "move-linear: $(cat out)"
+order robot set-limits --axis 1 --queued || fail "no limits: $(cat out)"
+order robot move-linear x=300 y=-200 --velocity 200 --blend look-ahead --deviation 3 || fail "move-linear: $(cat out)"
+wait_for robot '"queue_rows":[1-9]'
+wait_for robot '"state":"standstill".*"queue_rows":0'
+end queued
+python3 "$here/judge_joint_limits.py" queued.robot.csv queued.a0.csv queued.a1.csv queued.z_joint.csv ||
+  fail "the judge of the limits of a joint"

@@ -14,9 +14,12 @@
 #include "jounce/base/file.hpp"
 #include "jounce/base/input_errors.hpp"
 #include "jounce/design/convert.hpp"
+#include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/report/report_text.hpp"
 
+#include "design/src/convert/time_rounding.hpp"
 #include "support/errors.hpp"
+#include "support/random.hpp"
 
 // Each written file is played by an interpreter of the target's rule, and compared with the closed
 // form of the motion at 100 000 places. The interpreters follow the manuals of the controllers and
@@ -619,6 +622,73 @@ TEST(ControllerFiles, KeepTheLimitsOfAnSCurveAtWholeNanoseconds) {
                                     ? ""
                                     : sentence(made.exceeded.findings.front(), input.labels));
   EXPECT_LT(1000 * greatest_jerk(play_ros(exchange_text(ros, made.file))), 1e6 * (1 + 1e-6));
+}
+
+/// Phases of jerk last 20.0003 us. Each has a knot that moves by up to 0.5 ns with the constant acceleration beside it.
+/// The acceleration there changes by 0.5 ns of the jerk, and the jerk of the phase by 9 / 20 us of this.
+TEST(ControllerFiles, MayExceedALimitByTheRoundingOfTheirTimes) {
+  const std::string limits = "velocity = 2\nacceleration = 20.0003\njerk = 1e6\n";
+  const Input input =
+      inputs_of(parse_spec("jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\n"
+                           "profile = \"s_curve\"\nto = 4\n" +
+                               limits + "[limits]\n" + limits,
+                           "short.toml"),
+                "short.toml")
+          .front();
+  const ExchangeFormat& ros = *exchange_format_named("ros");
+  const Converted made = converted(input, {.rule = rule_of(ros), .format = &ros});
+  EXPECT_TRUE(made.exceeded.ok()) << full_text(made.exceeded, input.labels);
+  const double excess = 1000 * greatest_jerk(play_ros(exchange_text(ros, made.file))) / 1e6 - 1;
+  EXPECT_GT(excess, 1e-4) << "the rounding acts";
+  EXPECT_LT(excess, 9 * 0.5e-9 / 20e-6);
+}
+
+/// Knots move by up to 0.5 ns in tables with intervals of 1 us to 0.1 s. The witness makes the moved table, and
+/// compares the peaks of each interval.
+TEST(ControllerFiles, BoundTheRiseByTheRoundingOfTimes) {
+  test::Random random(7);
+  double tightest = 0;
+  for (int n = 0; n < 200; ++n) {
+    Columns c;
+    double x = 0;
+    for (int i = 0; i < 6; ++i) {
+      c.x.push_back(x);
+      x += random.log_uniform(1e-6, 0.1);
+      c.p.push_back(random.uniform(-1, 1));
+      c.v.push_back(random.uniform(-10, 10));
+      c.a.push_back(random.uniform(-100, 100));
+    }
+    const auto table_of = [](const Columns& columns) {
+      return Table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold, columns);
+    };
+    const Table given = table_of(c);
+    std::vector<double> moved;
+    for (std::size_t i = 0; i < c.x.size(); ++i) {
+      moved.push_back(random.uniform(-0.5e-9, 0.5e-9));
+      const std::size_t from = design_detail::motion_of_knot(given, i);
+      const Segment f = given.segment(from);
+      const Jet jet =
+          evaluate(part(f, -0.5, 1.5), ((from == i ? 0 : 1) + moved[i] / f.length + 0.5) / 2);
+      c.x[i] += moved[i];
+      c.p[i] = jet[0];
+      c.v[i] = jet[1];
+      c.a[i] = jet[2];
+    }
+    const Table after = table_of(c);
+    const std::vector<Jet> rises = design_detail::time_rounding(given, moved);
+    for (std::size_t i = 0; i < rises.size(); ++i)
+      for (std::size_t k = 1; k < 4; ++k) {
+        const auto peak = [&](const Table& t) {
+          const Segment f = t.segment(i);
+          return std::abs(segment_range(f, 0, f.length, static_cast<int>(k)).peak().value);
+        };
+        const double rise = peak(after) - peak(given);
+        const double rounding = 1e-9 * peak(given);
+        EXPECT_LE(rise, rises[i][k] + rounding) << n << " " << i << " " << k;
+        if (rises[i][k] > 1e3 * rounding) tightest = std::max(tightest, rise / rises[i][k]);
+      }
+  }
+  EXPECT_GT(tightest, 0.3) << "the bound is not much greater than the rise";
 }
 
 TEST(ControllerFiles, ApplyTheSpacing) {

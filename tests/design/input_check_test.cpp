@@ -16,6 +16,7 @@
 
 #include "../support/random.hpp"
 #include "support/errors.hpp"
+#include "support/short_interval.hpp"
 
 namespace jounce::input_check_test {
 namespace {
@@ -115,6 +116,20 @@ TEST(MoveSpec, MakesTablesThatKeepTheLimitsWhereAPhaseVanishes) {
       for (std::size_t k = 1; k < peaks.size(); ++k)
         EXPECT_LE(std::abs(peaks[k].peak().value), limits[k] * (1 + 1e-7)) << "seed " << seed;
     }
+  }
+}
+
+// tests/axis/motion/admit_test.cpp has the same borders for the admission of a table.
+TEST(TableOfPoints, DoesNotExceedALimitByMoreThanAHundredthThroughTheRoundingOfKnots) {
+  for (const test::ShortInterval& of : {test::of_a_cycle, test::of_a_part}) {
+    Input input = input_of({of.table(), {"s", "mm"}, {}}, "t.csv");
+    const double jerk = std::abs(extrema(input.table.table)[3].peak().value);
+    const auto broken = [&](double excess) {
+      input.limits = {.jerk = jerk / (1 + excess)};
+      return rules(check_all(input), true);
+    };
+    EXPECT_THAT(broken(0.98 * of.permitted), ::testing::IsEmpty()) << of.length;
+    EXPECT_THAT(broken(1.02 * of.permitted), ::testing::Contains("limit/jerk")) << of.length;
   }
 }
 

@@ -120,6 +120,8 @@ TEST(OutcomeText, AnAcceptedOrderNamesItsEffect) {
   status.state = State::continuous_motion;
   EXPECT_THAT(accepted_text({.what = "disable"}, status, "knife"),
               HasSubstr("send `jounce order knife reset` and `jounce order knife enable`"));
+  EXPECT_EQ(accepted_text({.what = "disable"}, status, "plotter", "the motion is dropped"),
+            "disable accepted; the motion is dropped");
   status.state = State::disabled;
   EXPECT_EQ(accepted_text({.what = "set-coordinate-transform", .options = {{"zyz", ""}}}, status,
                           "plotter"),

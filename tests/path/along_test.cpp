@@ -87,6 +87,40 @@ TEST(Along, ALimitOfACommandNamesItsLine) {
   EXPECT_NE(worst(report).advice.find("line 7"), std::string::npos);
 }
 
+/// The axes of a plan whose commands lower the limits of one axis, at 200 000 samples.
+TEST(Along, ALimitOfAnAxisInACommandIsAFindingIfThePlanBreaksIt) {
+  Program p(2);
+  p.set({.velocity = 100, .corner = Corner::deviation, .value = 0.5});
+  p.line({60, 20}, 3);
+  PathSettings slower = p.settings().back();
+  slower.axes = {{}, {.velocity = 30, .acceleration = 400, .jerk = 8000}};
+  p.set(slower);
+  p.arc(arc_about({60, 20}, {60, 50}, {60, 80}, Plane{0, 1}, ArcRotation::counterclockwise), 4);
+  p.line({0, 80}, 5);
+  const Plan made = plan(p, usual(2));
+  EXPECT_TRUE(check_along(made).ok());
+
+  double most = 0;  // greatest velocity of y on the lines 4 and 5
+  std::vector<Motion> now(2);
+  PlanCursor cursor(made);
+  for (int i = 0; i <= 200000; ++i) {
+    cursor.at(made.duration() * i / 200000, now);
+    if (now[1].position > 20.5) most = std::max(most, std::abs(now[1].velocity));
+  }
+  EXPECT_NEAR(most, 30, 0.3) << "the limit decides";
+
+  Plan::Given given = made.given();
+  for (PathSettings& settings : given.settings)
+    if (!settings.axes.empty()) settings.axes[1] = {.velocity = most * 0.99};
+  const Report report = check_along({made.path(), made.law(), {}, made.stop_duration(), given});
+  ASSERT_EQ(report.findings.size(), 1u);
+  EXPECT_TRUE(worst(report).broken);
+  EXPECT_EQ(worst(report).rule, "limit/velocity");
+  EXPECT_EQ(worst(report).axis, "2");
+  EXPECT_NEAR(worst(report).value, most, 1e-3);
+  EXPECT_NE(worst(report).advice.find("line 4"), std::string::npos) << worst(report).advice;
+}
+
 TEST(Along, BlendsAndAveragesKeepTheTotalAcceleration) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(seed);

@@ -187,20 +187,32 @@ Cause refusal_cause(CouplingStatus status) {
   }
 }
 
-/// The interval in which the jerk exceeds the rounding of its knots most.
-Job::CountedJerk counted_jerk_of(const Table& table, const Trajectory& curve) {
+/// `ranges`: the extrema of the table. Most intervals need no extrema of their own: the sum of the
+/// magnitudes of their terms is below the limit that another interval requires.
+std::array<Job::Required, 3> required_by(const Table& table, const Trajectory& curve,
+                                         const Ranges& ranges) {
   const pvt_detail::KnotRounding rounding(table);
-  Job::CountedJerk counted;
-  double most = -profiles_detail::inf;
-  for (std::size_t i = 0; i < curve.segments().size(); ++i) {
-    const Extremum peak =
-        segment_range(curve.segments()[i], curve.breaks()[i], curve.breaks()[i + 1], 3).peak();
-    const double rounded = rounding.of(3, i);
-    if (std::abs(peak.value) - rounded <= most) continue;
-    most = std::abs(peak.value) - rounded;
-    counted = {peak, rounded};
+  const auto breaks = curve.breaks();
+  std::array<Job::Required, 3> required;
+  const auto consider = [&](std::size_t k, std::size_t i) {
+    const Range range =
+        segment_range(curve.segments()[i], breaks[i], breaks[i + 1], static_cast<int>(k) + 1);
+    const double limit = rounding.least_limit(k + 1, i, range.peak().value);
+    if (limit > required[k].limit) required[k] = {range.peak(), limit};
+  };
+  for (std::size_t k = 0; k < required.size(); ++k) {
+    const double where = ranges[k + 1].peak().where;
+    const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, where);
+    consider(k, static_cast<std::size_t>(after - breaks.begin()) - 1);
   }
-  return counted;
+  for (std::size_t i = 0; i < curve.segments().size(); ++i) {
+    Segment of = curve.segments()[i];
+    for (std::size_t k = 0; k < required.size(); ++k) {
+      of = derivative(of);
+      if (magnitude(of) > required[k].limit) consider(k, i);
+    }
+  }
+  return required;
 }
 
 }  // namespace
@@ -222,7 +234,7 @@ Job::Job(std::uint64_t id, std::shared_ptr<const Table> time, std::shared_ptr<co
       throw InputError("slave_period", turn_, "must not be negative");
     const Trajectory trajectory = time_->curve<OverTime>();
     ranges_ = extrema(*time_);
-    counted_jerk_ = counted_jerk_of(*time_, trajectory);
+    required_ = required_by(*time_, trajectory, ranges_);
     survey_steps(trajectory, tick);
   }
   first_ = follow(master(0), 0);
@@ -243,8 +255,10 @@ void Job::couple(const CouplingSpec& spec, double position, double tick) {
   least_ = slave.end() - start();
   in_sync_ = slave.in_sync();
   ranges_ = survey(slave);
-  const Extremum jerk = ranges_[3].peak();
-  counted_jerk_ = {jerk, rounded_jerk * std::abs(jerk.value)};
+  for (std::size_t k = 0; k < required_.size(); ++k) {
+    const Extremum peak = ranges_[k + 1].peak();
+    required_[k] = {peak, std::abs(peak.value) * (k == 2 ? 1 - rounded_jerk : 1)};
+  }
   survey_steps(slave, tick);
   master_excess_ = excess(*cam_, engaged_.placement, extrema(trajectory, 0));
 }
@@ -323,7 +337,7 @@ std::optional<Refusal> Job::admit(const AxisConfig& config,
 std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const MotionState& from) {
   const AxisConfig config = resolved(given);
   const Limits& limits = config.limits;
-  const Range &p = job.ranges()[0], &v = job.ranges()[1], &a = job.ranges()[2];
+  const Range& p = job.ranges()[0];
   const auto& [p_step, v_step, a_step] = job.steps();
   const double dt = seconds(config.period);
   const double v_most = *limits.acceleration * dt;
@@ -341,8 +355,10 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const Moti
   const auto within = [&](Cause cause, double value, double limit, double where) {
     rule(std::abs(value) <= limit * (1 + rounded_input), cause, value, limit, where);
   };
-  const auto peak = [&](Cause cause, const Range& range, const std::optional<double>& limit) {
-    if (limit) within(cause, range.peak().value, *limit, range.peak().where);
+  const auto peak = [&](Cause cause, std::size_t order, const std::optional<double>& limit) {
+    const auto& [most, required] = job.required()[order - 1];
+    if (limit)
+      rule(required <= *limit * (1 + rounded_input), cause, most.value, *limit, most.where);
   };
 
   rule(job.coupled() == CouplingStatus::ok, refusal_cause(job.coupled()), position, p0,
@@ -361,11 +377,9 @@ std::optional<Refusal> admit(const Job& job, const AxisConfig& given, const Moti
   const double highest = limits.position_max.value_or(greatest);
   rule(least >= lowest - near, Cause::position_limit, least, lowest, p.min.where);
   rule(greatest <= highest + near, Cause::position_limit, greatest, highest, p.max.where);
-  peak(Cause::velocity_limit, v, limits.velocity);
-  peak(Cause::acceleration_limit, a, limits.acceleration);
-  if (const auto& [j, rounding] = job.counted_jerk(); limits.jerk)
-    rule(std::abs(j.value) - rounding <= *limits.jerk * (1 + rounded_input), Cause::jerk_limit,
-         j.value, *limits.jerk, j.where);
+  peak(Cause::velocity_limit, 1, limits.velocity);
+  peak(Cause::acceleration_limit, 2, limits.acceleration);
+  peak(Cause::jerk_limit, 3, limits.jerk);
   within(Cause::velocity_step, v_step.step, v_most, v_step.where);
   if (!limits.jerk) return refusal;
 

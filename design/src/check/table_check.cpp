@@ -44,12 +44,17 @@ bool is_tolerated(const Finding& f, std::size_t order) {
   return order == 0 || std::abs(f.value - f.limit) <= share * std::abs(f.limit);
 }
 
-/// True for a finding of a limit of the table that is no more than the rounding of its knots.
-bool is_rounding(const Finding& f, const Table& table, const KnotRounding& rounding) {
+/// True for a finding of a limit of the table that is no more than the rounding of its knots, and the
+/// rise of its interval.
+bool is_rounding(const Finding& f, const Table& table, const KnotRounding& rounding,
+                 std::span<const Jet> rises = {}) {
   const auto& names = table.axis() == Domain::time ? OverTime::names : OverMaster::names;
   const std::size_t order = order_in(names, f);
-  return order < names.size() && f.segment &&
-         std::abs(f.value - f.limit) <= rounding.of(order, *f.segment);
+  if (order >= names.size() || !f.segment) return false;
+  if (order == 0) return std::abs(f.value - f.limit) <= rounding.of(0, *f.segment);
+  const double rise = rises.empty() ? 0 : rises[*f.segment][order];
+  return std::abs(f.limit) >=
+         rounding.least_limit(order, *f.segment, std::max(std::abs(f.value) - rise, 0.0));
 }
 
 /// The same for a limit of the slave over time.
@@ -67,10 +72,12 @@ bool is_slave_rounding(const Finding& f, const Spec& spec, const KnotRounding& r
 }
 
 /// The broken limits of a table itself.
-Report own_limits(const Table& table, const Limits& limits, const KnotRounding& rounding) {
+Report own_limits(const Table& table, const Limits& limits, const KnotRounding& rounding,
+                  std::span<const Jet> rises) {
   Report report = check(table, limits);
-  std::erase_if(report.findings,
-                [&](const Finding& f) { return !f.broken || is_rounding(f, table, rounding); });
+  std::erase_if(report.findings, [&](const Finding& f) {
+    return !f.broken || is_rounding(f, table, rounding, rises);
+  });
   return report;
 }
 
@@ -181,14 +188,15 @@ Report check_slave(const Input& input) {
   return report;
 }
 
-Report check_table(const Table& table, const Input& input, const Report& of_curve) {
+Report check_table(const Table& table, const Input& input, const Report& of_curve,
+                   std::span<const Jet> rises) {
   const auto breaks = [&](const auto& which) {
     return std::any_of(of_curve.findings.begin(), of_curve.findings.end(),
                        [&](const Finding& f) { return f.broken && which(f); });
   };
   if (breaks([](const Finding& f) { return f.rule.family() == RuleFamily::continuity; })) return {};
   const KnotRounding of_knots(table);
-  Report report = own_limits(table, input.limits, of_knots);
+  Report report = own_limits(table, input.limits, of_knots, rises);
   if (limits_the_slave(input)) join(report, slave_limits(table, *input.spec, of_knots));
   sort(report);
   Seen seen;
@@ -203,7 +211,7 @@ Report check_table(const Table& table, const Input& input, const Report& of_curv
   return report;
 }
 
-Report check_converted(const Table& table, const Input& input, double forgiven) {
+Report check_converted(const Table& table, const Input& input, const FileRounding& file) {
   Report of_curve = of_motion(input, [&](const auto& motion) {
     Report all = check(motion, input.limits);
     join(all, check_continuity(motion, 1));
@@ -211,10 +219,10 @@ Report check_converted(const Table& table, const Input& input, double forgiven) 
   });
   if (of_curve.findings.empty() && !limits_the_slave(input)) return {};
   join(of_curve, check_slave(input));
-  Report report = check_table(table, input, of_curve);
+  Report report = check_table(table, input, of_curve, file.rises);
   std::erase_if(report.findings, [&](const Finding& f) {
     const bool is_position = f.rule == "limit/position_max" || f.rule == "limit/position_min";
-    return is_position || std::abs(f.value - f.limit) <= forgiven * std::abs(f.limit);
+    return is_position || std::abs(f.value - f.limit) <= file.share * std::abs(f.limit);
   });
   return report;
 }

@@ -20,6 +20,7 @@
 
 #include "design/src/check/table_check.hpp"
 #include "design/src/convert/missing_units.hpp"
+#include "design/src/convert/time_rounding.hpp"
 
 namespace jounce::design_detail {
 namespace {
@@ -30,7 +31,6 @@ using profiles_detail::rounded_value;
 
 constexpr double share_of_stroke = 1e-4;    ///< default tolerance, as a share of the stroke
 constexpr double share_of_limit = 0x1p-20;  ///< by which numbers in REAL may exceed a limit
-constexpr double share_of_times = 1e-4;     ///< the same for rounded times
 
 bool joins_by_spline(const ExchangeFormat& format) {
   return format.join == KnotJoin::spline || format.join == KnotJoin::clamped_spline;
@@ -62,13 +62,15 @@ Columns controller_spline(const ExchangeFormat& format, const Table& made) {
   return columns;
 }
 
+/// The size of a unit in another one; 1 if one of them is not known.
+double size_of(const std::string& unit, const std::string& in) {
+  return unit.empty() || in.empty() ? 1.0 : conversion(unit, in);
+}
+
 /// The columns in the units of the input.
 Columns in_units_of(const TableFile& input, const Units& units, Columns columns) {
-  const auto factor = [](const std::string& from, const std::string& to) {
-    return from.empty() || to.empty() ? 1.0 : conversion(from, to);
-  };
-  const double x = factor(units.x, input.units.x);
-  const double p = factor(units.position, input.units.position);
+  const double x = size_of(units.x, input.units.x);
+  const double p = size_of(units.position, input.units.position);
   for (double& value : columns.x) value *= x;
   for (double& value : columns.p) value *= p;
   for (double& value : columns.v) value *= p / x;
@@ -120,9 +122,7 @@ class ForController {
       }
     result.limit = limit_;
     result.exceeded = check_converted(moved_on(result.file), input_,
-                                      format_.single           ? share_of_limit
-                                      : format_.x_rounding > 0 ? share_of_times
-                                                               : 0);
+                                      {format_.single ? share_of_limit : 0, rises_});
     if (is_one_count_ && result.counts.empty())
       result.counts = "tolerance: " + number(limit_) + unit_after(labels_.position) +
                       ", the resolution of the position";
@@ -398,7 +398,7 @@ class ForController {
   }
 
   /// The result as the controller plays it, in the units of the file.
-  [[nodiscard]] Converted played(Sampled made) const {
+  [[nodiscard]] Converted played(Sampled made) {
     Conversion conversion = wanted_;
     conversion.units = file_units_;
     Units units = input_.table.units;
@@ -432,13 +432,22 @@ class ForController {
   /// Rounds the first column to the digits of the file. Each knot moves along the table by half a
   /// digit at most, with its velocity and its acceleration, so that the rounded table has the
   /// derivatives of the given one. The difference of both is added to the error.
-  void round_x(Converted& result) const {
+  void round_x(Converted& result) {
     const Table before = result.file.table;
     const double first = before.start();
     Columns columns = before.columns();
     for (double& x : columns.x) x -= first;
     const Table given(before.axis(), before.rule(), before.outside(), columns);
     for (std::size_t i = 0; i < columns.x.size(); ++i) move_knot(given, i, columns);
+    std::vector<double> moved;
+    for (std::size_t i = 0; i < columns.x.size(); ++i)
+      moved.push_back(columns.x[i] - given.columns().x[i]);
+    rises_ = time_rounding(given, moved);
+    const double p = size_of(result.file.units.position, labels_.position);
+    const double x = size_of(result.file.units.x, labels_.x);
+    for (Jet& rise : rises_)
+      for (std::size_t k = 0; k < rise.size(); ++k)
+        rise[k] *= p / std::pow(x, static_cast<double>(k));
     Table rounded(before.axis(), before.rule(), before.outside(), std::move(columns));
     if (rounded.columns().x != given.columns().x) add_error(result, given, rounded);
     result.file.table = std::move(rounded);
@@ -448,10 +457,8 @@ class ForController {
     const double x = given.columns().x[i];
     const double rounded_x = std::round(x / format_.x_rounding) * format_.x_rounding;
     const double d = rounded_x - x;
-    const auto& all = given.columns().x;  // a long interval keeps its motion, a dwell its rest
-    const bool is_right = i == 0 || (i + 1 < all.size() && all[i + 1] - x > x - all[i - 1]);
-    const Jet jet =
-        profiles_detail::evaluate(given.segment(is_right ? i : i - 1), is_right ? 0 : 1);
+    const std::size_t along = motion_of_knot(given, i);
+    const Jet jet = profiles_detail::evaluate(given.segment(along), along == i ? 0 : 1);
     columns.x[i] = rounded_x;
     if (std::abs(d) <= rounded_value * std::abs(x)) return;  // a whole digit already
     columns.p[i] = jet[0] + d * (jet[1] + d * (jet[2] / 2 + d * jet[3] / 6));
@@ -479,11 +486,8 @@ class ForController {
                                 ? compare(given.curve<OverTime>(), rounded.curve<OverTime>())
                                 : compare(given.curve<OverMaster>(), rounded.curve<OverMaster>());
     const Units& from = result.file.units;
-    const auto size = [](const std::string& unit, const std::string& to) {
-      return unit.empty() || to.empty() ? 1.0 : conversion(unit, to);
-    };
-    const double p = size(from.position, labels_.position);
-    const double x = size(from.x, labels_.x);
+    const double p = size_of(from.position, labels_.position);
+    const double x = size_of(from.x, labels_.x);
     if (!result.error) result.error = SampleError{};
     const double position = p * std::abs(changes[0].largest.value);
     if (position > result.error->position)
@@ -504,8 +508,7 @@ class ForController {
         for (double& value : *column) value = static_cast<double>(static_cast<float>(value));
     const auto size = [](Numbers numbers, double step, const std::string& from,
                          const std::string& to) {
-      if (numbers != Numbers::of_unit) return step;
-      return from.empty() || to.empty() ? 1.0 : conversion(from, to);
+      return numbers != Numbers::of_unit ? step : size_of(from, to);
     };
     const double x = size(format_.x, steps_.x, file.units.x, labels_.x);
     const double p = size(format_.p, steps_.p, file.units.position, labels_.position);
@@ -565,7 +568,8 @@ class ForController {
   Units file_units_;  ///< units of the file; "": counts, or unknown
   Steps steps_;
   Target target_;
-  double limit_ = 0;  ///< greatest permitted error of the position, in the unit of the input
+  double limit_ = 0;        ///< greatest permitted error of the position, in the unit of the input
+  std::vector<Jet> rises_;  ///< by the rounding of the times, in the units of the input
   bool is_unchanged_ = false;
   bool is_one_count_ = false;  ///< true if one count exceeds the usual tolerance, and replaces it
 };

@@ -38,9 +38,14 @@ void name_dwells(const Program& program, const Plan& plan, PathCost& cost) {
 
 Report path_report(const Spec& spec, const Plan& played) {
   Report report = check_along(played, greatest_factor(std::get<PathSpec>(spec.subject)));
-  for (Finding& f : report.findings)
-    if (f.quantity.ends_with("celeration"))
+  for (Finding& f : report.findings) {
+    if (!f.axis.empty()) {  // the number of the axis
+      const AxisPart& axis = spec.axes[std::stoul(f.axis) - 1];
+      f.axis = axis.name;
+    } else if (f.quantity.ends_with("celeration")) {
       f.unit = rate_unit(spec.units.position, spec.units.x, 2);
+    }
+  }
   return report;
 }
 

@@ -112,6 +112,11 @@ bool rests(const Tick& group) {
   return group.state == State::standstill && group.job == 0;
 }
 
+std::string dropped_text(std::size_t commands) {
+  return std::to_string(commands) +
+         (commands == 1 ? " command was dropped" : " commands were dropped");
+}
+
 }  // namespace
 
 GroupQueue::GroupQueue(const ExecutorGroup& group, Worker& worker, std::size_t most_at_once,
@@ -133,7 +138,8 @@ GroupQueue::~GroupQueue() {
 }
 
 void GroupQueue::clear() {
-  drop_stages();
+  if (const std::size_t dropped = drop_stages(); dropped > 0)
+    dropped_because_ = "what waits does not begin: " + dropped_text(dropped);
   drop_attempt();
   idle_.clear();
   cancel();
@@ -347,8 +353,7 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
       throw InputError("fast", "", "begins and ends at rest: leave out --blend");
     if (aborts(command))
       if (const std::size_t dropped = drop_stages(); dropped > 0)
-        dropped_because_ = "an aborting command replaces what waits: " + std::to_string(dropped) +
-                           (dropped == 1 ? " command was dropped" : " commands were dropped");
+        dropped_because_ = "an aborting command replaces what waits: " + dropped_text(dropped);
     if (aborts(command) && !rests(group) && !halting_ && sent_ && group.job == sent_->movement)
       dropped_because_ = "an aborting command ends the program that plays: its rest is dropped";
     if (rests(group)) halting_ = releasing_ = false;

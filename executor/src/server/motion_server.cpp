@@ -27,6 +27,11 @@ std::string note_of(const CommandRequested& requested, const Tick& now, bool is_
     return now.state == State::error_stop && now.job != 0
                ? "it takes effect when the motion continues, after reset and resume"
                : "";
+  if (is_group && kind == Kind::disable && now.job != 0 && now.state != State::error_stop)
+    return "the motion that stood still is dropped";
+  const bool begins = kind == Kind::resume || (is_group && info(kind).moves);
+  if (begins && now.override_ == 0)
+    return "the override is 0 %, so nothing moves until another override";
   if (is_group || requested.at >= 0 || now.later <= now.tick || !info(kind).moves) return "";
   return "it does not wait for the command of tick " + std::to_string(now.later) +
          ", which takes effect in its tick and may replace this motion";

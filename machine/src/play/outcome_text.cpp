@@ -211,7 +211,9 @@ std::string plain_accepted_text(const CommandWords& words, const wire::Status& b
 
 std::string accepted_text(const CommandWords& words, const wire::Status& before,
                           const std::string& executor, const std::string& note) {
-  const std::string text = plain_accepted_text(words, before, executor);
+  const bool is_group = words.what == "disable" && !note.empty();  // without the fault of an axis
+  const std::string text =
+      is_group ? "disable accepted" : plain_accepted_text(words, before, executor);
   return note.empty() ? text : text + "; " + note;
 }
 

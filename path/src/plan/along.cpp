@@ -4,9 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "jounce/path/axes_by_stretch.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/limit_check.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
@@ -103,6 +108,8 @@ constexpr Uses unused{{{"velocity"},
                        {"normal_acceleration"},
                        {"total_acceleration"}}};
 
+constexpr std::array<Use, 3> unused_axis{{{"velocity"}, {"acceleration"}, {"jerk"}}};
+
 class Along {
  public:
   Along(const Plan& plan, double feed_factor)
@@ -130,6 +137,7 @@ class Along {
         t += p.duration;
       }
     }
+    consider_axes();
     return report();
   }
 
@@ -147,6 +155,41 @@ class Along {
     for (double t = high / 2; t > low && t < high; t = low + (high - low) / 2)
       (covered(t) < distance ? low : high) = t;
     return low;
+  }
+
+  /// Takes the limits of axes in commands into account.
+  void consider_axes() {
+    if (!limit_axes(plan_.given().settings)) return;
+    axis_.assign(plan_.path().axes(), unused_axis);
+    AxesByStretch motion(plan_);
+    for (const LawInterval& interval : plan_.law().stretches()) {
+      motion.next();
+      for (std::size_t i = 0; i < axis_.size(); ++i) {
+        double t = interval.time;
+        for (std::size_t k = 0; k < motion.segments(i).size(); ++k) {
+          const Segment& f = motion.segments(i)[k];
+          consider(i, f, motion.pieces(i)[k], t);
+          t += f.length;
+        }
+      }
+    }
+  }
+
+  /// Takes one segment of an axis on one piece into account, from t on. A rounded corner has the limits
+  /// of both commands.
+  void consider(std::size_t axis, const Segment& f, std::size_t piece, double t) {
+    const PathPiece& of = plan_.drawn().pieces()[drawn_[piece]];
+    const bool corner = of.kind == PieceKind::turn || of.kind == PieceKind::blend;
+    for (const std::uint32_t settings : {of.settings, corner ? of.settings_before : of.settings}) {
+      const std::vector<AxisRates>& rates = plan_.given().settings[settings].axes;
+      if (axis >= rates.size()) continue;
+      const std::array limits{rates[axis].velocity, rates[axis].acceleration, rates[axis].jerk};
+      for (std::size_t k = 0; k < limits.size(); ++k) {
+        if (limits[k] == PathSettings::none) continue;
+        const Extremum most = segment_range(f, t, t + f.length, static_cast<int>(k) + 1).peak();
+        axis_[axis][k].consider(std::abs(most.value), limits[k], most.where, of.line);
+      }
+    }
   }
 
   /// Takes one phase of the law on one piece into account, from t on.
@@ -207,24 +250,34 @@ class Along {
     return {std::sqrt(std::max(most.value, 0.0)), most.where};
   }
 
+  /// The finding of a limit; nullopt if there is none, or if a command's is kept.
+  static std::optional<Finding> finding(const Use& use, bool of_command, double rounding) {
+    if (use.limit == PathSettings::none) return std::nullopt;
+    Finding f;
+    f.rule = Rule(RuleFamily::limit, use.quantity);
+    f.quantity = use.quantity;
+    f.where = use.where;
+    f.value = use.value;
+    f.limit = use.limit;
+    f.margin = use.margin();
+    f.broken = use.value > use.limit * (1 + rounding);
+    if (of_command && !f.broken) return std::nullopt;
+    if (of_command) f.advice = "the limit is that of line " + std::to_string(use.line);
+    return f;
+  }
+
   [[nodiscard]] Report report() const {
     Report report;
     for (const Uses* uses : {&path_, &command_})
-      for (const Use& use : *uses) {
-        if (use.limit == PathSettings::none) continue;
-        const bool broken = use.value > use.limit * (1 + rounded_sum);
-        if (uses == &command_ && !broken) continue;
-        Finding f;
-        f.rule = Rule(RuleFamily::limit, use.quantity);
-        f.quantity = use.quantity;
-        f.where = use.where;
-        f.value = use.value;
-        f.limit = use.limit;
-        f.margin = use.margin();
-        f.broken = broken;
-        if (uses == &command_) f.advice = "the limit is that of line " + std::to_string(use.line);
-        report.findings.push_back(f);
-      }
+      for (const Use& use : *uses)
+        if (auto f = finding(use, uses == &command_, rounded_sum))
+          report.findings.push_back(*std::move(f));
+    for (std::size_t i = 0; i < axis_.size(); ++i)
+      for (const Use& use : axis_[i])
+        if (auto f = finding(use, true, profiles_detail::forgiven)) {
+          f->axis = std::to_string(i + 1);
+          report.findings.push_back(*std::move(f));
+        }
     sort(report);
     return report;
   }
@@ -235,6 +288,7 @@ class Along {
   std::size_t shaped_ = static_cast<std::size_t>(-1);
   PieceShape shape_;
   Uses path_ = unused, command_ = unused;
+  std::vector<std::array<Use, 3>> axis_;
 };
 
 }  // namespace

@@ -181,6 +181,7 @@ AxesByStretch::AxesByStretch(const Plan& plan, double tolerance) : plan_(plan) {
   for (std::size_t i = 0; i < plan.given().limits.axes.size(); ++i)
     allowed_.push_back(allowed_error(lowest_limits(plan.given(), i), tolerance));
   segments_.resize(plan.path().axes());
+  piece_of_.resize(plan.path().axes());
   error_.resize(plan.path().axes());
 }
 
@@ -189,6 +190,7 @@ bool AxesByStretch::next() {
   if (next_ == stretches.size()) return false;
   const LawInterval& stretch = stretches[next_++];
   for (std::vector<Segment>& segments : segments_) segments.clear();
+  for (std::vector<std::size_t>& pieces : piece_of_) pieces.clear();
   const Path& path = plan_.path();
   if (stretch.pieces == 0) {
     const PathPiece& piece = path.pieces()[stretch.piece];
@@ -196,13 +198,16 @@ bool AxesByStretch::next() {
         path.point(stretch.piece, std::clamp(stretch.start - piece.start, 0.0, piece.length));
     for (std::size_t i = 0; i < segments_.size(); ++i)
       segments_[i].push_back(line(stretch.duration, at[i], at[i]));
+    for (std::vector<std::size_t>& pieces : piece_of_) pieces.push_back(stretch.piece);
     return true;
   }
   const std::size_t cuts = cut_at_pieces(path, stretch, cuts_);
   for (Cut& cut : std::span(cuts_).first(cuts)) {
     drop_slivers(cut, path.pieces()[cut.piece].length);
-    for (std::size_t i = 0; i < segments_.size(); ++i)
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
       compose(path, cut, i, allowed_[i], pieces_, segments_[i], error_[i]);
+      piece_of_[i].resize(segments_[i].size(), cut.piece);
+    }
   }
   return true;
 }

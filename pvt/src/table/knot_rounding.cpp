@@ -29,4 +29,14 @@ double KnotRounding::of(std::size_t order, std::size_t interval) const {
   return (factors[order] + more) * error_ / std::pow(length, static_cast<double>(order));
 }
 
+double KnotRounding::least_limit(std::size_t order, std::size_t interval, double peak) const {
+  constexpr double hundredth = 0.01;
+  constexpr double cycle = 1e-3;  // s
+  const auto& x = table_.columns().x;
+  const double length = x[interval + 1] - x[interval];
+  const double mean = table_.axis() == Domain::time ? std::min(length / cycle, 1.0) : 1.0;
+  // peak <= limit + of() and peak <= limit (1 + hundredth / mean)
+  return std::max(std::abs(peak) - of(order, interval), std::abs(peak) * mean / (mean + hundredth));
+}
+
 }  // namespace jounce::pvt_detail

@@ -5,6 +5,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "axis/tables.hpp"
+#include "support/short_interval.hpp"
 
 namespace jounce::admit_test {
 namespace {
@@ -31,6 +32,20 @@ struct Poly345 {
                         {{0, T}, {0, h}, {0, 0}, {0, 0}}));
   }
 };
+
+// tests/design/input_check_test.cpp has the same borders for `jounce check`.
+TEST(Admit, TheRoundingOfKnotsDoesNotExceedALimitByMoreThanAHundredth) {
+  for (const ShortInterval& of : {of_a_cycle, of_a_part}) {
+    const Job job(1, std::make_shared<const Table>(of.table()));
+    const double jerk = std::abs(job.ranges()[3].peak().value);
+    EXPECT_NEAR(jerk, 60 * of.bump / std::pow(of.length, 3), 0.2 * jerk);
+    const auto admitted = [&](double excess) {
+      return cause_of(admit(job, {.limits = limits(1e6, 1e9, jerk / (1 + excess))}, 0));
+    };
+    EXPECT_EQ(admitted(0.98 * of.permitted), Cause::none) << of.length;
+    EXPECT_EQ(admitted(1.02 * of.permitted), Cause::jerk_limit) << of.length;
+  }
+}
 
 TEST(Admit, AMasterThatLeavesACamWithASlopeStepsTheSlave) {
   const auto cam = table(Domain::master, Interpolation::linear, Extrapolation::hold,

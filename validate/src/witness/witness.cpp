@@ -11,15 +11,27 @@
 // applies to the difference that the interval adds and not to the size of the position, and the
 // solver works without units.
 //
-// The values of the signal have the relative rounding error eps, and its breaks, of size X, the
-// error eps X. The growth of these errors since the start is computed together with the state:
+// The values of the signal have the relative rounding error eps, and its breaks and the places
+// between them, of size X, the error eps X. The growth of these errors since the start is computed
+// together with the state:
 //
 //     (3)  at a break       d_p += eps (|p| + X |v|),  d_v += eps (|v| + X |a|),
 //                           d_a += eps (|a| + X |j|)
 //     (4)  over an interval d_p += L d_v + L^2 d_a / 2,  d_v += L d_a
 //
-// For the same reason s is accurate only to eps X / L, and the solver is given no smaller
-// tolerance.
+// A value that is compared also has the error (3) of its own place. Within an interval, the error of
+// the place changes the jerk by eps X |j'|. If V is the total variation of the jerk, the integral of
+// this error over the interval is at most
+//
+//     (5)  d_a += eps X V
+//
+// In (1), this is a share eps X V / (J L). The error of the integration must be smaller, after the
+// about one hundred steps of the solver and also near the start of the interval. The solver limits the
+// error of each step, so its tolerance is
+//
+//     (6)  tolerance = 0.002 eps X V / (J L)
+//
+// With a much smaller one, the solver would divide its steps to follow the rounding of the place.
 
 #include "jounce/validate/witness.hpp"
 
@@ -50,6 +62,7 @@ constexpr std::array stops{0.0954915028125263, 0.3454915028125263, 0.65450849718
                            0.9045084971874737, 1.0};
 
 constexpr double eps = 4 * std::numeric_limits<double>::epsilon();
+constexpr double step_share = 0.002;  ///< (6)
 
 struct State {
   double p = 0;
@@ -65,12 +78,22 @@ void require_valid(const WitnessOptions& options) {
     throw InputError("max_steps", std::to_string(options.max_steps), "must be at least 1");
 }
 
-/// The largest jerk seen in an interval: only a scale, for which a few places are enough.
-double jerk_size(const SignalPiece& piece) {
-  double size = std::abs(piece.at(piece.begin)[3]);
-  for (const double s : stops)
-    size = std::max(size, std::abs(piece.at(piece.begin + s * piece.length())[3]));
-  return std::isfinite(size) ? size : 0;
+/// Scales of the jerk in an interval, for which a few places are enough.
+struct JerkScale {
+  double size = 0;       ///< J, the greatest magnitude
+  double variation = 0;  ///< V, the total variation
+};
+
+JerkScale jerk_scale(const SignalPiece& piece) {
+  double before = piece.at(piece.begin)[3];
+  JerkScale jerk{std::abs(before), 0};
+  for (const double s : stops) {
+    const double here = piece.at(piece.begin + s * piece.length())[3];
+    jerk.size = std::max(jerk.size, std::abs(here));
+    jerk.variation += std::abs(here - before);
+    before = here;
+  }
+  return std::isfinite(jerk.size) && std::isfinite(jerk.variation) ? jerk : JerkScale{};
 }
 
 /// (1) and (2), for one piece after another.
@@ -83,10 +106,11 @@ class JerkIntegral {
                 std::array{0.0, 0.0, 0.0}) {}
 
   /// `x` is the size of the piece's breaks, which are accurate to eps x.
-  void enter(const SignalPiece& piece, double jerk, double x) {
+  void enter(const SignalPiece& piece, const JerkScale& jerk, double x) {
     piece_ = piece;
-    size_ = jerk > 0 ? jerk : 1;
-    const double tolerance = std::clamp(eps * x / piece.length(), tolerance_, 1e-3);
+    size_ = jerk.size > 0 ? jerk.size : 1;
+    const double rounding = eps * x * jerk.variation / (size_ * piece.length());
+    const double tolerance = std::clamp(step_share * rounding, tolerance_, 1e-3);  // (6)
     solver_.tolerate(tolerance, std::array{tolerance, tolerance, tolerance});
     std::ranges::fill(solver_.state(), 0.0);
     solver_.restart(0);
@@ -159,9 +183,10 @@ class Walk {
   /// Advances over one interval and its first break; false if the solver gave up.
   bool cross(const SignalPiece& piece) {
     const double x = std::max(std::abs(piece.begin), std::abs(piece.end));
-    const double jerk = jerk_size(piece);
-    step(piece.at(piece.begin), std::max(jerk, std::abs(before_[3])), x);
+    const JerkScale jerk = jerk_scale(piece);
+    step(piece.at(piece.begin), std::max(jerk.size, std::abs(before_[3])), x);
     jerk_.enter(piece, jerk, x);
+    drift_.a += eps * x * jerk.variation;  // (5)
     for (const double s : stops) {
       if (!jerk_.reach(s)) return false;
       compare_at(piece.at(jerk_.reached()), s * piece.length());
@@ -186,10 +211,16 @@ class Walk {
     const auto size = [&](std::size_t k) {
       return std::max(std::abs(after[k]), std::abs(before_[k]));
     };
-    drift_.p += eps * (size(0) + x * size(1));
-    drift_.v += eps * (size(1) + x * size(2));
-    drift_.a += eps * (size(2) + x * jerk);
+    drift_ = sum(drift_, rounding_of({size(0), size(1), size(2), jerk}, x));
   }
+
+  /// (3)
+  static State rounding_of(const Jet& f, double x) {
+    return {eps * (std::abs(f[0]) + x * std::abs(f[1])),
+            eps * (std::abs(f[1]) + x * std::abs(f[2])),
+            eps * (std::abs(f[2]) + x * std::abs(f[3]))};
+  }
+  static State sum(const State& a, const State& b) { return {a.p + b.p, a.v + b.v, a.a + b.a}; }
 
   [[nodiscard]] State drifted(double u) const {
     return {drift_.p + u * (drift_.v + u * drift_.a / 2), drift_.v + u * drift_.a,
@@ -198,8 +229,8 @@ class Walk {
 
   void compare_at(const Jet& f, double u) {
     const State here = jerk_.carried(y_);
-    const State drift = drifted(u);
     const double x = jerk_.reached();
+    const State drift = sum(drifted(u), rounding_of(f, std::abs(x)));
     compare(witness_.position, here.p, f[0], x, options_.limit, drift.p);
     compare(witness_.velocity, here.v, f[1], x, options_.limit, drift.v);
     compare(witness_.acceleration, here.a, f[2], x, options_.limit, drift.a);

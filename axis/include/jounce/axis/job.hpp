@@ -75,12 +75,14 @@ class Job final : public Movement {
   /// sign, and the peaks of the jerk around samples that exceed their neighbors.
   [[nodiscard]] const Ranges& ranges() const { return ranges_; }
 
-  /// The jerk that counts for its limit, u/s^3, and the part of it that rounding may have caused.
-  struct CountedJerk {
+  /// The peak in the interval that requires the greatest limit, and this limit: without the rounding
+  /// of knots, as pvt_detail::KnotRounding counts it.
+  struct Required {
     Extremum peak;
-    double rounding = 0;
+    double limit = 0;
   };
-  [[nodiscard]] const CountedJerk& counted_jerk() const { return counted_jerk_; }
+  /// The limits that the job requires for velocity, acceleration and jerk, u/s, u/s^2, u/s^3.
+  [[nodiscard]] const std::array<Required, 3>& required() const { return required_; }
 
   /// The largest jumps of position, velocity and acceleration during the run and, if the job
   /// repeats, from its end to its start. The magnitudes of all jumps within one tick are added;
@@ -126,7 +128,7 @@ class Job final : public Movement {
   Setpoint first_;
   Setpoint last_;
   Ranges ranges_{};
-  CountedJerk counted_jerk_;
+  std::array<Required, 3> required_;
   std::array<Jump, 3> steps_{};
   int direction_ = 0;
   Extremum master_excess_;

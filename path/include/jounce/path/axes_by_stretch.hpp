@@ -25,6 +25,10 @@ class AxesByStretch {
   [[nodiscard]] std::span<const Segment> segments(std::size_t axis) const {
     return segments_[axis];
   }
+  /// For each of these segments, the piece of the path on which it is. Valid as long as they are.
+  [[nodiscard]] std::span<const std::size_t> pieces(std::size_t axis) const {
+    return piece_of_[axis];
+  }
   /// For each axis, a bound of the error of its fit so far: u, u/s, u/s^2, u/s^3; 0: exact.
   [[nodiscard]] std::span<const Jet> error() const { return error_; }
 
@@ -41,6 +45,7 @@ class AxesByStretch {
   std::vector<Cut> cuts_;
   std::vector<Segment> pieces_;
   std::vector<std::vector<Segment>> segments_;
+  std::vector<std::vector<std::size_t>> piece_of_;
 };
 
 }  // namespace jounce

@@ -7,9 +7,8 @@
 
 namespace jounce::pvt_detail {
 
-/// The greatest errors of the derivatives of a table that are caused by rounding its knots: a limit
-/// of such a derivative is met if it is exceeded by no more. `check` and admit() of an axis use this
-/// bound, so both give one answer.
+/// The greatest errors of the derivatives of a table that are caused by rounding its knots. `check`
+/// and admit() of an axis compare limits with least_limit(), so both give one answer.
 class KnotRounding {
  public:
   /// The table must outlive it.
@@ -21,6 +20,11 @@ class KnotRounding {
   /// may have d / S more velocity, which removes the error from that interval (sample_within()) and
   /// causes an error of 36 d / (S L^2) here.
   [[nodiscard]] double of(std::size_t order, std::size_t interval) const;
+
+  /// The least limit that a derivative of order 1 to 3 with this peak keeps in an interval. The error
+  /// of the interval does not count, up to a hundredth of the limit. Over time, an interval that is
+  /// shorter than a cycle of 1 ms acts by its mean over the cycle, so the hundredth is that of the mean.
+  [[nodiscard]] double least_limit(std::size_t order, std::size_t interval, double peak) const;
 
  private:
   const Table& table_;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "jounce/pvt/table.hpp"
+
+namespace jounce::test {
+
+/// A table over time that accelerates until `place` s, makes a short bump of the jerk, and stops at
+/// 2 `place`. The rounding of the knots can cause the whole bump.
+struct ShortInterval {
+  double place = 0;   ///< s
+  double length = 0;  ///< s
+  double velocity = 0;
+  double bump = 0;  ///< distance beyond the constant velocity; the jerk is 60 bump / length^3
+  double permitted = 0.0;  ///< greatest share of the limit by which the jerk may exceed it
+
+  [[nodiscard]] Table table() const {
+    const double up = velocity * place / 2;
+    const double then = up + velocity * length + bump;
+    return Table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
+                 {{0, place, place + length, 2 * place},
+                  {0, up, then, then + up},
+                  {0, velocity, velocity, 0},
+                  {0, 0, 0, 0}});
+  }
+};
+
+/// An interval of one cycle of 1 ms, whose jerk may exceed the limit by 1 %, and one of a hundredth
+/// of a cycle, whose mean may.
+inline constexpr ShortInterval of_a_cycle{3600, 1e-3, 1000, 1e-7, 0.01};
+inline constexpr ShortInterval of_a_part{60, 1e-5, 1, 4e-14, 1.0};
+
+}  // namespace jounce::test
