@@ -9,6 +9,7 @@
 #include "jounce/profiles/detail/ramps.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "path/src/cube_root.hpp"
 #include "path/src/kept_memory.hpp"
 #include "path/src/timing/stretch.hpp"
 #include "path/src/tolerances.hpp"
@@ -72,7 +73,8 @@ double peak_of(const Box& box, double length, double v0, double v1) {
   if (alike && least == 0) {  // L = p^2 / a + p a / j, or (p / j)^(1/2) 2 p where a is not reached
     const double edge = box.acceleration / box.jerk;
     const double p = 2 * length / (edge + std::sqrt(edge * edge + 4 * length / box.acceleration));
-    return p >= box.acceleration * edge ? p : std::cbrt(box.jerk * length * length / 4);
+    return p >= box.acceleration * edge ? p
+                                        : path_detail::cube_root(box.jerk * length * length / 4);
   }
   if (alike) return std::max(least, peak_velocity(length, {v0, v1}, up(box)).value_or(least));
   const auto move =
@@ -82,11 +84,9 @@ double peak_of(const Box& box, double length, double v0, double v1) {
   return move ? v0 + move->dv0 : least;
 }
 
-}  // namespace
-
-LawInterval stretch_of(const Unit& unit, double v0, double v1) {
+/// Writes the fastest stretch over a unit from v0 to v1, without its time and its start.
+void write_stretch(const Unit& unit, double v0, double v1, LawInterval& s) {
   const Box& box = unit.box;
-  LawInterval s;
   s.length = unit.length;
   s.v0 = v0;
   s.v1 = v1;
@@ -99,7 +99,7 @@ LawInterval stretch_of(const Unit& unit, double v0, double v1) {
   s.peak = least;
   if (box.constant) {
     s.duration = s.length / s.peak;
-    return s;
+    return;
   }
   Ramps ramps{0, PathSettings::none};  // of the greatest velocity, if the length permits it
   if (box.velocity > least) {
@@ -121,10 +121,7 @@ LawInterval stretch_of(const Unit& unit, double v0, double v1) {
   }
   const double cruise = s.length - ramps.length;
   s.duration = ramps.time + (cruise > rounded_value * s.length ? cruise / s.peak : 0);
-  return s;
 }
-
-namespace {
 
 /// The velocity that a ramp from v reaches over a unit, at most `cap`, which is the usual result.
 double reached_within(const Unit& unit, double v, double cap, double acceleration) {
@@ -201,10 +198,15 @@ void join_alike(std::vector<Unit>& units) {
 bool join_ramps(std::vector<Unit>& units, std::vector<double>& v) {
   std::size_t count = 0;  // units[i] begins at v[i]
   for (std::size_t k = 0; k < units.size(); ++k) {
-    Unit unit = units[k];
     double start = v[k];
     const double end = v[k + 1];
-    while (count > 0 && !unit.box.constant && !units[count - 1].box.constant && start > 0 &&
+    if (units[k].box.constant) {
+      if (count != k) units[count] = units[k];
+      v[count++] = start;
+      continue;
+    }
+    Unit unit = units[k];
+    while (count > 0 && !units[count - 1].box.constant && start > 0 &&
            unit.entry >= unit.box.velocity &&
            start <
                std::min(unit.box.velocity, units[count - 1].box.velocity) * (1 - rounded_input)) {
@@ -241,12 +243,12 @@ std::vector<LawInterval> timed(const std::vector<Unit>& units, const std::vector
   double time = 0;
   double start = 0;
   for (std::size_t k = 0; k < units.size(); ++k) {
-    LawInterval s = stretch_of(units[k], v[k], v[k + 1]);
+    LawInterval& s = path_detail::append_blank(law);
+    write_stretch(units[k], v[k], v[k + 1], s);
     s.time = time;
     s.start = start;
     time += s.duration;
     start += s.length;
-    law.push_back(s);
   }
   return law;
 }
@@ -256,6 +258,12 @@ double end_of(const std::vector<LawInterval>& law) {
 }
 
 }  // namespace
+
+LawInterval stretch_of(const Unit& unit, double v0, double v1) {
+  LawInterval s;
+  write_stretch(unit, v0, v1, s);
+  return s;
+}
 
 std::vector<LawInterval> stations(std::vector<Unit> units) {
   join_alike(units);
