@@ -40,4 +40,13 @@ void keep_memory(std::vector<T>&& used) {
   if (memory.capacity() > kept_memory<T>().capacity()) kept_memory<T>() = std::move(memory);
 }
 
+/// Appends an element with its default values, whose members are then written in place. A copy of a local element would
+/// load several of its members at once, and wait until the processor has stored them.
+template <class T>
+T& append_blank(std::vector<T>& to) {
+  static constexpr T blank;
+  to.push_back(blank);
+  return to.back();
+}
+
 }  // namespace jounce::path_detail

@@ -326,8 +326,13 @@ TEST(Map, AnOverrideAndARetreatKeepTheLimitsOfTheJointsAndThePath) {
     const LawInterval& last = held.law().stretches().back();
     const Plan back = retreated(motion, held, motion.path().pieces()[1].start / 2);
     const Plan rest = resumed(motion, held);
+    const auto turn = std::ranges::find(motion.drawn().pieces(), PieceKind::turn, &PathPiece::kind);
+    const double within = turn->start + 0.4 * turn->length;
+    const Plan to_corner = retreated(motion, held, within);
+    const Plan from_corner = resumed(motion, within);
+    EXPECT_TRUE(is_within(check_along(from_corner)));
     EXPECT_LT(last.start, motion.path().length());
-    for (const Plan* each : {&changed, &back, &rest}) {
+    for (const Plan* each : {&changed, &back, &rest, &to_corner, &from_corner}) {
       const PlanAxes axes = to_axes(*each);
       EXPECT_LE(path_tests::worst_ratio(axes, motion.given().limits), 1 + 1e-12);
       for (int i = 1; i <= 50; ++i) expect_tool(axes, each->duration() * i / 50);

@@ -33,7 +33,7 @@ class Rounding {
   Rounded run() {
     const bool sharp = std::ranges::none_of(shapes_, &CornerShape::is_round);
     reserve(sharp);
-    const auto add = [&](const Unit& unit) { units_.push_back(unit); };
+    const auto add = [&](const Unit& unit) { append_unit(unit); };
     if (sharp)
       assemble_sharp(add);
     else
@@ -168,6 +168,22 @@ class Rounding {
       for (double* limit : {&unit.box.acceleration, &unit.box.deceleration, &unit.box.jerk})
         *limit *= 1 - fit_share / 10;
     add(unit);
+  }
+
+  /// Appends a unit, member by member: see append_blank().
+  void append_unit(const Unit& unit) {
+    Unit& to = path_detail::append_blank(units_);
+    to.length = unit.length;
+    to.box.velocity = unit.box.velocity;
+    to.box.acceleration = unit.box.acceleration;
+    to.box.deceleration = unit.box.deceleration;
+    to.box.jerk = unit.box.jerk;
+    to.box.constant = unit.box.constant;
+    to.entry = unit.entry;
+    to.dwell = unit.dwell;
+    to.piece = unit.piece;
+    to.pieces = unit.pieces;
+    to.joint = unit.joint;
   }
 
   /// Places the last appended piece after the previous one; returns its length.

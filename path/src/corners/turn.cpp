@@ -6,6 +6,8 @@
 
 #include "jounce/profiles/detail/numeric.hpp"
 
+#include "path/src/cube_root.hpp"
+
 // By (4), the velocity of a turn is the lesser of two bounds. The one of the acceleration falls
 // with b, the one of the jerk rises, both for (3) fixed and for a fixed length. The fastest turn
 // has equal bounds, or b = 1/2. With a and j divided by |D_i|:
@@ -55,7 +57,8 @@ void turn_segments(double start, double before, double after, double length, dou
 double turn_velocity(const TurnRates& rates, double share, double length) {
   const double by_acceleration = std::sqrt(rates.acceleration * (1 - share) * length);
   if (rates.jerk == TurnRates::none) return by_acceleration;
-  return std::min(by_acceleration, std::cbrt(rates.jerk * share * (1 - share) * length * length));
+  return std::min(by_acceleration,
+                  path_detail::cube_root(rates.jerk * share * (1 - share) * length * length));
 }
 
 Turn fastest_turn(const TurnRates& rates, double offset, double length) {

@@ -110,6 +110,7 @@ Plan remaining(const Plan& plan, double from, double rested) {
   double start = from;
   const auto flush = [&] {
     if (units.empty()) return;
+    open_end_corners(units, plan);
     for (LawInterval s : stations(units)) {
       s.time += time;
       s.start += start;
@@ -167,8 +168,7 @@ Plan resumed(const Plan& plan, double from) {
   const double end = plan.path().length();
   if (!(from >= 0 && from < end * (1 - rounded_value)))
     throw InputError("from", from, "must be from 0 to less than " + number(end));
-  require_no_corner(plan, "from", from);
-  return remaining(plan, from, 0);
+  return remaining(by_stations(plan, 1), from, 0);
 }
 
 }  // namespace jounce

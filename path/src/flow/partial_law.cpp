@@ -69,13 +69,48 @@ void PartialLaw::rest(const Path& path, double q, double duration) {
   add(s);
 }
 
-void require_no_corner(const Plan& plan, const char* key, double q) {
-  for (const PathPiece& p : plan.drawn().pieces())
-    if ((p.kind == PieceKind::turn || p.kind == PieceKind::blend) && q >= p.start &&
-        q < p.start + p.length)
-      throw InputError(key, q,
-                       "is in the corner from " + number(p.start) + " to " +
-                           number(p.start + p.length) + ": choose a place before or behind it");
+namespace {
+
+/// The settings of both commands of a corner: the lower one of each limit.
+PathSettings both(const PathSettings& before, const PathSettings& behind) {
+  const auto deceleration = [](const PathSettings& s) {
+    return s.deceleration < PathSettings::none ? s.deceleration : s.acceleration;
+  };
+  PathSettings lower = behind;
+  lower.velocity = std::min(before.velocity, behind.velocity);
+  lower.acceleration = std::min(before.acceleration, behind.acceleration);
+  lower.deceleration = std::min(deceleration(before), deceleration(behind));
+  lower.jerk = std::min(before.jerk, behind.jerk);
+  return lower;
+}
+
+}  // namespace
+
+void open_end_corners(std::vector<Unit>& units, const Plan& plan) {
+  if (units.empty() || !(units.front().box.constant || units.back().box.constant)) return;
+  const Plan::Given& given = plan.given();
+  const Rates rates = reserved(rates_of(given.limits, plan.path().axes(), given.path_axes));
+  const std::vector<std::size_t> drawn = drawn_pieces(plan);
+  const auto open = [&](Unit& unit) {
+    const PathPiece& corner = plan.drawn().pieces()[drawn[unit.piece]];
+    const double length = plan.path().pieces()[unit.piece].length;
+    const Box box =
+        curve_box(rates_on(rates, corner, given.settings, true),
+                  both(given.settings[corner.settings_before], given.settings[corner.settings]),
+                  derivatives_of(plan.path(), unit.piece, rates.path_axes), length);
+    const double velocity = unit.box.velocity;
+    unit.box = box;
+    unit.box.velocity = std::min(box.velocity, velocity);
+  };
+  // With joints of a robot, one corner has several pieces.
+  const auto open_from = [&](auto first, auto last) {
+    if (!first->box.constant) return;
+    const std::size_t corner = drawn[first->piece];
+    for (; first != last && first->box.constant && drawn[first->piece] == corner; ++first)
+      open(*first);
+  };
+  open_from(units.begin(), units.end());
+  open_from(units.rbegin(), units.rend());
 }
 
 Unit unit_of(const LawInterval& s) {

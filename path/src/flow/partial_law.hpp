@@ -41,8 +41,9 @@ struct PartialLaw {
   void rest(const Path& path, double q, double duration);
 };
 
-/// Throws InputError if q is within a corner, because no law can rest there.
-void require_no_corner(const Plan& plan, const char* key, double q);
+/// Gives boxes to a corner that the first or the last of some units of a plan is a part of: a law that begins or ends there
+/// changes its velocity within the corner. `units`: successive, from a rest to a rest.
+void open_end_corners(std::vector<Unit>& units, const Plan& plan);
 
 /// A stretch of a plan as a unit. Its velocity limit is the peak of the stretch, its greatest entry
 /// velocity the start velocity.

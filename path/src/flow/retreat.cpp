@@ -115,21 +115,22 @@ Plan retreated(const Plan& plan, const Plan& held, double to) {
   const double from = last.start + last.length;
   if (!(to >= 0 && to < from))
     throw InputError("to", to, "must be from 0 to less than " + number(from) + ", the held place");
-  require_no_corner(plan, "to", to);
   const Plan base = by_stations(plan, 1);
   const PlannedUnits all = units_of(base);
+  std::vector<Unit> units;  // from `to` to the held place
+  for (std::size_t k = 0; k < all.units.size(); ++k) {
+    const double length = std::min(all.starts[k + 1], from) - std::max(all.starts[k], to);
+    if (!(length > rounded_root * (from - to))) continue;
+    units.push_back(all.units[k]);
+    units.back().length = length;
+  }
+  open_end_corners(units, base);
   std::vector<Unit> back;
   double entry = PathSettings::none;
-  for (std::size_t k = all.units.size(); k-- > 0;) {
-    const double low = std::max(all.starts[k], to);
-    const double high = std::min(all.starts[k + 1], from);
-    const double length = high - low;
-    if (!(length > rounded_root * (from - to))) continue;
-    Unit unit = turned_around(all.units[k], base.path());
-    unit.length = length;
-    unit.entry = back.empty() ? PathSettings::none : entry;
-    entry = all.units[k].entry;
-    back.push_back(unit);
+  for (std::size_t k = units.size(); k-- > 0;) {
+    back.push_back(turned_around(units[k], base.path()));
+    back.back().entry = entry;
+    entry = units[k].entry;
   }
   const Path path = reversed(base.path());
   Plan::Given given = plan.given();

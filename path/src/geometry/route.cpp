@@ -195,7 +195,13 @@ Route route_of(const Program& program) {
       throw InputError("to", piece.length, "is too far away").at({}, command.line);
     if (buffered) joints.back().rests = true;
     length += piece.length;
-    pieces.push_back(piece);
+    PathPiece& placed = path_detail::append_blank(pieces);
+    placed.start = piece.start;
+    placed.length = piece.length;
+    placed.data = piece.data;
+    placed.line = piece.line;
+    placed.settings = piece.settings;
+    placed.kind = piece.kind;
     joints.push_back({});
   }
   if (pieces.empty())

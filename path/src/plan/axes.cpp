@@ -20,6 +20,7 @@
 namespace jounce {
 namespace {
 
+using profiles_detail::rounded_digit;
 using profiles_detail::rounded_input;
 using profiles_detail::rounded_root;
 using profiles_detail::rounded_sum;
@@ -86,10 +87,11 @@ void drop_slivers(Cut& cut, double length) {
 }
 
 /// True if the velocity is constant over the whole piece.
-bool is_constant(const std::vector<Segment>& law, double length) {
-  return law.size() == 1 && law.front().degree <= 1 &&
-         std::abs(law.front().c[0]) <= rounded_root * length &&
-         std::abs(value(law.front(), 1) - length) <= rounded_root * length;
+bool is_constant(const std::vector<Segment>& law, const PathPiece& piece) {
+  // A short piece far from the start of the path: its ends are rounded to a digit of that distance.
+  const double rounding = std::max(rounded_root * piece.length, rounded_digit * piece.start);
+  return law.size() == 1 && law.front().degree <= 1 && std::abs(law.front().c[0]) <= rounding &&
+         std::abs(value(law.front(), 1) - piece.length) <= rounding;
 }
 
 /// Half of the difference between each limit and its peak in the plan, on a piece that is not a
@@ -143,7 +145,7 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allo
     for (const Segment& f : cut.law) out.push_back(scaled(f, slope, start));
     return;
   }
-  if (is_constant(cut.law, length)) {
+  if (is_constant(cut.law, path.pieces()[cut.piece])) {
     const double velocity = cut.law.front().c[1] / cut.law.front().length;
     for (Segment f : pieces) {
       f.length /= velocity;

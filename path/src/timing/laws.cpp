@@ -157,23 +157,45 @@ class WindowLaw {
   double length_ = 0;
 };
 
-/// True if a window may be faster: on curves, where ramps extend over many pieces with different
-/// boxes.
-bool is_curved(const Path& path, std::span<const Unit> units) {
-  return std::any_of(units.begin(), units.end(), [&](const Unit& unit) {
-    return path.pieces()[unit.piece].kind == PieceKind::curve;
-  });
-}
+/// The laws of the runs of a path.
+class Runs {
+ public:
+  Runs(const Path& path, const Rates& rates, const Program& program)
+      : path_(path),
+        rates_(rates),
+        program_(program),
+        has_curves_(std::ranges::any_of(
+            path.pieces(), [](const PathPiece& piece) { return piece.kind == PieceKind::curve; })) {
+  }
 
-/// The faster of both laws for a run.
-std::vector<LawInterval> fastest(const Path& path, std::vector<Unit> run, const Rates& rates,
-                                 const Program& program) {
-  run.front().entry = unlimited;
-  if (!is_curved(path, run)) return stations(std::move(run));
-  std::vector<LawInterval> law = stations(run);
-  std::vector<LawInterval> window = WindowLaw(path, run, rates, program).run();
-  return end_time(window) < end_time(law) ? window : law;
-}
+  /// True if stretch_of() gives the law of the run.
+  [[nodiscard]] bool is_one_stretch(std::span<const Unit> run) const {
+    return run.size() == 1 && !is_curved(run);
+  }
+
+  /// The faster of both laws.
+  [[nodiscard]] std::vector<LawInterval> fastest(std::vector<Unit> run) const {
+    run.front().entry = unlimited;
+    if (!is_curved(run)) return stations(std::move(run));
+    std::vector<LawInterval> law = stations(run);
+    std::vector<LawInterval> window = WindowLaw(path_, run, rates_, program_).run();
+    return end_time(window) < end_time(law) ? window : law;
+  }
+
+ private:
+  /// True if a window may be faster: on curves, where ramps extend over many pieces with different
+  /// boxes.
+  [[nodiscard]] bool is_curved(std::span<const Unit> units) const {
+    return has_curves_ && std::ranges::any_of(units, [&](const Unit& unit) {
+             return path_.pieces()[unit.piece].kind == PieceKind::curve;
+           });
+  }
+
+  const Path& path_;
+  const Rates& rates_;
+  const Program& program_;
+  bool has_curves_;
+};
 
 /// Sums the durations of the runs of a motion that rests at each corner.
 class StopTimes final : public UnitSink {
@@ -181,8 +203,7 @@ class StopTimes final : public UnitSink {
   StopTimes(const Route& route, const Program& program, const Rates& rates,
             std::span<const Rest> at)
       : route_(route),
-        program_(program),
-        rates_(rates),
+        runs_(route.path, rates, program),
         commands_(route.path, rates, program),
         at_(at) {
     times_.reserve(at.size() + 1);
@@ -212,15 +233,13 @@ class StopTimes final : public UnitSink {
   void finish_run() {
     if (run_.empty()) return;
     if (commands_.limited()) run_ = commands_.lowered(std::move(run_));
-    time_ += run_.size() == 1 && !is_curved(route_.path, run_)
-                 ? stretch_of(run_.front(), 0, 0).duration
-                 : end_time(fastest(route_.path, run_, rates_, program_));
+    time_ += runs_.is_one_stretch(run_) ? stretch_of(run_.front(), 0, 0).duration
+                                        : end_time(runs_.fastest(run_));
     run_.clear();
   }
 
   const Route& route_;
-  const Program& program_;
-  const Rates& rates_;
+  const Runs runs_;
   const CommandBoxes commands_;
   std::span<const Rest> at_;
   std::vector<Unit> run_;
@@ -278,6 +297,7 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
   if (rounded.path) open_chains(units, path, rates, program.settings());
   Collected made;
   made.times_only = times_only;
+  const Runs runs(path, rates, program);
   const auto rests = static_cast<std::size_t>(
       std::ranges::count_if(units, [](const Unit& unit) { return !(unit.entry > 0); }));
   reserve_large(made.laws.rests, rests + 1);
@@ -289,15 +309,15 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
     const std::span<const Unit> run(units.data() + i, last - i);
     made.rest(run.front().joint, run.front().dwell, run.front().piece);
     const PathPiece& end = path.pieces()[run.back().piece + run.back().pieces - 1];
-    if (run.size() == 1 && !is_curved(path, run)) {
+    if (runs.is_one_stretch(run)) {
       const LawInterval s = stretch_of(run.front(), 0, 0);
       made.add(s);
       made.moved(s.duration, end);
     } else if (run.size() == units.size()) {
-      made.run(fastest(path, std::move(units), rates, program), end);
+      made.run(runs.fastest(std::move(units)), end);
       break;
     } else {
-      made.run(fastest(path, {run.begin(), run.end()}, rates, program), end);
+      made.run(runs.fastest({run.begin(), run.end()}), end);
     }
     i = last;
   }

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "jounce/profiles/curve/query.hpp"
 #include "jounce/profiles/detail/large_pages.hpp"
 #include "jounce/profiles/detail/ramps.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "path/src/cube_root.hpp"
 #include "path/src/kept_memory.hpp"
 #include "path/src/timing/stretch.hpp"
 #include "path/src/tolerances.hpp"
@@ -36,6 +38,7 @@ using profiles_detail::rounded_input;
 using profiles_detail::rounded_value;
 
 constexpr double no_ramp = 1e-10;  ///< share of the velocity
+constexpr std::size_t not_limited = std::numeric_limits<std::uint32_t>::max();  ///< pieces
 
 Ramp up(const Box& box) {
   return {box.acceleration, box.jerk};
@@ -72,7 +75,8 @@ double peak_of(const Box& box, double length, double v0, double v1) {
   if (alike && least == 0) {  // L = p^2 / a + p a / j, or (p / j)^(1/2) 2 p where a is not reached
     const double edge = box.acceleration / box.jerk;
     const double p = 2 * length / (edge + std::sqrt(edge * edge + 4 * length / box.acceleration));
-    return p >= box.acceleration * edge ? p : std::cbrt(box.jerk * length * length / 4);
+    return p >= box.acceleration * edge ? p
+                                        : path_detail::cube_root(box.jerk * length * length / 4);
   }
   if (alike) return std::max(least, peak_velocity(length, {v0, v1}, up(box)).value_or(least));
   const auto move =
@@ -82,11 +86,9 @@ double peak_of(const Box& box, double length, double v0, double v1) {
   return move ? v0 + move->dv0 : least;
 }
 
-}  // namespace
-
-LawInterval stretch_of(const Unit& unit, double v0, double v1) {
+/// Writes the fastest stretch over a unit from v0 to v1, without its time and its start.
+void write_stretch(const Unit& unit, double v0, double v1, LawInterval& s) {
   const Box& box = unit.box;
-  LawInterval s;
   s.length = unit.length;
   s.v0 = v0;
   s.v1 = v1;
@@ -99,7 +101,7 @@ LawInterval stretch_of(const Unit& unit, double v0, double v1) {
   s.peak = least;
   if (box.constant) {
     s.duration = s.length / s.peak;
-    return s;
+    return;
   }
   Ramps ramps{0, PathSettings::none};  // of the greatest velocity, if the length permits it
   if (box.velocity > least) {
@@ -121,10 +123,7 @@ LawInterval stretch_of(const Unit& unit, double v0, double v1) {
   }
   const double cruise = s.length - ramps.length;
   s.duration = ramps.time + (cruise > rounded_value * s.length ? cruise / s.peak : 0);
-  return s;
 }
-
-namespace {
 
 /// The velocity that a ramp from v reaches over a unit, at most `cap`, which is the usual result.
 double reached_within(const Unit& unit, double v, double cap, double acceleration) {
@@ -196,19 +195,27 @@ void join_alike(std::vector<Unit>& units) {
   units.resize(last + 1);
 }
 
-/// Joins units with different boxes if one ramp over both is faster; returns false if there are
-/// none. v: velocities at the ends of the units.
-bool join_ramps(std::vector<Unit>& units, std::vector<double>& v) {
+/// True if one ramp over both units may be faster: they meet at v, which both boxes exceed.
+bool may_join(const Unit& before, const Unit& unit, double v) {
+  return !before.box.constant && !unit.box.constant && v > 0 && unit.entry >= unit.box.velocity &&
+         v < std::min(unit.box.velocity, before.box.velocity) * (1 - rounded_input);
+}
+
+/// Joins units with different boxes if one ramp over both is not slower, up to `most` pieces. Returns false if there are
+/// none, also with more pieces. v: velocities at the ends of the units.
+bool join_ramps(std::vector<Unit>& units, std::vector<double>& v, std::size_t most) {
+  bool limited = false;
   std::size_t count = 0;  // units[i] begins at v[i]
   for (std::size_t k = 0; k < units.size(); ++k) {
-    Unit unit = units[k];
     double start = v[k];
     const double end = v[k + 1];
-    while (count > 0 && !unit.box.constant && !units[count - 1].box.constant && start > 0 &&
-           unit.entry >= unit.box.velocity &&
-           start <
-               std::min(unit.box.velocity, units[count - 1].box.velocity) * (1 - rounded_input)) {
+    Unit unit = units[k];
+    while (count > 0 && may_join(units[count - 1], unit, start)) {
       const Unit& before = units[count - 1];
+      if (before.pieces + unit.pieces > most) {
+        limited = true;
+        break;
+      }
       const double from = v[count - 1];
       const Unit longer = joined(before, unit);
       // Rounding does not decide: an end at the velocity of one box is often that of the other box, too.
@@ -217,9 +224,9 @@ bool join_ramps(std::vector<Unit>& units, std::vector<double>& v) {
           ramp_distance(from, end, end > from ? longer.box.acceleration : longer.box.deceleration,
                         longer.box.jerk);
       if (direct > longer.length) break;
-      if (stretch_of(longer, from, end).duration >
-          stretch_of(before, from, start).duration + stretch_of(unit, start, end).duration)
-        break;
+      const double apart =
+          stretch_of(before, from, start).duration + stretch_of(unit, start, end).duration;
+      if (stretch_of(longer, from, end).duration > apart * (1 + rounded_value)) break;
       unit = longer;
       start = from;
       --count;
@@ -232,7 +239,7 @@ bool join_ramps(std::vector<Unit>& units, std::vector<double>& v) {
   v[count] = v[units.size()];
   units.resize(count);
   v.resize(count + 1);
-  return changed;
+  return changed || limited;
 }
 
 std::vector<LawInterval> timed(const std::vector<Unit>& units, const std::vector<double>& v) {
@@ -241,12 +248,12 @@ std::vector<LawInterval> timed(const std::vector<Unit>& units, const std::vector
   double time = 0;
   double start = 0;
   for (std::size_t k = 0; k < units.size(); ++k) {
-    LawInterval s = stretch_of(units[k], v[k], v[k + 1]);
+    LawInterval& s = path_detail::append_blank(law);
+    write_stretch(units[k], v[k], v[k + 1], s);
     s.time = time;
     s.start = start;
     time += s.duration;
     start += s.length;
-    law.push_back(s);
   }
   return law;
 }
@@ -255,18 +262,38 @@ double end_of(const std::vector<LawInterval>& law) {
   return law.back().time + law.back().duration;
 }
 
+bool may_join_any(const std::vector<Unit>& units, const std::vector<double>& v) {
+  for (std::size_t k = 1; k < units.size(); ++k)
+    if (may_join(units[k - 1], units[k], v[k])) return true;
+  return false;
+}
+
+/// The law after all joins. At first, a stretch gets at most `most` pieces, and then twice as many in each round: which ramp
+/// is faster depends on the velocities at its ends, and these change with the shorter ramps. A stretch that grows at once
+/// often extends to a slow place far away.
+std::vector<LawInterval> joined_law(std::vector<Unit> units, std::vector<double> v,
+                                    std::size_t most) {
+  for (; join_ramps(units, v, most); most = std::min(2 * most, not_limited)) v = velocities(units);
+  return timed(units, v);
+}
+
 }  // namespace
+
+LawInterval stretch_of(const Unit& unit, double v0, double v1) {
+  LawInterval s;
+  write_stretch(unit, v0, v1, s);
+  return s;
+}
 
 std::vector<LawInterval> stations(std::vector<Unit> units) {
   join_alike(units);
   std::vector<double> v = velocities(units);
   std::vector<LawInterval> best = timed(units, v);
-  for (int round = 0; round < 3 && join_ramps(units, v); ++round) {
-    v = velocities(units);
-    std::vector<LawInterval> next = timed(units, v);
-    if (end_of(next) >= end_of(best)) break;
-    best = std::move(next);
-  }
+  if (may_join_any(units, v))
+    for (const std::size_t most : {std::size_t{2}, not_limited}) {
+      std::vector<LawInterval> next = joined_law(units, v, most);
+      if (end_of(next) < end_of(best)) best = std::move(next);
+    }
   path_detail::keep_memory(std::move(units));
   return best;
 }

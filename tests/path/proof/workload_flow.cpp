@@ -85,17 +85,24 @@ Outcome held(Random& r, const Case& c, const Plan& made, Worst& worst) {
   return why.empty() ? Outcome{} : failed(c, why, "halted at " + text(t) + " s");
 }
 
-/// Back to a place outside a corner, and on to the end.
+/// Any place before `end`, often within a corner or at its start.
+double place_before(Random& r, const Plan& made, double end) {
+  const double q = end * r.uniform(0, 0.99);
+  const int kind = r.below(4);
+  for (const PathPiece& p : made.path().pieces())
+    if (kind < 2 && (p.kind == PieceKind::turn || p.kind == PieceKind::blend) &&
+        p.start + p.length > q && p.start + p.length < end)
+      return p.start + (kind == 0 ? p.length * r.uniform(0, 1) : 0);
+  return q;
+}
+
+/// Back to any place, and on to the end.
 Outcome retreated_and_resumed(Random& r, const Case& c, Worst& worst) {
   const Plan made = plan(program_of(c), c.limits);
   const double t = made.duration() * r.uniform(0.1, 1);
   const Plan held = halted(made, t);
   if (end_of(held) == 0 || end_of(held) >= made.path().length() * (1 - 1e-12)) return {};
-  double to = end_of(held) * r.uniform(0, 0.99);
-  for (const PathPiece& p : made.path().pieces())
-    if ((p.kind == PieceKind::turn || p.kind == PieceKind::blend) && to >= p.start &&
-        to <= p.start + p.length)
-      to = 0;
+  const double to = place_before(r, made, end_of(held));
   const Plan back = retreated(made, held, to);
   const double length = made.path().length();
   std::string why = judge_motion(c, back, back, length - end_of(held), worst);
@@ -131,14 +138,13 @@ Outcome flows_of_dense(Random& r, Worst& worst) {
 }
 
 Outcome retreats(Random& r, Worst& worst) {
-  return retreated_and_resumed(r, r.below(3) > 0 ? lines(r) : arcs(r), worst);
+  return retreated_and_resumed(r, r.below(8) > 0 ? any(r) : dense(r), worst);
 }
 
 Outcome flow_of_limited(Random& r, Worst& worst) {
   const Case c = limited(r);
   const int kind = r.below(3);
-  if (kind == 2 && c.legs.front().settings.corner != Corner::average)
-    return retreated_and_resumed(r, c, worst);
+  if (kind == 2) return retreated_and_resumed(r, c, worst);
   const Plan made = plan(program_of(c), c.limits);
   return kind == 1 ? overridden(r, c, made, worst) : held(r, c, made, worst);
 }

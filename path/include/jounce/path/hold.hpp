@@ -26,14 +26,15 @@ Plan halted(const Plan& plan, double t);
 Plan resumed(const Plan& plan, const Plan& held);
 
 /// Plans the rest of a path from rest at the path position q = `from`, for example after a retreat.
-/// Throws InputError "from" outside [0, length), and inside a corner.
+/// Within a corner, the law begins slowly, within the limits. A window law is replaced by a station
+/// law. Throws InputError "from" outside [0, length).
 Plan resumed(const Plan& plan, double from);
 
 /// Plans a retreat: a motion from the rest at the end of `held` back along the path to the path
 /// position q = `to`. The result has the same path in the opposite direction; its q counts from the
 /// end. Acceleration and deceleration have the same limit: the lower of the plan's two limits. The
-/// retreat rests at every place where the plan rests. Throws InputError "to" outside [0, q at the
-/// end of `held`), and inside a corner.
+/// retreat rests at every place where the plan rests; it may end within a corner. Throws InputError
+/// "to" outside [0, q at the end of `held`).
 Plan retreated(const Plan& plan, const Plan& held, double to);
 
 }  // namespace jounce
