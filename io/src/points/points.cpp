@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -86,9 +87,10 @@ class Reader {
             cell == nullptr ? 0 : static_cast<int>(character(cell)));
   }
 
-  /// The place of a cell in its line, from 1.
-  [[nodiscard]] std::uint32_t character(const char* cell) const {
-    return static_cast<std::uint32_t>(cell - line_begin_) + 1;
+  /// The place of a cell in its line, from 1; 0 if it is too far.
+  [[nodiscard]] std::uint16_t character(const char* cell) const {
+    const auto at = static_cast<std::size_t>(cell - line_begin_) + 1;
+    return at <= std::numeric_limits<std::uint16_t>::max() ? static_cast<std::uint16_t>(at) : 0;
   }
 
   /// The next line that is neither empty nor a comment.

@@ -18,9 +18,9 @@ struct PointColumn {
   std::vector<double> values = {};  ///< numbers of the column
   /// Cells of a column of words, such as "type"; `values` is then empty.
   std::vector<std::string> words = {};
-  /// For each point, the character of its line at which the cell begins, from 1; empty for a
-  /// workbook.
-  std::vector<std::uint32_t> characters = {};
+  /// For each point, the character of its line at which the cell begins, from 1; 0 beyond the
+  /// character 65535. Empty for a workbook.
+  std::vector<std::uint16_t> characters = {};
 };
 
 /// Points from a spreadsheet, a measuring device or another program: CSV, or a sheet of a workbook
@@ -46,11 +46,11 @@ struct PointColumn {
 /// without a name are ignored. The line of a point is its row. An error names the sheet and the
 /// cell.
 ///
-/// The whole file is read, or InputError is thrown with file, line, character, key (the name of the column),
-/// value and rule. Errors are: a missing header, a repeated name, an unknown unit, a row of another
-/// length, an empty cell or text that is not a finite number (except in the column `type`), decimal
-/// commas together with points, and a file without points; in a workbook also a date, an error
-/// value, and a formula without a stored value.
+/// The whole file is read, or InputError is thrown with file, line, character, key (the name of the
+/// column), value and rule. Errors are: a missing header, a repeated name, an unknown unit, a row
+/// of another length, an empty cell or text that is not a finite number (except in the column
+/// `type`), decimal commas together with points, and a file without points; in a workbook also a
+/// date, an error value, and a formula without a stored value.
 struct Points {
   std::string document;              ///< name of the file
   std::vector<PointColumn> columns;  ///< the columns, in the order of the file
