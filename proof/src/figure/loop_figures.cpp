@@ -127,7 +127,11 @@ Figure nyquist_figure(const Drive& drive) {
 namespace {
 
 /// The drive of a spec or of its axis, without the curve: a spec of kind "drive" has none.
-Drive drive_in(const std::string& path, const std::string& axis, const std::string& which) {
+struct NamedDrive {
+  std::string name;
+  Drive drive;
+};
+NamedDrive drive_in(const std::string& path, const std::string& axis, const std::string& which) {
   const std::string text = read_file(path);
   const std::string name = path == "-" ? "standard input" : path;
   const InputError missing("drive", "", "is missing: this picture needs a spec with a [drive]");
@@ -137,16 +141,19 @@ Drive drive_in(const std::string& path, const std::string& axis, const std::stri
   if (parts.size() > 1 && axis.empty())
     throw InputError("axis", which, "shows one axis: name it with --axis");
   for (const AxisPart& part : parts)
-    if (part.drive && (axis.empty() || part.name == axis)) return part.drive->drive;
+    if (part.drive && (axis.empty() || part.name == axis)) {
+      const std::string whole = spec.name.empty() ? name : spec.name;
+      return {parts.size() > 1 ? whole + " " + part.name : whole, part.drive->drive};
+    }
   throw spec.document.located(missing);
 }
 
 }  // namespace
 
 Figure loop_figure(const std::string& path, const std::string& axis, const std::string& which) {
-  const Drive drive = drive_in(path, axis, which);
-  Figure figure = which == "bode" ? bode_figure(drive) : nyquist_figure(drive);
-  figure.title = path + ": " + figure.title;
+  const NamedDrive of = drive_in(path, axis, which);
+  Figure figure = which == "bode" ? bode_figure(of.drive) : nyquist_figure(of.drive);
+  figure.title = of.name + ": " + figure.title;
   return figure;
 }
 
