@@ -147,12 +147,12 @@ function draw(root, view, {from, to, difference, piece, ranges}, width) {
   }
 
   const xTicks = ticksAcross(from, to, right - left, view.degrees);
-  const clip = `clip-${root.id}`;
-  children.push(svg('clipPath', {id: clip}, svg('rect', {x: left, y: 0, width: px(right - left), height})));
   const knots = view.segments.length > 0 ? [view.segments[0][0], ...view.segments.map(([, end]) => end)]
     : view.curves[0] instanceof Outline ? [] : view.curves[0].breaks;
   const shownKnots = knots.filter(inside);
-  for (const {panel, values, least, top: y0, bottom: y1, low, high, toY, yTicks} of panels) {
+  for (const [k, {panel, values, least, top: y0, bottom: y1, low, high, toY, yTicks}] of panels.entries()) {
+    const clip = `clip-${root.id}-${k}`;
+    children.push(svg('clipPath', {id: clip}, svg('rect', {x: left, y: y0 - 1, width: px(right - left), height: y1 - y0 + 2})));
     const group = svg('g', {'clip-path': `url(#${clip})`});
     for (const [a, b] of view.shades)
       if (b > from && a < to) group.append(svg('rect', {class: 'zone', x: px(toX(a)), y: y0, width: px(toX(b) - toX(a)), height: look.panel}));

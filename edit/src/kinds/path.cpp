@@ -95,7 +95,7 @@ void add_path(Editable& editable) {
       handle["before"] = i + 1;  // the number of the command
       if (end && ends.size() > 1) handle["remove"] = {{"do", "remove"}, {"row", row}};
       if (!end) handle["small"] = true;
-      if (corner) handle["corner"] = true;  // of the polygon of a spline
+      if (corner) handle["corner"] = true;  // a corner of the polygon of a spline
     };
     add("", row + ".to", true);
     add(": center", row + ".center", false);

@@ -60,11 +60,14 @@ Series line_of(const Curve<Over>& f, int order, const std::string& label, Style 
 }
 
 /// Rounding of the `order`th derivative: derivatives of a polynomial of degree d over
-/// a length L grow with d / L each time, those of a sine with its angle / L.
+/// a length L grow with d / L each time, those of a sine with its angle / L. Slivers, whose
+/// derivatives are rounding alone, do not count: they would flatten the rest.
 template <class Over>
 double noise_of(const Curve<Over>& f, int order) {
   double noise = 0;
+  const double sliver = 1e-4 * f.length() / static_cast<double>(f.segments().size());
   for (const Segment& g : f.segments()) {
+    if (g.length < sliver) continue;
     double growth = g.degree;
     for (int i = 0; i < g.sines; ++i)
       growth = std::max(growth, std::abs(g.sine[static_cast<std::size_t>(i)].angle));

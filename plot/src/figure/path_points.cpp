@@ -11,10 +11,10 @@
 namespace jounce {
 namespace {
 
-constexpr double flatness = 1e-4;         // of the size of the path
-constexpr double near_points = 4e-4;      // of the size: the speed between them is not visible
-constexpr double speed_steps = 1.0 / 32;  // of the greatest speed
-constexpr int most_halvings = 14;         // of the time between two breaks
+constexpr double flatness = 1e-4;     // share of the size of the path
+constexpr double near_points = 4e-4;  // share of the size: the speed between them is not visible
+constexpr double speed_steps = 1.0 / 32;  // share of the greatest speed
+constexpr int most_halvings = 14;         // each halves the time between two breaks
 constexpr std::array quarters{0.25, 0.5, 0.75};
 
 struct Allowed {
