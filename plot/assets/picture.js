@@ -238,7 +238,7 @@ function covered(line, [middle, base, half]) {
 function placesBeside(x, y, half, [left, right, top, bottom]) {
   const up = y < (top + bottom) / 2, places = [];
   for (const away of [0, 14, 28])
-    for (const base of up ? [y - 7 - away, y + 4, y + 16 + away] : [y + 16 + away, y + 4, y - 7 - away])
+    for (const base of up ? [y - 7 - away, y + 4, y + 14 + away] : [y + 14 + away, y + 4, y - 7 - away])
       for (const middle of base === y + 4 ? [x + half + 8 + away, x - half - 8 - away] : [x, x + half + 8 + away, x - half - 8 - away])
         places.push([clamped(middle, left + half + 4, right - half - 4), base, half]);
   return places.filter(([, base]) => base - 10 >= top && base + 3 <= bottom);
