@@ -285,6 +285,20 @@ TEST(Svg, PutsATextWhereItCoversNoLine) {
   EXPECT_GT(std::abs(found[0].number("x") - dots[0].number("cx")), half);  // aside of the circle
 }
 
+TEST(Svg, PutsATextWhereItCoversNoPoint) {
+  // Points right of the mark, where its text would be, and far away on both sides.
+  Figure figure = with({"cases", {0, 50, 53, 56, 100}, {0, 0.5, 0.5, 0.5, 1}, Style::dots});
+  figure.panels[0].markers = {{.x = 50, .y = 0.5, .text = "as given"}};
+  const Markup markup(svg(figure));
+  const auto found = markup.with("text", "halo");
+  ASSERT_EQ(found.size(), 1U);
+  const double half = text_width("as given", small_font) / 2;
+  const double level = markup.with("circle", "mark")[0].number("cy");
+  const double below = found[0].number("y") - level;  // base line
+  const bool aside = found[0].number("x") + half < markup.with("circle", "mark")[0].number("cx");
+  EXPECT_TRUE(aside || below > 12 || below < -5) << below;
+}
+
 TEST(Svg, ShowsTheNoteOfAFigureBehindItsAxis) {
   Figure figure = with({"curve", {0, 1}, {0, 1}, Style::line});
   figure.x_note = "limits at 300 mm/s";

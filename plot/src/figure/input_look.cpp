@@ -7,11 +7,14 @@
 #include "jounce/design/make.hpp"
 #include "jounce/design/over_time.hpp"
 #include "jounce/design/sync_zones.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/report/comparison.hpp"
 #include "jounce/spec/spec.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 /// The ends of the segments of the spec. Ends of the pieces of a law are left out.
 std::vector<double> knots(std::span<const double> breaks, const Labels& labels) {
@@ -49,7 +52,8 @@ void add_slave_limits(const Input& input, CurveLook& look) {
   const MasterSpec& master = *input.spec->master;
   look.limits = with_slave_limits(input.limits, *input.spec);
   look.x_note = "limits at " + master_speed_text(*input.spec);
-  const bool passes_all = !master.acceleration && master.distance >= cam->length() * (1 - 1e-9);
+  const bool passes_all =
+      !master.acceleration && master.distance >= cam->length() * (1 - rounded_input);
   if (!passes_all) look.marked_limits = input.limits;
 }
 

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double text_height = 13;  // px, of a line in the small font
 constexpr double dot_radius = 3;
+constexpr double small_dot = 2;    // px, half of a point of a series
 constexpr double least_lead = 14;  // px
 
 /// The points of a series that can be drawn, in one run for each stretch without a gap.
@@ -136,8 +137,19 @@ class PanelDrawing {
         if ((one.style == Style::under) != under) continue;
         const auto lines = runs(one, at_.x, y_);
         line(series_class(one, labels), series_path(one, lines));
-        if (!under) around_.lines.insert(around_.lines.end(), lines.begin(), lines.end());
+        if (!under) avoid(lines, one.style == Style::dots);
       }
+    }
+  }
+
+  /// Makes later labels avoid the lines, or the points of dots, between which nothing is drawn.
+  void avoid(const std::vector<std::vector<Pixel>>& lines, bool dots) {
+    for (const auto& run : lines) {
+      if (!dots) around_.lines.push_back(run);
+      for (const Pixel& p : run)
+        if (dots)
+          around_.lines.push_back(
+              {{p.x - small_dot, p.y - small_dot}, {p.x + small_dot, p.y + small_dot}});
     }
   }
 

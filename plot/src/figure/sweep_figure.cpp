@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t most_panels = 8;
 constexpr std::size_t most_lines = 4;
+constexpr double same_figure = 1e-9;  // share of a figure: rounding
 
 std::string label_of(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
@@ -155,7 +156,7 @@ class Drawing {
     std::vector<std::size_t> all;
     for (std::size_t c = 0; c < summary_.figures.size(); ++c) {
       const FigureSpread& f = summary_.figures[c];
-      const double rounding = 1e-9 * std::max(std::abs(f.least), std::abs(f.greatest));
+      const double rounding = same_figure * std::max(std::abs(f.least), std::abs(f.greatest));
       if (std::isfinite(f.least) && std::isfinite(f.greatest) && f.greatest - f.least > rounding)
         all.push_back(c);
     }
