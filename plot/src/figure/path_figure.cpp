@@ -83,7 +83,7 @@ void write(std::string& out, const char* kind, double x, double y, const std::st
 
 void draw_frame(std::string& out, const PathFigure& figure, const PlotFrame& frame) {
   const Ticks across = ticks(frame.x, 8);
-  const Ticks up = ticks(frame.y, std::max(2, static_cast<int>(frame.height / 60)));
+  const Ticks up = ticks(frame.y, std::max(4, static_cast<int>(frame.height / 60)));
   std::string grid;
   const double bottom = frame.top + frame.height;
   for (const double at : across.at)
