@@ -199,10 +199,11 @@ function cut(words, most) {
   return letters.length > most ? `${letters.slice(0, Math.max(most - 1, 1)).join('')}…` : words;
 }
 
-/// A name with at most this many letters: that of a "line 38" is its number; the end of another long name is cut.
+/// A name with at most this many letters: that of a "line 38", or of a narrow "3 return", is its number;
+/// the end of another long name is cut.
 function shortName(name, most) {
   if ([...name].length <= most) return name;
-  const number = /^\S+ (\d+)$/.exec(name)?.[1];
+  const number = (/^\S+ (\d+)$/.exec(name) ?? (most < 5 ? /^(\d+) /.exec(name) : null))?.[1];
   if (number) return number.length <= most ? number : '';
   return most < 2 ? '' : cut(name, most);
 }
