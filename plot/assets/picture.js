@@ -74,7 +74,7 @@ function yRange(panel, values, withLimits) {
   const near = 0.6 * (high - low);
   if (withLimits && panel.upper !== null && panel.upper > high && panel.upper - high < near) high = panel.upper;
   if (withLimits && panel.lower !== null && panel.lower < low && low - panel.lower < near) low = panel.lower;
-  const room = 0.13 * (high - low);  // for texts beyond the line
+  const room = 0.21 * (high - low);  // for texts beyond the line
   return [low - room, high + room];
 }
 
@@ -131,9 +131,9 @@ function draw(root, view, {from, to, difference, piece, ranges}, width) {
     for (const [a, b, name] of names) {
       const [x0, x1] = [toX(Math.max(a, from)), toX(Math.min(b, to))];
       const most = Math.floor((x1 - x0 - 6) / 6.2);
-      if (x1 <= x0 || most < 2) continue;
-      if (name.length > most && names !== view.segments) continue;  // only names of segments are cut
-      children.push(label(names === view.shades ? 'zonetext mid' : 'soft mid', (x0 + x1) / 2, y + 11, cut(name, most)));
+      if (x1 <= x0) continue;
+      const shown = names === view.segments ? shortName(name, most) : name.length > most ? '' : name;  // only names of segments are cut
+      if (shown) children.push(label(names === view.shades ? 'zonetext mid' : 'soft mid', (x0 + x1) / 2, y + 11, shown));
     }
   for (const [y, name, on] of outputs) {
     children.push(label('soft end', left - 8, y + 11, cut(name, Math.floor((left - 8) / look.letter))));
@@ -147,12 +147,12 @@ function draw(root, view, {from, to, difference, piece, ranges}, width) {
   }
 
   const xTicks = ticksAcross(from, to, right - left, view.degrees);
-  const clip = `clip-${root.id}`;
-  children.push(svg('clipPath', {id: clip}, svg('rect', {x: left, y: 0, width: px(right - left), height})));
   const knots = view.segments.length > 0 ? [view.segments[0][0], ...view.segments.map(([, end]) => end)]
     : view.curves[0] instanceof Outline ? [] : view.curves[0].breaks;
   const shownKnots = knots.filter(inside);
-  for (const {panel, values, least, top: y0, bottom: y1, low, high, toY, yTicks} of panels) {
+  for (const [k, {panel, values, least, top: y0, bottom: y1, low, high, toY, yTicks}] of panels.entries()) {
+    const clip = `clip-${root.id}-${k}`;
+    children.push(svg('clipPath', {id: clip}, svg('rect', {x: left, y: y0 - 1, width: px(right - left), height: y1 - y0 + 2})));
     const group = svg('g', {'clip-path': `url(#${clip})`});
     for (const [a, b] of view.shades)
       if (b > from && a < to) group.append(svg('rect', {class: 'zone', x: px(toX(a)), y: y0, width: px(toX(b) - toX(a)), height: look.panel}));
@@ -181,10 +181,10 @@ function draw(root, view, {from, to, difference, piece, ranges}, width) {
     children.push(label('label', left, y0 - 7, heading));
     const note = difference ? '' : limitsOffScale(panel, low, high, right - left - widthOf(heading) - 12);
     if (note) children.push(label('soft end', right, y0 - 7, note));
-    if (!difference) children.push(...marks(panel, inside, toX, toY, [left, right, y0, y1], taken));
+    if (!difference) children.push(...marks(panel, inside, toX, toY, [left, right, y0, y1], taken, points[0].x.map((x, i) => [toX(x), toY(values[0][i])])));
   }
   for (const [x, words] of xTicks) children.push(label('soft mid', Math.min(toX(x), width - widthOf(words) / 2), bottom + 16, words));
-  children.push(label('label mid', (left + right) / 2, bottom + 34, view.axis));
+  children.push(label('label mid', (left + right) / 2, bottom + 34, view.note ? `${view.axis} · ${view.note}` : view.axis));
   const cursor = svg('g', {class: 'cursor'});
   root.setAttribute('viewBox', `0 0 ${width} ${height}`);
   root.replaceChildren(...children, cursor);
@@ -197,6 +197,15 @@ const widthOf = (words) => look.letter * [...words].length;  // px, an estimate 
 function cut(words, most) {
   const letters = [...words];
   return letters.length > most ? `${letters.slice(0, Math.max(most - 1, 1)).join('')}…` : words;
+}
+
+/// A name with at most this many letters: that of a "line 38", or of a narrow "3 return", is its number;
+/// the end of another long name is cut.
+function shortName(name, most) {
+  if ([...name].length <= most) return name;
+  const number = (/^\S+ (\d+)$/.exec(name) ?? (most < 5 ? /^(\d+) /.exec(name) : null))?.[1];
+  if (number) return number.length <= most ? number : '';
+  return most < 2 ? '' : cut(name, most);
 }
 
 /// The ticks of the x axis: as many as their texts have space for.
@@ -215,19 +224,46 @@ function limitsOffScale({lower, upper}, low, high, space) {
   return off.length === 0 ? '' : [`${words} off scale`, words].find((text) => widthOf(text) <= space) ?? '';
 }
 
-/// The exact extrema: a circle; beyond a limit, a full diamond. A text that would cover another is left out;
-/// `taken` are the texts that are there: [middle, base line, half of the width].
-function marks(panel, inside, toX, toY, [left, right, top, bottom], taken) {
+/// The number of parts of a line [[x, y], ...] that a text covers.
+function covered(line, [middle, base, half]) {
+  let count = 0;
+  for (let i = 1; i < line.length; ++i) {
+    const [[x0, y0], [x1, y1]] = [line[i - 1], line[i]];
+    if (x1 < middle - half - 1 || x0 > middle + half + 1) continue;
+    if (Math.max(y0, y1) > base - 10 && Math.min(y0, y1) < base + 3) ++count;
+  }
+  return count;
+}
+
+/// Places of a text beside a point, the best first: outwards from the middle of the panel, then aside, then farther away.
+function placesBeside(x, y, half, [left, right, top, bottom]) {
+  const up = y < (top + bottom) / 2, places = [];
+  for (const away of [0, 14, 28])
+    for (const base of up ? [y - 7 - away, y + 4, y + 14 + away] : [y + 14 + away, y + 4, y - 7 - away])
+      for (const middle of base === y + 4 ? [x + half + 8 + away, x - half - 8 - away] : [x, x + half + 8 + away, x - half - 8 - away])
+        places.push([clamped(middle, left + half + 4, right - half - 4), base, half]);
+  return places.filter(([, base]) => base - 10 >= top && base + 3 <= bottom);
+}
+
+/// The exact extrema: a circle; beyond a limit, a full diamond. A text stands where it covers least of the `line` of the
+/// curve; one that would cover another is left out. `taken` are the texts that are there: [middle, base line, half of the width].
+function marks(panel, inside, toX, toY, frame, taken, line) {
   const out = [];
   for (const [at, value, broken] of panel.marks.filter(([x]) => inside(x))) {
     const x = toX(at), y = toY(value), words = number(withoutRounding(panel, value));
     out.push(broken ? path('badmark', `M${px(x)} ${px(y - 4)}l4 4-4 4-4-4z`) : svg('circle', {class: 'mark', cx: px(x), cy: px(y), r: 2.5}));
     const half = 3.3 * words.length;
-    const middle = clamped(x, left + half + 4, right - half - 4);
-    const base = y - 18 > top && (y < (top + bottom) / 2 || y + 18 > bottom) ? y - 7 : y + 16;
-    if (taken.some(([m, b, h]) => Math.abs(m - middle) < half + h + 4 && Math.abs(b - base) < 12)) continue;
-    taken.push([middle, base, half]);
-    out.push(label(broken ? 'halo bad mid' : 'halo mid', middle, base, words));
+    let best = null, least = Infinity;
+    for (const place of placesBeside(x, y, half, frame)) {
+      if (taken.some(([m, b, h]) => Math.abs(m - place[0]) < half + h + 4 && Math.abs(b - place[1]) < 12)) continue;
+      if (Math.abs(place[0] - x) < half + 3 && y > place[1] - 13 && y < place[1] + 6) continue;  // over its own circle
+      const count = covered(line, place);
+      if (count < least) [best, least] = [place, count];
+      if (count === 0) break;
+    }
+    if (!best) continue;
+    taken.push(best);
+    out.push(label(broken ? 'halo bad mid' : 'halo mid', best[0], best[1], words));
   }
   return out;
 }

@@ -18,6 +18,8 @@ constexpr double no_loss = 1e-9;  ///< share of the duration
 
 constexpr std::size_t shown_places = 20;
 
+constexpr double phone = 370;  // px
+
 Facts facts_of(const PathSummary& s, const Units& units) {
   const auto time = [&](double value) { return short_number(value) + " " + units.x; };
   Facts facts;
@@ -64,7 +66,8 @@ Section path_section(const Input& input) {
         Image{svg(*figure), "The path, colored by its speed",
               "The path in the plane of " + input.spec->axes[0].name + " and " +
                   input.spec->axes[1].name +
-                  ". Its color shows the speed. Marked are the places that cost most time."});
+                  ". Its color shows the speed. Marked are the places that cost most time.",
+              svg(*figure, {.width = phone})});
   section.blocks.emplace_back(facts_of(summary, units));
   section.blocks.emplace_back(places_of(summary, units));
   return section;

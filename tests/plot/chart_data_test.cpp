@@ -13,6 +13,7 @@
 #include "jounce/plot/input_figure.hpp"
 #include "jounce/plot/page.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/spec/spec.hpp"
 
 #include "plot/markup.hpp"
 #include "support/errors.hpp"
@@ -100,6 +101,42 @@ TEST(ChartData, HasTheSlaveOverTimeWithItsLimitsInTheirUnits) {
   EXPECT_EQ(data["views"][1]["unit"], "s");
   EXPECT_EQ(data["views"][0]["panels"][1]["upper"], 3.0);
   EXPECT_EQ(data["views"][0]["unit"], "deg");
+}
+
+Input cam_with(const std::string& sections) {
+  return inputs_of(parse_spec("jounce = 1\nkind = \"cam\"\nname = \"c\"\nperiodic = true\n"
+                              "units = { master = \"mm\", position = \"mm\" }\n"
+                              "start = { master = 0, slave = 0 }\n"
+                              "[[segment]]\nlaw = \"345\"\nend = { master = 200, slave = 60 }\n"
+                              "[[segment]]\nlaw = \"345\"\nend = { master = 400, slave = 0 }\n" +
+                                  sections,
+                              "c.toml"),
+                   "c.toml")
+      .front();
+}
+
+TEST(ChartData, HasTheLimitsOfTheSlaveOverTheMasterAtItsSpeed) {
+  const std::string slave = "[limits.slave]\nvelocity = 150\nacceleration = 900\njerk = 270000\n";
+  const auto view = [](const Input& input) { return json::parse(chart_data(input))["views"][0]; };
+  const json drawn =
+      view(cam_with("[master]\nvelocity = 300\n" + slave + "[limits]\ngeo_jerk = 0.001\n"));
+  EXPECT_EQ(drawn["note"], "limits at 300 mm/s");
+  EXPECT_TRUE(drawn["panels"][0]["upper"].is_null());
+  EXPECT_DOUBLE_EQ(drawn["panels"][1]["upper"], 0.5);   // 150 / 300
+  EXPECT_DOUBLE_EQ(drawn["panels"][2]["upper"], 0.01);  // 900 / 300^2
+  EXPECT_DOUBLE_EQ(drawn["panels"][2]["lower"], -0.01);
+  EXPECT_DOUBLE_EQ(drawn["panels"][3]["upper"], 0.001);  // that of [limits]: 270000 / 300^3 is 0.01
+  // Peaks of 3-4-5: 1.875 h / L = 0.5625, 5.7735 h / L^2 = 0.00866.
+  EXPECT_EQ(drawn["panels"][1]["marks"][0][2], true);
+  EXPECT_EQ(drawn["panels"][2]["marks"][0][2], false);
+  // A master that accelerates is slower somewhere: the line stays, no point is broken for sure.
+  const json ramp = view(cam_with("[master]\nvelocity = 300\nacceleration = 500\n" + slave));
+  EXPECT_DOUBLE_EQ(ramp["panels"][1]["upper"], 0.5);
+  EXPECT_EQ(ramp["panels"][1]["marks"][0][2], false);
+  const json minutes = view(cam_with("[master]\nvelocity = \"18 m/min\"\n" + slave));
+  EXPECT_EQ(minutes["note"], "limits at 18 m/min");
+  EXPECT_DOUBLE_EQ(minutes["panels"][1]["upper"], 0.5);
+  EXPECT_EQ(view(cam_with("[master]\nvelocity = 300\n"))["note"], "");
 }
 
 TEST(ChartData, HasTheMotionBeforeInTheUnitsOfTheMotion) {

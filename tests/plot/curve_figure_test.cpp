@@ -15,6 +15,7 @@
 
 #include "plot/markup.hpp"
 #include "plot/samples.hpp"
+#include "plot/src/figure/panel.hpp"
 
 namespace jounce::curve_figure_test {
 namespace {
@@ -150,6 +151,17 @@ TEST(CurveFigure, KeepsRoundingFlat) {
     for (const auto& line : lines_of(markup.with("path", "l").at(k).attributes.at("d")))
       for (const Pixel& p : line) EXPECT_EQ(p.y, line[0].y);
   }
+}
+
+TEST(CurveFigure, IsNotFlattenedByASliver) {
+  // A jerk of +-6000 around a stretch of 1e-9 s, whose coefficients of degree 9 are rounding.
+  Segment up{.length = 0.1, .degree = 3, .c = {0, 0, 0, 1}};
+  Segment sliver{.length = 1e-9, .degree = 9, .c = {1, 3e-8, 3e-16, 0, 0, 0, 0, 0, 0, 1e-26}};
+  Segment down{.length = 0.1, .degree = 3, .c = {1 + 3e-8, 3, 3, -1}};
+  const Figure figure = curve_figure(Trajectory({up, sliver, down}, 0), {});
+  EXPECT_LT(figure.panels[3].noise, 1e-6);
+  EXPECT_NEAR(figure.panels[3].markers[0].y, 6000, 1e-6);
+  EXPECT_GT(panel_axis(figure.panels[3], 120).extent.span(), 12000);
 }
 
 TEST(CurveFigure, LaysTheOneBeforeUnder) {

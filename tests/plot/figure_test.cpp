@@ -228,6 +228,83 @@ TEST(Svg, NamesStretchesAsFarAsTheyFit) {
   expect_tidy(figure);
 }
 
+TEST(Svg, KeepsTheNumberOfALineWhereItsNameDoesNotFit) {
+  Figure figure = with({"curve", {0, 1000}, {0, 1}, Style::line});
+  figure.strips = {{{0, 500, "line 38"},
+                    {500, 530, "line 39"},
+                    {530, 533, "line 40"},
+                    {533, 570, "a long name"},
+                    {570, 1000, "line 41"}}};
+  const auto shown = texts(Markup(svg(figure)));
+  EXPECT_THAT(shown, Contains("line 38"));
+  EXPECT_THAT(shown, Contains("39"));
+  EXPECT_THAT(shown, Not(Contains("40")));  // no space for the number, either
+  EXPECT_THAT(shown, Not(Contains(HasSubstr("line…"))));
+}
+
+TEST(Svg, ShowsTheNumbersOfAPanelInTheScaleOfItsAxis) {
+  Figure figure = with({"curve", {0, 1, 2}, {0, 0.000115777, 0}, Style::line});
+  Panel& panel = figure.panels[0];
+  panel.upper = 0.00012;
+  panel.markers = {{.x = 1, .y = 0.000115777, .text = "0.000115777", .is_value = true},
+                   {.x = 2, .y = 0, .text = "as given"}};
+  const auto shown = texts(Markup(svg(figure)));
+  EXPECT_THAT(shown, Contains("y (×10⁻⁶)"));
+  EXPECT_THAT(shown, Contains("115.777"));
+  EXPECT_THAT(shown, Contains("limit 120"));
+  EXPECT_THAT(shown, Contains("as given"));
+  EXPECT_THAT(shown, Not(Contains("0.000115777")));
+  panel.upper = 5;
+  EXPECT_THAT(texts(Markup(svg(figure))), Contains("limit 5×10⁶ off scale"));
+}
+
+TEST(Svg, DrawsNoCircleOverAPointOfASeries) {
+  Figure figure = with({"rms", {0, 1, 2}, {0, 1, 2}, Style::dots});
+  figure.panels[0].markers = {{.x = 1, .y = 1, .text = "here"}};
+  EXPECT_EQ(Markup(svg(figure)).with("circle", "mark").size(), 1U);
+  figure.panels[0].markers[0].text_only = true;
+  const Markup markup(svg(figure));
+  EXPECT_EQ(markup.with("circle", "mark").size(), 0U);
+  EXPECT_THAT(texts(markup), Contains("here"));
+}
+
+TEST(Svg, PutsATextWhereItCoversNoLine) {
+  // The point is between steep lines, the last 30 px beside it; the text is wider than their distance.
+  Series comb{"curve", {}, {}, Style::line};
+  for (int i = 0; i <= 40; ++i) {
+    comb.x.push_back(i);
+    comb.y.push_back(i >= 18 && i <= 22 ? i % 2 : 0);
+  }
+  Figure figure = with(comb);
+  figure.panels[0].markers = {{.x = 20, .y = 0.5, .text = "drive, 11.3 Hz"}};
+  const Markup markup(svg(figure, {.width = 860, .panel_height = 200}));
+  const auto found = markup.with("text", "halo");
+  ASSERT_EQ(found.size(), 1U);
+  const double half = text_width("drive, 11.3 Hz", small_font) / 2;
+  const auto dots = markup.with("circle", "mark");
+  EXPECT_GT(std::abs(found[0].number("x") - dots[0].number("cx")) - half, 32);
+}
+
+TEST(Svg, PutsATextWhereItCoversNoPoint) {
+  // Points right of the mark, where its text would be, and far away on both sides.
+  Figure figure = with({"cases", {0, 50, 53, 56, 100}, {0, 0.5, 0.5, 0.5, 1}, Style::dots});
+  figure.panels[0].markers = {{.x = 50, .y = 0.5, .text = "as given"}};
+  const Markup markup(svg(figure));
+  const auto found = markup.with("text", "halo");
+  ASSERT_EQ(found.size(), 1U);
+  const double half = text_width("as given", small_font) / 2;
+  const double level = markup.with("circle", "mark")[0].number("cy");
+  const double below = found[0].number("y") - level;  // base line
+  const bool aside = found[0].number("x") + half < markup.with("circle", "mark")[0].number("cx");
+  EXPECT_TRUE(aside || below > 12 || below < -5) << below;
+}
+
+TEST(Svg, ShowsTheNoteOfAFigureBehindItsAxis) {
+  Figure figure = with({"curve", {0, 1}, {0, 1}, Style::line});
+  figure.x_note = "limits at 300 mm/s";
+  EXPECT_THAT(texts(Markup(svg(figure))), Contains("x · limits at 300 mm/s"));
+}
+
 TEST(Svg, SaysThatKnotsAreTooDense) {
   Figure figure = with({"v", {0, 1}, {0, 1}, Style::line});
   for (int i = 0; i <= 1000; ++i) figure.knots.push_back(i / 1000.0);

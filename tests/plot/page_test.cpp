@@ -177,6 +177,16 @@ TEST(Html, ShowsAListingWithItsRemarks) {
   EXPECT_THAT(html({.title = "t", .sections = {{"Spec", {listing}}}}), HasSubstr("<td>two</td>"));
 }
 
+TEST(Html, ShowsAPhoneADrawingOfItsWidth) {
+  const Image image{.svg = "wide", .title = "plate", .narrow = "narrow"};
+  const std::string page = html({.title = "t", .sections = {{"Disc", {image}}}});
+  EXPECT_THAT(page, HasSubstr("<source media=\"screen and (max-width:600px)\" "
+                              "srcset=\"data:image/svg+xml;base64,bmFycm93\"><img "));
+  EXPECT_THAT(page, HasSubstr("src=\"data:image/svg+xml;base64,d2lkZQ==\"></picture>"));
+  const Image wide{.svg = "wide", .title = "plate"};
+  EXPECT_THAT(html({.title = "t", .sections = {{"Disc", {wide}}}}), Not(HasSubstr("<source")));
+}
+
 TEST(Html, ShowsADrawingAsAnImage) {
   const Image image{"<svg xmlns=\"x\"/>", "A \"plate\"", "caption"};
   const std::string page = html({.title = "t", .sections = {{"Disc", {image}}}});

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/file.hpp"
+#include "jounce/proof/any_figure.hpp"
 #include "jounce/proof/report_page.hpp"
 
 #include "support/errors.hpp"
@@ -146,6 +147,28 @@ TEST(ReportPage, ShowsThePlateOfADiscAndThePlaneOfAPath) {
   const auto* plane = part_of<Image>(path, "Path");
   ASSERT_NE(plane, nullptr);
   EXPECT_THAT(plane->svg, ::testing::HasSubstr("speed"));
+}
+
+TEST(AnyFigure, NamesTheSpecAndWhatEachPictureOfADriveShows) {
+  using ::testing::HasSubstr;
+  using ::testing::StartsWith;
+  const std::string motor = examples + "fastest-for-motor/move.toml";
+  const std::string name = example("fastest-for-motor/move.toml").name;
+  for (const char* which : {"bode", "nyquist", "torque-speed", "response"})
+    EXPECT_THAT(any_figure({.file = motor, .drive = which}).title, StartsWith(name + ": "))
+        << which;
+  // The series draws the point of the rms torque, as the legend shows it.
+  const Figure torque = any_figure({.file = motor, .drive = "torque-speed"});
+  const Panel& panel = torque.panels[0];
+  ASSERT_EQ(panel.markers.size(), 1U);
+  EXPECT_TRUE(panel.markers[0].text_only);
+  EXPECT_EQ(panel.series.back().style, Style::dots);
+  EXPECT_EQ(panel.series.back().x[0], panel.markers[0].x);
+  EXPECT_EQ(panel.series.back().y[0], panel.markers[0].y);
+  const Figure spectrum =
+      any_figure({.file = examples + "residual-17hz/cam.toml", .drive = "spectrum"});
+  EXPECT_THAT(spectrum.x_label, HasSubstr("natural frequency"));
+  EXPECT_THAT(spectrum.x_note, HasSubstr("motion alone"));
 }
 
 TEST(ReportPage, ShowsTheResultOfTheOptimizer) {

@@ -134,6 +134,21 @@ TEST_F(SweepVerb, GivesTheSameBytesOnAnyNumberOfThreads) {
   EXPECT_THAT(one.output, HasSubstr("40 cases, 2 combinations of 20 samples"));
 }
 
+TEST_F(SweepVerb, PictureCountsTheFiguresThatItDoesNotShow) {
+  const std::string grid =
+      "jounce = 1\nkind = \"sweep\"\nspec = \"move.toml\"\n%"
+      "[[parameter]]\nkey = \"move.velocity\"\nvalues = [5, 7, 9]\n";
+  const auto picture = [&](const std::string& figures) {
+    std::string text = grid;
+    write_file(path("grid.toml"), text.replace(text.find('%'), 1, figures));
+    EXPECT_EQ(jounce("sweep grid.toml -o grid.csv --plot grid.svg").status, 0);
+    return bytes("grid.svg");
+  };
+  EXPECT_THAT(picture(""), HasSubstr(" more figures vary: choose with `figures = [...]`"));
+  EXPECT_THAT(picture("figures = [\"duration\", \"peak velocity\"]\n"),
+              testing::Not(HasSubstr("more figure")));
+}
+
 TEST_F(SweepVerb, GoesOnAfterKillsAndDoesNothingTwice) {
   sweep(300, 3);  // so many that it is killed long before its end
   ASSERT_EQ(jounce("sweep sweep.toml -o whole.csv").status, 0);

@@ -324,22 +324,18 @@ Limits slave_limits_by_master(const Spec& spec) {
   return limits;
 }
 
-namespace {
-
-/// The lower of two limits of a rate.
-std::optional<double> tighter(const std::optional<double>& a, const std::optional<double>& b) {
-  return a && b ? std::min(*a, *b) : a ? a : b;
-}
-
-/// The limits of [limits] and [limits.slave] together.
-Limits all_limits(const Spec& spec) {
+Limits with_slave_limits(Limits limits, const Spec& spec) {
+  const auto tighten = [](std::optional<double>& limit, const std::optional<double>& other) {
+    if (other && (!limit || *other < *limit)) limit = other;
+  };
   const Limits slave = slave_limits_by_master(spec);
-  Limits limits = spec.limits;
-  limits.velocity = tighter(limits.velocity, slave.velocity);
-  limits.acceleration = tighter(limits.acceleration, slave.acceleration);
-  limits.jerk = tighter(limits.jerk, slave.jerk);
+  tighten(limits.velocity, slave.velocity);
+  tighten(limits.acceleration, slave.acceleration);
+  tighten(limits.jerk, slave.jerk);
   return limits;
 }
+
+namespace {
 
 /// Throws InputError for a jerk at a knot, which the optimizers do not consider.
 void require_no_jerk(const CamSpec& cam) {
@@ -366,7 +362,7 @@ RampedLimits ramped_limits(const Spec& spec) {
 
 design_detail::TableLimits design_detail::table_limits(const Spec& spec) {
   if (!spec.master) return {spec.limits};
-  return {all_limits(spec), ramped_limits(spec)};
+  return {with_slave_limits(spec.limits, spec), ramped_limits(spec)};
 }
 
 InputError nothing_free(const Spec& spec) {
@@ -402,7 +398,7 @@ CamProblem make_problem(const Spec& spec) {
   try {
     problem.cam = cam_of(spec);
     require_no_jerk(problem.cam);
-    problem.limits = all_limits(spec);
+    problem.limits = with_slave_limits(spec.limits, spec);
     problem.ramped = ramped_limits(spec);
     require_valid(problem);
   } catch (const InputError& error) {

@@ -109,6 +109,11 @@ Input over_time(const Input& input) {
   return slave;
 }
 
+std::string master_speed_text(const Spec& spec) {
+  const SpeedUnit unit = master_speed_unit(spec);
+  return with_unit(spec.master->velocity / unit.size, unit.name);
+}
+
 Input over(const std::string& what, Input input) {
   const bool is_cam = input.labels.over_master;
   if (what == "master" && !is_cam)

@@ -60,11 +60,14 @@ Series line_of(const Curve<Over>& f, int order, const std::string& label, Style 
 }
 
 /// Rounding of the `order`th derivative: derivatives of a polynomial of degree d over
-/// a length L grow with d / L each time, those of a sine with its angle / L.
+/// a length L grow with d / L each time, those of a sine with its angle / L. Slivers, whose
+/// derivatives are rounding alone, do not count: they would flatten the rest.
 template <class Over>
 double noise_of(const Curve<Over>& f, int order) {
   double noise = 0;
+  const double sliver = 1e-4 * f.length() / static_cast<double>(f.segments().size());
   for (const Segment& g : f.segments()) {
+    if (g.length < sliver) continue;
     double growth = g.degree;
     for (int i = 0; i < g.sines; ++i)
       growth = std::max(growth, std::abs(g.sine[static_cast<std::size_t>(i)].angle));
@@ -160,12 +163,13 @@ Panel panel_of(const Curve<Over>& f, const Curve<Over>* before, int order, const
   panel.lower = band.lower;
   panel.upper = band.upper;
   panel.noise = noise_of(f, order);
-  for (const Extremum& e : extrema_to_mark(f, order, band, panel.noise)) {
+  const Band marked = band_of(look.marked_limits.value_or(look.limits), order);
+  for (const Extremum& e : extrema_to_mark(f, order, marked, panel.noise)) {
     const double value = (std::abs(e.value) <= panel.noise ? 0 : e.value) / shown.size;
     panel.markers.push_back({e.where, e.value, short_number(value),
                              fmt::format("{} {}{} at {}{}", name, number(value), with_unit,
                                          number(e.where), in_axis_unit),
-                             band.broken(e.value)});
+                             marked.broken(e.value), true});
   }
   panel.series.push_back(line_of(f, order, look.label, Style::line));
   if (before != nullptr) {
@@ -184,6 +188,7 @@ Figure stacked_figure(const Curve<Over>& f, const Curve<Over>* before, const Cur
   Figure figure;
   figure.title = look.title;
   figure.x_label = look.axis_unit.empty() ? axis : fmt::format("{} [{}]", axis, look.axis_unit);
+  figure.x_note = look.x_note;
   figure.shades = look.shades;
   figure.strips = look.strips;
   figure.knots = look.knots.value_or(std::vector<double>(f.breaks().begin(), f.breaks().end()));

@@ -22,9 +22,12 @@ struct CurveLook {
   std::string unit{};
   std::array<std::string, 3>
       rate_units{};  ///< other units for velocity, acceleration, jerk; "": the units above
-  std::string label = "curve";               ///< label of the curve in the legend
-  std::string before = "before";             ///< label of the pale curve `before`
-  Limits limits{};                           ///< limits that are drawn
+  std::string label = "curve";    ///< label of the curve in the legend
+  std::string before = "before";  ///< label of the pale curve `before`
+  Limits limits{};                ///< limits that are drawn
+  /// Limits beyond which a point is marked as broken; nullopt: `limits`.
+  std::optional<Limits> marked_limits{};
+  std::string x_note{};                      ///< shown after the label of the x axis, see Figure
   std::vector<Shade> shades{};               ///< named ranges of the x axis
   std::vector<std::vector<Shade>> strips{};  ///< rows of names above the plots, see Figure
   /// Thin vertical lines; nullopt: at all breaks of the curve.

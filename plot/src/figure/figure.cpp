@@ -89,6 +89,14 @@ std::vector<Entry> legend(const Figure& figure, double left, double right) {
   return entries;
 }
 
+/// The number of a name such as "line 38"; "" if the name has another form.
+std::string number_of(const std::string& name) {
+  const std::size_t blank = name.find(' ');
+  if (blank == std::string::npos || blank + 1 == name.size()) return "";
+  const std::string number = name.substr(blank + 1);
+  return number.find_first_not_of("0123456789") == std::string::npos ? number : "";
+}
+
 /// A name over its interval, shortened to its width where allowed; nothing where that is too narrow.
 struct Name {
   std::string label;
@@ -98,6 +106,11 @@ std::optional<Name> fitted_name(const Shade& name, const Scale& x, bool may_be_c
   const double from = x(std::max(name.from, x.of.lo));
   const double to = x(std::min(name.to, x.of.hi));
   const std::string label = fitted(name.label, small_font, to - from - 6);
+  const std::string number = label == name.label || !may_be_cut ? "" : number_of(name.label);
+  if (!number.empty()) {  // the end of the name differs, not its start
+    if (text_width(number, small_font) > to - from - 2) return std::nullopt;
+    return Name{number, (from + to) / 2};
+  }
   if (label.empty() || to - from < least_name || (label != name.label && !may_be_cut))
     return std::nullopt;
   return Name{label, (from + to) / 2};
@@ -221,6 +234,7 @@ void draw_x_axis(std::string& out, const Figure& figure, const Layout& at) {
   for (std::size_t i = 0; i < at.x_ticks.at.size(); ++i)
     text(out, "soft mid", at.x(at.x_ticks.at[i]), bottom + 16, at.x_ticks.labels[i]);
   std::string label = with_factor(superscripts(figure.x_label), at.x_ticks.exponent);
+  if (!figure.x_note.empty()) label += " · " + figure.x_note;
   if (figure.knots.size() > 2 && drawn_knots(figure, at.x).empty())
     label += fmt::format(" · {} knots, too dense to draw", figure.knots.size());
   text(out, "label mid", (at.left + at.right) / 2, bottom + 34,

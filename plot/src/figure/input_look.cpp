@@ -4,12 +4,17 @@
 #include <span>
 #include <utility>
 
+#include "jounce/design/make.hpp"
+#include "jounce/design/over_time.hpp"
 #include "jounce/design/sync_zones.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/report/comparison.hpp"
 #include "jounce/spec/spec.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_input;
 
 /// The ends of the segments of the spec. Ends of the pieces of a law are left out.
 std::vector<double> knots(std::span<const double> breaks, const Labels& labels) {
@@ -36,6 +41,22 @@ std::vector<std::vector<Shade>> strips(std::span<const double> breaks, const Inp
   return {std::move(names), std::move(laws)};
 }
 
+/// Adds [limits.slave] at the speed of [master] to the limits of a cam. A point of the cam breaks
+/// them for sure only if the master passes the whole cam at this speed.
+void add_slave_limits(const Input& input, CurveLook& look) {
+  const auto* cam = std::get_if<Cam>(&*input.curve);
+  if (cam == nullptr || !input.spec || !input.spec->master || !(input.spec->master->velocity > 0))
+    return;
+  const Limits& slave = input.spec->slave;
+  if (!slave.velocity && !slave.acceleration && !slave.jerk) return;
+  const MasterSpec& master = *input.spec->master;
+  look.limits = with_slave_limits(input.limits, *input.spec);
+  look.x_note = "limits at " + master_speed_text(*input.spec);
+  const bool passes_all =
+      !master.acceleration && master.distance >= cam->length() * (1 - rounded_input);
+  if (!passes_all) look.marked_limits = input.limits;
+}
+
 }  // namespace
 
 CurveLook look_of(const Input& input) {
@@ -44,6 +65,7 @@ CurveLook look_of(const Input& input) {
                  .unit = input.labels.units.position,
                  .rate_units = input.rate_units,
                  .limits = input.limits};
+  add_slave_limits(input, look);
   for (const SyncZone& zone : sync_zones(input))
     look.shades.push_back({zone.from, zone.to, zone.name});
   const auto breaks = std::visit([](const auto& curve) { return curve.breaks(); }, *input.curve);

@@ -41,6 +41,8 @@ std::optional<Figure> load_figure(const Input& input) {
   CurveLook look = look_of(input);
   look.unit = "N m";
   look.limits = {};
+  look.marked_limits.reset();
+  look.x_note.clear();
   look.rate_units = {};
   Figure figure = curve_figure(curves->torque, look);
   figure.panels = {panel_of_load(figure, torque_label(*input.spec))};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,6 +20,8 @@ namespace {
 
 constexpr double text_height = 13;  // px, of a line in the small font
 constexpr double dot_radius = 3;
+constexpr double small_dot = 2;    // px, half of a point of a series
+constexpr double least_lead = 14;  // px
 
 /// The points of a series that can be drawn, in one run for each stretch without a gap.
 std::vector<std::vector<Pixel>> runs(const Series& series, const Scale& x, const Scale& y) {
@@ -134,8 +137,19 @@ class PanelDrawing {
         if ((one.style == Style::under) != under) continue;
         const auto lines = runs(one, at_.x, y_);
         line(series_class(one, labels), series_path(one, lines));
-        if (!under) around_.lines.insert(around_.lines.end(), lines.begin(), lines.end());
+        if (!under) avoid(lines, one.style == Style::dots);
       }
+    }
+  }
+
+  /// Makes later labels avoid the lines, or the points of dots, between which nothing is drawn.
+  void avoid(const std::vector<std::vector<Pixel>>& lines, bool dots) {
+    for (const auto& run : lines) {
+      if (!dots) around_.lines.push_back(run);
+      for (const Pixel& p : run)
+        if (dots)
+          around_.lines.push_back(
+              {{p.x - small_dot, p.y - small_dot}, {p.x + small_dot, p.y + small_dot}});
     }
   }
 
@@ -159,22 +173,47 @@ class PanelDrawing {
     const double y = y_(marker.y);
     const std::string hint =
         marker.hint.empty() ? "" : fmt::format("<title>{}</title>", escaped(marker.hint));
-    if (marker.broken) {
+    if (marker.text_only) {
+      // the series draws the point
+    } else if (marker.broken) {
       out_ += fmt::format("<path class=\"badmark\" d=\"M{} {}l4 4-4 4-4-4z\">{}</path>\n",
                           coordinate(x), coordinate(y - 4), hint);
     } else {
       out_ += fmt::format("<circle class=\"mark\" cx=\"{}\" cy=\"{}\" r=\"2.5\">{}</circle>\n",
                           coordinate(x), coordinate(y), hint);
     }
+    const std::string words = marker.is_value ? in_scale(marker.y) : marker.text;
+    const std::string kind = marker.broken ? "halo bad" : "halo";
+    // A text beside its marker; where it would cover a line, farther away.
+    std::vector<Rectangle> boxes;
     for (const double away : {0.0, 14.0, 28.0, 42.0})
-      if (label(marker.text, marker.broken ? "halo bad" : "halo", beside(marker, away))) break;
+      for (const Rectangle& box : beside(marker, words, away)) boxes.push_back(box);
+    if (const auto box = label(words, kind, boxes)) lead(*box, {x, y});
+  }
+
+  /// A thin line from a text to its point, if they are not side by side.
+  void lead(const Rectangle& box, Pixel point) {
+    const Pixel from{std::clamp(point.x, box.left, box.right),
+                     std::clamp(point.y, box.top, box.bottom)};
+    const double length = std::hypot(point.x - from.x, point.y - from.y);
+    if (length < least_lead) return;
+    const double share = 1 - (dot_radius + 1) / length;
+    line("frame", path_data(std::array{from, Pixel{from.x + share * (point.x - from.x),
+                                                   from.y + share * (point.y - from.y)}}));
+  }
+
+  /// A value as the ticks of the axis show it: without their factor.
+  [[nodiscard]] std::string in_scale(double value) const {
+    return short_number((std::abs(value) <= panel_.noise ? 0 : value) /
+                        std::pow(10.0, axis_.ticks.exponent));
   }
 
   /// Boxes for a marker's text, `away` px from touching it; outwards from the middle of the plot
   /// first.
-  [[nodiscard]] std::vector<Rectangle> beside(const Marker& marker, double away) const {
+  [[nodiscard]] std::vector<Rectangle> beside(const Marker& marker, const std::string& words,
+                                              double away) const {
     const Rectangle spot = dot(marker);
-    const double width = text_width(marker.text, small_font);
+    const double width = text_width(words, small_font);
     const double x = at_.x(marker.x);
     const double level = y_(marker.y) - text_height / 2;
     const double above = spot.top - text_height - 1 - away;
@@ -199,7 +238,7 @@ class PanelDrawing {
   }
 
   void limit_label(double value, bool upper) {
-    const std::string words = "limit " + short_number(value);
+    const std::string words = "limit " + in_scale(value);
     const double width = text_width(words, small_font);
     const double y = y_(value);
     const double above = y - text_height - 1;
@@ -214,14 +253,15 @@ class PanelDrawing {
     if (!label(words, "halo limtext", boxes)) axis_.notes.push_back(words);
   }
 
-  bool label(const std::string& words, const std::string& kind,
-             const std::vector<Rectangle>& boxes) {
+  /// Writes words into one of the boxes, which it returns; nullopt if none has space.
+  std::optional<Rectangle> label(const std::string& words, const std::string& kind,
+                                 const std::vector<Rectangle>& boxes) {
     const auto chosen = words.empty() ? std::nullopt : place(around_, boxes);
-    if (!chosen) return false;
+    if (!chosen) return std::nullopt;
     const Rectangle& box = boxes[*chosen];
     around_.taken.push_back(box);
     text(kind + " mid", (box.left + box.right) / 2, box.bottom - 3, words);
-    return true;
+    return box;
   }
 
   void header() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include <fmt/format.h>
@@ -39,13 +40,16 @@ bool include(PlotRange& axis, const PlotRange& data, bool flat, std::optional<do
 }
 
 std::vector<std::string> off_scale(const Panel& panel, const PanelAxis& axis) {
+  const auto in_scale = [&](double limit) {
+    return short_number(limit / std::pow(10.0, axis.ticks.exponent));
+  };
   const bool upper = panel.upper && !axis.upper;
   const bool lower = panel.lower && !axis.lower;
   if (upper && lower && *panel.lower == -*panel.upper)
-    return {"limits ±" + short_number(*panel.upper) + " off scale"};
+    return {"limits ±" + in_scale(*panel.upper) + " off scale"};
   std::vector<std::string> notes;
-  if (upper) notes.push_back("limit " + short_number(*panel.upper) + " off scale");
-  if (lower) notes.push_back("limit " + short_number(*panel.lower) + " off scale");
+  if (upper) notes.push_back("limit " + in_scale(*panel.upper) + " off scale");
+  if (lower) notes.push_back("limit " + in_scale(*panel.lower) + " off scale");
   return notes;
 }
 
@@ -59,7 +63,6 @@ PanelAxis panel_axis(const Panel& panel, double height) {
   PlotRange extent = flat ? data : shown;
   axis.upper = include(extent, data, flat, panel.upper, data.hi <= panel.upper);
   axis.lower = include(extent, data, flat, panel.lower, data.lo >= panel.lower);
-  axis.notes = off_scale(panel, axis);
   extent = axis_extent(extent, panel.noise);
   const double room = padding * extent.span() / std::max(height - 2 * padding, 1.0);
   axis.extent = {extent.lo - room, extent.hi + room};
@@ -70,6 +73,7 @@ PanelAxis panel_axis(const Panel& panel, double height) {
   } else {
     axis.ticks = ticks(axis.extent, std::max(2, static_cast<int>(height / 20)));
   }
+  axis.notes = off_scale(panel, axis);
   return axis;
 }
 

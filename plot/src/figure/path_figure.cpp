@@ -19,13 +19,14 @@
 namespace jounce {
 namespace {
 
-constexpr double edge = 12;           // px, around everything
-constexpr double heading = 26;        // px, of the title
-constexpr double below = 42;          // px, for the labels of the x axis
-constexpr double bar_width = 14;      // px, of the scale of colors
-constexpr double bar_space = 96;      // px, right of the plot
-constexpr double tallest = 640;       // px
-constexpr double shortest_side = 80;  // px
+constexpr double edge = 12;            // px, around everything
+constexpr double heading = 26;         // px, of the title
+constexpr double below = 42;           // px, for the labels of the x axis
+constexpr double bar_width = 14;       // px, of the scale of colors
+constexpr double bar_space = 96;       // px, right of the plot
+constexpr double tallest = 640;        // px
+constexpr double shortest_side = 80;   // px
+constexpr double shortest_line = 0.2;  // px
 constexpr std::size_t colors = 16;
 
 /// From slow to fast. Okabe and Ito's vermilion, orange, green and blue, between which a color is mixed.
@@ -82,7 +83,7 @@ void write(std::string& out, const char* kind, double x, double y, const std::st
 
 void draw_frame(std::string& out, const PathFigure& figure, const PlotFrame& frame) {
   const Ticks across = ticks(frame.x, 8);
-  const Ticks up = ticks(frame.y, std::max(2, static_cast<int>(frame.height / 60)));
+  const Ticks up = ticks(frame.y, std::max(4, static_cast<int>(frame.height / 60)));
   std::string grid;
   const double bottom = frame.top + frame.height;
   for (const double at : across.at)
@@ -122,14 +123,20 @@ void draw_path(std::string& out, const PathFigure& figure, const PlotFrame& fram
     if (line.size() > 1) data[bin] += path_data(thinned(line));
     line.clear();
   };
-  for (std::size_t i = 0; i + 1 < figure.x.size(); ++i) {
-    const std::size_t now = bin_of((figure.speed[i] + figure.speed[i + 1]) / 2, fastest);
+  std::size_t from = 0;
+  for (std::size_t i = 1; i < figure.x.size(); ++i) {
+    const Pixel start = frame(figure.x[from], figure.y[from]);
+    const Pixel end = frame(figure.x[i], figure.y[i]);
+    const bool last = i + 1 == figure.x.size();
+    if (!last && std::hypot(end.x - start.x, end.y - start.y) < shortest_line) continue;
+    const std::size_t now = bin_of((figure.speed[from] + figure.speed[i]) / 2, fastest);
     if (line.empty() || now != bin) {
       finish();
       bin = now;
-      line.push_back(frame(figure.x[i], figure.y[i]));
+      line.push_back(start);
     }
-    line.push_back(frame(figure.x[i + 1], figure.y[i + 1]));
+    line.push_back(end);
+    from = i;
   }
   finish();
   for (std::size_t k = 0; k < colors; ++k)

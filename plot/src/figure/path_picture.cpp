@@ -4,17 +4,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <utility>
 
 #include "jounce/base/listed.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/design/path_cost.hpp"
 #include "jounce/path/plan.hpp"
 
+#include "plot/src/figure/path_points.hpp"
+
 namespace jounce {
 namespace {
 
-constexpr int points_a_segment = 8;
-constexpr double angle_a_point = 0.05;  // rad, on an arc
+constexpr double angle_a_part = 0.5;  // rad, on an arc
 constexpr std::size_t marked_places = 5;
 
 [[noreturn]] void fail(const std::string& plane, const std::string& rule) {
@@ -33,26 +36,30 @@ std::size_t axis_named(const std::vector<Input>& axes, const std::string& name,
   return static_cast<std::size_t>(at - axes.begin());
 }
 
-int points_of(const Segment& segment) {
-  double angle = 0;
-  for (int k = 0; k < segment.sines; ++k)
-    angle = std::max(angle, std::abs(segment.sine[static_cast<std::size_t>(k)].angle));
-  return std::max(points_a_segment, static_cast<int>(std::min(angle / angle_a_point, 1e5)));
+/// Instants of a curve: its breaks, and where a sine in a segment has turned by a part of a circle.
+void add_breaks(const Trajectory& curve, std::vector<double>& times) {
+  for (std::size_t i = 0; i < curve.segments().size(); ++i) {
+    const Segment& segment = curve.segments()[i];
+    double angle = 0;
+    for (int k = 0; k < segment.sines; ++k)
+      angle = std::max(angle, std::abs(segment.sine[static_cast<std::size_t>(k)].angle));
+    const int parts = std::max(1, static_cast<int>(std::min(angle / angle_a_part, 1e5)));
+    for (int k = 0; k < parts; ++k) times.push_back(curve.breaks()[i] + segment.length * k / parts);
+  }
+  times.push_back(curve.end());
 }
 
-/// The breaks of all axes, and places between them where an axis bends.
-std::vector<double> times_of(const std::vector<const Trajectory*>& curves) {
-  std::vector<double> times;
-  for (const Trajectory* curve : curves)
-    for (std::size_t i = 0; i < curve->segments().size(); ++i) {
-      const int points = points_of(curve->segments()[i]);
-      for (int k = 0; k < points; ++k)
-        times.push_back(curve->breaks()[i] + curve->segments()[i].length * k / points);
-    }
-  times.push_back(curves.front()->end());
+/// Puts the points of a path into a figure. `at` is its motion at an instant of `times`, which may
+/// be in any order.
+void draw(std::vector<double> times, const std::function<DrawnPoint(double)>& at,
+          PathFigure& figure) {
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
+  for (const DrawnPoint& point : path_points(times, at)) {
+    figure.x.push_back(point.x);
+    figure.y.push_back(point.y);
+    figure.speed.push_back(point.speed);
+  }
 }
 
 void add_marks(const Plan& plan, std::size_t x, std::size_t y, PathFigure& figure) {
@@ -96,34 +103,41 @@ PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane)
   std::vector<const Trajectory*> curves;
   for (const Input& input : axes) curves.push_back(&std::get<Trajectory>(*input.curve));
   PathFigure figure = empty_figure(*axes.front().spec, axes[x].axis, axes[y].axis, units);
-  for (const double t : times_of(curves)) {
-    figure.x.push_back(curves[x]->at(t).position);
-    figure.y.push_back(curves[y]->at(t).position);
-    double square = 0;
-    for (std::size_t i = 0; i < plan.given().path_axes; ++i)
-      square += std::pow(curves[i]->at(t).velocity, 2);
-    figure.speed.push_back(std::sqrt(square));
-  }
+  std::vector<double> times;
+  for (const Trajectory* curve : curves) add_breaks(*curve, times);
+  draw(
+      std::move(times),
+      [&](double t) {
+        double square = 0;
+        for (std::size_t i = 0; i < plan.given().path_axes; ++i)
+          square += std::pow(curves[i]->at(t).velocity, 2);
+        return DrawnPoint{t, curves[x]->at(t).position, curves[y]->at(t).position,
+                          std::sqrt(square)};
+      },
+      figure);
   add_marks(plan, x, y, figure);
   return figure;
 }
 
 std::optional<PathFigure> path_figure(const Input& axis) {
-  constexpr int instants = 2000;
   if (!axis.plan || axis.spec->axes.size() < 2) return std::nullopt;
   const Plan& plan = *axis.plan;
   PathFigure figure =
       empty_figure(*axis.spec, axis.spec->axes[0].name, axis.spec->axes[1].name, axis.spec->units);
+  std::vector<double> times{0, plan.duration()};
+  add_breaks(std::get<Trajectory>(*axis.curve), times);
+  std::erase_if(times, [&](double t) { return t > plan.duration(); });
   std::vector<Motion> axes(plan.path().axes());
-  for (int k = 0; k <= instants; ++k) {
-    plan.at(plan.duration() * k / instants, axes);
-    double square = 0;
-    for (std::size_t i = 0; i < plan.given().path_axes; ++i)
-      square += std::pow(axes[i].velocity, 2);
-    figure.x.push_back(axes[0].position);
-    figure.y.push_back(axes[1].position);
-    figure.speed.push_back(std::sqrt(square));
-  }
+  draw(
+      std::move(times),
+      [&](double t) {
+        plan.at(t, axes);
+        double square = 0;
+        for (std::size_t i = 0; i < plan.given().path_axes; ++i)
+          square += std::pow(axes[i].velocity, 2);
+        return DrawnPoint{t, axes[0].position, axes[1].position, std::sqrt(square)};
+      },
+      figure);
   add_marks(plan, 0, 1, figure);
   return figure;
 }

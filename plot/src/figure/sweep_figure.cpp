@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t most_panels = 8;
 constexpr std::size_t most_lines = 4;
+constexpr double same_figure = 1e-9;  // share of a figure: rounding
 
 std::string label_of(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : name + " [" + unit + "]";
@@ -151,12 +152,19 @@ class Drawing {
   }
 
   /// Columns with information: finite, and not the same in all cases.
-  [[nodiscard]] std::vector<std::size_t> shown_columns() const {
+  [[nodiscard]] std::vector<std::size_t> shown_columns() {
     std::vector<std::size_t> all;
-    for (std::size_t c = 0; c < summary_.figures.size() && all.size() < most_panels; ++c) {
+    for (std::size_t c = 0; c < summary_.figures.size(); ++c) {
       const FigureSpread& f = summary_.figures[c];
-      if (std::isfinite(f.least) && std::isfinite(f.greatest) && f.least < f.greatest)
+      const double rounding = same_figure * std::max(std::abs(f.least), std::abs(f.greatest));
+      if (std::isfinite(f.least) && std::isfinite(f.greatest) && f.greatest - f.least > rounding)
         all.push_back(c);
+    }
+    if (all.size() > most_panels) {
+      const std::size_t more = all.size() - most_panels;
+      figure_.x_note = std::to_string(more) + (more == 1 ? " more figure" : " more figures") +
+                       " vary: choose with `figures = [...]`";
+      all.resize(most_panels);
     }
     return all;
   }

@@ -152,6 +152,7 @@ json view_json(const Input& input, const std::optional<Input>& before, std::size
   const Figure figure = figure_of(input, before);
   const CurveLook look = look_of(input);
   json view = {{"axis", superscripts(figure.x_label)},
+               {"note", figure.x_note},
                {"unit", superscripts(input.labels.units.x)},
                {"degrees", figure.degrees},
                {"shades", names_json(figure.shades)},

@@ -182,10 +182,18 @@ std::string base64(std::string_view bytes) {
 
 /// An image, so that the style sheet of the drawing does not apply to the page.
 std::string image(const Image& block) {
+  const auto address = [](const std::string& svg) {
+    return "data:image/svg+xml;base64," + base64(svg);
+  };
+  const std::string narrow =
+      block.narrow.empty()
+          ? ""
+          : fmt::format("<source media=\"screen and (max-width:600px)\" srcset=\"{}\">",
+                        address(block.narrow));
   return fmt::format(
-      "<figure class=\"drawing\"><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">\n"
+      "<figure class=\"drawing\"><picture>{}<img alt=\"{}\" src=\"{}\"></picture>\n"
       "<figcaption>{}</figcaption>\n</figure>\n",
-      escaped(block.title), base64(block.svg), escaped(block.caption));
+      narrow, escaped(block.title), address(block.svg), escaped(block.caption));
 }
 
 constexpr int whole_listing = 1500;  // lines; of a longer text, only the surroundings of remarks

@@ -116,6 +116,7 @@ Figure torque_speed_figure(const DriveResult& run, const Drive& drive) {
                           .y = {run.rms_torque},
                           .style = Style::dots});
   panel.markers.push_back(marked(speeds, run.rms_torque, "rms " + short_number(run.rms_torque, 3)));
+  panel.markers.back().text_only = true;
   figure.panels = {std::move(panel)};
   return figure;
 }
@@ -127,7 +128,9 @@ Figure spectrum_figure(const Trajectory& motion, const Drive& drive, const std::
   const double way = travel.max.value - travel.min.value;
   double highest = 12 / motion.length();
   for (const DriveMode& m : own) highest = std::max(highest, 1.3 * m.frequency);
-  Figure figure{.title = "Residual vibration of the motion", .x_label = "frequency [Hz]"};
+  Figure figure{.title = "Residual vibration of the motion",
+                .x_label = "natural frequency of a mode [Hz]",
+                .x_note = "response to the motion alone; `jounce validate` simulates the drive"};
   Panel panel{.y_label = "residual amplitude [dB of the travel]"};
   for (const double damping : {0.0, 0.05}) {
     Series series{.label = damping == 0 ? "undamped" : fmt::format("damping ratio {}", damping)};

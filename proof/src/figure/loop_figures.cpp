@@ -127,7 +127,11 @@ Figure nyquist_figure(const Drive& drive) {
 namespace {
 
 /// The drive of a spec or of its axis, without the curve: a spec of kind "drive" has none.
-Drive drive_in(const FigureRequest& request) {
+struct NamedDrive {
+  std::string name;
+  Drive drive;
+};
+NamedDrive drive_in(const FigureRequest& request) {
   const std::string text = read_file(request.file);
   const std::string name = request.file == "-" ? "standard input" : request.file;
   const InputError missing("drive", "", "is missing: this picture needs a spec with a [drive]");
@@ -138,16 +142,19 @@ Drive drive_in(const FigureRequest& request) {
   if (parts.size() > 1 && request.axis.empty())
     throw InputError("axis", request.drive, "shows one axis: name it with --axis");
   for (const AxisPart& part : parts)
-    if (part.drive && (request.axis.empty() || part.name == request.axis)) return part.drive->drive;
+    if (part.drive && (request.axis.empty() || part.name == request.axis)) {
+      const std::string whole = spec.name.empty() ? name : spec.name;
+      return {parts.size() > 1 ? whole + " " + part.name : whole, part.drive->drive};
+    }
   throw spec.document.located(missing);
 }
 
 }  // namespace
 
 Figure loop_figure(const FigureRequest& request) {
-  const Drive drive = drive_in(request);
-  Figure figure = request.drive == "bode" ? bode_figure(drive) : nyquist_figure(drive);
-  figure.title = request.file + ": " + figure.title;
+  const NamedDrive of = drive_in(request);
+  Figure figure = request.drive == "bode" ? bode_figure(of.drive) : nyquist_figure(of.drive);
+  figure.title = of.name + ": " + figure.title;
   return figure;
 }
 

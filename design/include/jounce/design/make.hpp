@@ -67,6 +67,10 @@ double seconds_per_unit(const Spec& spec);
 /// InputError (`limits.slave.velocity`, ...) if the spec has such a limit but no [master].
 Limits slave_limits_by_master(const Spec& spec);
 
+/// Returns `limits`, which count per master unit, together with slave_limits_by_master(): the lower
+/// one of two limits of the same derivative.
+Limits with_slave_limits(Limits limits, const Spec& spec);
+
 /// Returns the error of a spec in which nothing is free: what to add, or that this kind has no
 /// motion.
 InputError nothing_free(const Spec& spec);

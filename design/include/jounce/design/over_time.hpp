@@ -17,6 +17,10 @@ namespace jounce {
 /// [master].
 Input over_time(const Input& input);
 
+/// Returns the speed of [master] with its unit, as the spec gives it: "72 m/min". `spec` must have
+/// a [master].
+std::string master_speed_text(const Spec& spec);
+
 /// Returns the input for `jounce ... --over WHAT`: "time" gives over_time(); "master" and "" give
 /// the input itself. Throws InputError (key "over") if the input cannot be shown over `what`.
 Input over(const std::string& what, Input input);

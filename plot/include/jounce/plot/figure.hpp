@@ -30,6 +30,9 @@ struct Marker {
   std::string text{};   ///< shown next to the point if there is space
   std::string hint{};   ///< shown when the pointer is on the point; may be empty
   bool broken = false;  ///< true: the point is beyond a limit
+  /// True: the text is the value y; it is shown in the scale of the axis.
+  bool is_value = false;
+  bool text_only = false;  ///< true: a series has this point, so the marker has no circle
 };
 
 /// One plot of a figure.
@@ -61,6 +64,7 @@ struct Shade {
 struct Figure {
   std::string title{};          ///< title above the plots
   std::string x_label{};        ///< name and unit of the x axis
+  std::string x_note{};         ///< shown after the x label: what the whole figure has in common
   std::vector<Panel> panels{};  ///< the plots, from top to bottom
   std::vector<Shade> shades{};  ///< tinted ranges
   /// Rows of names above the plots, such as the segments and their laws. Names in the first row are

@@ -55,6 +55,7 @@ struct Image {
   std::string svg{};      ///< an SVG document
   std::string title{};    ///< the content in words, for readers who cannot see it
   std::string caption{};  ///< text below the drawing
+  std::string narrow{};   ///< the drawing for a phone, about 370 px wide; "": `svg`, made smaller
 };
 
 /// A text with the numbers of its lines, and remarks below them.
