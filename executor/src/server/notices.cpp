@@ -137,7 +137,7 @@ std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
 }
 
 /// The reason and its remedy, for an order that an endless motion prevents: the order that ends this
-/// motion. "" for another refusal.
+/// motion. "" for another refusal. Without the name of the cause: `jounce order` adds no second remedy.
 std::string endless_text(Cause cause, const Tick& now, const ExecutorOptions& options,
                          CommandKind order) {
   if (cause != Cause::in_motion && cause != Cause::synchronized) return "";
@@ -147,8 +147,10 @@ std::string endless_text(Cause cause, const Tick& now, const ExecutorOptions& op
   const char* const motion = endless          ? "moves at a velocity without end"
                              : now.ratio != 0 ? "follows its master by a gear"
                                               : "follows its master";
-  return std::string(name(cause)) + ": the axis " + motion + ": end this with `jounce order " +
-         options.receiver.executor + " halt`";
+  const bool may_cut = options.cutter && !endless && now.ratio == 0;
+  return std::string("the axis ") + motion + ": end this with `jounce order " +
+         options.receiver.executor +
+         (may_cut ? " park`, or `halt` without a plan of cuts" : " halt`");
 }
 
 /// A table that begins elsewhere than the axis stands, or will stand.
