@@ -59,6 +59,20 @@ TEST(StreamPlan, ACamOfARotatingKnifeMayBeginAtAnyCut) {
   EXPECT_EQ(made(Extrapolation::hold, "deg", at_master), std::nullopt);
 }
 
+TEST(StreamPlan, AtTheNextCutTheOffsetOfTheMasterHasNoEffect) {
+  Input cam = read_inputs(examples + "pmc600-cam/cam.toml").front();
+  Spec spec = *cam.spec;
+  spec.coupling = CouplingSpec{.master_offset = 40};
+  cam.spec = spec;
+  const StreamPlan next = stream_plan("feeder", cam, {.live = true, .at_next_cut = true});
+  EXPECT_EQ(next.coupling.master_offset, next.tables.front().table.start());
+  EXPECT_THAT(next.remark, ::testing::StartsWith("master_offset = 40 " + next.tables[0].units.x +
+                                                 " of [coupling] has no effect"));
+  const StreamPlan own = stream_plan("feeder", cam, {.live = true});
+  EXPECT_EQ(own.coupling.master_offset, 40);
+  EXPECT_EQ(own.remark, "");
+}
+
 TEST(RowPlan, StatesItsRangeFromTheFirstKnot) {
   const RowPlan plan = row_plan("feeder", bank_of(three_points()), 64, false);
   EXPECT_EQ(plan.queue.origin, 5);
@@ -92,6 +106,25 @@ TEST(FollowBankPlan, HoldsTheEventOfTheSpec) {
   EXPECT_EQ(pass_position(follow).has_value(), plan.queue.event == wire::QueueEvent::pass);
   EXPECT_FALSE(is_follow(three_points()));
   EXPECT_FALSE(pass_position(three_points()));
+}
+
+// In a pass that begins at a ratio, a master that turns back stops the slave at once.
+TEST(FollowBankPlan, NotesARatioAtTheBeginningOfAPass) {
+  const auto remark = [](const std::string& direction, const std::string& zone) {
+    const Spec spec = parse_spec(
+        "jounce = 1\nkind = \"follow\"\nunits = { position = \"mm\", master = \"mm\" }\n[follow]\n"
+        "periodic = true\ndirection = " +
+            direction + "\n[[point]]\nmaster = 400\nslave = 255\n" + zone,
+        "f.toml");
+    return follow_bank_plan(inputs_of(spec, "f.toml").front(), false).remark;
+  };
+  const std::string engaged =
+      "[[zone]]\nfrom = 0\nto = 60\nratio = 1.5\n[[zone]]\nfrom = 340\nto = 400\nratio = 1.5\n";
+  EXPECT_EQ(remark("0", engaged),
+            "the ratio at the beginning of a pass is 1.5: if the master moves back beyond this "
+            "place, the axis stops with the fault jump");
+  EXPECT_EQ(remark("1", engaged), "");
+  EXPECT_EQ(remark("0", ""), "") << "from rest to rest";
 }
 
 TEST(InputsFor, AreChosenByNameThenByPlace) {
