@@ -73,13 +73,37 @@ TEST(StreamPlan, AtTheNextCutTheOffsetOfTheMasterHasNoEffect) {
   EXPECT_EQ(own.remark, "");
 }
 
+/// The three points, and a rest at the last one.
+TableFile to_rest() {
+  TableFile table = bank_of(three_points());
+  Columns columns = table.table.columns();
+  columns.x.push_back(3);
+  columns.p.push_back(9);
+  table.table = Table(Domain::time, Interpolation::linear, Extrapolation::hold, std::move(columns));
+  return table;
+}
+
+TEST(RowPlan, NeedsATableThatEndsAtRest) {
+  EXPECT_EQ(test::error_of([] { (void)row_plan("feeder", bank_of(three_points()), 64, false); }),
+            "velocity = -6 mm/s: at the end of the table is not 0, but an axis plays rows to rest: "
+            "add a ramp to rest at the end");
+  const auto ending_at = [](double velocity) {
+    Columns columns{.x = {0, 1, 2}, .p = {0, 50, 100}, .v = {0, 60, velocity}, .a = {}};
+    const Table table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
+                      std::move(columns));
+    return test::error_of([&] { (void)row_plan("feeder", {table, {"s", "mm"}, {}}, 64, false); });
+  };
+  EXPECT_THAT(ending_at(0.001), ::testing::StartsWith("velocity = 0.001 mm/s: at the end"));
+  EXPECT_EQ(ending_at(1e-9), test::error_of([] {})) << "rounding";
+}
+
 TEST(RowPlan, StatesItsRangeFromTheFirstKnot) {
-  const RowPlan plan = row_plan("feeder", bank_of(three_points()), 64, false);
+  const RowPlan plan = row_plan("feeder", to_rest(), 64, false);
   EXPECT_EQ(plan.queue.origin, 5);
   EXPECT_EQ(plan.queue.lowest, 0);
   EXPECT_EQ(plan.queue.highest, 10);
   EXPECT_EQ(plan.queue.prefill, 64U);
-  EXPECT_EQ(row_plan("feeder", bank_of(three_points()), 64, true).queue.origin, 0);
+  EXPECT_EQ(row_plan("feeder", to_rest(), 64, true).queue.origin, 0);
 }
 
 // The table rises by 10, and ends 4 above its start: pass k begins at 4 k.

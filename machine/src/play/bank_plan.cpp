@@ -5,6 +5,7 @@
 #include "jounce/design/executor_tables.hpp"
 #include "jounce/gear/follow_banks.hpp"
 #include "jounce/machine/play_plan.hpp"
+#include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/spec/sync_spec.hpp"
 
@@ -86,6 +87,22 @@ RowStart start_of_banks(const FollowPart& part, const Input& input) {
   return is_plan ? start_of(input.table.table) : RowStart{};
 }
 
+/// Throws InputError for a table at whose end the axis would still move: it reports an underrun there.
+void require_rest_at_end(const TableFile& table) {
+  constexpr double rounding = 1e-9;  // the number of SegmentFifos
+  const Columns& c = table.table.columns();
+  const std::size_t n = c.x.size();
+  const double slope = (c.p[n - 1] - c.p[n - 2]) / (c.x[n - 1] - c.x[n - 2]);
+  const double end = c.v.empty() ? slope : c.v[n - 1];
+  const double before = c.v.empty() ? slope : c.v[n - 2];
+  if (std::abs(end) <= rounding * std::abs(before - end)) return;
+  const std::string& unit = table.units.position;
+  throw InputError(
+      "velocity", number(end) + (unit.empty() ? "" : " " + unit + "/s"),
+      "at the end of the table is not 0, but an axis plays rows to rest: add a ramp to "
+      "rest at the end");
+}
+
 }  // namespace
 
 bool is_follow(const Input& input) {
@@ -146,6 +163,7 @@ BankPlan bank_plan(const TableFile& first, const TableFile& second, std::int32_t
 }
 
 RowPlan row_plan(const std::string& executor, TableFile table, std::uint32_t ahead, bool relative) {
+  require_rest_at_end(table);
   const Travel travel = travel_of(table.table);
   return {.executor = executor,
           .queue = {.units = table.units,
