@@ -141,8 +141,10 @@ std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
 std::string endless_text(Cause cause, const Tick& now, const ExecutorOptions& options,
                          CommandKind order) {
   if (cause != Cause::in_motion && cause != Cause::synchronized) return "";
-  if (permitted(now.state, order) != cause) return "";  // only a part of it, such as a clutch
   const bool endless = now.state == State::continuous_motion;
+  const bool starts = order == CommandKind::arm || order == CommandKind::start;
+  // Otherwise only a part of the motion prevents it, such as a clutch.
+  if (permitted(now.state, order) != cause && !(endless && starts)) return "";
   if (!endless && now.state != State::synchronized_motion) return "";
   const char* const motion = endless          ? "moves at a velocity without end"
                              : now.ratio != 0 ? "follows its master by a gear"

@@ -192,6 +192,9 @@ TEST(Notices, ARejectionInAnEndlessMotionNamesTheOrderThatEndsIt) {
   Tick now{.state = State::continuous_motion};
   EXPECT_EQ(reason(now, CommandKind::set_position),
             "the axis moves at a velocity without end: end this with `jounce order roller halt`");
+  EXPECT_EQ(refusal_text({Cause::in_motion}, now, options, CommandKind::arm),
+            reason(now, CommandKind::set_position))
+      << "a table cannot wait for the end of a jog";
   now.state = State::synchronized_motion;
   EXPECT_EQ(reason(now, CommandKind::home),
             "the axis follows its master: end this with `jounce order roller halt`");
