@@ -30,7 +30,7 @@ std::string tidy_number(double value) {
 double increment(double sum, double target) {
   const double difference = target - sum;
   const double rounding = rounded_sum * std::abs(target);
-  constexpr int most_digits = 9;  // of a step that was given as a decimal number
+  constexpr int most_digits = 9;  // more digits are no decimal step
   for (int digits = 1; digits <= most_digits; ++digits) {
     std::array<char, 32> text{};
     const auto end = std::to_chars(text.begin(), text.end(), difference,
