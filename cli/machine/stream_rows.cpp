@@ -45,10 +45,9 @@ BankPlan bank_plan_of(const StreamArguments& options) {
 }  // namespace
 
 int stream_rolling(const StreamArguments& options) {
-  if (is_of_tables(options)) {
+  if (is_of_tables(options))
     throw InputError("--rolling", "",
                      "sends one table over time: omit --swap, --master, --live and --until");
-  }
   RowPlan plan = row_plan_of(options);
   KeyedLink link = open_link(options.link);
   RowOptions rolling;
@@ -76,9 +75,10 @@ int play(const BankPlan& plan, const StreamArguments& options, BankOptions::Unti
        .progress = [&](const wire::QueueAck& level) { work.goes_on(0, name(level.progress)); },
        .cancelled = [&] { return work.interrupted(); }});
   static_cast<void>(client.release());
+  const std::string ran = work.interrupted() ? "stopped" : end;
   return report_outcome(
       outcome, options.to, options.json ? outcome_json(outcome) : "",
-      fmt::format("{} at {}: {}", what, options.to, work.interrupted() ? "stopped" : end),
+      with_remark(fmt::format("{} at {}: {}", what, options.to, ran), plan.remark),
       {StreamError::refused}, link);
 }
 

@@ -53,11 +53,7 @@ int run_identify(const IdentifyArguments& options) {
     fmt::print(out, "{}", identification_text(found, u));
   if (!found.usable()) return finding;
   if (!options.output.empty())
-    write_file(options.output,
-               fitted_drive_text(found, *spec.drive, spec.units,
-                                 fmt::format("{} with numbers fitted to {} by jounce identify",
-                                             options.drive, options.log)),
-               spec.document.files);
+    write_file(options.output, fitted_spec_text(found, spec, options.log), spec.document.files);
   if (!options.output.empty() && found.status != Identification::Status::converged)
     fmt::print(stderr, "jounce: wrote {}, although the fit is not accepted\n", options.output);
   if (!options.plot.empty())
@@ -84,7 +80,7 @@ void add_identify(CommandLine& line) {
   verb.option("--fit", options->fit, "Numbers to fit: motor.inertia,mass[1].stiffness,...")
       .required()
       .separated();
-  verb.option("-o,--output", options->output, "Spec of the drive to write, with the fitted numbers")
+  verb.option("-o,--output", options->output, "Spec to write: DRIVE with the fitted numbers")
       .check(output_file({".toml"}));
   verb.option("--plot", options->plot, "Picture to write, .svg or .png: recorded, model, residual")
       .check(output_file({".svg", ".png"}));

@@ -152,11 +152,10 @@ constexpr std::array entries{
     Entry{Cause::not_positive, "not_positive",
           "A velocity, acceleration, deceleration or jerk of the command is not greater than 0.",
           "Give a number greater than 0, or leave the option out to use the limit of the axis."},
-    Entry{
-        Cause::no_reserve, "no_reserve",
-        "The present motion uses a whole limit, so nothing is left for a superimposed move.",
-        "Begin the present motion with a lower --velocity, --acceleration and --jerk, or wait for "
-        "its end."},
+    Entry{Cause::no_reserve, "no_reserve",
+          "The present motion uses a whole limit, so nothing is left for a superimposed move.",
+          "Begin the present motion with a lower --velocity, --acceleration, --deceleration and "
+          "--jerk (each is the limit of the axis by default), or wait for its end."},
     Entry{Cause::bad_table, "bad_table", "The tables do not form a motion.",
           "Send one table over time, or two tables: a cam over its master, and the master over "
           "time."},
@@ -589,7 +588,7 @@ std::string value_text(const Refusal& refusal) {
 /// The limit that a motion uses up, from its derivative in Refusal::where.
 std::string used_up(const Refusal& refusal, const std::string& unit) {
   constexpr std::array limits{Cause::velocity_limit, Cause::acceleration_limit, Cause::jerk_limit};
-  constexpr std::array names{"velocity", "acceleration", "jerk"};
+  constexpr std::array names{"velocity", "acceleration or deceleration", "jerk"};
   const auto index = static_cast<std::size_t>(refusal.where) - 1;
   if (index >= limits.size()) return ".";
   return std::string(": ") + names[index] + " " + value_text(refusal) +

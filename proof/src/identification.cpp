@@ -8,8 +8,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/base/printable.hpp"
+#include "jounce/profiles/error.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/spec/drive_file.hpp"
+#include "jounce/spec/text_numbers.hpp"
 
 namespace jounce {
 namespace {
@@ -112,13 +115,36 @@ Figure identification_figure(const Identification& found, const Recording& run,
   return figure;
 }
 
-std::string fitted_drive_text(const Identification& found, DriveSpec drive, const Units& units,
+namespace {
+
+/// The fitted drive alone, as a spec of kind "drive".
+std::string fitted_drive_text(const Identification& found, const Spec& spec,
                               const std::string& remark) {
+  DriveSpec drive = *spec.drive;
   drive.drive = found.drive;
   std::map<std::string, std::string> beside;
   for (const FittedNumber& n : found.numbers)
     beside[n.key] = "95 %: " + interval(n) + ", was " + rounded(n.start);
-  return drive_text(drive, units, remark, beside);
+  return drive_text(drive, spec.units, remark, beside);
+}
+
+}  // namespace
+
+std::string fitted_spec_text(const Identification& found, const Spec& spec,
+                             const std::string& log) {
+  std::string head = "Fitted to " + printable(log) + " by `jounce identify`";
+  std::vector<NumberChange> changes;
+  std::string lines = "# " + head + ", with 95 % intervals:\n";
+  for (const FittedNumber& n : found.numbers) {
+    changes.push_back({"drive." + n.key, n.value});
+    lines +=
+        fmt::format("#   drive.{}: {} {}, was {}\n", n.key, interval(n), n.unit, rounded(n.start));
+  }
+  try {
+    return lines + with_numbers(spec.document, changes);
+  } catch (const InputError&) {  // a number is in another file
+    return fitted_drive_text(found, spec, head);
+  }
 }
 
 }  // namespace jounce

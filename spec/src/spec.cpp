@@ -97,6 +97,12 @@ struct MasterRun {
   bool repeats = false;
 };
 
+/// True for a motion that begins with the travel of its master, and not at a position of the master.
+bool is_passed_once(const SyncSpec& sync) {
+  const auto* const follow = std::get_if<FollowPart>(&sync);
+  return follow == nullptr || follow->start.event != FollowEvent::pass;
+}
+
 /// A cam is read after its master: its knots may have rates over time.
 MasterRun master_run(TomlReader& top, const Spec& spec) {
   if (std::holds_alternative<CamSpec>(spec.subject))
@@ -106,7 +112,7 @@ MasterRun master_run(TomlReader& top, const Spec& spec) {
     return {made->cam.length(), repeats(made->cam.outside())};
   const auto period = spec.master_period();
   const auto* sync = std::get_if<SyncSpec>(&spec.subject);
-  if (!period && sync != nullptr && std::holds_alternative<CutListSpec>(*sync))
+  if (!period && sync != nullptr && is_passed_once(*sync))
     return {sync_cam_of(*sync).cam.length(), false};
   return {period, period.has_value()};
 }

@@ -493,6 +493,37 @@ TEST(ControllerFiles, WithTooFewKnotsAreNotWithinTheLimit) {
                         "of the travel)\n"));
 }
 
+/// Steps of 0.05 s: their sums round, so a difference of two times is 0.04999999999999999.
+TEST(ControllerFiles, IncrementsHaveTheDigitsOfTheirStep) {
+  Columns columns{};
+  for (int i = 0; i <= 400; ++i) {
+    columns.x.push_back(i * 0.05);
+    columns.p.push_back(0.1 * i);
+    columns.v.push_back(i == 0 || i == 400 ? 0 : 2);
+  }
+  const std::vector<double> x = columns.x, p = columns.p;
+  const TableFile file{
+      Table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold, std::move(columns)),
+      {"s", "mm"},
+      {}};
+  for (const char* name : {"xps", "zaber"}) {
+    std::istringstream text(exchange_text(*exchange_format_named(name), file));
+    std::string line;
+    double time = 0, position = 0;
+    const bool sums = name == std::string("xps");
+    if (!sums)
+      std::getline(text, line), std::getline(text, line);  // the header, and the first point
+    for (std::size_t i = 1; std::getline(text, line); ++i) {
+      ASSERT_TRUE(line.starts_with(sums ? "0.05, 0.1, " : "0.05,")) << name << ": " << line;
+      time += 0.05;
+      position = sums ? position + 0.1 : std::stod(line.substr(5));
+      EXPECT_NEAR(time, x[i], 1e-12 * x[i]) << name;
+      EXPECT_NEAR(position, p[i], 1e-12 * p[i]) << name;
+    }
+    EXPECT_NEAR(time, 20, 1e-11) << name;
+  }
+}
+
 TEST(ControllerFiles, OfFourStepsLoseWhatTheNotesState) {
   const ExchangeFormat& xps = *exchange_format_named("xps");
   const Converted made = converted(

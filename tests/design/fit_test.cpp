@@ -107,7 +107,9 @@ INSTANTIATE_TEST_SUITE_P(Tables, Seeds,
                                            std::pair{"valve-cam/valve.toml", 0.002}));
 
 TEST_F(FitFile, FindsTheLawsOfAPusher) {
-  const FittedCam made = fit(lines_of("press-pusher/pusher.toml", 360), {.tolerance = "5 um"});
+  const FittedCam made = fit(lines_of("press-pusher/pusher.toml", 360), {.tolerance = "12 um"});
+  EXPECT_THAT(made.text, ::testing::HasSubstr("\ntolerance = 0.0012\n"))
+      << "a tenth of 0.012 mm, without the rounding of the product";
   EXPECT_THAT(laws_of(made.fit.spec),
               ::testing::ElementsAre("modified_sine", "dwell", "modified_sine", "dwell"));
   EXPECT_EQ(made.fit.spec.segments[0].end.master, 90);

@@ -55,6 +55,21 @@ segment = [
 )" + more;
 }
 
+/// 72 m/min over 1800 mm: 40 cuts in a minute; a list of 1500 mm and 2100 mm has the same mean.
+TEST(KeyFigures, OfACutterCountItsCuts) {
+  const auto cuts = [](const std::string& pieces) {
+    return figure(
+        assess(parse_spec("jounce = 1\nkind = \"shear\"\n"
+                          "units = { position = \"mm\", master = \"mm\" }\n"
+                          "[shear]\nline_speed = \"72 m/min\"\nsync_time = \"0.2 s\"\n" +
+                              pieces + "\n[limits.slave]\nvelocity = 3000\nacceleration = 15000\n",
+                          "shear.toml")),
+        "cuts");
+  };
+  EXPECT_NEAR(cuts("cut_length = 1800"), 40, 1e-9);
+  EXPECT_NEAR(cuts("lengths = [1500, 2100]"), 40, 1e-9);
+}
+
 TEST(KeyFigures, OfAQuinticCamAreItsCoefficients) {
   const Assessment all = assess(parse_spec(cam(R"([master]
 velocity = "360 deg/s"

@@ -219,6 +219,9 @@ TEST(CommandWords, CoordinatesHaveTheNamesOfTheAxes) {
             "VALUE = x=1: cannot be combined with --by: use --by x=1");
   EXPECT_EQ(wrong("wait", {"1", "2"}),
             "VALUE = 1: is one of several values: give one value, or coordinates such as x=10 y=5");
+  EXPECT_EQ(wrong("jog", {"-250mm/s", "--url", "unix:///tmp/bus"}),
+            "VALUE = --url: is an option after --, where all words are values: write it before --. "
+            "A negative number needs no --");
   EXPECT_EQ(wrong("halt", {"x=1"}), "VALUE = x=1: has names of axes, but halt has no coordinates");
   EXPECT_EQ(wrong("move-circular", {"x=1"}, {{"center", "z=3"}}),
             "--center = ,,3: has 3 coordinates, and must have at most 2");

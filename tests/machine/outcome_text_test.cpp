@@ -162,6 +162,9 @@ TEST(OutcomeText, NamesTheLastStateOfAStream) {
             "1 chunk arrived at feeder, 0 sent again; downloaded");
   outcome.armed = true;
   EXPECT_THAT(stream_text(outcome, "feeder", false), EndsWith("; armed"));
+  outcome.remark = "look here";
+  EXPECT_THAT(stream_text(outcome, "feeder", false), EndsWith("; armed\nnote: look here"));
+  outcome.remark = "";
   outcome.started = true;
   EXPECT_THAT(stream_text(outcome, "feeder", false), EndsWith("; started"));
   EXPECT_THAT(stream_text(outcome, "feeder", true), EndsWith("; accepted, waits for its start"));

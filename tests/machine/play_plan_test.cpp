@@ -59,13 +59,51 @@ TEST(StreamPlan, ACamOfARotatingKnifeMayBeginAtAnyCut) {
   EXPECT_EQ(made(Extrapolation::hold, "deg", at_master), std::nullopt);
 }
 
+TEST(StreamPlan, AtTheNextCutTheOffsetOfTheMasterHasNoEffect) {
+  Input cam = read_inputs(examples + "pmc600-cam/cam.toml").front();
+  Spec spec = *cam.spec;
+  spec.coupling = CouplingSpec{.master_offset = 40};
+  cam.spec = spec;
+  const StreamPlan next = stream_plan("feeder", cam, {.live = true, .at_next_cut = true});
+  EXPECT_EQ(next.coupling.master_offset, next.tables.front().table.start());
+  EXPECT_THAT(next.remark, ::testing::StartsWith("master_offset = 40 " + next.tables[0].units.x +
+                                                 " of [coupling] has no effect"));
+  const StreamPlan own = stream_plan("feeder", cam, {.live = true});
+  EXPECT_EQ(own.coupling.master_offset, 40);
+  EXPECT_EQ(own.remark, "");
+}
+
+/// The three points, and a rest at the last one.
+TableFile to_rest() {
+  TableFile table = bank_of(three_points());
+  Columns columns = table.table.columns();
+  columns.x.push_back(3);
+  columns.p.push_back(9);
+  table.table = Table(Domain::time, Interpolation::linear, Extrapolation::hold, std::move(columns));
+  return table;
+}
+
+TEST(RowPlan, NeedsATableThatEndsAtRest) {
+  EXPECT_EQ(test::error_of([] { (void)row_plan("feeder", bank_of(three_points()), 64, false); }),
+            "velocity = -6 mm/s: at the end of the table is not 0, but an axis plays rows to rest: "
+            "add a ramp to rest at the end");
+  const auto ending_at = [](double velocity) {
+    Columns columns{.x = {0, 1, 2}, .p = {0, 50, 100}, .v = {0, 60, velocity}, .a = {}};
+    const Table table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
+                      std::move(columns));
+    return test::error_of([&] { (void)row_plan("feeder", {table, {"s", "mm"}, {}}, 64, false); });
+  };
+  EXPECT_THAT(ending_at(0.001), ::testing::StartsWith("velocity = 0.001 mm/s: at the end"));
+  EXPECT_EQ(ending_at(1e-9), test::error_of([] {})) << "rounding";
+}
+
 TEST(RowPlan, StatesItsRangeFromTheFirstKnot) {
-  const RowPlan plan = row_plan("feeder", bank_of(three_points()), 64, false);
+  const RowPlan plan = row_plan("feeder", to_rest(), 64, false);
   EXPECT_EQ(plan.queue.origin, 5);
   EXPECT_EQ(plan.queue.lowest, 0);
   EXPECT_EQ(plan.queue.highest, 10);
   EXPECT_EQ(plan.queue.prefill, 64U);
-  EXPECT_EQ(row_plan("feeder", bank_of(three_points()), 64, true).queue.origin, 0);
+  EXPECT_EQ(row_plan("feeder", to_rest(), 64, true).queue.origin, 0);
 }
 
 // The table rises by 10, and ends 4 above its start: pass k begins at 4 k.
@@ -92,6 +130,25 @@ TEST(FollowBankPlan, HoldsTheEventOfTheSpec) {
   EXPECT_EQ(pass_position(follow).has_value(), plan.queue.event == wire::QueueEvent::pass);
   EXPECT_FALSE(is_follow(three_points()));
   EXPECT_FALSE(pass_position(three_points()));
+}
+
+// In a pass that begins at a ratio, a master that turns back stops the slave at once.
+TEST(FollowBankPlan, NotesARatioAtTheBeginningOfAPass) {
+  const auto remark = [](const std::string& direction, const std::string& zone) {
+    const Spec spec = parse_spec(
+        "jounce = 1\nkind = \"follow\"\nunits = { position = \"mm\", master = \"mm\" }\n[follow]\n"
+        "periodic = true\ndirection = " +
+            direction + "\n[[point]]\nmaster = 400\nslave = 255\n" + zone,
+        "f.toml");
+    return follow_bank_plan(inputs_of(spec, "f.toml").front(), false).remark;
+  };
+  const std::string engaged =
+      "[[zone]]\nfrom = 0\nto = 60\nratio = 1.5\n[[zone]]\nfrom = 340\nto = 400\nratio = 1.5\n";
+  EXPECT_EQ(remark("0", engaged),
+            "the ratio at the beginning of a pass is 1.5: if the master moves back beyond this "
+            "place, the axis stops with the fault jump");
+  EXPECT_EQ(remark("1", engaged), "");
+  EXPECT_EQ(remark("0", ""), "") << "from rest to rest";
 }
 
 TEST(InputsFor, AreChosenByNameThenByPlace) {

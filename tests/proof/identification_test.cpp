@@ -50,5 +50,30 @@ TEST(Identification, FigureShowsPositionsAsTheirDistanceFromTheCommand) {
   EXPECT_THAT(figure.panels[3].series[0].y, testing::ElementsAre(0, 0, 0, 1));
 }
 
+TEST(Identification, ChangesOnlyTheFittedNumbersOfTheSpec) {
+  const std::string given =
+      "# my drive\njounce = 1\nkind = \"drive\"\nunits = { position = \"deg\" }\n[drive]\n"
+      "position_per_rev = 9\n[drive.motor]\ninertia = \"4 kg cm^2\"  # data sheet\n"
+      "[[drive.mass]]\ninertia = 0.003\nstiffness = 15\n"
+      "[drive.controller]\nposition_gain = 60\nvelocity_gain = 2\n";
+  const Spec spec = parse_spec(given, "drive.toml");
+  Identification found = inertia();
+  found.drive = spec.drive->drive;
+  found.numbers = {{"motor.inertia", "kg m^2", 4e-4, 5e-4, 4.9e-4, 5.1e-4},
+                   {"mass[1].damping", "N m s/rad", 0.01, 0.015, 0.014, 0.016}};
+  std::string wanted = given;
+  wanted.replace(wanted.find("4 kg cm^2"), 9, "5 kg cm^2");
+  std::string text = fitted_spec_text(found, spec, "run.csv");
+  const std::string head =
+      "# Fitted to run.csv by `jounce identify`, with 95 % intervals:\n"
+      "#   drive.motor.inertia: 4.9e-04 to 5.1e-04 kg m^2, was 4e-04\n"
+      "#   drive.mass[1].damping: 0.014 to 0.016 N m s/rad, was 0.01\n# my drive\n";
+  EXPECT_THAT(text, StartsWith(head));
+  const std::size_t added = text.find("damping = 0.015\n");
+  ASSERT_NE(added, std::string::npos);
+  text.erase(added, 16);
+  EXPECT_EQ(text.substr(head.size()), wanted.substr(11));
+}
+
 }  // namespace
 }  // namespace jounce::identification_test

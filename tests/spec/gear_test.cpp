@@ -59,6 +59,19 @@ TEST(GearSpec, EngagesOverADistanceOfItsMaster) {
   EXPECT_EQ(made.zones.size(), 3U);
 }
 
+TEST(GearSpec, ItsMasterPassesTheTableOnceByDefault) {
+  const std::string clutch =
+      "[gear]\nengage = \"distance\"\nnumerator = 1\ndistance = 100\nmaster_start = 200\n"
+      "engage_at = 250\nmaster_end = 1000\n[master]\nvelocity = 50\n";
+  EXPECT_EQ(parse_spec(spec(clutch), "g").master->distance, 800);
+  EXPECT_EQ(parse_spec(spec(clutch + "distance = 100\n"), "g").master->distance, 100);
+  const std::string in_pos =
+      "[gear]\nengage = \"position\"\nnumerator = 1\ndenominator = 2\n"
+      "master_sync_position = 5000\nslave_sync_position = 2000\nmaster_end = 10000\n"
+      "master_start_distance = 4000\n[master]\nvelocity = 50\n";
+  EXPECT_EQ(parse_spec(spec(in_pos), "g").master->distance, 10000);
+}
+
 TEST(GearSpec, EngagesAtPositions) {
   const std::string text =
       "[gear]\nengage = \"position\"\nnumerator = 1\ndenominator = 2\n"

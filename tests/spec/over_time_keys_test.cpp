@@ -87,11 +87,14 @@ TEST(MasterDistance, IsOneCycleAtFullSpeedWithItsRamps) {
   EXPECT_DOUBLE_EQ(make_master(read(cam(turn))).end(), 0.5) << "s for a cycle";
 }
 
+/// A pass begins at a position of the master, which may have any distance to it.
 TEST(MasterDistance, IsRequiredWhereNothingDefinesIt) {
-  EXPECT_EQ(complaint("jounce = 1\nkind = \"gear\"\nunits = { master = \"deg\", position = \"deg\" "
-                      "}\n[gear]\nengage = \"distance\"\nnumerator = 1\ndistance = 90\nmaster_end "
-                      "= 360\n[master]\nvelocity = 360\n"),
-            "a.toml:9:1: master.distance: is missing: add distance = NUMBER, in deg");
+  EXPECT_EQ(
+      complaint("jounce = 1\nkind = \"follow\"\nunits = { master = \"deg\", position = \"deg\" "
+                "}\n[follow]\npass = { position = 90 }\n[[segment]]\nmaster = 100\nslave = 50\n"
+                "[[segment]]\nmaster = 200\nslave = 100\ntype = \"stop\"\n"
+                "[master]\nvelocity = 360\n"),
+      "a.toml:13:1: master.distance: is missing: add distance = NUMBER, in deg");
   EXPECT_EQ(complaint(cam(turn, master + "acceleration = 0\n")),
             "a.toml:14:16: master.acceleration = 0 deg/s^2: must be greater than 0");
 }

@@ -28,6 +28,25 @@ TEST(CornerParameters, AreTheNumbersOfTheCorners) {
   EXPECT_LE(best.numbers[0].reached, 1);
 }
 
+// The second corner lasts as long with any deviation near the given one, within the tolerance.
+TEST(CornerParameters, KeepTheirValueIfAChangeGainsNothing) {
+  const std::string given =
+      "jounce = 1\nkind = \"path\"\nunits = { position = \"mm\", time = \"s\" }\n[path]\n"
+      "velocity = 150\ncorner = { deviation = 0.1 }\n"
+      "[[axis]]\nname = \"x\"\nlimits = { velocity = 200, acceleration = 1500, jerk = 30000 }\n"
+      "[[axis]]\nname = \"y\"\nlimits = { velocity = 200, acceleration = 1500, jerk = 30000 }\n"
+      "[[command]]\ntype = \"line\"\nto = [100, 0]\n"
+      "[[command]]\ntype = \"arc\"\ncenter = [100, 30]\nto = [100, 60]\n"
+      "rotation = \"counterclockwise\"\n[[command]]\ntype = \"line\"\nto = [40, 60]\n"
+      "[[command]]\ntype = \"line\"\nto = [40, 0]\n";
+  Spec spec = parse_spec(given, "given.toml");
+  spec.parameters = corner_parameters(spec);
+  const TuneOutcome best = tune(spec);
+  ASSERT_TRUE(best.usable());
+  EXPECT_EQ(best.text, given);
+  EXPECT_EQ(best.figures[0].reached, best.figures[0].given);
+}
+
 TEST(CornerParameters, NeedACornerWithANumber) {
   const Spec spec = read_spec(examples + "path-square/stop.toml");
   EXPECT_THROW((void)corner_parameters(spec), InputError);

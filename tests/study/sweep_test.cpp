@@ -426,6 +426,11 @@ TEST_F(Sweeps, RefuseWhatMakesNoSense) {
               HasSubstr("mm is not a unit of this quantity: give the value without a unit"));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\n"), HasSubstr("count: is missing"));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\ncount = 1\n"), HasSubstr("must be at least 2"));
+  EXPECT_THAT(refused(one + "from = 2\nto = 2\ncount = 25\n"),
+              HasSubstr("to = 2 mm/s: must differ from from"));
+  EXPECT_THAT(
+      refused("minimize = [\"stroke\"]\nmaximize = [\"stroke\"]\n" + one + "values = [1]\n"),
+      HasSubstr("maximize = \"stroke\": is an objective already"));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\ncount = 99999999\n"),
               HasSubstr("more than 10000000 cases"));
   EXPECT_THAT(refused(one + "tolerance = \"5 %\"\n"), HasSubstr("monte_carlo: is missing"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "controllers/src/exchange/cells.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 
 #include "jounce/profiles/detail/tolerances.hpp"
@@ -23,6 +25,22 @@ void Increments::add(const Place& place, int line, double dx, double dp, double 
 std::string tidy_number(double value) {
   const double whole = std::round(value);
   return number(std::abs(value - whole) <= rounded_sum * std::abs(value) ? whole : value);
+}
+
+double increment(double sum, double target) {
+  const double difference = target - sum;
+  const double rounding = rounded_sum * std::abs(target);
+  constexpr int most_digits = 9;  // more digits are no decimal step
+  for (int digits = 1; digits <= most_digits; ++digits) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.begin(), text.end(), difference,
+                                   std::chars_format::scientific, digits - 1)
+                         .ptr;
+    double step = 0;
+    std::from_chars(text.begin(), end, step);
+    if (std::abs(sum + step - target) <= rounding) return step;
+  }
+  return difference;
 }
 
 std::string whole_number(double value) {

@@ -20,6 +20,10 @@ struct Increments {
 
 /// Returns the number as text. If it is within rounding of a whole number, it is this number.
 std::string tidy_number(double value);
+/// Returns `target` - `sum`. If a number of at most nine digits leads from `sum` to `target` within the
+/// rounding of a sum, returns this number: a step of 0.05, not 0.04999999999999999. If `sum` is the sum
+/// of the numbers before, rounding does not add up.
+double increment(double sum, double target);
 /// Returns a whole number as text. `value` must be one, as in a table in counts.
 std::string whole_number(double value);
 

@@ -50,13 +50,13 @@ std::vector<Exchanged> read_xps(const std::string& text, const Place& place) {
   return positioners;
 }
 
-/// The increments are differences to the sum of those before, so that rounding does not add up.
+/// The increments count from the sum of those before, so that rounding does not add up.
 std::string xps_text(const TableFile& file) {
   const Columns& c = file.table.columns();
   double x = 0, p = 0;
   std::string text;
   for (std::size_t i = 1; i < c.x.size(); ++i) {
-    const double dx = c.x[i] - c.x[0] - x, dp = c.p[i] - c.p[0] - p;
+    const double dx = increment(x, c.x[i] - c.x[0]), dp = increment(p, c.p[i] - c.p[0]);
     text += number(dx) + ", " + number(dp) + ", " + number(i + 1 < c.x.size() ? c.v[i] : 0) + "\n";
     x += dx;
     p += dp;

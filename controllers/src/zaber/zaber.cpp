@@ -144,7 +144,7 @@ std::string zaber_text(const TableFile& file) {
   std::string text = "Time (s),Axis 1 Position (" + unit + "),Axis 1 Velocity (" + unit + "/s)\n";
   double x = 0;
   for (std::size_t i = 0; i < c.x.size(); ++i) {
-    const double dx = c.x[i] - c.x[0] - x;
+    const double dx = increment(x, c.x[i] - c.x[0]);
     text += number(dx) + "," + number(c.p[i]) + "," + number(c.v[i]) + "\n";
     x += dx;
   }

@@ -196,11 +196,21 @@ class Offers {
     const std::string unit = master_rate_unit(spec, 1);
     if (spec.master) add_known("master velocity", unit, spec.master->velocity);
     if (const auto period = spec.master_period(); period && spec.master)
-      add_known("cycle time", spec.time_unit, *period / spec.master->velocity);
+      add_period(spec, *period / spec.master->velocity);
     if (has_slave_limits(spec))
       add("fastest master", unit, [&cam, &spec] {
         return greatest_master_velocity(cam, spec.slave, master_rates(spec)).value;
       });
+  }
+
+  /// `cycle`: time of one cycle, in the unit of time of the spec.
+  void add_period(const Spec& spec, double cycle) {
+    add_known("cycle time", spec.time_unit, cycle);
+    const auto* const sync = std::get_if<SyncSpec>(&spec.subject);
+    if (const auto cuts = sync != nullptr ? cut_list_of(*sync) : std::nullopt)
+      add_known(
+          "cuts", "1/min",
+          static_cast<double>(cuts->list.size()) / (cycle * conversion(spec.time_unit, "min")));
   }
 
   void add_drive() {

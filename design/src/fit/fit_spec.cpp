@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "jounce/profiles/six_digits.hpp"
+
 namespace jounce::design_detail {
 namespace {
 
@@ -73,7 +75,7 @@ std::string fit_spec_text(const CamSpec& spec, const Units& units, const std::st
     from = &segment.end;
   }
   text += fmt::format("\n[table]\nrule = \"quintic_hermite\"\ntolerance = {}\n",
-                      number(table_tolerance));
+                      six_digits(table_tolerance));
   return disc ? text + disc_text(*disc) : text;
 }
 

@@ -232,6 +232,9 @@ std::string path_json(const Spec& spec, const PathSummary& s) {
 std::string path_difference(const Spec& spec, const Plan& before, const Plan& after) {
   const Along units = units_along(spec);
   const double faster = before.duration() - after.duration();
+  if (faster == 0 && after.path().length() == before.path().length())
+    return fmt::format("path: {} {} and {} {} long, as before\n", rounded(after.duration()),
+                       units.time, rounded(after.path().length()), units.length);
   return fmt::format("path: {} {} instead of {} {}: {} {} {}; {} {} long instead of {} {}\n",
                      rounded(after.duration()), units.time, rounded(before.duration()), units.time,
                      rounded(std::abs(faster)), units.time, faster >= 0 ? "less" : "more",

@@ -7,10 +7,13 @@
 #include <utility>
 #include <variant>
 
+#include "jounce/axis/path_clock.hpp"
 #include "jounce/command/command_table.hpp"
 #include "jounce/command/refusal_text.hpp"
 #include "jounce/executor/recorder.hpp"
 #include "jounce/executor/trace.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 #include "executor/src/server/events.hpp"
 #include "executor/src/server/notices.hpp"
@@ -20,13 +23,35 @@ namespace {
 
 using Kind = CommandKind;
 
-/// A remark on an accepted command, if its effect is not the usual one; "" otherwise.
-std::string note_of(const CommandRequested& requested, const Tick& now, bool is_group) {
+/// The highest override factor at which a motion keeps the limits: of a table, or of a path.
+double highest_override(const MadeMovement& made, const AxisConfig& config) {
+  const bool whole = made.program || (made.source && !made.source->job.live);
+  if (!made.movement || !whole) return 2;
+  return std::min(made.movement->highest_rate(), highest_rate(made.movement->peaks(), config));
+}
+
+/// The factor of the speed that a command requests.
+double override_of(const CommandRequested& requested) {
+  if (const auto* const axis = std::get_if<command::Override>(&requested.what)) return axis->factor;
+  return std::get<command::GroupSetOverride>(requested.what).velocity;
+}
+
+/// A remark on an accepted override. `most`: highest factor for the present motion.
+std::string note_of_override(double factor, double most, const Tick& now) {
+  if (now.state == State::error_stop && now.job != 0)
+    return "it takes effect when the motion continues, after reset and resume";
+  if (!(factor > most * (1 + profiles_detail::rounded_sum))) return "";
+  return "the limits permit at most " + six_digits(100 * most) +
+         " % of the speed of the present motion";
+}
+
+/// A remark on an accepted command, if its effect is not the usual one; "" otherwise. `most`: see
+/// note_of_override().
+std::string note_of(const CommandRequested& requested, const Tick& now, bool is_group,
+                    double most) {
   const Kind kind = kind_of(requested.what);
   if (kind == Kind::override_ || kind == Kind::group_set_override)
-    return now.state == State::error_stop && now.job != 0
-               ? "it takes effect when the motion continues, after reset and resume"
-               : "";
+    return note_of_override(override_of(requested), most, now);
   if (is_group && kind == Kind::disable && now.job != 0 && now.state != State::error_stop)
     return "the motion that stood still is dropped";
   const bool begins = kind == Kind::resume || (is_group && info(kind).moves);
@@ -266,8 +291,11 @@ void MotionServer::handle(const CommandRequested& requested) {
   if (kind == Kind::disable) clear_commands();  // ends more than a stop
   if (kind == Kind::halt) halts();
   if (reject_if_full(requested.session, requested.command)) return;
+  const auto playing = movements_.find(last_.job);
+  const double most =
+      playing == movements_.end() ? 2 : highest_override(playing->second.made, options_.axis);
   const Request request{requested.session, requested.command, kind,
-                        note_of(requested, last_, options_.group.has_value())};
+                        note_of(requested, last_, options_.group.has_value(), most)};
   if (retired_) return answer(request, Refusal{.cause = Cause::leaving});
   obey(requested, request);
 }

@@ -137,18 +137,22 @@ std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
 }
 
 /// The reason and its remedy, for an order that an endless motion prevents: the order that ends this
-/// motion. "" for another refusal.
+/// motion. "" for another refusal. Without the name of the cause: `jounce order` adds no second remedy.
 std::string endless_text(Cause cause, const Tick& now, const ExecutorOptions& options,
                          CommandKind order) {
   if (cause != Cause::in_motion && cause != Cause::synchronized) return "";
-  if (permitted(now.state, order) != cause) return "";  // only a part of it, such as a clutch
   const bool endless = now.state == State::continuous_motion;
+  const bool starts = order == CommandKind::arm || order == CommandKind::start;
+  // Otherwise only a part of the motion prevents it, such as a clutch.
+  if (permitted(now.state, order) != cause && !(endless && starts)) return "";
   if (!endless && now.state != State::synchronized_motion) return "";
   const char* const motion = endless          ? "moves at a velocity without end"
                              : now.ratio != 0 ? "follows its master by a gear"
                                               : "follows its master";
-  return std::string(name(cause)) + ": the axis " + motion + ": end this with `jounce order " +
-         options.receiver.executor + " halt`";
+  const bool may_cut = options.cutter && !endless && now.ratio == 0;
+  return std::string("the axis ") + motion + ": end this with `jounce order " +
+         options.receiver.executor +
+         (may_cut ? " park`, or `halt` without a plan of cuts" : " halt`");
 }
 
 /// A table that begins elsewhere than the axis stands, or will stand.

@@ -636,10 +636,15 @@ CommandWords without_names(CommandWords words, const std::vector<std::string>& a
 
 void set_values(CommandWords& words, const std::vector<std::string>& values) {
   words.value.clear();
-  for (const std::string& value : values)
+  for (const std::string& value : values) {
     if (is_unit(value))
       throw InputError(value_word, value,
                        "is a unit: write it right after its number, such as 50" + value);
+    if (value.starts_with("--") && value != "--")
+      throw InputError(value_word, value,
+                       "is an option after --, where all words are values: write it before --. A "
+                       "negative number needs no --");
+  }
   std::string list;
   const auto ends_options = std::count(values.begin(), values.end(), "--");
   for (const std::string& value : values) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 
 #include "jounce/design/executor_tables.hpp"
 #include "jounce/gear/follow_banks.hpp"
 #include "jounce/machine/play_plan.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/spec/sync_spec.hpp"
 
 namespace jounce {
@@ -38,6 +41,36 @@ std::vector<wire::Row> on_wire(const std::vector<SegmentRow>& rows) {
   return sent;
 }
 
+/// The ratio at the beginning of a pass: the first one that is not 0. `from`: start of each bank.
+double ratio_at_pass(const FollowBanks& banks, RowStart from) {
+  constexpr double rounding = 1e-9;
+  std::vector<const std::vector<SegmentRow>*> passes{&banks.first};
+  if (!banks.second.empty()) passes.push_back(&banks.second);
+  if (banks.loops != 1) passes.push_back(passes.back());
+  double end = 0;
+  for (const auto* const rows : passes) {
+    const double ratio = rates(rows->front(), from, end).start;
+    if (std::abs(ratio) > rounding) return ratio;
+    RowStart at = from;
+    for (const SegmentRow& row : *rows) {
+      end = rates(row, at, end).end;
+      at = {row.x_end, row.p_end};
+    }
+  }
+  return 0;
+}
+
+/// A master that turns back beyond the beginning of a pass stops the slave at once.
+std::string pass_remark(const FollowPart& part, const FollowBanks& banks, RowStart from,
+                        const Units& units) {
+  const double ratio = part.direction == 0 ? ratio_at_pass(banks, from) : 0;
+  if (ratio == 0) return "";
+  const bool alike = units.position == units.x;
+  return "the ratio at the beginning of a pass is " + six_digits(ratio) +
+         (alike ? "" : " " + units.position + "/" + units.x) +
+         ": if the master moves back beyond this place, the axis stops with the fault jump";
+}
+
 /// The tables of a follow spec; of a plan the table that `design` makes of it.
 FollowBanks tables_of(const FollowPart& part, const Input& input) {
   constexpr std::size_t most = std::size_t{1} << 20U;  // an executor's bank
@@ -47,6 +80,27 @@ FollowBanks tables_of(const FollowPart& part, const Input& input) {
   FollowBanks banks{.first = rows_of(input.table.table), .loops = periodic ? 0 : 1};
   for (SegmentRow& row : banks.first) row.last = false;
   return banks;
+}
+
+RowStart start_of_banks(const FollowPart& part, const Input& input) {
+  const bool is_plan = std::holds_alternative<FollowPlan>(part.slave);
+  return is_plan ? start_of(input.table.table) : RowStart{};
+}
+
+/// Throws InputError for a table at whose end the axis would still move: it reports an underrun there.
+void require_rest_at_end(const TableFile& table) {
+  constexpr double rounding = 1e-9;  // the number of SegmentFifos
+  const Columns& c = table.table.columns();
+  const std::size_t n = c.x.size();
+  const double slope = (c.p[n - 1] - c.p[n - 2]) / (c.x[n - 1] - c.x[n - 2]);
+  const double end = c.v.empty() ? slope : c.v[n - 1];
+  const double before = c.v.empty() ? slope : c.v[n - 2];
+  if (std::abs(end) <= rounding * std::abs(before - end)) return;
+  const std::string& unit = table.units.position;
+  throw InputError(
+      "velocity", number(end) + (unit.empty() ? "" : " " + unit + "/s"),
+      "at the end of the table is not 0, but an axis plays rows to rest: add a ramp to "
+      "rest at the end");
 }
 
 }  // namespace
@@ -72,6 +126,7 @@ BankPlan follow_bank_plan(const Input& input, bool relative) {
                            .relative = relative},
                  .first = on_wire(tables.first),
                  .second = on_wire(tables.second)};
+  banks.remark = pass_remark(part, tables, start_of_banks(part, input), input.table.units);
   banks.queue.direction = static_cast<std::int8_t>(part.direction);
   if (part.start.event == FollowEvent::pass) {
     banks.queue.event = wire::QueueEvent::pass;
@@ -108,6 +163,7 @@ BankPlan bank_plan(const TableFile& first, const TableFile& second, std::int32_t
 }
 
 RowPlan row_plan(const std::string& executor, TableFile table, std::uint32_t ahead, bool relative) {
+  require_rest_at_end(table);
   const Travel travel = travel_of(table.table);
   return {.executor = executor,
           .queue = {.units = table.units,

@@ -245,13 +245,19 @@ std::string command_json(const CallOutcome& outcome) {
       .dump();
 }
 
+std::string with_remark(const std::string& text, const std::string& remark) {
+  return remark.empty() ? text : text + "\nnote: " + remark;
+}
+
 std::string stream_text(const StreamOutcome& outcome, const std::string& executor, bool waits) {
   const std::string state =
       outcome.swaps > 0 ? "started, " + counted(outcome.swaps, "swap") : last_state(outcome, waits);
   const bool noted = waits && outcome.swaps == 0 && !outcome.progress.note.empty();
-  return fmt::format("{} arrived at {}, {} sent again; {}{}",
-                     counted(outcome.progress.chunks, "chunk"), executor, outcome.progress.resent,
-                     state, noted ? ": " + outcome.progress.note : "");
+  return with_remark(
+      fmt::format("{} arrived at {}, {} sent again; {}{}",
+                  counted(outcome.progress.chunks, "chunk"), executor, outcome.progress.resent,
+                  state, noted ? ": " + outcome.progress.note : ""),
+      outcome.remark);
 }
 
 std::string stream_json(const StreamOutcome& outcome) {
@@ -263,6 +269,7 @@ std::string stream_json(const StreamOutcome& outcome) {
                    {"chunks", outcome.progress.chunks},
                    {"resent", outcome.progress.resent},
                    {"note", outcome.progress.note}});
+  if (!outcome.remark.empty()) document["remark"] = outcome.remark;
   return document.dump();
 }
 

@@ -9,6 +9,7 @@
 #include "jounce/design/sync_check.hpp"
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {
@@ -25,6 +26,14 @@ void begin_at_cut(const Table& table, CouplingSpec& coupling) {
   coupling.master_absolute = false;
   coupling.master_offset = table.start();
   shift_by_passes(table, coupling);
+}
+
+/// A remark on the number of the coupling that begin_at_cut() replaces; "" if it is 0.
+std::string unused_at_cut(const Units& units, const CouplingSpec& coupling) {
+  if (coupling.master_offset == 0) return "";
+  return "master_offset = " + six_digits(coupling.master_offset) +
+         (units.x.empty() ? "" : " " + units.x) +
+         " of [coupling] has no effect: at the next cut, the cam begins at its own start";
 }
 
 /// Throws InputError ("live", "master") for tables that do not suit the options.
@@ -73,7 +82,10 @@ SwapPlan add_input(StreamPlan& plan, const Input& input, const PlayOptions& opti
     added.coupling = coupling.value_or(CouplingSpec{});
     added.end = end_of(input, options);
     const auto& [cam, units, hash] = plan.tables[added.slave];
-    if (options.at_next_cut) begin_at_cut(cam, added.coupling);
+    if (options.at_next_cut) {
+      if (plan.remark.empty()) plan.remark = unused_at_cut(units, added.coupling);
+      begin_at_cut(cam, added.coupling);
+    }
     if (options.at_master && is_convertible(units.position, "deg"))
       shift_by_passes(cam, added.coupling);
   }

@@ -31,6 +31,7 @@ Sender::Sender(StreamPlan plan, std::int64_t session, SenderOptions options)
   assert(session > 0);
   require_valid(plan_);
   legs_ = legs_of(plan_);
+  outcome_.remark = plan_.remark;
   const std::uint32_t window = options_.pace.window;
   if (window < 1 || window > 64)
     throw InputError("window", std::to_string(window), "must be 1 to 64");

@@ -37,6 +37,8 @@ auto read_in(const std::string& unit, const Read& read) -> decltype(read("")) {
 Values read_grid(TomlReader& table, const std::string& unit) {
   const double from = read_in(unit, [&](const auto& u) { return table.number("from", u); });
   const double to = read_in(unit, [&](const auto& u) { return table.number("to", u); });
+  if (from == to)
+    table.fail("to", number(to), "must differ from from: give one value as values = [NUMBER]");
   const auto count = table.optional_count("count");
   if (!count) table.fail("count", "", "is missing: give the number of values, both ends included");
   if (*count < 2) table.fail("count", std::to_string(*count), "must be at least 2");
@@ -230,8 +232,13 @@ void add_chosen(SweepSpec& spec) {
 
 void read_figures(TomlReader& top, SweepSpec& spec) {
   const std::vector<std::string> figures = top.texts("figures");
-  for (const std::string& name : top.texts("minimize")) spec.objectives.push_back({name, false});
-  for (const std::string& name : top.texts("maximize")) spec.objectives.push_back({name, true});
+  for (const char* key : {"minimize", "maximize"})
+    for (const std::string& name : top.texts(key)) {
+      if (std::any_of(spec.objectives.begin(), spec.objectives.end(),
+                      [&](const auto& other) { return other.figure == name; }))
+        top.fail(key, '"' + name + '"', "is an objective already: name each figure once");
+      spec.objectives.push_back({name, key == std::string_view("maximize")});
+    }
   auto limits = top.optional_table("limits");
   const std::vector<std::string> limited = limits ? limits->keys() : std::vector<std::string>{};
   Assessment given = assess_given(

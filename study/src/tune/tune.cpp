@@ -180,6 +180,7 @@ Numbers rounded_to(const std::vector<SearchVariable>& variables, const Numbers& 
                    unsigned how) {
   Numbers y = x;
   for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] == variables[i].start) continue;  // the file has its digits
     const double range = variables[i].upper - variables[i].lower;
     const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(range)));
     const double per_unit = std::pow(10.0, std::abs(decimals));
@@ -192,10 +193,32 @@ Numbers rounded_to(const std::vector<SearchVariable>& variables, const Numbers& 
   return y;
 }
 
-/// Rounds the best to the fewest digits that cost no more than half the tolerance: from three digits of the
+/// The greatest objective that a simpler choice may have: it costs half the tolerance.
+double most_of(const SearchOutcome& best, const OptimizeOptions& options) {
+  return best.answer.objective + 0.5 * options.tolerance * std::abs(best.answer.objective);
+}
+
+/// Gives a number its given value again if its change gains nothing within `most`; all numbers first, then each.
+void keep_given(Tuned& tuned, double most, SearchOutcome& best) {
+  const std::vector<SearchVariable>& variables = tuned.variables();
+  const auto keep = [&](std::size_t from, std::size_t to) {
+    Numbers x = best.best;
+    for (std::size_t i = from; i < to; ++i) x[i] = variables[i].start;
+    if (x == best.best) return;
+    const SearchAnswer answer = tuned(x);
+    ++best.evaluations;
+    if (!meets(answer) || answer.objective > most) return;
+    best.best = x;
+    best.answer = answer;
+    std::erase_if(best.at_bound, [&](std::size_t i) { return from <= i && i < to; });
+  };
+  keep(0, variables.size());
+  for (std::size_t i = 0; i < variables.size(); ++i) keep(i, i + 1);
+}
+
+/// Rounds the best to the fewest digits that keep the objective within `most`: from three digits of the
 /// range to nine.
-void round_off(Tuned& tuned, const OptimizeOptions& options, SearchOutcome& best) {
-  const double objective = best.answer.objective;
+void round_off(Tuned& tuned, double most, SearchOutcome& best) {
   const auto combinations = std::min<std::size_t>(best.best.size(), 3);
   for (int digits = 3; digits < 10; ++digits)
     for (unsigned how = 0; how < 1U << combinations; ++how) {
@@ -203,7 +226,7 @@ void round_off(Tuned& tuned, const OptimizeOptions& options, SearchOutcome& best
       const SearchAnswer answer = tuned(x);
       ++best.evaluations;
       if (!meets(answer)) continue;
-      if (answer.objective - objective > 0.5 * options.tolerance * std::abs(objective)) continue;
+      if (answer.objective > most) continue;
       best.best = x;
       best.answer = answer;
       return;
@@ -326,7 +349,11 @@ TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going) {
       outcome.search.evaluations > 1)
     throw tuned.constant_figure(tuned.figures(tuned.assessed(outcome.search.best)).front());
   const bool cancelled = outcome.search.status == OptimizeStatus::cancelled;
-  if (outcome.usable() && !cancelled) round_off(tuned, spec.parameters->options, outcome.search);
+  if (outcome.usable() && !cancelled) {
+    const double most = most_of(outcome.search, spec.parameters->options);
+    keep_given(tuned, most, outcome.search);
+    round_off(tuned, most, outcome.search);
+  }
   add_numbers(tuned, outcome);
   outcome.text = tuned.text(outcome.search.best);
   if (!outcome.search.answer.possible) return outcome;

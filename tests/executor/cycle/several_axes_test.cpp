@@ -65,6 +65,18 @@ TEST(SeveralAxes, AnOperatorsOverrideReachesTheAxisThatIsNamed) {
   EXPECT_EQ(site.last(1).override_, 1);
 }
 
+TEST(SeveralAxes, TheAnswerToAnOverrideNamesTheHighestFactor) {
+  Two site;
+  ASSERT_TRUE(site.play_on("feeder", trapezoid_table(400, 800, 1e4, 1e4)).ok());
+  site.advance(100ms);
+  const wire::Reply reply = operator_command(
+      site.link, "feeder", wire::Command{.kind = CommandKind::override_, .value = {2}}, {}, 2s,
+      site.clock);
+  EXPECT_EQ(reply.outcome, wire::Outcome::accepted);
+  EXPECT_EQ(reply.reason, "the limits permit at most 125 % of the speed of the present motion")
+      << "1000 mm/s over 800 mm/s";
+}
+
 TEST(SeveralAxes, EdgesOfSwitchesAreMessagesTwiceEach) {
   Two site;
   ASSERT_TRUE(site.play_on("feeder", trapezoid_table(5, 50, 1000, 1000)).ok());

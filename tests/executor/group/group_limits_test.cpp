@@ -71,6 +71,20 @@ TEST(GroupOverride, AccelerationAndJerkAreLowerInTheNextMotion) {
   EXPECT_GE(site.seen.jerk, 0.99e4);
 }
 
+/// A motion that uses a limit has no reserve: the answer states the highest factor.
+TEST(GroupOverride, TheAnswerNamesTheHighestFactorOfTheMotion) {
+  Measured site;
+  ASSERT_TRUE(site.line(150, 0, {.along = {.velocity = 200}}).ok());
+  site.advance(100ms);
+  EXPECT_EQ(site.order("plotter", command::Override{1.5}).reason,
+            "the limits permit at most 100 % of the speed of the present motion");
+  EXPECT_EQ(site.order("plotter", command::GroupSetOverride{.velocity = 1.5}).reason,
+            "the limits permit at most 100 % of the speed of the present motion");
+  EXPECT_EQ(site.order("plotter", command::Override{0.8}).reason, "");
+  site.finish();
+  EXPECT_EQ(site.order("plotter", command::Override{1.5}).reason, "") << "nothing moves";
+}
+
 /// In motion, the rate falls: a share of a quarter of the acceleration halves the velocity.
 TEST(GroupOverride, AccelerationInMotionReducesTheSpeed) {
   Measured site;
@@ -106,6 +120,7 @@ TEST(GroupOverride, AboveOneUsesTheReserveOfSingleCommands) {
   ASSERT_TRUE(site.line(150, 0, path).ok());
   site.advance(1s);
   EXPECT_NEAR(site.last(x).velocity, 120, 1e-6);
+  EXPECT_EQ(site.order("plotter", command::Override{2}).reason, "");
   site.finish();
   EXPECT_LE(site.seen.acceleration, 2000);
   // A move that uses the full acceleration has no reserve.

@@ -191,15 +191,22 @@ TEST(Notices, ARejectionInAnEndlessMotionNamesTheOrderThatEndsIt) {
   };
   Tick now{.state = State::continuous_motion};
   EXPECT_EQ(reason(now, CommandKind::set_position),
-            "in_motion: the axis moves at a velocity without end: end this with `jounce order "
-            "roller halt`");
+            "the axis moves at a velocity without end: end this with `jounce order roller halt`");
+  EXPECT_EQ(refusal_text({Cause::in_motion}, now, options, CommandKind::arm),
+            reason(now, CommandKind::set_position))
+      << "a table cannot wait for the end of a jog";
   now.state = State::synchronized_motion;
   EXPECT_EQ(reason(now, CommandKind::home),
-            "synchronized: the axis follows its master: end this with `jounce order roller halt`");
+            "the axis follows its master: end this with `jounce order roller halt`");
+  options.cutter.emplace();
+  EXPECT_EQ(reason(now, CommandKind::start_table),
+            "the axis follows its master: end this with `jounce order roller park`, or `halt` "
+            "without a plan of cuts")
+      << "halt would leave a knife in the web";
+  options.cutter.reset();
   now.ratio = 2;
   EXPECT_EQ(reason(now, CommandKind::move_repetitive),
-            "in_motion: the axis follows its master by a gear: end this with `jounce order "
-            "roller halt`");
+            "the axis follows its master by a gear: end this with `jounce order roller halt`");
   EXPECT_THAT(refusal_text({Cause::in_motion}, now, options, CommandKind::gear_in),
               ::testing::StartsWith("in_motion: "))
       << "its clutch ends";

@@ -55,6 +55,8 @@ std::string command_json(const CallOutcome& outcome);
 /// Return the outcome of a stream of tables that has reached its goal, as one line of text and as
 /// JSON. `waits` is true if the start was accepted for a later time and the sender has not waited
 /// for the start.
+/// Returns a text with the remark of its plan (StreamPlan::remark, BankPlan::remark) on a second line.
+std::string with_remark(const std::string& text, const std::string& remark);
 std::string stream_text(const StreamOutcome& outcome, const std::string& executor, bool waits);
 std::string stream_json(const StreamOutcome& outcome);
 

@@ -61,7 +61,7 @@ BankPlan bank_plan(const TableFile& first, const TableFile& second, std::int32_t
 
 /// Returns the plan that sends a table over time row by row, in s. The motion starts when `ahead`
 /// rows have arrived; the queue holds twice as many. If `relative` is true, positions count from
-/// the position of the axis.
+/// the position of the axis. Throws InputError (key "velocity") for a table that does not end at rest.
 RowPlan row_plan(const std::string& executor, TableFile table, std::uint32_t ahead, bool relative);
 
 /// True for the axes of a path of several axes.

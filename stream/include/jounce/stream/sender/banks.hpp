@@ -14,6 +14,7 @@ struct BankPlan {
   wire::Queue queue = {};              ///< the queue, see StaticQueue
   std::vector<wire::Row> first = {};   ///< rows of bank 0
   std::vector<wire::Row> second = {};  ///< rows of bank 1; may be empty
+  std::string remark = {};             ///< remark for the user: what to consider; may be empty
 };
 
 /// Options of play_banks().

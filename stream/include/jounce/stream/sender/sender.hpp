@@ -64,6 +64,7 @@ struct StreamOutcome : CallOutcome {
   bool stopped = false;   ///< the axis was stopped
   std::size_t swaps = 0;  ///< number of swaps that were accepted
   StreamProgress progress;  ///< progress so far
+  std::string remark{};     ///< StreamPlan::remark
 };
 
 /// The streamer's half of the protocol for tables, as a pure state machine without thread, clock or

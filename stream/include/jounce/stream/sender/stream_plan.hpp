@@ -50,6 +50,8 @@ struct StreamPlan {
   bool await = false;
   /// Swaps after the start, each sent when the previous one has taken place.
   std::vector<SwapPlan> swaps{};
+  /// Remark for the user: what this plan does not use, or what to consider; may be empty.
+  std::string remark{};
 };
 
 /// Throws InputError for no tables, more than 64 tables, or a start tick below -1. Unless the goal
