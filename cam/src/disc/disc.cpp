@@ -24,8 +24,8 @@ namespace {
 using profiles_detail::rounded_input;
 
 constexpr double turn = 2 * std::numbers::pi;
-constexpr double largest_length = 1e12;     ///< of a length
-constexpr double least_prime_share = 1e-6;  ///< of the stroke, for the prime radius
+constexpr double largest_length = 1e12;     ///< greatest length
+constexpr double least_prime_share = 1e-6;  ///< share of the stroke for the least prime radius
 
 /// Equation (1).
 double start_height(const DiscSpec& spec, double travel) {
