@@ -596,5 +596,23 @@ TEST(Map, LimitsOfJointsInACommandHoldThere) {
   EXPECT_LE(motion.duration(), motion.stop_duration());
 }
 
+TEST(Map, ACommandOfTooManyTurnsIsRejected) {
+  Program p(3, {400, 100, 0}, 2);
+  p.set({.velocity = 500});
+  p.line({300, 200, 90}, 1);
+  p.line({200, 250, 4.5e7}, 2);
+  try {
+    plan(p, none(3),
+         {.joints =
+              JointSpace{scara_map({.arms = {300, 250, 80}}), joint_limits(3, 200, 2e3, 4e4)}});
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.key(), "to[3]");
+    EXPECT_EQ(error.line(), 2);
+    EXPECT_THAT(error.what(), HasSubstr("a travel of 44999910"));
+    EXPECT_THAT(error.what(), HasSubstr("more than 100000 polynomials"));
+  }
+}
+
 }  // namespace
 }  // namespace jounce::map_test

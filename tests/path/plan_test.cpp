@@ -111,6 +111,38 @@ TEST(Plan, ATurnThatIsSlowerThanAStopIsAStop) {
   }
 }
 
+TEST(Plan, AStopAtACornerOfAFastFollowerHasItsCause) {
+  // The corner of a follower that turns 12 deg/mm: the rounding is passed at about 10 mm/s (0.1) or 15 mm/s (0.2).
+  GroupLimits limits{
+      .axes = std::vector<Limits>(2, {.velocity = 200, .acceleration = 1500, .jerk = 30000})};
+  limits.axes.push_back({.velocity = 400, .acceleration = 4000, .jerk = 80000});
+  const auto made = [&](double deviation, Corner first, Corner second) {
+    Program p(3, {}, 2);
+    p.set({.velocity = 150, .corner = Corner::deviation, .value = deviation});
+    p.line({0, -40, 0}, 1);
+    p.set({.velocity = 150, .corner = first, .value = deviation});
+    p.line({30, -40, 360}, 2);
+    p.set({.velocity = 150, .corner = second, .value = deviation});
+    p.line({30, 0, 360}, 3);
+    return plan(p, limits);
+  };
+  for (const double deviation : {0.05, 0.1, 0.2}) {
+    const Plan stopped = made(deviation, Corner::deviation, Corner::deviation);
+    ASSERT_EQ(stopped.corners().size(), 2u);
+    for (const CornerRecord& c : stopped.corners()) {
+      EXPECT_TRUE(c.stop);
+      EXPECT_EQ(c.note, JunctionNote::slower) << deviation;
+    }
+    // No choice of the two stops is faster.
+    for (const auto& [first, second] :
+         {std::pair{Corner::stop, Corner::deviation}, std::pair{Corner::deviation, Corner::stop},
+          std::pair{Corner::stop, Corner::stop}})
+      EXPECT_LE(stopped.duration(), made(deviation, first, second).duration() * (1 + 1e-12));
+  }
+  for (const CornerRecord& c : made(1, Corner::deviation, Corner::deviation).corners())
+    EXPECT_FALSE(c.stop);
+}
+
 Program circle(double feed) {
   Program p(2);
   p.set({.velocity = feed});

@@ -24,10 +24,16 @@ namespace {
 using profiles_detail::rounded_input;
 
 constexpr double turn = 2 * std::numbers::pi;
+constexpr double largest_length = 1e12;     ///< greatest length
+constexpr double least_prime_share = 1e-6;  ///< share of the stroke for the least prime radius
 
 /// Equation (1).
-double start_height(const DiscSpec& spec) {
+double start_height(const DiscSpec& spec, double travel) {
   const double prime = spec.base_radius + spec.roller_radius;
+  if (!(prime >= least_prime_share * travel))
+    throw InputError("base_radius", spec.base_radius,
+                     "is too small: base_radius + roller_radius must be at least " +
+                         six_digits(least_prime_share * travel) + ", a millionth of the stroke");
   if (!(std::abs(spec.offset) < prime))
     throw InputError("offset", spec.offset,
                      "must be less than " + six_digits(prime) + ", base_radius + roller_radius");
@@ -61,6 +67,14 @@ double start_angle(const DiscSpec& spec, double travel) {
 }  // namespace
 
 void cam_detail::require_lengths(const DiscSpec& spec) {
+  for (const auto& [key, value] : {std::pair{"base_radius", spec.base_radius},
+                                   {"roller_radius", spec.roller_radius},
+                                   {"offset", spec.offset},
+                                   {"arm_length", spec.arm_length},
+                                   {"center_distance", spec.center_distance}})
+    if (std::abs(value) > largest_length)
+      throw InputError(key, value,
+                       "must be at most " + six_digits(largest_length) + " in magnitude");
   require_positive("base_radius", spec.base_radius);
   require_not_negative("roller_radius", spec.roller_radius);
   require_positive("angle", spec.angle);
@@ -71,7 +85,8 @@ void cam_detail::require_lengths(const DiscSpec& spec) {
 }
 
 double cam_detail::start_of(const DiscSpec& spec, double travel) {
-  return spec.follower == Follower::translating ? start_height(spec) : start_angle(spec, travel);
+  return spec.follower == Follower::translating ? start_height(spec, travel)
+                                                : start_angle(spec, travel);
 }
 
 namespace {

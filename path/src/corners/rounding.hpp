@@ -41,9 +41,10 @@ struct CornerShape {
 };
 
 /// Chooses the shape of each junction. `stop`: junctions at which the plan rests although their
-/// corners could be rounded.
+/// corners could be rounded; they get the note `note_of_stop`.
 std::vector<CornerShape> shapes_of(const Route& route, const Lines& lines, const Program& program,
-                                   const Rates& rates, const std::vector<bool>& stop);
+                                   const Rates& rates, const std::vector<bool>& stop,
+                                   JunctionNote note_of_stop);
 
 /// A route with its corners rounded, and the limits for its timing law.
 struct Rounded {

@@ -75,7 +75,8 @@ struct Bend {
 
 class Shapes {
  public:
-  Shapes(RouteView view, const std::vector<bool>& stop) : view_(std::move(view)), stop_(stop) {}
+  Shapes(RouteView view, const std::vector<bool>& stop, JunctionNote note_of_stop)
+      : view_(std::move(view)), stop_(stop), note_of_stop_(note_of_stop) {}
 
   std::vector<CornerShape> run() {
     const std::size_t count = view_.count();
@@ -148,10 +149,10 @@ class Shapes {
 
   /// True if the plan rests at the corner in any case; then sets `s` to the rest.
   [[nodiscard]] bool rests_at(std::size_t k, const Bend& bend, CornerShape& s) const {
-    const bool asked = view_.settings(k).corner == Corner::stop || stop_[k];
-    if (!asked && !bend.turns_back()) return false;
+    const bool asked = view_.settings(k).corner == Corner::stop;
+    if (!asked && !stop_[k] && !bend.turns_back()) return false;
     s.how = How::rest;
-    if (!asked) s.note = JunctionNote::turns_back;
+    if (!asked) s.note = bend.turns_back() ? JunctionNote::turns_back : note_of_stop_;
     return true;
   }
 
@@ -170,6 +171,7 @@ class Shapes {
       s.note = JunctionNote::steps;
     } else if (stop_[k]) {
       s.how = How::rest;
+      s.note = note_of_stop_;
     } else {
       s = blended(k, room, true);
     }
@@ -466,14 +468,16 @@ class Shapes {
 
   const RouteView view_;
   const std::vector<bool>& stop_;
+  const JunctionNote note_of_stop_;
   std::vector<CornerShape> shapes_;
 };
 
 }  // namespace
 
 std::vector<CornerShape> shapes_of(const Route& route, const Lines& lines, const Program& program,
-                                   const Rates& rates, const std::vector<bool>& stop) {
-  return Shapes({route, lines, program, rates}, stop).run();
+                                   const Rates& rates, const std::vector<bool>& stop,
+                                   JunctionNote note_of_stop) {
+  return Shapes({route, lines, program, rates}, stop, note_of_stop).run();
 }
 
 }  // namespace jounce

@@ -32,7 +32,8 @@ namespace {
 using profiles_detail::rounded_sum;
 
 using path_detail::unlimited;
-constexpr int deepest = 44;     ///< greatest number of halvings
+constexpr int deepest = 44;                 ///< greatest number of halvings
+constexpr std::size_t most_parts = 100000;  ///< greatest number of polynomials of a command
 constexpr int deepest_box = 6;  ///< greatest number of halvings that make boxes more even
 /// A part must permit at least this share of the velocity at its ends.
 constexpr double even = 0.85;
@@ -118,6 +119,7 @@ class Fitting {
   void add(std::size_t k) {
     unit_ = k;
     first_ = true;
+    before_ = pieces_.size();
     const PathPiece& piece = path_.pieces()[tool_units_[k].piece];
     std::array<std::vector<Segment>, max_axes> segments;
     for (std::size_t i = 0; i < n_; ++i) path_.segments(tool_units_[k].piece, i, segments[i]);
@@ -182,6 +184,24 @@ class Fitting {
                          " in their unit at " + six_digits(part.start) +
                          " along the path: give a greater tolerance")
         .at({}, path_.pieces()[tool_units_[unit_].piece].line);
+  }
+
+  /// Rejects a command of too many parts. The axis that moves farthest is named.
+  [[noreturn]] void fail_to_end() const {
+    const std::size_t k = tool_units_[unit_].piece;
+    const PathPiece& piece = path_.pieces()[k];
+    const Point from = path_.point(k, 0);
+    const Point to = path_.point(k, piece.length);
+    std::size_t farthest = 0;
+    const auto travel = [&](std::size_t i) { return std::abs(to[i] - from[i]); };
+    for (std::size_t i = 1; i < map_.axes(); ++i)
+      if (travel(i) > travel(farthest)) farthest = i;
+    throw InputError("to[" + std::to_string(farthest + 1) + "]",
+                     "a travel of " + six_digits(travel(farthest)),
+                     "needs more than " + std::to_string(most_parts) +
+                         " polynomials for the joints, the limit for a command: correct the end, "
+                         "or divide the command")
+        .at({}, piece.line);
   }
 
   /// Removes jumps of angles by whole turns: between this part and the previous one, and between
@@ -303,6 +323,7 @@ class Fitting {
   }
 
   void emit(const Part& part, const Axes& axes, const Derivatives& bounds) {
+    if (pieces_.size() - before_ >= most_parts) fail_to_end();
     const Unit& unit = tool_units_[unit_];
     PathPiece piece = path_.pieces()[unit.piece];
     piece.start = part.start;
@@ -331,6 +352,7 @@ class Fitting {
   const Program& program_;
   std::size_t n_, all_;
   std::size_t unit_ = 0;
+  std::size_t before_ = 0;  ///< number of parts before this unit
   bool first_ = true, begun_ = false;
   Jets last_{};
   MapFit fit_{0, true, 0, 0};

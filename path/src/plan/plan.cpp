@@ -98,47 +98,51 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
     return fastest_law(path.rounded, joined.rates(), program, route, times_only);
   };
   Lines lines = lines_of(sharp, program, shaping);
-  const auto shapes_with_stops = [&] {
-    return shapes_of(sharp, lines, program, shaping, std::vector<bool>(sharp.joints.size(), true));
+  const auto chosen = [&](const Route& route, const Lines& own, const std::vector<bool>& stop) {
+    return shapes_of(route, own, program, shaping, stop,
+                     options.stop_at_corners ? JunctionNote::none : JunctionNote::slower);
   };
-  const auto stop_times_at = [&](std::span<const Rest> at, std::span<const CornerShape> shapes) {
-    if (!joined.fitted()) return stop_times(sharp, lines, program, joined.rates(), shapes, at);
-    Jointed stops = corners_of(sharp, lines, shapes_with_stops());
-    return times_of(law_of(stops, sharp, true).rests, at);
+  const auto with_stops = [&](const Route& route, const Lines& own) {
+    return chosen(route, own, std::vector<bool>(route.joints.size(), true));
+  };
+  const auto stop_times_at = [&](std::span<const Rest> at, const Route& route, const Lines& own,
+                                 std::span<const CornerShape> shapes) {
+    if (!joined.fitted()) return stop_times(route, own, program, joined.rates(), shapes, at);
+    Jointed stops = corners_of(route, own, with_stops(route, own));
+    return times_of(law_of(stops, route, true).rests, at);
   };
   Jointed result;
   Laws law;
   Route* from = nullptr;  // route of the result
   double stop_duration = 0;
-  if (!options.stop_at_corners && !averaged) {
-    std::vector<bool> stop(sharp.joints.size(), false);
-    std::vector<CornerShape> shapes = shapes_of(sharp, lines, program, shaping, stop);
-    result = corners_of(sharp, lines, shapes);
-    law = law_of(result, sharp);
+  const auto make_rounded = [&](Route& route, const Lines& own) {
+    std::vector<bool> stop(route.joints.size(), false);
+    std::vector<CornerShape> shapes = chosen(route, own, stop);
+    result = corners_of(route, own, shapes);
+    law = law_of(result, route);
     stop_duration = law.rests.back().time;
     if (std::ranges::any_of(shapes, &CornerShape::is_round)) {
-      const std::vector<double> stopping = stop_times_at(law.rests, shapes);
+      const std::vector<double> stopping = stop_times_at(law.rests, route, own, shapes);
       stop_duration = stopping.back();
       if (mark_slower(law.rests, stopping, stop)) {
-        shapes = shapes_of(sharp, lines, program, shaping, stop);
-        result = corners_of(sharp, lines, shapes);
-        law = law_of(result, sharp);
+        shapes = chosen(route, own, stop);
+        result = corners_of(route, own, shapes);
+        law = law_of(result, route);
       }
     }
     path_detail::keep_memory(std::move(shapes));
-    if (law.rests.back().time <= stop_duration) from = &sharp;
+    from = &route;
+  };
+  if (averaged) {
+    make_rounded(*averaged, lines_of(*averaged, program, shaping));
+    stop_duration = stop_times_at({}, sharp, lines, with_stops(sharp, lines)).back();
   } else if (!options.stop_at_corners) {
-    const Lines averages = lines_of(*averaged, program, shaping);
-    const std::vector<bool> stop(averaged->joints.size(), false);
-    result =
-        corners_of(*averaged, averages, shapes_of(*averaged, averages, program, shaping, stop));
-    law = law_of(result, *averaged);
-    stop_duration = stop_times_at({}, shapes_with_stops()).back();
-    if (law.rests.back().time <= stop_duration) from = &*averaged;
+    make_rounded(sharp, lines);
   }
+  if (from != nullptr && law.rests.back().time > stop_duration) from = nullptr;
   if (from == nullptr) {
     from = &sharp;
-    result = corners_of(sharp, lines, shapes_with_stops());
+    result = corners_of(sharp, lines, with_stops(sharp, lines));
     law = law_of(result, sharp);
     stop_duration = law.rests.back().time;
   }

@@ -22,10 +22,11 @@ using profiles_detail::square;
 
 constexpr double last_velocity_step = 1e-16;  ///< share of the velocity
 
-/// What `used` leaves of a limit: 0 if it uses all of it, also with rounding.
+/// What `used` leaves of a limit: 0 if it uses all of it, also with rounding. A rest of rounding size
+/// would permit a velocity of rounding size.
 double left_of(double limit, double used) {
   const double left = limit - used;
-  return left < 0 && left > -rounded_digit * limit ? 0 : left;
+  return std::abs(left) < rounded_digit * limit ? 0 : left;
 }
 
 double or_none(const std::optional<double>& limit) {

@@ -120,8 +120,48 @@ std::string judge_corner(const Case& c, const Path& path, const CornerRecord& co
 
 }  // namespace
 
+namespace {
+
+/// True if the command at the start of leg `k` asks for a rest: also one before it without distance.
+bool asks_for_rest(const Case& c, const std::vector<CornerRecord>& corners, std::size_t k) {
+  const auto rests = [&](std::size_t i) {
+    const Leg& leg = c.legs[i];
+    return leg.dwell > 0 || leg.settings.junction == Junction::buffered;
+  };
+  const auto is_empty = [&](std::size_t i) {
+    return std::ranges::any_of(corners, [&](const CornerRecord& r) {
+      return r.note == JunctionNote::no_distance && r.line == static_cast<std::int32_t>(i + 1);
+    });
+  };
+  for (; !rests(k); --k)
+    if (k == 0 || !is_empty(k - 1)) return c.legs[k].settings.corner == Corner::stop;
+  return true;
+}
+
+/// Every rest of the law is at a junction that is reported, and has a note unless the command asks for it.
+std::string judge_rests(const Case& c, const Plan& plan, const std::vector<CornerRecord>& corners) {
+  std::vector<double> reported;
+  for (const CornerRecord& corner : corners) {
+    if (!corner.stop) continue;
+    reported.push_back(corner.where);
+    if (corner.note == JunctionNote::none &&
+        !asks_for_rest(c, corners, static_cast<std::size_t>(corner.line) - 1))
+      return "stops at line " + std::to_string(corner.line) + " without a note";
+  }
+  const double near = rounded_position * plan.path().length();
+  for (const LawInterval& s : plan.law().stretches())
+    if (s.v0 == 0 && s.start > near && s.start < plan.path().length() - near &&
+        std::ranges::none_of(reported, [&](double q) { return std::abs(q - s.start) <= near; }))
+      return "rests at " + text(s.start) + " of the path without a record";
+  return {};
+}
+
+}  // namespace
+
 std::string judge_corners(const Case& c, const Plan& plan, Worst& worst) {
-  for (const CornerRecord& corner : plan.corners()) {
+  const std::vector<CornerRecord> corners = plan.corners();
+  if (std::string why = judge_rests(c, plan, corners); !why.empty()) return why;
+  for (const CornerRecord& corner : corners) {
     if (corner.stop || corner.line < 2) continue;
     if (corner.note == JunctionNote::no_distance || corner.note == JunctionNote::steps) continue;
     if (std::string why =
