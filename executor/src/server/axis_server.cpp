@@ -50,8 +50,9 @@ void AxisServer::obey(const command::CombineAxes& /*gear*/, const CommandRequest
   if (options_.follow.what != Follow::What::nothing &&
       options_.second.what == Follow::What::nothing)
     return decline(requested, Cause::no_master_input,
-                   "the axis follows one master only: add second = { axis = \"NAME\" } to [follow] "
-                   "in its spec");
+                   "the axis follows one master only: add second = { axis = \"NAME\" } where its "
+                   "first master is given: follow of its [[axis]] in the machine spec, or "
+                   "[follow] of its own spec");
   couple(requested, request);
 }
 
