@@ -49,10 +49,10 @@ void AxisServer::obey(const command::CombineAxes& /*gear*/, const CommandRequest
                       const Request& request) {
   if (options_.follow.what != Follow::What::nothing &&
       options_.second.what == Follow::What::nothing)
-    return decline(requested, Cause::no_master_input,
-                   "the axis follows one master only: add second = { axis = \"NAME\" } where its "
-                   "first master is given: follow of its [[axis]] in the machine spec, or "
-                   "[follow] of its own spec");
+    return decline(
+        requested, Cause::no_master_input,
+        "the axis follows one master only: add second = { axis = \"NAME\" } to its follow, in "
+        "[[axis]] of the machine spec or in its own spec");
   couple(requested, request);
 }
 
