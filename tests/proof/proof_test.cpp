@@ -38,10 +38,11 @@ TEST(Proof, AnExampleIsProven) {
 TEST(Proof, ABrokenLimitIsInTheAnswer) {
   const test::TemporaryFolder folder;
   const auto answer = [&](const std::string& velocity) {
-    write_file(
-        folder / "c.toml",
-        "jounce = 1\nkind = \"cam\"\nstart = { master = 0, slave = 0 }\n[limits]\ngeo_velocity = " +
-            velocity + "\n[[segment]]\nlaw = \"345\"\nend = { master = 360, slave = 100 }\n");
+    write_file(folder / "c.toml",
+               "jounce = 1\nkind = \"cam\"\nunits = { position = \"mm\", master = \"deg\" }\nstart "
+               "= { master = 0, slave = 0 }\n[limits]\ngeo_velocity = " +
+                   velocity +
+                   "\n[[segment]]\nlaw = \"345\"\nend = { master = 360, slave = 100 }\n");
     const Input input = read_inputs(folder / "c.toml").front();
     return proof_answer(prove(input), input);
   };
