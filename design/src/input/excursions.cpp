@@ -75,7 +75,9 @@ void name_first_passages(const Input& input, Report& report) {
         crossings(std::get<Trajectory>(*input.curve), 0, worst->limit);
     if (passages.empty()) continue;
     const std::string where = segment_at(input, passages.front());
-    const bool elsewhere = !where.empty() && where != input.labels.segment_of(*worst);
+    // Without names, the segments are the pieces of one move, which have no target of their own.
+    const bool elsewhere =
+        !input.labels.segments.empty() && where != input.labels.segment_of(*worst);
     constexpr std::string_view target = "move the target ";
     if (elsewhere && worst->advice.starts_with(target))
       worst->advice.replace(0, target.size(), "move its target ");
