@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -157,7 +156,7 @@ void add_order(CommandLine& line) {
       .check(seconds());
   verb.option("--at", options->at,
               "Tick of the executor at which the command takes effect; default: at once")
-      .check(whole(0, std::numeric_limits<std::int64_t>::max(), "a tick of the executor, "));
+      .check(whole(0, INT64_MAX, "a tick of the executor (see `jounce monitor NAME --json`), "));
   add_link_options(verb, options->link);
   verb.flag("--json", options->json, "Outcome as JSON");
   verb.work([options] { return run_order(*options); });

@@ -226,12 +226,15 @@ constexpr std::array entries{
           "The unit of the table differs from the unit of the axis.",
           "Change the units in the spec of the table, or in the spec of the axis: both must be the "
           "same."},
-    Entry{Cause::no_master_input, "no_master_input",
-          "The axis has no live master: its spec has no [follow], or the master sends no "
-          "position in the unit that [follow] expects.",
-          "Add [follow] to the spec of the axis, start the program of the master, or correct the "
-          "unit of the master. Without a "
-          "live master, send the motion of the master as a table over time."},
+    Entry{
+        Cause::no_master_input, "no_master_input",
+        "The axis has no live master: its spec has no [follow], or the master sends no "
+        "position in the unit that [follow] expects.",
+        "Add [follow] to the spec of the axis, start the program of the master, or correct the "
+        "unit of the master. Without a "
+        "live master, send the motion of the master as a table over time.",
+        "Add follow = { axis = \"NAME\" } to its [[axis]] in the machine spec, or [follow] to the "
+        "spec of the axis, start the program of the master, or correct the unit of the master."},
     Entry{Cause::would_reverse, "would_reverse",
           "The axis can reach its cam only against the direction of its start mode.",
           "Use start = \"ramp_in\", or begin on the other side of the cam."},
@@ -381,7 +384,7 @@ constexpr std::array entries{
           "Disable that axis, and switch its compensation off: `jounce order NAME "
           "disable-compensation`."},
     Entry{Cause::compensation_inactive, "compensation_inactive",
-          "The compensation of the axis is not active.", "Nothing."},
+          "The compensation of the axis is not active.", "No disable-compensation is needed."},
     Entry{Cause::enabled, "enabled",
           "The command needs a disabled axis, and the axis is enabled (HIMC error 0x83aa006e).",
           "Disable the axis, send the command, and enable the axis again."},
@@ -407,6 +410,8 @@ constexpr const char* engage_first =
 
 constexpr const char* move_instead =
     "Move the axis: `jounce order NAME move --to POSITION`. A coordinate move needs a group.";
+constexpr const char* each_axis =
+    "Send the command to each axis of the group, while the group is disabled.";
 constexpr const char* nothing_to_hold = "Nothing moves: no hold is needed.";
 
 constexpr std::array order_remedies{
@@ -446,10 +451,18 @@ constexpr std::array order_remedies{
                 "[limits] of its spec."},
     OrderRemedy{Cause::not_a_group, CommandKind::group_jog,
                 "Jog the axis: `jounce order NAME jog VELOCITY`. Only a group jogs --along."},
-    OrderRemedy{Cause::single_axis, CommandKind::home,
-                "Send the command to each axis of the group, while the group is disabled."},
+    OrderRemedy{Cause::single_axis, CommandKind::home, each_axis},
     OrderRemedy{Cause::single_axis, CommandKind::override_,
                 "Override the group: `jounce order NAME set-override --velocity-factor 50%`."},
+    OrderRemedy{Cause::single_axis, CommandKind::set_position,
+                "Disable the group, then send the command to one of its axes: `jounce order AXIS "
+                "set-position POSITION`."},
+    OrderRemedy{Cause::single_axis, CommandKind::enable_compensation, each_axis},
+    OrderRemedy{Cause::single_axis, CommandKind::disable_compensation, each_axis},
+    OrderRemedy{Cause::no_compensation, CommandKind::disable_compensation,
+                "Nothing is compensated: no disable-compensation is needed."},
+    OrderRemedy{Cause::compensation_active, CommandKind::enable_compensation,
+                "No enable-compensation is needed."},
     OrderRemedy{Cause::no_movement, CommandKind::resume, "Nothing is held: no resume is needed."},
     OrderRemedy{Cause::not_synchronized, CommandKind::gear_out, "No gear-out is needed."},
     OrderRemedy{Cause::not_synchronized, CommandKind::cam_out, "No cam-out is needed."},

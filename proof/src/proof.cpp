@@ -113,6 +113,9 @@ Proof prove(const Input& input, const ProofOptions& options) {
   add_part(proof.report, proof.curve.report, "exact curve");
   add_part(proof.report, proof.table.report, "table");
   Report fit = check_all(input);
+  proof.breaks_limits = std::any_of(fit.findings.begin(), fit.findings.end(), [](const Finding& f) {
+    return f.broken && f.rule.family() == RuleFamily::limit;
+  });
   std::erase_if(fit.findings, [](const Finding& f) {
     return f.rule != "table/position" && f.rule != "warning/older_table";
   });
@@ -182,6 +185,11 @@ std::string proof_answer(const Proof& proof, const Input& input) {
   if (!proof.drive)
     text += fmt::format("  {:<12} not checked: only a spec with a [drive] has a servo model\n",
                         "drive");
+  if (proof.breaks_limits)
+    text += fmt::format(
+        "  {:<12} warn: not part of the proof, but the motion breaks one: `jounce check` shows "
+        "where\n",
+        "limits");
   for (const Finding& f : proof.report.findings)
     if (f.rule == "warning/older_table")
       text += fmt::format("  {:<12} warn: {}\n  {:<12} -> {}\n", "table", sentence(f, input.labels),

@@ -156,7 +156,10 @@ namespace {
 void require_comparable(const Version& before, const Version& after) {
   const std::string names = before.name + " and " + after.name + " cannot be compared: ";
   if (before.curve.index() != after.curve.index())
-    throw InputError("", "", names + "one is over the master, the other over time");
+    throw InputError("", "",
+                     names + (before.labels.over_master ? before.name : after.name) +
+                         " is over the master, " +
+                         (before.labels.over_master ? after.name : before.name) + " over time");
   const Units& old = before.labels.units;
   const Units& now = after.labels.units;
   for (const auto& [what, a, b] :

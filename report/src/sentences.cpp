@@ -132,8 +132,8 @@ std::string of_warning(const Finding& f, const std::string& value, const std::st
     return "the table is older than its spec: " + f.quantity +
            " has changed since the table was made";
   if (f.rule == "warning/overshoot")
-    return fmt::format("position {} at {} is beyond the segment's end {} by {} of the travel",
-                       value, where, with_unit(f.limit, unit), percent(f.margin));
+    return fmt::format("position {} at {} is beyond the segment's end {} by {}", value, where,
+                       with_unit(f.limit, unit), with_unit(std::abs(f.value - f.limit), unit));
   if (f.rule == "warning/velocity_overshoot")
     return fmt::format("{} {} at {} exceeds {}, the {} at the end of the segment", f.quantity,
                        value, where, with_unit(f.limit, unit), f.quantity);

@@ -63,6 +63,17 @@ TEST(Causes, ARemedyOfAnOrderSuitsItsKind) {
               testing::HasSubstr("`jounce order NAME override 50%`"));
   EXPECT_EQ(remedy_of_order(Cause::not_a_group, CommandKind::group_wait),
             "Send the command to a group.");
+  EXPECT_EQ(remedy_of_order(Cause::no_compensation, CommandKind::disable_compensation),
+            "Nothing is compensated: no disable-compensation is needed.");
+  EXPECT_THAT(remedy_of_order(Cause::no_compensation, CommandKind::enable_compensation),
+              testing::HasSubstr("Add [compensation]"));
+  EXPECT_EQ(remedy_of_order(Cause::compensation_active, CommandKind::enable_compensation),
+            "No enable-compensation is needed.");
+  EXPECT_EQ(remedy_of_order(Cause::single_axis, CommandKind::set_position).find("move-linear"),
+            std::string::npos);
+  EXPECT_EQ(remedy_of_order(Cause::no_master_input, CommandKind::gear_in).find("table"),
+            std::string::npos);
+  EXPECT_THAT(remedy_of_table(Cause::no_master_input), testing::HasSubstr("as a table over time"));
   for (const CauseInfo& one : all_causes()) {
     EXPECT_EQ(remedy_of_order(one.cause, CommandKind::move_absolute).find("For a table"),
               std::string::npos)

@@ -351,7 +351,21 @@ TEST(RotaryKnife, RefusesWhatCannotBeCut) {
   spec.cut_length = 0.26;
   EXPECT_EQ(refusal(spec),
             "cut_length = 0.26: must be longer than the sync zone on the web, 0.2618: shorten the "
-            "sync zone, or cut longer");
+            "sync zone (sync_angle must be less than 0.173333), or cut longer");
+  spec.cut_length = 4;  // the sync zone of the angle between two blades is 4.712 long
+  spec.sync_angle = 7;
+  EXPECT_EQ(refusal(spec),
+            "sync_angle = 7: must be less than 2.66666, the angle of a sync zone as long as "
+            "cut_length: give a smaller angle, or cut longer");
+  for (const auto matching : {KnifeMatching::surface, KnifeMatching::horizontal}) {
+    spec.matching = matching;
+    spec.cut_length = 2;
+    const double most = matching == KnifeMatching::surface ? 4.0 / 3 : 1.4594553124539327;
+    spec.sync_angle = most * (1 - 1e-9);
+    EXPECT_EQ(refusal(spec), "");
+    spec.sync_angle = most * (1 + 1e-9);
+    EXPECT_NE(refusal(spec).find(" (sync_angle must be less than "), std::string::npos);
+  }
   spec = case_y();
   spec.sync_angle = 7;
   EXPECT_NE(refusal(spec).find("sync_angle = 7: must be less than "), std::string::npos);

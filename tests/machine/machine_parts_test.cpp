@@ -84,6 +84,11 @@ TEST_F(MachineParts, TheCheckOfAMachineRejectsWhatTheRunRejects) {
   for (const auto& [more, key] :
        {std::pair{"follow = { axis = \"feder\" }\n", "did you mean feeder?"},
         {"follow = { master = \"line\" }\n", "is not a master of this machine"},
+        {"follow = { axes = \"feeder\" }\n",
+         "follow.axes = \"feeder\": is not a key here: did you mean axis?"},
+        {"follow = { of = \"actual\" }\n", "follow.axis: is missing: add axis = \"NAME\""},
+        {"follow = { axis = \"feeder\", master = \"line\" }\n",
+         "follow.axis = \"feeder\": cannot be combined with master"},
         {"[[group]]\nname = \"pair\"\naxes = [\"feeder\", \"knifee\"]\n", "did you mean knife?"},
         {"[[group]]\nname = \"knife\"\naxes = [\"feeder\"]\n", "also the name of an axis"}}) {
     const std::string file = machine_of({"feeder", "knife"}, more);

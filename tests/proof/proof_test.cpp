@@ -34,6 +34,23 @@ TEST(Proof, AnExampleIsProven) {
   EXPECT_EQ(document["witness"]["table"]["position"], proof.table.position.relative);
 }
 
+/// The limits are not part of the proof, but its text names a broken one. The greatest slope of the law is
+/// 1.875 * 100 / 360.
+TEST(Proof, ABrokenLimitIsInTheAnswer) {
+  const test::TemporaryFolder folder;
+  const auto answer = [&](const std::string& velocity) {
+    write_file(folder / "c.toml",
+               "jounce = 1\nkind = \"cam\"\nunits = { position = \"mm\", master = \"deg\" }\nstart "
+               "= { master = 0, slave = 0 }\n[limits]\ngeo_velocity = " +
+                   velocity +
+                   "\n[[segment]]\nlaw = \"345\"\nend = { master = 360, slave = 100 }\n");
+    const Input input = read_inputs(folder / "c.toml").front();
+    return proof_answer(prove(input), input);
+  };
+  EXPECT_THAT(answer("0.52"), testing::HasSubstr("the motion breaks one"));
+  EXPECT_THAT(answer("0.53"), testing::Not(testing::HasSubstr("the motion breaks one")));
+}
+
 /// Short pieces of nearly constant jerk begin seconds after the start. Between them, the axis is in motion for
 /// seconds, so an error of the acceleration in one of them grows a thousand times. With 60 digits, the
 /// pieces of this program agree to 2e-15 of the range (decision 0162).

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "jounce/cam/laws/law.hpp"
@@ -549,6 +550,10 @@ TEST(Reduced, SaysHowManyKnotsItsDwellsNeed) {
                 "motion exactly"),
       std::string::npos)
       << both;
+  for (const std::size_t few : {0, 1})
+    EXPECT_THAT(refusal(up_and_down(), {.rule = Interpolation::linear, .most = few}),
+                testing::StartsWith("most = " + std::to_string(few) +
+                                    ": must be at least 4 for a linear table"));
   EXPECT_EQ(
       refusal(up_and_down(), {.rule = Interpolation::linear, .most = 4, .x_step = 1, .p_step = 1}),
       "");

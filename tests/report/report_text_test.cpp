@@ -136,7 +136,7 @@ TEST(ReportText, ARoundingErrorBesideTheTravelIsZero) {
   f.severity = Severity::warning;
   const Labels labels{{"deg", "mm"}, true, {}};
   EXPECT_EQ(sentence(f, labels),
-            "position -0.02 mm at 72 deg is beyond the segment's end 0 mm by 0.1 % of the travel");
+            "position -0.02 mm at 72 deg is beyond the segment's end 0 mm by 0.02 mm");
   f.limit = 1e-4;
   EXPECT_NE(sentence(f, labels).find("end 0.0001 mm by"), std::string::npos) << "not rounding";
   EXPECT_EQ(rounded(2e-9, 1), "2e-9");

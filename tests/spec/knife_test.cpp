@@ -71,9 +71,10 @@ TEST(KnifeSpec, NumbersThePiecesOfALawOnce) {
 }
 
 TEST(KnifeSpec, RefusesInTheDocumentsWords) {
-  EXPECT_EQ(refusal("deg", "cut_length = 0.2\nsync_angle = 10\n"),
-            "k.toml:6:14: knife.cut_length = 0.2 in: must be longer than the sync zone on the web, "
-            "0.2618 in: shorten the sync zone, or cut longer");
+  EXPECT_EQ(
+      refusal("deg", "cut_length = 0.2\nsync_angle = 10\n"),
+      "k.toml:6:14: knife.cut_length = 0.2 in: must be longer than the sync zone on the web, "
+      "0.2618 in: shorten the sync zone (sync_angle must be less than 7.63943 deg), or cut longer");
   EXPECT_EQ(refusal("pulse", "cut_length = 4.71\nsync_angle = 10\n"),
             "k.toml:4:1: knife.turn: is missing: add turn = NUMBER, one revolution in pulse");
   EXPECT_THAT(refusal("deg", "cut_length = 4\n"), HasSubstr("knife.sync_angle: is missing"));

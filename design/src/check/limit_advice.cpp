@@ -74,7 +74,7 @@ std::string points_advice(const Finding& f, std::size_t order, const Stretch& s,
         "the point at {} has the velocity {}: {} {}", words.x(f.where), words.of(f.value, 1),
         f.limit > 0 ? "lower it to at most" : "raise it to at least", words.of(f.limit, 1));
   const std::string closer = fmt::format(
-      "choose velocities of the two points of the segment that are closer to its mean velocity, {}",
+      "bring the velocities of its two points closer to {}, the mean velocity of the segment",
       words.of(mean, 1));
   if (order == 1) return closer;
   return velocity && std::abs(mean) > *velocity

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,6 +25,15 @@ std::vector<double> joints_of(const Input& input) {
       all = motion.columns().p;
     return all;
   });
+}
+
+/// The name of the segment at this time.
+std::string segment_at(const Input& input, double time) {
+  const auto breaks = std::get<Trajectory>(*input.curve).breaks();
+  const auto after = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, time);
+  Finding there;
+  there.segment = static_cast<std::size_t>(after - breaks.begin()) - 1;
+  return input.labels.segment_of(there);
 }
 
 }  // namespace
@@ -63,8 +74,16 @@ void name_first_passages(const Input& input, Report& report) {
     const std::vector<double> passages =
         crossings(std::get<Trajectory>(*input.curve), 0, worst->limit);
     if (passages.empty()) continue;
-    worst->advice = fmt::format("the motion first passes this limit at {:.6g} {}; {}",
-                                passages.front(), input.labels.units.x, worst->advice);
+    const std::string where = segment_at(input, passages.front());
+    // Without names, the segments are the pieces of one move, which have no target of their own.
+    const bool elsewhere =
+        !input.labels.segments.empty() && where != input.labels.segment_of(*worst);
+    constexpr std::string_view target = "move the target ";
+    if (elsewhere && worst->advice.starts_with(target))
+      worst->advice.replace(0, target.size(), "move its target ");
+    worst->advice =
+        fmt::format("the motion first passes this limit at {:.6g} {}{}; {}", passages.front(),
+                    input.labels.units.x, elsewhere ? ", in segment " + where : "", worst->advice);
   }
 }
 

@@ -210,8 +210,10 @@ std::vector<Made> make_motions(const Spec& spec) {
 
 std::vector<Made> make_any(const Spec& spec) {
   if (std::holds_alternative<AxisSpec>(spec.subject))
-    throw InputError("kind", "\"axis\"",
-                     "is an axis, which has no table: run it with `jounce run`");
+    throw InputError(
+        "kind", "\"axis\"",
+        "is an axis, which has no table: `jounce check` checks it, and `jounce run` runs "
+        "it; compare two of them as texts");
   if (std::holds_alternative<DriveAlone>(spec.subject))
     throw InputError("kind", "\"drive\"",
                      "is a drive, which has no table: use it with `jounce identify`");

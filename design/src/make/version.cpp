@@ -68,12 +68,23 @@ Version version_of(const Input& input, const std::string& path) {
   return version;
 }
 
+namespace {
+
+std::string not_comparable(bool first_over_master, const std::string& first,
+                           const std::string& second) {
+  const std::string cam = printable(first_over_master ? first : second);
+  const std::string motion = printable(first_over_master ? second : first);
+  return cam + " is over the master, " + motion +
+         " over time: convert the first with `jounce convert " + cam +
+         " FILE.csv --over time`, and compare FILE.csv with " + motion;
+}
+
+}  // namespace
+
 void require_one_kind(const Input& before, const Input& after, const std::string& before_path,
                       const std::string& after_path) {
   if (before.labels.over_master != after.labels.over_master)
-    throw InputError("", "",
-                     printable(before_path) + " and " + printable(after_path) +
-                         " cannot be compared: one is over the master, the other over time");
+    throw InputError("", "", not_comparable(before.labels.over_master, before_path, after_path));
 }
 
 std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,

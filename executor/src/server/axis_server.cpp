@@ -49,9 +49,10 @@ void AxisServer::obey(const command::CombineAxes& /*gear*/, const CommandRequest
                       const Request& request) {
   if (options_.follow.what != Follow::What::nothing &&
       options_.second.what == Follow::What::nothing)
-    return decline(requested, Cause::no_master_input,
-                   "the axis follows one master only: add second = { axis = \"NAME\" } to [follow] "
-                   "in its spec");
+    return decline(
+        requested, Cause::no_master_input,
+        "the axis follows one master only: add second = { axis = \"NAME\" } to its follow, in "
+        "[[axis]] of the machine spec or in its own spec");
   couple(requested, request);
 }
 

@@ -128,9 +128,8 @@ std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
            "[drive.machine] if the drive is simulated";
   if (cause != Cause::no_master_input) return "";
   if (options.follow.what == Follow::What::nothing)
-    return "the axis has no live master: add [follow] to its spec, or send the motion of the "
-           "master "
-           "as a table over time";
+    return "the axis has no live master: add follow = { axis = \"NAME\" } to its [[axis]] in the "
+           "machine spec, or [follow] to its own spec, and start the executor again";
   return "the master of the axis sends no valid position: start its program, or correct its unit; "
          "`jounce monitor " +
          options.receiver.executor + "` shows the master";

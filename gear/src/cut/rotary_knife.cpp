@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -127,15 +128,27 @@ KnifeSync sync_of(const RotaryKnifeSpec& spec, double angle) {
           slope * slope * slope * (1 + 2 * s * s) / std::pow(c, 5)};
 }
 
+/// The angle whose sync zone is as long as cut_length; infinite if every zone is shorter.
+double angle_of_cut(const RotaryKnifeSpec& spec) {
+  const double along = spec.cut_length / spec.diameter * spec.speed_ratio;
+  if (spec.matching == KnifeMatching::surface) return 2 * along;
+  return along < 1 ? 2 * std::asin(along) : std::numeric_limits<double>::infinity();
+}
+
 /// Requires that psi_s leaves an angle for the recovery, and that (4) gives an angle. The error
 /// names the given key.
 void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double unit) {
   const char* key = spec.sync_length ? "sync_length" : spec.sync_angle ? "sync_angle" : "thickness";
   const double given = spec.sync_length.value_or(spec.sync_angle.value_or(spec.thickness));
-  if (spec.sync_angle && !(2 * half < pitch))
-    throw InputError(key, given,
-                     "must be less than " + six_digits_down(pitch * unit) +
-                         ", the angle between two blades: give a smaller angle");
+  if (spec.sync_angle && !(2 * half < pitch)) {
+    const double of_cut = angle_of_cut(spec);
+    throw InputError(
+        key, given,
+        "must be less than " + six_digits_down(std::min(pitch, of_cut) * unit) +
+            (of_cut < pitch ? ", the angle of a sync zone as long as cut_length: give a smaller "
+                              "angle, or cut longer"
+                            : ", the angle between two blades: give a smaller angle"));
+  }
   if (!(2 * half < pitch))
     throw InputError(key, given,
                      "makes a sync zone of " + six_digits(2 * half * unit) +
@@ -160,7 +173,11 @@ Knife gear_detail::knife_of(const RotaryKnifeSpec& spec) {
   if (!(spec.cut_length > 2 * sync.length))
     throw InputError("cut_length", spec.cut_length,
                      "must be longer than the sync zone on the web, " +
-                         six_digits_up(2 * sync.length) + ": shorten the sync zone, or cut longer");
+                         six_digits_up(2 * sync.length) + ": shorten the sync zone" +
+                         (spec.sync_angle ? " (sync_angle must be less than " +
+                                                six_digits_down(angle_of_cut(spec) * unit) + ")"
+                                          : "") +
+                         ", or cut longer");
   return {pitch, spec.thickness > 0 ? contact_angle(spec) : 0, sync,
           KnifeShape(normalized(spec.law, spec.form), sync, pitch - 2 * half), unit};
 }

@@ -143,9 +143,9 @@ bool has_words(const PointColumn& column) {
 
 PointColumn column_of(std::string_view cell) {
   if (cell.find('=') != cell.npos)
-    throw InputError(
-        "", "",
-        "is a line of a spec, not a header with the names of columns: give a CSV file with points");
+    throw InputError("", "",
+                     "is a line of a spec, not a header with the names of columns: give a CSV "
+                     "file, whose first line has these names");
   PointColumn column = split(cell);
   if (column.name.empty() || begins_with_number(column.name))
     throw InputError(

@@ -378,8 +378,6 @@ void require_valid(const Target& target) {
                      "their greatest number (most)");
   if (target.tolerance) require_positive("tolerance", *target.tolerance);
   if (target.velocity_tolerance) require_positive("velocity_tolerance", *target.velocity_tolerance);
-  if (target.most && *target.most < 2)
-    throw InputError("most", std::to_string(*target.most), "must be at least 2");
   if (target.quadratic && target.rule != Interpolation::cubic_hermite)
     throw InputError("rule", name(target.rule), "must be cubic_hermite for quadratic pieces");
   for (const auto& [key, step] : {std::pair{"p_step", target.p_step}, {"v_step", target.v_step}})
@@ -422,10 +420,28 @@ Curve<Over> on_steps(const Curve<Over>& f, const Target& target) {
 
 }  // namespace
 
+/// Rejects a number of knots below two, with the number that the curve needs.
+template <class Over>
+[[noreturn]] void refuse_single(const Curve<Over>& f, const Target& target) {
+  const auto rejection = [&](const std::string& rule) {
+    return InputError("most", std::to_string(*target.most), rule);
+  };
+  Target two = target;
+  two.most = 2;
+  try {
+    (void)reduced(f, two, {}, {});
+  } catch (const InputError& error) {
+    if (error.key() == "most") throw rejection(error.rule());
+    throw;
+  }
+  throw rejection("must be at least 2");
+}
+
 template <class Over>
 Sampled reduced(const Curve<Over>& f, const Target& target, const Limits& limits,
                 const RampedLimits& ramped) {
   require_valid(target);
+  if (target.most && *target.most < 2) refuse_single(f, target);
   const Curve<Over> whole = on_steps(f, target);
   return Reduction<Over>(whole, target).run(limits, ramped);
 }

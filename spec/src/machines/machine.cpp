@@ -99,12 +99,14 @@ void read_body(TomlReader& top, MachineSpec& machine) {
 
 FollowWhom read_leader(TomlReader& table) {
   FollowWhom whom;
-  if (table.has("axis") == table.has("master"))
+  if (table.has("axis") && table.has("master"))
     table.fail("axis", "", "cannot be combined with master: an axis follows one of the two");
+  table.may_have("axis");
+  table.may_have("master");
   if (table.has("master")) {
     whom.master = table.text("master");
   } else {
-    whom.axis = table.text("axis");
+    whom.axis = table.text("axis", "NAME");
     whom.actual = table.optional_choice("of", sides).value_or(0) == 1;
   }
   return whom;

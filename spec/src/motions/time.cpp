@@ -53,7 +53,10 @@ AxisSpec read_axis(TomlReader axis, const Units& units) {
   constexpr double longest_cycle = 0.1;
   if (!(spec.cycle >= shortest_cycle && spec.cycle <= longest_cycle))
     axis.fail("cycle", number(spec.cycle),
-              "must be between 10 us and 100 ms; a number without a unit is in s: write \"1 ms\"");
+              std::string("must be between 10 us and 100 ms") +
+                  (axis.document().given.contains(axis.path("cycle"))
+                       ? ", such as \"1 ms\""
+                       : "; a number without a unit is in s: write \"1 ms\""));
   spec.position = axis.optional_number("position", units.position).value_or(0);
   spec.require_home = axis.optional_flag("require_home").value_or(false);
   spec.cutter = axis.optional_text("cutter").value_or("");

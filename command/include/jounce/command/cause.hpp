@@ -162,10 +162,13 @@ struct Refusal {
   Cause cause = Cause::none;  ///< the reason
   double value = 0;           ///< the number that breaks the rule
   double limit = 0;           ///< the bound that it exceeds
-  /// Time of the movement at which the value exceeds the bound, s; NaN: no particular time.
-  /// axis_not_ready, axis_away: number of the axis in the group, from 1; axis_not_ready has the bits
-  /// of all axes that are not ready in `limit`. no_reserve: order of the derivative.
-  /// no_trigger_input has the input in `value`, and the bits of those that the drive has in `limit`.
+  /// Time of the movement at which the value exceeds the bound, s; NaN: no particular time. Some
+  /// causes have other numbers:
+  /// - axis_not_ready, axis_away: number of the axis in the group, from 1. axis_not_ready also has
+  ///   the bits of all axes that are not ready, in `limit`.
+  /// - no_reserve: the limit without remainder, 1: velocity, 2: acceleration, 3: jerk.
+  /// - no_trigger_input: NaN; the input is in `value`, and the bits of those that the drive has are
+  ///   in `limit`.
   double where = std::numeric_limits<double>::quiet_NaN();
 
   /// Returns a sentence: "velocity_limit: The motion exceeds the velocity limit of the axis: 678.45

@@ -30,6 +30,8 @@ struct Proof {
   std::optional<ToleranceResult> tolerances = {};
   /// Result of the follower, if the spec has a [follower].
   std::optional<FollowerResult> follower = {};
+  /// True if the motion breaks a limit of its spec. The report has no finding for it: see check().
+  bool breaks_limits = false;
 };
 
 /// Receives the share of the work that is done, 0 to 1.

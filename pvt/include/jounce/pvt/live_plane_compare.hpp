@@ -39,6 +39,7 @@ struct PlaneStep {
 /// compared() in position_compare.hpp.
 ///
 ///     LivePlaneCompare zones({.x_band = 2, .y_band = 2, .points = {{50, 0, 16}}, .pulse = 1e-3});
+///     // the point x = 50, y = 0 switches the output 16
 ///     zones.arm();                                         // a motion begins at the first point
 ///     for (const PlaneEdge& edge : zones.step({x, vx}, {y, vy}, 1e-3).edges()) ...
 ///
@@ -60,7 +61,8 @@ class LivePlaneCompare {
   explicit LivePlaneCompare(const PlaneCompare& compare);
 
   void arm();  ///< restarts the list
-  /// Makes the next step move the axes to their positions without passing a point.
+  /// The next step takes its positions as they are: no point between the last positions and these
+  /// fires.
   void place() { placed_ = false; }
   /// Computes the outputs. `dt`: time since the previous step, s, > 0.
   const PlaneStep& step(const Place& x, const Place& y, double dt);

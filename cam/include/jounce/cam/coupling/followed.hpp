@@ -46,7 +46,8 @@ void require_few_periods(double first, double last, std::size_t breaks);
 ///     (3)  y''' = f''' x'^3 + 3 f'' x' x'' + f' x'''
 ///
 /// The breaks are the breaks of the master, and every instant at which the master passes a break of
-/// the cam. While the master moves backwards, right and left limits of the cam are exchanged.
+/// the cam. While the master moves backwards, the one-sided values of the cam from the right and
+/// from the left are exchanged.
 /// Throws InputError if the master leaves a cam that refuses positions outside, and like
 /// require_few_periods().
 class Followed {

@@ -38,8 +38,9 @@ void drain(Transport& link, Nanos timeout, const std::optional<wire::Key>& key, 
 void send_message(Transport& link, const wire::Message& message,
                   const std::optional<wire::Key>& key = {});
 
-/// Greatest number of packets of a channel that wait. It is greater than a window, because
-/// repetitions and other streamers may add packets.
+/// Greatest number of packets of a channel that wait. It is greater than the number of messages
+/// that a streamer has in transit (Pace::window, 8 by default), because repetitions and other
+/// streamers may add packets.
 inline constexpr int queue_capacity = 64;
 
 /// Returns a random number > 0, for sessions, boots and operators' commands.
