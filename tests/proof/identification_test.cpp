@@ -54,6 +54,7 @@ TEST(Identification, ChangesOnlyTheFittedNumbersOfTheSpec) {
   const std::string given =
       "# my drive\njounce = 1\nkind = \"drive\"\nunits = { position = \"deg\" }\n[drive]\n"
       "position_per_rev = 9\n[drive.motor]\ninertia = \"4 kg cm^2\"  # data sheet\n"
+      "torque_limit = 3.8\n"
       "[[drive.mass]]\ninertia = 0.003\nstiffness = 15\n"
       "[drive.controller]\nposition_gain = 60\nvelocity_gain = 2\n";
   const Spec spec = parse_spec(given, "drive.toml");
@@ -66,7 +67,7 @@ TEST(Identification, ChangesOnlyTheFittedNumbersOfTheSpec) {
   std::string text = fitted_spec_text(found, spec, "run.csv");
   const std::string head =
       "# Fitted to run.csv by `jounce identify`, with 95 % intervals:\n"
-      "#   drive.motor.inertia: 4.9e-04 to 5.1e-04 kg m^2, was 4e-04\n"
+      "#   drive.motor.inertia: 0.00049 to 0.00051 kg m^2, was 0.0004\n"
       "#   drive.mass[1].damping: 0.014 to 0.016 N m s/rad, was 0.01\n# my drive\n";
   EXPECT_THAT(text, StartsWith(head));
   const std::size_t added = text.find("damping = 0.015\n");

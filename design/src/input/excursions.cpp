@@ -36,6 +36,11 @@ std::string segment_at(const Input& input, double time) {
   return input.labels.segment_of(there);
 }
 
+/// True if each segment is a command with a target of its own.
+bool is_queue(const Input& input) {
+  return input.spec && std::holds_alternative<QueueSpec>(input.spec->subject);
+}
+
 }  // namespace
 
 void join_excursions(const Input& input, Report& report) {
@@ -75,9 +80,7 @@ void name_first_passages(const Input& input, Report& report) {
         crossings(std::get<Trajectory>(*input.curve), 0, worst->limit);
     if (passages.empty()) continue;
     const std::string where = segment_at(input, passages.front());
-    // Without names, the segments are the pieces of one move, which have no target of their own.
-    const bool elsewhere =
-        !input.labels.segments.empty() && where != input.labels.segment_of(*worst);
+    const bool elsewhere = is_queue(input) && where != input.labels.segment_of(*worst);
     constexpr std::string_view target = "move the target ";
     if (elsewhere && worst->advice.starts_with(target))
       worst->advice.replace(0, target.size(), "move its target ");

@@ -109,7 +109,7 @@ TEST(Notices, ARejectionNamesThePresentFault) {
 TEST(Notices, ARejectionNamesWhatTheSpecLacks) {
   ExecutorOptions options;
   EXPECT_THAT(refusal_text({Cause::no_master_input}, {}, options),
-              HasSubstr("add [follow] to its spec"));
+              HasSubstr("or [follow] to its own spec"));
   EXPECT_THAT(
       refusal_text({Cause::no_cut_plan}, {}, options),
       HasSubstr(
