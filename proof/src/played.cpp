@@ -119,13 +119,13 @@ Deviations compare_over_time(const std::vector<PlayedTick>& ticks, const Designe
 /// Compares over the master of the log; nullopt if the axis did not follow the cam over it.
 std::optional<Deviations> compare_over_master(const std::vector<PlayedTick>& ticks,
                                               const Designed& designed) {
-  if (!designed.over_master.table) return std::nullopt;
   const PlayedTick& first = ticks.front();
+  if (!designed.over_master.table || !first.master) return std::nullopt;
   const double shift = first.position - designed.over_master.table(0).position;
-  for (const auto& [origin, by] : {std::pair{0.0, 0.0}, {first.master, shift}}) {
-    const OnMotion on{.at = [origin](const PlayedTick& tick) { return tick.master - origin; },
+  for (const auto& [origin, by] : {std::pair{0.0, 0.0}, {*first.master, shift}}) {
+    const OnMotion on{.at = [origin](const PlayedTick& tick) { return *tick.master - origin; },
                       .shift = by,
-                      .counted = [](const PlayedTick& tick) { return tick.master; }};
+                      .counted = [](const PlayedTick& tick) { return *tick.master; }};
     Deviations result = compare(ticks, on, designed.over_master, designed.tolerance);
     if (result.ok()) return result;
   }
@@ -200,7 +200,8 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
   const std::size_t time = column(header, "time", place);
   const std::size_t position = column(header, "position", place);
   const std::size_t job = column(header, "job", place);
-  const auto master_column = find_column(header, "master");
+  const bool live = find_column(header, "profile").has_value();
+  const auto master_column = live ? find_column(header, "master") : std::nullopt;
   const auto fault_column = find_column(header, "fault");
   const std::size_t width = header.size();
 
@@ -214,7 +215,9 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
     const auto tick = static_cast<std::int64_t>(real(row_cells[number_of_tick], "tick", place));
     const double now = real(row_cells[time], "time", place);
     const double at = real(row_cells[position], "position", place);
-    const double master = master_column ? real(row_cells[*master_column], "master", place) : 0;
+    const auto master = master_column
+                            ? std::optional(real(row_cells[*master_column], "master", place))
+                            : std::nullopt;
     if (row_cells[job] != current && row_cells[job] != "0") {  // another motion begins
       ticks.clear();
       start = now;

@@ -44,9 +44,16 @@ Played played(const Input& input, const std::string& log) {
   Designed designed{.over_time = {.table = [&](double t) { return at(table, t); }},
                     .duration = duration(table)};
   const Cam* const cam = std::get_if<Cam>(&*input.curve);
+  // A log may contain places of the master at which the cam is not defined.
+  const Table& of_master = input.table.table;
+  const auto within = [&](double master) {
+    return of_master.outside() == Extrapolation::refuse
+               ? std::clamp(master, of_master.start(), of_master.end())
+               : master;
+  };
   if (cam != nullptr)
     designed.over_master.table = [&](double master) {
-      const Jet jet = input.table.table.jet(master);
+      const Jet jet = of_master.jet(within(master));
       return Motion{jet[0], jet[1], jet[2], jet[3]};
     };
   std::optional<Reference> curve;
@@ -54,7 +61,7 @@ Played played(const Input& input, const std::string& log) {
     curve = exact_reference(input);
     designed.over_time.curve = [&](double t) { return at(*curve, t).position; };
     if (cam != nullptr)
-      designed.over_master.curve = [&](double master) { return cam->at(master).position; };
+      designed.over_master.curve = [&](double master) { return cam->at(within(master)).position; };
     designed.tolerance = *tolerance;
   }
   return compare_played(read_played(read_file(log), log), designed);
@@ -65,9 +72,10 @@ std::string played_text(const Played& played, const std::string& unit) {
     return fmt::format("at most {} {} from the {} (limit {})", rounded(from.error), unit, what,
                        rounded(from.limit));
   };
-  std::string text = fmt::format(
-      "  {:<12} {}: {} ticks{}, {}", "executor", played.report.ok() ? "ok" : "BROKEN", played.ticks,
-      played.live ? " over a live master" : "", part(played.table, "table"));
+  std::string text =
+      fmt::format("  {:<12} {}: {} ticks{}, {}", "executor", played.report.ok() ? "ok" : "BROKEN",
+                  played.ticks, played.live ? " over the live master (the end is not checked)" : "",
+                  part(played.table, "table"));
   if (played.curve) text += ", " + part(*played.curve, "exact curve");
   return text + "\n";
 }

@@ -152,12 +152,12 @@ TEST(Played, RefusesWhatIsNoLog) {
 
 /// A cam y = m^2 that its axis followed: from the master position `start`, to 1, back, and to 2.
 std::string live_log(double start, double slave, double last_error) {
-  std::string text = "tick,time [s],state,master [mm],position [mm],job,fault\n";
+  std::string text = "tick,time [s],state,master [mm],position [mm],job,fault,profile [s=mm]\n";
   int tick = 0;
   for (const double m : {0.0, 0.5, 1.0, 0.2, 2.0}) {
     const double error = m == 2 ? last_error : 0;
     text += std::to_string(tick) + "," + number(tick * 0.1) + ",synchronized_motion," +
-            number(start + m) + "," + number(slave + m * m + error) + ",1,none\n";
+            number(start + m) + "," + number(slave + m * m + error) + ",1,none,\n";
     ++tick;
   }
   return text;
@@ -187,8 +187,19 @@ TEST(Played, ACamMayFollowALiveMaster) {
   }
 }
 
+// An override slows the virtual master of a table over time: this log is no proof of the table.
+TEST(Played, AVirtualMasterIsNotLive) {
+  std::string log = live_log(0, 0, 0);
+  for (std::size_t at = 0; (at = log.find(",profile [s=mm]")) != std::string::npos;)
+    log.erase(at, 15);
+  for (std::size_t at = 0; (at = log.find("none,\n")) != std::string::npos;) log.erase(at + 4, 1);
+  const Played played = compare_played(read_played(log, "run.csv"), square_cam());
+  EXPECT_FALSE(played.live);
+  EXPECT_FALSE(played.report.ok());
+}
+
 TEST(Played, ReportsTheFaultThatEndedALiveMotion) {
-  const std::string log = live_log(0, 0, 0) + "5,0.5,error_stop,9,4,0,jump\n";
+  const std::string log = live_log(0, 0, 0) + "5,0.5,error_stop,9,4,0,jump,\n";
   const Played played = compare_played(read_played(log, "run.csv"), square_cam());
   EXPECT_TRUE(played.live);
   EXPECT_EQ(played.report.findings.front().rule, "played/fault");

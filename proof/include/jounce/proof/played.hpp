@@ -19,8 +19,9 @@ struct PlayedTick {
   double time = 0;        ///< time since the first tick of the motion, s
   double position = 0;    ///< commanded position, u
   double clock = 0;       ///< time since tick 0 of the log, s; it determines the rounding of `time`
-  double master = 0;      ///< position of the master, in its unit; 0 if the log has no such column
-  bool fault = false;     ///< true: in the tick after this one, a fault had ended the motion
+  /// Position of the master, in its unit, if the axis has a live master (column `profile`).
+  std::optional<double> master = {};
+  bool fault = false;  ///< true: in the tick after this one, a fault had ended the motion
 };
 
 /// Returns the ticks of the last motion in a tick log (TickLog). `csv` is the text of the log,
