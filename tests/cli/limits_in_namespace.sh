@@ -116,13 +116,13 @@ order plotter move-linear --by 5,0 --velocity 50 --buffered || fail "move-linear
 wait_for plotter '"state":"standstill".*"reason":"awaits_acknowledge"'
 order plotter move-linear --by -1,0 --velocity 50 || fail "move-linear: $(cat out)"
 reaches plotter x 4
-grep -q 'an aborting command replaces what waits: 2 commands were dropped' said || fail "no notice: $(cat said)"
+grep -q 'an aborting command replaces the waiting commands: 2 commands were dropped' said || fail "no notice: $(cat said)"
 order plotter m-word 9 || fail "m-word: $(cat out)"
 order plotter move-linear --by 5,0 --velocity 50 --buffered || fail "move-linear: $(cat out)"
 wait_for plotter '"state":"standstill".*"reason":"awaits_acknowledge"'
 order plotter halt || fail "halt: $(cat out)"
 noticed() { grep -q "$1" said; }
-soon noticed 'what waits does not begin: 2 commands were dropped' || fail "no notice of the halt: $(cat said)"
+soon noticed 'the waiting commands do not begin: 2 commands were dropped' || fail "no notice of the halt: $(cat said)"
 order plotter m-word 7 --timeout 6s || fail "m-word: $(cat out)"
 order plotter move-linear --by 5,0 --velocity 50 --buffered || fail "move-linear: $(cat out)"
 wait_for plotter '"state":"standstill".*"reason":"no_acknowledge"'

@@ -139,7 +139,7 @@ GroupQueue::~GroupQueue() {
 
 void GroupQueue::clear() {
   if (const std::size_t dropped = drop_stages(); dropped > 0)
-    dropped_because_ = "what waits does not begin: " + dropped_text(dropped);
+    dropped_because_ = "the waiting commands do not begin: " + dropped_text(dropped);
   drop_attempt();
   idle_.clear();
   cancel();
@@ -353,7 +353,8 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
       throw InputError("fast", "", "begins and ends at rest: leave out --blend");
     if (aborts(command))
       if (const std::size_t dropped = drop_stages(); dropped > 0)
-        dropped_because_ = "an aborting command replaces what waits: " + dropped_text(dropped);
+        dropped_because_ =
+            "an aborting command replaces the waiting commands: " + dropped_text(dropped);
     if (aborts(command) && !rests(group) && !halting_ && sent_ && group.job == sent_->movement)
       dropped_because_ = "an aborting command ends the program that plays: its rest is dropped";
     if (rests(group)) halting_ = releasing_ = false;
