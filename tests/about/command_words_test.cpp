@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using Words = std::vector<const char*>;
 
-TEST(CommandWords, KnowAnOptionFromANumber) {
+TEST(CommandWords, DistinguishAnOptionFromANumber) {
   for (const char* const option : {"-o", "--json", "--"}) EXPECT_TRUE(looks_like_option(option));
   for (const char* const other : {"-", "-5", "-.5", "o", ""})
     EXPECT_FALSE(looks_like_option(other)) << other;

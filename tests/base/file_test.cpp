@@ -83,7 +83,7 @@ TEST_F(Files, HaveTheRightsOfTheUmaskOrOfTheFileBefore) {
   EXPECT_EQ(rights_of(in("program")), 0755U);
 }
 
-TEST_F(Files, ADeviceWithoutEndIsRefused) {
+TEST_F(Files, ADeviceWithoutEndIsRejected) {
   EXPECT_THAT(why([] { (void)read_file("/dev/zero"); }),
               HasSubstr("/dev/zero: must be a regular file, or a pipe of at most 256 MiB"));
 }
@@ -99,7 +99,7 @@ pid_t beside(Write write) {
   return child;
 }
 
-TEST_F(Files, APipeWithoutAWriterIsRefused) {
+TEST_F(Files, APipeWithoutAWriterIsRejected) {
   ASSERT_EQ(mkfifo(in("pipe").c_str(), 0600), 0);
   EXPECT_THAT(why([&] { (void)read_file(in("pipe")); }),
               HasSubstr("pipe: is a pipe that no program opened for writing within 5 s"));

@@ -29,7 +29,7 @@ TEST(Units, KeepMetresRadiansAndPulsesApart) {
   EXPECT_THROW(conversion("s", "Hz"), InputError) << "an inverse is not a unit of the same thing";
 }
 
-TEST(Units, KnowWhatIsNoUnit) {
+TEST(Units, RejectUnknownUnits) {
   for (const char* text : {"", " ", "furlong", "1", "3.5", "m @ 3", "mm)", "[mm]"})
     EXPECT_FALSE(is_unit(text)) << text;
   for (const char* text : {"mm", "mm/deg^2", "1/s", "pulse/pulse", "N.m"})
@@ -47,7 +47,7 @@ std::string complaint(const char* text, const char* unit) {
   return test::rule_of([&] { (void)quantity(text, unit); }, "no error");
 }
 
-TEST(Quantity, SaysWhatIsWrongAndWhatFits) {
+TEST(Quantity, ReportsErrorsWithPossibleValues) {
   EXPECT_EQ(complaint("3 deg", "mm"), "deg is not a unit of this quantity: give the value in mm");
   EXPECT_EQ(complaint("2 mm", "1"),
             "mm is not a unit of this quantity: give the value without a unit");

@@ -133,7 +133,7 @@ TEST(AgitoSpeedChange, ActsInItsDirectionOnly) {
   EXPECT_THROW(with_speed_change(there, 2000, manual_4_1, change), InputError);
 }
 
-TEST(AgitoJog, GoesToItsSignedSpeed) {
+TEST(AgitoJog, ReachesItsSignedSpeed) {
   Settings axis = manual_4_1;
   axis.speed = -1000;
   const Profile p = jog({}, axis);

@@ -88,7 +88,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text.replace(at, what.size(), with);
 }
 
-TEST(Exchange, RefusesEveryTruncationThatDropsAKnotOrADigit) {
+TEST(Exchange, RejectsEveryTruncationThatDropsAKnotOrADigit) {
   const TableFile file = ragged(Interpolation::quintic_hermite, Extrapolation::hold, 4);
   for (const char* word : {"xyva", "codesys", "plcopen", "twincat", "siemens"}) {
     const std::string text = written(word, file);
@@ -98,7 +98,7 @@ TEST(Exchange, RefusesEveryTruncationThatDropsAKnotOrADigit) {
   }
 }
 
-TEST(Exchange, RefusesOrKeepsEveryChangedByte) {
+TEST(Exchange, RejectsOrKeepsEveryChangedByte) {
   const TableFile file = ragged(Interpolation::quintic_hermite, Extrapolation::hold, 4);
   for (const char* word : {"xyva", "codesys", "plcopen", "twincat", "siemens"}) {
     const std::string text = written(word, file);
@@ -206,7 +206,7 @@ TEST(Exchange, NamesFileLineKeyValueAndRule) {
   EXPECT_NE(complaint("a : ARRAY[0..1] OF SMC_CAMXYVA := [(dX := 0), (dZ := 1)];"), "");
 }
 
-TEST(Exchange, KnowsASpecFromATable) {
+TEST(Exchange, DistinguishesASpecFromATable) {
   EXPECT_FALSE(exchange_format_of_text("jounce = 1\nkind = \"cam\"\n"));
   EXPECT_FALSE(exchange_format_of_text("# 1 2 3 4\n[limits]\n"));
   EXPECT_FALSE(exchange_format_of_text(""));
@@ -215,7 +215,7 @@ TEST(Exchange, KnowsASpecFromATable) {
       << "so that it is refused as one";
 }
 
-TEST(Exchange, RefusesWhatAFormatCannotHold) {
+TEST(Exchange, RejectsWhatAFormatCannotHold) {
   EXPECT_THROW((void)written("xyva", ragged(Interpolation::linear)), InputError);
   EXPECT_THROW((void)written("pairs", ragged(Interpolation::quintic_hermite)), InputError);
   EXPECT_THROW((void)written("kollmorgen", ragged(Interpolation::linear, Extrapolation::hold, 4)),
@@ -285,7 +285,7 @@ TEST(Exchange, ReadsTheFormOfCoDeSys23) {
   EXPECT_EQ(file.table.columns().p, (std::vector<double>{0, -15}));
 }
 
-TEST(Exchange, RefusesARangeOfTheMasterThatThePointsDoNotCover) {
+TEST(Exchange, RejectsARangeOfTheMasterThatThePointsDoNotCover) {
   EXPECT_EQ(complaint(replaced(generated, "xEnd := 360", "xEnd := 400")),
             "t:5: E.xEnd = 400: the last point is at 360: the points must cover the master's range "
             "(errors 751 and 752 of the controllers)");
@@ -303,7 +303,7 @@ TEST(Exchange, RefusesARangeOfTheMasterThatThePointsDoNotCover) {
             std::string::npos);
 }
 
-TEST(Exchange, RefusesMorePointsThanSewHolds) {
+TEST(Exchange, RejectsMorePointsThanSewHolds) {
   const auto points = [](std::size_t n) {
     Columns c;
     for (std::size_t i = 0; i < n; ++i) {

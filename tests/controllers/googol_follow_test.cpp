@@ -188,7 +188,7 @@ TEST(GoogolFollow, TakesWholePassesAtOnce) {
   EXPECT_FALSE(axis.fifos.state() == State::moving);
 }
 
-TEST(GoogolFollow, RefusesWithTheDocumentedReasons) {
+TEST(GoogolFollow, RejectsWithTheDocumentedReasons) {
   FollowFifos none;
   EXPECT_EQ(none.follow_data({1, 1}, 0), Refusal::wrong_mode);
   EXPECT_EQ(none.follow_clear(0), Refusal::wrong_mode);
@@ -249,7 +249,7 @@ struct Naive {
   }
 };
 
-TEST(GoogolFollow, RandomOperationsAreWhatANaiveModelSays) {
+TEST(GoogolFollow, RandomOperationsMatchANaiveModel) {
   for (std::uint64_t seed = 1; seed <= 300 && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random random(seed);

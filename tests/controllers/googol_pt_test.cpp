@@ -107,7 +107,7 @@ TEST(GoogolPt, ANormalFirstSegmentOfAStaticPassBeginsAtRest) {
   EXPECT_EQ(axis.state(), State::cut_off);
 }
 
-TEST(GoogolPt, RefusesWithTheDocumentedReasons) {
+TEST(GoogolPt, RejectsWithTheDocumentedReasons) {
   PtFifos axis;
   EXPECT_EQ(axis.pt_data({1, 1}, 0), Refusal::wrong_mode);
   EXPECT_EQ(axis.pt_clear(0), Refusal::wrong_mode);
@@ -170,7 +170,7 @@ struct NaiveStream {
   }
 };
 
-TEST(GoogolPt, RandomStreamsAreWhatANaiveModelSays) {
+TEST(GoogolPt, RandomStreamsMatchANaiveModel) {
   for (std::uint64_t seed = 1; seed <= 200 && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     test::Random random(seed);

@@ -54,7 +54,7 @@ TEST(GoogolTrap, AStartSpeedShortensTheFirstRamp) {
   test::expect_arrives(smooth);
 }
 
-TEST(GoogolTrap, RefusesWhatTheManualRefuses) {
+TEST(GoogolTrap, RejectsAsTheManual) {
   const Trap good{.pos = 1000, .vel = 50, .acc = 0.25};
   const auto refused = [&](auto change) {
     Trap bad = good;
@@ -184,7 +184,7 @@ TEST(GoogolTrap, GivenAgainIsTheSameMove) {
     EXPECT_NEAR(trap(f, t, example).end(), 1325, 1e-3) << t;
 }
 
-TEST(GoogolMoveAbsolute, GoesOnFromWhateverMoves) {
+TEST(GoogolMoveAbsolute, ContinuesFromAnyMotion) {
   const MoveAbsolute m{.pos = 50000, .vel = 50, .acc = 0.25, .dec = 0.125, .percent = 60};
   const Trajectory f = move_absolute(m).curve();
   MoveAbsolute next = m;
@@ -223,7 +223,7 @@ TEST(GoogolMoveAbsoluteEx, BeginsAndEndsAsAsked) {
   test::expect_arrives(p);
 }
 
-TEST(GoogolMoveAbsoluteEx, RefusesADistanceTooShortForItsEndSpeed) {
+TEST(GoogolMoveAbsoluteEx, RejectsADistanceTooShortForItsEndSpeed) {
   MoveAbsoluteEx m{.pos = 1250, .vel = 50, .acc = 1, .vel_end = 50};
   EXPECT_EQ(move_absolute_ex(m).duration(), 50);  // 50^2 / 2 is just enough
   m.pos = 1249;
@@ -258,7 +258,7 @@ std::string refused_key(Call call) {
   return test::key_of([&] { call(); });
 }
 
-TEST(GoogolJog, RefusesTimesThatDoNotAscendAndAStandingStart) {
+TEST(GoogolJog, RejectsTimesThatDoNotAscendAndAStandingStart) {
   const Jog parameters{.acc = 0.0625};
   const auto key = [&](std::initializer_list<JogVelocity> velocities) {
     return refused_key([&] { jog(0, std::span(velocities), parameters); });
@@ -270,7 +270,7 @@ TEST(GoogolJog, RefusesTimesThatDoNotAscendAndAStandingStart) {
   EXPECT_EQ(key({{0, 100}, {400, 0}}), "");
 }
 
-TEST(GoogolTrap, RefusesEveryPositionOutOfRange) {
+TEST(GoogolTrap, RejectsEveryPositionOutOfRange) {
   constexpr auto least = std::numeric_limits<std::int64_t>::min();
   for (const std::int64_t pos : {least, -max_position - 1, max_position + 1}) {
     EXPECT_EQ(refused_key([&] { trap({.pos = pos, .vel = 50, .acc = 1}); }), "pos");
@@ -333,7 +333,7 @@ TEST(GoogolMoveVelocity, ShortRampsPeakWhereBothJerksMeet) {
   EXPECT_DOUBLE_EQ(p.phase(1).duration, 4);
 }
 
-TEST(GoogolMoveVelocity, KnowsItsDirections) {
+TEST(GoogolMoveVelocity, HasTwoDirections) {
   MoveVelocity m{.vel = 5, .acc = 1, .jerk_begin = 1, .jerk_end = 1};
   EXPECT_EQ(move_velocity({}, m).end().velocity, 5);
   m.direction = Direction::negative;

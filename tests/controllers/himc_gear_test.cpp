@@ -58,7 +58,7 @@ TEST(HimcGear, KeepsTheOrderOfItsCalls) {
   EXPECT_TRUE(gears.axis[1].enabled);
 }
 
-TEST(HimcGear, RefusesLinksThatCannotBe) {
+TEST(HimcGear, RejectsLinksThatCannotBe) {
   Gears gears = enable_gear(powered(), 0, 1).gears;
   EXPECT_EQ(enable_gear(gears, 0, 16).error, GearError::bad_slave);
   EXPECT_EQ(enable_gear(gears, 0, -1).error, GearError::bad_slave);

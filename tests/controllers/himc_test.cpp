@@ -55,7 +55,7 @@ TEST(HimcProfile, VelocityScaleLeavesTheAccelerationsAlone) {
   EXPECT_DOUBLE_EQ(d.acceleration, 500);
 }
 
-TEST(HimcProfile, RefusesWhatTheManualRefuses) {
+TEST(HimcProfile, RejectsAsTheManual) {
   const auto refused = [](auto change) {
     AxisProfile bad = example;
     change(bad);
@@ -89,7 +89,7 @@ TEST(HimcProfile, EveryRampTakesItsTrapezoidsTimePlusTheSmoothing) {
   }
 }
 
-TEST(HimcMoveVel, GoesToTheVelocityInItsDirection) {
+TEST(HimcMoveVel, ReachesTheVelocityInItsDirection) {
   const Profile p = move_vel({5, 0, 0}, -1, example);
   EXPECT_DOUBLE_EQ(p.duration(), 0.25);
   EXPECT_EQ(p.end().velocity, -100);

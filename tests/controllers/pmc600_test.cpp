@@ -163,7 +163,7 @@ TEST(LsMove, RandomMovesArriveAndKeepTheirLimits) {
   }
 }
 
-TEST(LsMove, RefusesWhatTheManualRefuses) {
+TEST(LsMove, RejectsAsTheManual) {
   const LsMove good{.to = 100, .velocity = 30, .acceleration = 100};
   const auto refused = [&](auto change) {
     LsMove bad = good;
@@ -214,7 +214,7 @@ TEST(VelocityCommands, FollowOneAnotherAsTheManualShows) {
   }
 }
 
-TEST(LsMoveVelocity, RefusesWhatIsNoNumber) {
+TEST(LsMoveVelocity, RejectsAnInvalidNumber) {
   EXPECT_THROW(ls_move_velocity(std::nan(""), 100, 100), InputError);
   EXPECT_THROW(ls_move_velocity(0, std::nan(""), 100), InputError);
 }
@@ -317,7 +317,7 @@ TEST(Superimposed, AddsBothMotionsAndBothDistances) {
   EXPECT_DOUBLE_EQ(move_superimposed(base, 1, 2000, top, 0.5).at(10).position, 6000);
 }
 
-TEST(Superimposed, RefusesAnAbortThatIsNoNumber) {
+TEST(Superimposed, RejectsAnAbortThatIsNoNumber) {
   const Dynamics d{.velocity = 2000, .acceleration = 4000};
   const Trajectory base = point_to_point(0, 6000, d).curve();
   EXPECT_THROW(move_superimposed(base, 1, 2000, d, std::nan("")), InputError);
@@ -346,7 +346,7 @@ TEST(Inch, IsOneStepUnlessReleased) {
   EXPECT_DOUBLE_EQ(inch(0, 50, d, 100).at(100).position, 50);
 }
 
-TEST(Jog, RefusesTimesThatDoNotAscend) {
+TEST(Jog, RejectsTimesThatDoNotAscend) {
   const Dynamics d{.velocity = 10, .acceleration = 20};
   for (const double second : {1.0, 0.5, std::nan("")}) {
     const std::array inputs{JogInput{1, true, false}, JogInput{second, false, false}};

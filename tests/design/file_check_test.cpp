@@ -167,7 +167,7 @@ TEST(Laws, AreFoundByTheirNames) {
               HasSubstr("law: is not a law: did you mean quintic?"));
 }
 
-TEST(Conversion, KnowsItsEndings) {
+TEST(Conversion, ReadsItsFileEndings) {
   EXPECT_TRUE(has_known_ending("cam.csv"));
   EXPECT_TRUE(has_known_ending("-"));
   EXPECT_FALSE(has_known_ending("cam.pdf"));

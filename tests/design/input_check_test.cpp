@@ -231,7 +231,7 @@ TEST(PositionRange, AnExcursionIsOneFinding) {
       ::testing::UnorderedElementsAre(25, 30));
 }
 
-TEST(TableTolerance, BelowTheRoundingIsRefused) {
+TEST(TableTolerance, BelowTheRoundingIsRejected) {
   EXPECT_THAT(refusal("tolerance", "1e-30"),
               ::testing::HasSubstr("table.tolerance = 1e-30 mm: must be at least 1.24"));
   EXPECT_THAT(

@@ -170,7 +170,7 @@ acceleration = 200
   EXPECT_NEAR(figure(all, "margin"), 0.2, 1e-9);
 }
 
-TEST(KeyFigures, RefuseANameTheyDoNotHave) {
+TEST(KeyFigures, RejectANameTheyDoNotHave) {
   const Spec spec = parse_spec(move, "move.toml");
   EXPECT_THAT(error_of([&] { assess(spec, {"peak speed"}); }),
               HasSubstr("figure = \"peak speed\": must be one of stroke, knots, duration"));

@@ -96,7 +96,7 @@ TEST(LoadCheck, DryFrictionAddsToTheTorqueThatDrives) {
   EXPECT_FALSE(report.findings[0].broken);
 }
 
-TEST(LoadCheck, SaysNothingWithoutLimitsAndWantsASpeed) {
+TEST(LoadCheck, NeedsLimitsAndASpeed) {
   EXPECT_TRUE(checked("").findings.empty());
   const auto read = [](const std::string& load, bool master) {
     return test::error_of([&] { (void)parse_spec(spec(load, master), "a.toml"); });

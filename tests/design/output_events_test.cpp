@@ -84,7 +84,7 @@ TEST(OutputEvents, OfAPathAreItsLines) {
   }
 }
 
-TEST(OutputEvents, ASpecWithoutOutputsIsRefused) {
+TEST(OutputEvents, ASpecWithoutOutputsIsRejected) {
   EXPECT_EQ(test::key_of([] { output_events(read_inputs(examples + "pmc600-cam/cam.toml")); }),
             "switch");
 }

@@ -95,7 +95,7 @@ TEST(OverTime, TheWordOfAnOptionFitsTheFile) {
   EXPECT_EQ(test::key_of([&] { (void)over("time", input_of(cam.table, "knife.csv")); }), "over");
 }
 
-TEST(OverTime, AMotionOverTimeIsRefused) {
+TEST(OverTime, AMotionOverTimeIsRejected) {
   const Input move = read_inputs(JOUNCE_SOURCE_DIR "/examples/generators/03-move.toml").front();
   EXPECT_EQ(test::key_of([&] { over_time(move); }), "FILE");
   EXPECT_TRUE(sync_zones(move).empty());

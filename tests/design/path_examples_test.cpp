@@ -99,7 +99,7 @@ TEST(PathExamples, OfHimcFramesReachThePointsOfTheManual) {
   }
 }
 
-TEST(PathExamples, OfHimcArcsEndWhereTheManualSays) {
+TEST(PathExamples, OfHimcArcsEndAsInTheManual) {
   const auto ends = ends_of("himc-path/arc-forms.toml");
   ASSERT_EQ(ends.size(), 7U);
   expect_near(ends[0], 200, 300);                    // 8.2.11

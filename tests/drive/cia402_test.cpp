@@ -183,7 +183,7 @@ TEST(Increments, TiesGoAwayFromZeroAndMirror) {
   EXPECT_EQ(Increments(2, 4, true).position(-2), 4);
 }
 
-TEST(Increments, SayNothingOfWhatIsNone) {
+TEST(Increments, AreZeroWithoutAMotion) {
   const Increments increments(131072, 360);
   EXPECT_FALSE(increments.of(std::numeric_limits<double>::quiet_NaN()));
   EXPECT_FALSE(increments.of(std::numeric_limits<double>::infinity()));
@@ -262,7 +262,7 @@ TEST(Cia402Axis, HoldsADriveBackThatIsNotWhereItShouldBe) {
   EXPECT_EQ(plant.state, operation_enabled);
 }
 
-TEST(Cia402Axis, TellsAFaultAndResetsIt) {
+TEST(Cia402Axis, ReportsAFaultAndResetsIt) {
   Cia402Axis axis({.increments_per_rev = 1000, .position_per_rev = 10});
   Plant plant;
   plant.state = operation_enabled;

@@ -11,7 +11,7 @@
 namespace jounce::drive_test {
 namespace {
 
-TEST(NullDrive, IsInTheNextCycleWhereItWasToldToBe) {
+TEST(NullDrive, HasItsSetpointInTheNextCycle) {
   NullDrive drive(7);
   EXPECT_EQ(drive.feedback().position, 7);
   drive.command({.position = 1.25, .velocity = -3});
@@ -23,7 +23,7 @@ TEST(NullDrive, IsInTheNextCycleWhereItWasToldToBe) {
   EXPECT_FALSE(said.fault);
 }
 
-TEST(DriveSetpoint, SaysWhatTheTickAsks) {
+TEST(DriveSetpoint, HasTheSetpointOfTheTick) {
   Tick tick;
   EXPECT_FALSE(drive_setpoint(tick, {}).enable);
   tick.tick = 12;

@@ -43,7 +43,7 @@ TEST(Encoder, NoiseIsWhiteNormalAndTheSameForASeed) {
   EXPECT_NEAR(beyond / double{n}, 0.0455, 5 * std::sqrt(0.0455 / n)) << "erfc(sqrt(2))";
 }
 
-TEST(Encoder, RefusesMagnitudesThatAreNone) {
+TEST(Encoder, RejectsMagnitudesThatAreNone) {
   EXPECT_THROW(EncoderReading({.resolution = -1}), InputError);
   EXPECT_THROW(EncoderReading({.noise = NAN}), InputError);
 }
@@ -61,7 +61,7 @@ class Puppet final : public AxisDrive {
   int asked = 0;
 };
 
-TEST(ObservedDrive, IsAskedOnceACycleAndSaysNothingInAFault) {
+TEST(ObservedDrive, IsReadOnceACycleAndIgnoredInAFault) {
   const auto puppet = std::make_shared<Puppet>();
   ObservedDrive drive(puppet);
   EXPECT_TRUE(std::isnan(drive.position()));

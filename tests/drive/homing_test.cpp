@@ -359,7 +359,7 @@ TEST(Homing, FailsWhereBothLimitSwitchesAreOn) {
   expect_failed(stage, Cause::both_switches);
 }
 
-TEST(Homing, RefusesWhatItCannotDo) {
+TEST(Homing, RejectsWhatItCannotDo) {
   const auto refused = [](Stage& stage, const Command& command) {
     const Cause cause = refusal(stage.step(command));
     EXPECT_EQ(stage.now.state, State::standstill);
@@ -385,7 +385,7 @@ TEST(Homing, RefusesWhatItCannotDo) {
   EXPECT_EQ(refusal(bare.step(with(35))), Cause::none);
 }
 
-TEST(Homing, AConfigurationThatCannotBeIsRefusedWithItsKey) {
+TEST(Homing, AConfigurationThatCannotBeIsRejectedWithItsKey) {
   const auto complaint = [](const HomingSpec& spec) {
     AxisConfig config = config_of();
     config.homing = spec;
@@ -565,7 +565,7 @@ TEST(Homing, AfterwardsThePositionRangeHolds) {
   EXPECT_NEAR(stage.now.position, -20, 1e-6);
 }
 
-TEST(Homing, WhatRequiresAHomeIsRefusedBefore) {
+TEST(Homing, WhatRequiresAHomeIsRejectedBefore) {
   AxisConfig config = config_of();
   config.require_home = true;
   Stage stage(machine(cam), 40, config);

@@ -85,7 +85,7 @@ TEST(MachineSensors, TheEncoderCountsFromElsewhere) {
   EXPECT_EQ(now.sensors.index.edge, 5);
 }
 
-TEST(MachineSensors, RefuseWhatNoSwitchCanBe) {
+TEST(MachineSensors, RejectWhatNoSwitchCanBe) {
   EXPECT_THROW(SimulatedSwitch({.width = 0}), InputError);
   EXPECT_THROW(SimulatedSwitch({.bounce = -1}), InputError);
   EXPECT_THROW(SimulatedSwitch({.position = NAN}), InputError);

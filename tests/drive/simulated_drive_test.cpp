@@ -25,7 +25,7 @@ std::shared_ptr<const Table> smooth_cam() {
       {{0, 120, 180, 300, 360}, {0, 90, 90, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}});
 }
 
-TEST(SimulatedDrive, FollowsAPlayedCamAsTheIntegrationSays) {
+TEST(SimulatedDrive, FollowsAPlayedCamAsIntegrated) {
   const auto master = test::constant_master(360, 720);
   Job job(1, master, smooth_cam());
   Bench bench({.limits = test::limits(1e4, 1e6)});
@@ -89,7 +89,7 @@ TEST(SimulatedDrive, StandsByItsBrakeUntilItIsEnabled) {
   EXPECT_EQ(drive.feedback().velocity, 0);
 }
 
-TEST(SimulatedDrive, TellsTheTorqueAsAShareOfTheRatedOne) {
+TEST(SimulatedDrive, ReportsTheTorqueAsAShareOfTheRatedOne) {
   for (const double rated : {0.0, 1.25}) {
     Drive model = servo_400w();
     model.motor.rated_torque = rated;
@@ -101,7 +101,7 @@ TEST(SimulatedDrive, TellsTheTorqueAsAShareOfTheRatedOne) {
   }
 }
 
-TEST(SimulatedDrive, RefusesWhatItCannotBe) {
+TEST(SimulatedDrive, RejectsWhatItCannotBe) {
   Drive model = servo_400w();
   model.train.at(0).backlash = 0.01;
   EXPECT_THROW(SimulatedDrive(model, 0.001), InputError);

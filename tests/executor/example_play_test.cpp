@@ -491,7 +491,7 @@ void expect_within(Follower& site, double known, Nanos more) {
 
 const wire::Queue rolling{.units = over_time, .capacity = 100, .prefill = 50};
 
-TEST(Underrun, StopsOnThePathIsSaidAndGoesOnWhenThereIsMore) {
+TEST(Underrun, StopsOnThePathIsReportedAndContinuesWithMoreRows) {
   Follower site(limits(1000, 1e5));
   const Nanos more = site.clock() + 3s;
   expect_within(site, long_way()[99].p_end, more);

@@ -162,7 +162,7 @@ TEST(Clutch, OfNoDistanceChangesAtOnce) {
   EXPECT_TRUE(state.engaged);
 }
 
-TEST(Clutch, RefusesWhatTheManualExcludes) {
+TEST(Clutch, RejectsAsTheManual) {
   const Gear stands = Gear::ratio(0, 1);
   for (const auto& [ratio, words] :
        {std::pair{googol::GearRatio{2, 1, 1}, "masterSlope = 1: must not be 1 (manual I-140)"},

@@ -141,7 +141,7 @@ TEST(CutLengthMap, IsSlowestAtTwiceTheSynchronousRecovery) {
   EXPECT_EQ(fastest_cut(knife, f.synchronous, acceleration).limit, "");  // the gear has no limit
 }
 
-TEST(CutLengthMap, RefusesALengthOrASpeedThatIsNone) {
+TEST(CutLengthMap, RejectsALengthOrASpeedThatIsNone) {
   EXPECT_THROW(fastest_cut(knife, 0, limits), InputError);
   EXPECT_THROW(fastest_cut(knife, 4, {{}, 0}), InputError);
   EXPECT_THROW(shortest_length(knife, limits, -1, 1, 2), InputError);

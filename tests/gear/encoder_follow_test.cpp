@@ -80,7 +80,7 @@ TEST(EncoderFollow, KeepsAnAdditionWithinAPulseOfTheLine) {
   }
 }
 
-TEST(EncoderFollow, RefusesInTheControllersNumbers) {
+TEST(EncoderFollow, RejectsInTheControllersNumbers) {
   const auto words = [](const EncoderFollowSpec& spec) -> std::string {
     return test::error_of([&] { (void)EncoderFollow(spec); });
   };

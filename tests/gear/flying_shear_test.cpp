@@ -167,7 +167,7 @@ TEST(FlyingShear, IsTriosPrintedMoves) {
             (std::vector<std::string>{"accelerate", "sync", "decelerate", "return", "wait"}));
 }
 
-TEST(FlyingShear, RefusesThePower7CaseAndSaysWhatWorks) {
+TEST(FlyingShear, RejectsThePower7CaseWithAWorkingRemedy) {
   FlyingShear shear = shear_of(oracle().at("case_2_power7").at("spec"));
   const ShearBound least = least_cut_length(shear);
   EXPECT_EQ(least.quantity, "return acceleration");
@@ -321,7 +321,7 @@ TEST(FlyingShear, NamesWhatBinds) {
   EXPECT_THAT(refusal(shear), StartsWith("line_speed"));
 }
 
-TEST(FlyingShear, BoundsSayWhereNothingHelpsAndWhereNothingLimits) {
+TEST(FlyingShear, BoundsAreZeroOrInfiniteAtTheExtremes) {
   FlyingShear shear = case_2();
   shear.limits.velocity = 0.5;
   EXPECT_EQ(least_cut_length(shear).value, std::numeric_limits<double>::infinity());

@@ -35,7 +35,7 @@ void expect_plays(const FollowSpec& spec, double to) {
   }
 }
 
-TEST(FollowBanks, PlayWhatTheSpecSays) {
+TEST(FollowBanks, PlayTheirSpec) {
   const FollowTable catch_up{{{5000, 2500}}};
   expect_plays({{catch_up, test::shear_cycle()}}, 15000);  // 7-6
   expect_plays({{test::example_7_7()}}, 200000);           // 7-7
@@ -62,7 +62,7 @@ TEST(FollowBanks, AnEndlessTableGoesOn) {
   EXPECT_EQ(alone.loops, 0);
 }
 
-TEST(FollowBanks, RefuseMoreThanABankHolds) {
+TEST(FollowBanks, RejectMoreThanABankHolds) {
   FollowTable many = test::shear_cycle();
   many.loops = 3;
   EXPECT_NO_THROW(follow_banks({{many, {{{1000, 500, PtType::stop}}}}, 1}, 15));

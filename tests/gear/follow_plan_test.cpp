@@ -257,7 +257,7 @@ TEST(FollowPlan, RandomTablesMeetEveryPointAndRatioAndNeverTurnBack) {
   EXPECT_LT(not_whole, 60);
 }
 
-TEST(FollowPlan, RefusesWhatContradictsItself) {
+TEST(FollowPlan, RejectsContradictions) {
   const auto text = [](const FollowPlan& plan) -> std::string {
     return test::error_of([&] { (void)cam_spec(plan); });
   };

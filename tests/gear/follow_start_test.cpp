@@ -110,7 +110,7 @@ TEST(FollowStart, StepsNeedTheRightDirectionAndStartWhereTheMasterStood) {
   EXPECT_FALSE(begin_of(pass(10), at(0, 11, 1), at(1, 12, 1))) << "beyond already";
 }
 
-TEST(FollowStart, RefusesDirectionsThatAreNone) {
+TEST(FollowStart, RejectsDirectionsThatAreNone) {
   EXPECT_THROW(require_valid(pass(0, 0)), InputError);
   EXPECT_THROW(require_valid(pass(NAN)), InputError);
   EXPECT_THROW((void)followed_from(follow({{test::example_7_7()}}).cam, jog_master(100), 100, 0),

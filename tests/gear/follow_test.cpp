@@ -240,7 +240,7 @@ TEST(Follow, FiniteLoopsTakeTheRatioOfThePassBefore) {
   EXPECT_EQ(slave.segments[3], "table 2 continue to 80000");
 }
 
-TEST(Follow, RefusesWhatCannotBePlayed) {
+TEST(Follow, RejectsInputThatCannotBePlayed) {
   const auto text = [](const FollowSpec& spec) -> std::string {
     return test::error_of([&] { (void)follow(spec); });
   };

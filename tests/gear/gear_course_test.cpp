@@ -98,7 +98,7 @@ TEST(GearCourse, StepsInVelocityAloneWhereTheDistanceIsNone) {
   EXPECT_EQ(largest_jump(made.cam, 1).step, 1);
 }
 
-TEST(GearCourse, RefusesWhatDoesNotFit) {
+TEST(GearCourse, RejectsContradictions) {
   const auto words = [](const GearCourse& course) -> std::string {
     try {
       gear_course(course);
@@ -145,7 +145,7 @@ TEST(Feasibility, NamesTheLimitThePlaceAndTheFastestMaster) {
   EXPECT_NEAR(live.findings[0].where, 100000, 1e-6);
 }
 
-TEST(Feasibility, OfAGearAtOnceSaysThatNoSpeedIsSlowEnough) {
+TEST(Feasibility, OfAGearAtOnceReportsThatNoSpeedIsLowEnough) {
   const SyncCam made = gear_course({.master_end = 20, .ratio = 1, .changes = {{10, 2, 0}}});
   const Report report = feasibility(made.cam, {.acceleration = 1}, {.velocity = 1e-6});
   ASSERT_EQ(report.broken(), 1U);

@@ -74,7 +74,7 @@ TEST(GearInPos, StaysInSyncThroughReversalsOfItsMaster) {
   EXPECT_LT(peak_jump, 1e-6);
 }
 
-TEST(GearInPos, GoesNowhereWithoutAStepWhileTheMasterTrembles) {
+TEST(GearInPos, StaysStillWhileTheMasterTrembles) {
   const GearInPos gear = gear_in_pos(example_62());
   GearInPosState state;
   double slave = 0;
@@ -114,7 +114,7 @@ TEST(GearInPos, WaitsForAMasterThatIsPastTheStart) {
   EXPECT_TRUE(at(5000, 10).in_sync);
 }
 
-TEST(GearInPos, KnowsBeforehandThatALinearMasterIsPastTheStart) {
+TEST(GearInPos, PredictsThatALinearMasterIsPastTheStart) {
   GearInPosSpec spec = example_62();
   spec.master_position = 1000;
   EXPECT_TRUE(gear_in_pos(spec));
@@ -152,7 +152,7 @@ TEST(GearInPos, EngagesBackwards) {
 
 // ---- the window, and AvoidReversal -------------------------------------------------------------
 
-TEST(EngageWindow, IsWhereTheExtremaSayItIs) {
+TEST(EngageWindow, IsBoundedByTheExtrema) {
   test::Random random(3);
   for (int n = 0; n < 500; ++n) {
     GearInPosSpec spec;
@@ -181,7 +181,7 @@ TEST(EngageWindow, IsWhereTheExtremaSayItIs) {
   }
 }
 
-TEST(EngageWindow, SaysWhichDistancesWouldDo) {
+TEST(EngageWindow, ReportsPossibleDistances) {
   const EngageWindow window = engage_window(example_62());
   EXPECT_EQ(window.rho, 1);
   EXPECT_NEAR(window.least, 20000 / 3.0, 1e-9);
@@ -232,7 +232,7 @@ TEST(GearInPos, TakesOtherLaws) {
   EXPECT_THROW(gear_in_pos(spec), InputError);
 }
 
-TEST(GearInPos, RefusesWhatIsOutOfRange) {
+TEST(GearInPos, RejectsValuesOutOfRange) {
   const auto key_of = [](auto change) -> std::string {
     GearInPosSpec spec = example_62();
     change(spec);

@@ -134,7 +134,7 @@ TEST(GearIn, IsReplacedByAnotherAndLetGo) {
   EXPECT_NEAR(point(out, T + 3)[1], -400, 1e-9);
 }
 
-TEST(GearIn, RefusesInTheControllersNumbers) {
+TEST(GearIn, RejectsInTheControllersNumbers) {
   const auto words = [](const GearInSpec& spec) -> std::string {
     return test::error_of([&] { gear_in(spec, {}, Jet{}, 0); });
   };

@@ -90,7 +90,7 @@ TEST(GearSum, CountsHalfAPeriodForwards) {
   EXPECT_EQ(counter_increment(0, 0, 1), 0);
 }
 
-TEST(GearSum, RefusesWhatHasNoCommonDenominator) {
+TEST(GearSum, RejectsWhatHasNoCommonDenominator) {
   EXPECT_THROW(GearSum::of(std::vector<Gear>{}), InputError);
   const std::vector<Gear> primes{Gear::ratio(1, 4'294'967'291), Gear::ratio(1, 4'294'967'279)};
   EXPECT_THROW(GearSum::of(primes), InputError);

@@ -71,7 +71,7 @@ TEST(Gear, SingleCountsAddUp) {
   }
 }
 
-TEST(Gear, IsReducedAndRefusesWhatIsNoRatio) {
+TEST(Gear, IsReducedAndRejectsWhatIsNoRatio) {
   EXPECT_EQ(Gear::ratio(4000, 3072).numerator(), 125);
   EXPECT_EQ(Gear::ratio(4000, 3072).denominator(), 96);
   EXPECT_THROW(Gear::ratio(1, 0), InputError);

@@ -30,7 +30,7 @@ TEST(Indexer, IsThePrintedExampleOfCodesys) {
   EXPECT_EQ(feed.segments, (std::vector<std::string>{"dwell", "index", "dwell"}));
 }
 
-TEST(Indexer, GoesOnForEverWithoutDrift) {
+TEST(Indexer, ContinuesForEverWithoutDrift) {
   const SyncCam back = indexer({.distance = -45, .cycle = 360, .motion = 30, .count = 8});
   EXPECT_EQ(back.cam.jet(31)[0], -45);
   EXPECT_EQ(back.cam.jet(360e9 + 31)[0], -360e9 - 45);
@@ -81,7 +81,7 @@ std::string refusal(const Indexer& spec) {
   return test::error_of([&] { (void)indexer(spec); });
 }
 
-TEST(Indexer, SaysWhatDoesNotFit) {
+TEST(Indexer, ReportsContradictions) {
   using ::testing::StartsWith;
   EXPECT_THAT(refusal({.distance = 1, .cycle = 10, .motion = 8, .before = 3}),
               StartsWith("motion = 8: must be at most 7"));

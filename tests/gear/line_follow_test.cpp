@@ -46,7 +46,7 @@ TEST(LineFollow, RelativeCountsFromWhereTheAxesStand) {
   EXPECT_EQ(both.slave.at(0).position, -50);
 }
 
-TEST(LineFollow, RefusesZeroes) {
+TEST(LineFollow, RejectsZeroes) {
   const pmc600::LineFollow fine{
       .end_master = 10, .end_slave = 5, .velocity = 1, .acceleration = 1, .deceleration = 1};
   EXPECT_NO_THROW(pmc600::line_follow(fine));

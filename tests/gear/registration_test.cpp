@@ -124,7 +124,7 @@ TEST(Registration, TheGreatestCorrectionIsTheClosedForm) {
   EXPECT_EQ(greatest_correction(even, wide, {}, v), 100);
 }
 
-TEST(Registration, StaysWithinTheLimitsItSays) {
+TEST(Registration, StaysWithinItsStatedLimits) {
   const Cam cam = roll();
   Registration wide = mark;
   wide.most = 1000;
@@ -205,7 +205,7 @@ TEST(Registration, NoSyncZoneIsDisturbedHoweverLongAnErrorLasts) {
   }
 }
 
-TEST(Registration, AShearGoesOnFromAState) {
+TEST(Registration, AShearContinuesFromAState) {
   FlyingShear spec{.cut_length = 1000, .line_speed = 1000, .sync_time = 0.15};
   spec.limits.acceleration = 10000;
   const SyncCam shear = flying_shear(spec);
@@ -227,7 +227,7 @@ std::string refusal(const Registration& registration, const Cam& cam, double err
   return test::error_of([&] { registered(cam, registration, std::vector<double>{error}); });
 }
 
-TEST(Registration, SaysWhatDoesNotFit) {
+TEST(Registration, ReportsContradictions) {
   using ::testing::StartsWith;
   Registration bad = mark;
   bad.window_length = 200;

@@ -74,7 +74,7 @@ TEST(RotaryKnife, HasTheFiguresOfCaseY) {
   expect_near(f.speed_error, 1 - std::cos(5 * pi / 180), 1e-12);
 }
 
-TEST(RotaryKnife, RunsAsFastAndAcceleratesAsMuchAsCaseYSays) {
+TEST(RotaryKnife, HasTheSpeedAndAccelerationOfCaseY) {
   const Cam cam = rotary_knife(case_y()).cam;
   test::expect_invariants(cam, 2);
   const auto& y = oracle("case_y");
@@ -218,7 +218,7 @@ TEST(RotaryKnife, HorizontalRecoveryTakesOverWhatAsinEndsWith) {
   }
 }
 
-TEST(RotaryKnife, HorizontalKnifeWithoutAnAccelerationTurnsBackWhereItSays) {
+TEST(RotaryKnife, AHorizontalKnifeWithoutAnAccelerationReversesAsReported) {
   for (const auto& each : oracle("horizontal")) {
     RotaryKnifeSpec spec = horizontal(each);
     spec.cut_length = each["longest"].get<double>() * 1.0001;
@@ -266,7 +266,7 @@ TEST(RotaryKnife, TipSlipsInAThickWebWhereOnlyTheSurfaceMatches) {
   EXPECT_NEAR(find(report, "knife/slip")->value, 1 - std::cos(alpha), 1e-14);
 }
 
-TEST(RotaryKnife, SaysWhereTheBladeTouchesBeforeItIsInStep) {
+TEST(RotaryKnife, ReportsWhereTheBladeTouchesBeforeItIsInSync) {
   RotaryKnifeSpec spec{
       .diameter = 300, .cut_length = 1200, .sync_angle = 20, .turn = 360, .thickness = 5};
   spec.matching = KnifeMatching::horizontal;
@@ -346,7 +346,7 @@ TEST(RotaryKnife, ClosesToTheLastDigitWhateverItsNumbers) {
   }
 }
 
-TEST(RotaryKnife, RefusesWhatCannotBeCut) {
+TEST(RotaryKnife, RejectsInputThatCannotBeCut) {
   RotaryKnifeSpec spec = case_y();
   spec.cut_length = 0.26;
   EXPECT_EQ(refusal(spec),

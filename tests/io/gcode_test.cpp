@@ -178,7 +178,7 @@ TEST(Gcode, LeavesOutMovesThatMoveNothing) {
   EXPECT_EQ(parsed("G0 X0 Y0\nG1 X1 F60\nX1\n").program.commands().size(), 1U);
 }
 
-TEST(Gcode, RefusesEverythingElseWithItsPlace) {
+TEST(Gcode, RejectsEverythingElseWithItsPlace) {
   EXPECT_THAT(complaint("G1 X1 F60\nG5 X2\n"),
               HasSubstr("part.ngc:2:1: G5: a spline is not supported"));
   EXPECT_THAT(complaint("N1 G1\nG1 X1 N2\n"),
@@ -249,7 +249,7 @@ TEST(Gcode, NamesTheMeaningOfUnsupportedWords) {
   EXPECT_THAT(complaint("G1 X1 D3\n"), HasSubstr("part.ngc:1:7: D3: a tool number"));
 }
 
-TEST(Gcode, RefusesAnEndBeyondThePositionLimitsOfAnAxis) {
+TEST(Gcode, RejectsAnEndBeyondThePositionLimitsOfAnAxis) {
   GcodeMachine limited = machine();
   limited.axes[2].position_min = -100;
   limited.axes[2].position_max = 50;

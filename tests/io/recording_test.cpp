@@ -62,7 +62,7 @@ TEST(Recording, CountsACurrentByTheTorqueConstant) {
               HasSubstr("current: needs motor.torque_constant"));
 }
 
-TEST(Recording, RefusesWhatIsNone) {
+TEST(Recording, RejectsWhatIsNone) {
   const std::string head = "time,command,feedback\n";
   EXPECT_THAT(refused(""), HasSubstr("is empty"));
   EXPECT_THAT(refused(head), HasSubstr("has a header but no points: add at least one row"));

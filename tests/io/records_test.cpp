@@ -64,7 +64,7 @@ TEST(Records, ColumnsMayBeLeftOutAndHaveUnits) {
   EXPECT_DOUBLE_EQ(p.settings()[0].velocity, 10);
 }
 
-TEST(Records, AnythingElseIsRefusedWithLineAndColumn) {
+TEST(Records, AnythingElseIsRejectedWithLineAndColumn) {
   const std::string row = "1;1;1000;0;0;10;500;2000;0;0\n";
   EXPECT_THAT(complaint("X_EndPos;Y_EndPos;Z_EndPos;U_EndPos;Speed\n1;2;3;4;5\n"),
               HasSubstr("records.csv:1: speed: is not a column of records; possible columns: "));

@@ -129,7 +129,7 @@ std::string complaint(const std::string& text) {
   return test::error_of([&] { (void)parse_table(text, "t"); });
 }
 
-TEST(TableFile, RefusesEveryTruncation) {
+TEST(TableFile, RejectsEveryTruncation) {
   const TableFile file = ragged(Interpolation::cubic_hermite, 4);
   for (const std::string& text : texts_of(file))
     for (std::size_t length = 0; length + 1 < text.size();
@@ -137,7 +137,7 @@ TEST(TableFile, RefusesEveryTruncation) {
       EXPECT_NE(complaint(text.substr(0, length)), "") << text.substr(0, length);
 }
 
-TEST(TableFile, RefusesOrKeepsEveryChangedByte) {
+TEST(TableFile, RejectsOrKeepsEveryChangedByte) {
   // For every changed byte, the table read is the table written, or there is an error.
   const TableFile file = ragged(Interpolation::cubic_hermite, 4);
   for (const std::string& text : texts_of(file))

@@ -50,7 +50,7 @@ TEST_F(FindFiles, AFolderHasControllerFilesThatARunDoesNotExamine) {
   EXPECT_THAT(controller_files({(folder_ / "cam.st").string()}), IsEmpty());
 }
 
-TEST_F(FindFiles, AFolderHasTheFilesThatSayTheyAreOfJounce) {
+TEST_F(FindFiles, AFolderHasTheFilesWithAHeaderOfJounce) {
   write("b.toml", "jounce = 1\n");
   write("a/late.toml", "# a comment\n\n  kind = \"cam\"\njounce=1\n[units]\n");
   write("a/broken.toml", "jounce = 1\nthis is not TOML");

@@ -88,7 +88,7 @@ TEST(Dashboard, ShowsTheAxesByNameAndTheFirstInDetail) {
     EXPECT_THAT(text, HasSubstr(said));
 }
 
-TEST(Dashboard, SaysWhatIsNotKnown) {
+TEST(Dashboard, ShowsUnknownValues) {
   const std::string text = screen(two_axes(), {.chosen = "knife", .now = 1s});
   EXPECT_THAT(text, HasSubstr("> knife"));
   EXPECT_THAT(text, HasSubstr("torque not known"));
@@ -135,7 +135,7 @@ TEST(Dashboard, IsAsciiWhereItHasToBe) {
   EXPECT_THAT(text, HasSubstr("123.25 ?m"));
 }
 
-TEST(Dashboard, GivesTheTerminalNoControlCharacterOfAnybody) {
+TEST(Dashboard, SendsNoControlCharacterToTheTerminal) {
   std::vector<Watched> axes = two_axes();
   // CSI as one character of two bytes, an escape, a byte that ends nothing.
   axes[0].status->units.position =
@@ -147,7 +147,7 @@ TEST(Dashboard, GivesTheTerminalNoControlCharacterOfAnybody) {
   EXPECT_THAT(text, Not(HasSubstr("\xC2\x9B")));
 }
 
-TEST(Dashboard, SaysAFaultInWordsWithItsNumber) {
+TEST(Dashboard, ShowsAFaultInWordsWithItsNumber) {
   std::vector<Watched> axes = two_axes();
   axes[0].status->state = State::error_stop;
   axes[0].status->last_error = 6;
@@ -157,7 +157,7 @@ TEST(Dashboard, SaysAFaultInWordsWithItsNumber) {
   EXPECT_EQ(tone_of(rows, "6 following_error"), Tone::wrong);
 }
 
-TEST(Dashboard, SaysThatAnAxisIsSilentInPlaceOfItsState) {
+TEST(Dashboard, ShowsASilentAxisInPlaceOfItsState) {
   const std::vector<Watched> axes = two_axes();
   EXPECT_THAT(screen(axes, {.now = 4s, .silence = 3s}), Not(HasSubstr("silent")));
   const auto rows = rows_of(axes, {.now = 6s, .silence = 3s});
@@ -165,7 +165,7 @@ TEST(Dashboard, SaysThatAnAxisIsSilentInPlaceOfItsState) {
   EXPECT_EQ(tone_of(rows, "silent for 5 s"), Tone::wrong);
 }
 
-TEST(Dashboard, SaysThatNothingIsHeard) {
+TEST(Dashboard, ShowsThatNoStatusArrives) {
   EXPECT_THAT(screen({}, {}), HasSubstr("no message yet"));
   EXPECT_THAT(screen({{.name = "feeder"}}, {}), HasSubstr("no message yet"));
 }
@@ -178,7 +178,7 @@ TEST(Dashboard, HasAMarkForOneLateCycleAmongMillions) {
   EXPECT_THAT(screen(axes, {.ascii = true, .now = 1s}), HasSubstr("@              ."));
 }
 
-TEST(Sparkline, GoesFromTheLowestToTheHighestOfWhatIsShown) {
+TEST(Sparkline, ExtendsFromTheLowestToTheHighestShownValue) {
   EXPECT_EQ(machine_detail::sparkline({0, 1, 2, 7}, 80, true), ".:-@");
   EXPECT_EQ(machine_detail::sparkline({100, 0, 7}, 2, true), ".@");
   EXPECT_EQ(machine_detail::sparkline({5, 5}, 80, false), "▁▁");
@@ -186,7 +186,7 @@ TEST(Sparkline, GoesFromTheLowestToTheHighestOfWhatIsShown) {
   EXPECT_EQ(machine_detail::sparkline({1, 2}, 0, true), "");
 }
 
-TEST(Heard, KeepsAPositionEveryTenthOfASecondAndNoMoreThanAreShown) {
+TEST(Heard, KeepsTenPositionsASecondAndNoMoreThanAreShown) {
   std::vector<Watched> axes;
   wire::Status s;
   for (int i = 0; i < 100'000; ++i) {
@@ -311,7 +311,7 @@ TEST(Keys, AnAxisThatAppearsTakesNothingFromTheChosenOne) {
   EXPECT_EQ(view.chosen, "knife");
 }
 
-TEST(Keys, MeanNothingWhereNothingIsHeard) {
+TEST(Keys, HaveNoEffectWithoutStatus) {
   View view;
   for (const int c :
        {int('h'), int('r'), int('s'), int('y'), int('\t'), int(Key::up), int(Key::down)})

@@ -72,7 +72,7 @@ TEST(UpText, NamesTheAxesAndTheNextCommand) {
             "plotter enable");
 }
 
-TEST(UpText, SaysThatThePositionOfADriveIsNotMeasured) {
+TEST(UpText, StatesThatThePositionOfADriveIsNotMeasured) {
   std::vector<ExecutorOptions> axes(1);
   axes[0].receiver.executor = "feeder";
   axes[0].axis.position = 63.5;

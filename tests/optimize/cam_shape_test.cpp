@@ -141,7 +141,7 @@ CamShapeProblem over_the_seam() {
   return problem;
 }
 
-TEST(CamShapes, OneRunGoesOverTheSeam) {
+TEST(CamShapes, OneRunPassesTheSeam) {
   const auto outcome = optimize_cam_shapes(over_the_seam());
   ASSERT_TRUE(outcome.usable()) << outcome.reason;
   ASSERT_EQ(outcome.runs.size(), 1U);
@@ -170,7 +170,7 @@ TEST(CamShapes, CorridorsAreCutAtTheSeam) {
   EXPECT_THROW((void)optimize_cam_shapes(problem), InputError) << "in the dwell";
 }
 
-TEST(CamShapes, ARotarySlaveGoesOnOverTheSeam) {
+TEST(CamShapes, ARotarySlaveAdvancesOverTheSeam) {
   CamSpec cam;
   cam.periodic = true;
   cam.slave_period = 360;
@@ -242,7 +242,7 @@ TEST(CamShapes, MonotoneShapesNeverTurnBack) {
   EXPECT_GE(monotone.runs[0].shape.figures[0].reached, free.runs[0].shape.figures[0].reached);
 }
 
-TEST(CamShapes, LaterFiguresDoNoHarmToEarlierOnes) {
+TEST(CamShapes, LaterFiguresKeepEarlierOnes) {
   CamShapeProblem problem = problem_of(up_and_down(Law::modified_sine), {{0, 30}}, rms(2));
   const auto alone = optimize_cam_shapes(problem);
   problem.minimize.push_back({{peak(3), 1}});
@@ -302,7 +302,7 @@ TEST(CamShapes, StopsWithTheBestSoFar) {
   EXPECT_EQ(outcome.runs.size(), 2U);
 }
 
-TEST(CamShapes, RefuseWhatCannotBe) {
+TEST(CamShapes, RejectWhatCannotBe) {
   const auto complaint = [](const CamShapeProblem& problem) -> std::string {
     try {
       require_valid(problem);

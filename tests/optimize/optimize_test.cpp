@@ -115,7 +115,7 @@ TEST(Optimize, MirrorsWithTheSlave) {
     EXPECT_NEAR(up.best.segments[i].end.slave, -down.best.segments[i].end.slave, 1e-4);
 }
 
-TEST(Optimize, KnowsNoUnits) {
+TEST(Optimize, IsIndependentOfUnits) {
   // Slave in 1e-6 of the unit, master in 1e3 of it.
   for (const auto objective :
        {Objective::peak_acceleration, Objective::peak_jerk, Objective::rms_acceleration}) {

@@ -48,7 +48,7 @@ TEST(Outcome, IsDeterministic) {
   EXPECT_EQ(a.reason, b.reason);
 }
 
-TEST(Outcome, SaysWhichLimitIsBrokenWhereNothingIsFree) {
+TEST(Outcome, NamesTheBrokenLimitIfNothingIsFree) {
   CamProblem problem = all_of_knot_three();
   problem.limits.acceleration = 0.06;  // segment 1 has 0.0779
   const Outcome<CamSpec> outcome = optimize(problem);
@@ -219,7 +219,7 @@ TEST(Outcome, IsTrueForRandomProblems) {
   }
 }
 
-TEST(Outcome, RefusesBadInputOnly) {
+TEST(Outcome, RejectsBadInputOnly) {
   CamProblem problem = all_of_knot_three();
   problem.options.starts = 0;
   EXPECT_THROW(optimize(problem), InputError);

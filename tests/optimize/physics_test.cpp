@@ -108,7 +108,7 @@ double torque(double x, const Jet& f) {
          3 * std::sin(-0.3 + 1.2 * f[0]);
 }
 
-TEST(LoadTorque, IsWhatItsEquationSays) {
+TEST(LoadTorque, MatchesItsEquation) {
   ShapeProblem p = rest_to_rest(8);
   p.minimize = {{RmsTorqueOf{lever()}}};
   p.options.budget.evaluations = 1;
@@ -196,7 +196,7 @@ TEST(LoadTorque, IsDeterministicCancellableAndBounded) {
   EXPECT_FALSE(few.best.empty());
 }
 
-TEST(LoadTorque, SaysWhereALimitCannotBeKept) {
+TEST(LoadTorque, ReportsWhereALimitCannotBeKept) {
   ShapeProblem p = rest_to_rest(12);
   p.minimize = {{RmsTorqueOf{lever()}}};
   p.ceilings = {{TorqueOf{lever()}, 1}};
@@ -205,7 +205,7 @@ TEST(LoadTorque, SaysWhereALimitCannotBeKept) {
   EXPECT_NE(o.status, OptimizeStatus::converged) << o.reason;
 }
 
-TEST(LoadTorque, RefusesWhatIsNoLoad) {
+TEST(LoadTorque, RejectsAnInvalidLoad) {
   const auto refused = [](const LoadTorque& load) {
     ShapeProblem p = rest_to_rest(8);
     p.minimize = {{RmsTorqueOf{load}}};
@@ -249,7 +249,7 @@ TEST(Residual, OfTheLawsHasItsClosedForm) {
 
 /// 1 % of the stroke left over +-15 % of the frequency and damping 0 ... 0.05, in 2.5 periods of the mode:
 /// at a lower peak acceleration than the inclined sine with a ZVD shaper that takes as long.
-TEST(Residual, ABandIsKeptQuietWithLessAccelerationThanAShapedLaw) {
+TEST(Residual, ABandNeedsLessAccelerationThanAShapedLaw) {
   const Mode mode{2.5, 0.025};
   const ModeBand band{mode.frequency * 0.85, mode.frequency * 1.15, 0, 0.05};
   const auto impulses = shaper({ShaperKind::zvd, mode});
@@ -270,7 +270,7 @@ TEST(Residual, ABandIsKeptQuietWithLessAccelerationThanAShapedLaw) {
   EXPECT_LT(best.figures[0].reached, 0.7 * peak) << "4.9 instead of 7.55";
 }
 
-TEST(Residual, OfOneModeGoesToNothing) {
+TEST(Residual, OfOneModeVanishes) {
   ShapeProblem p = rest_to_rest(30);
   const Mode mode{12 / (2 * pi), 0};
   p.minimize = {{PeakOf{derivative_of_shape(2)}}};

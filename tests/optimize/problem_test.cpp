@@ -58,7 +58,7 @@ TEST(CamProblem, IsAcceptedAsTheDemoHasIt) {
             "");
 }
 
-TEST(CamProblem, RefusesWhatWouldChangeANeighboursAcceleration) {
+TEST(CamProblem, RejectsWhatWouldChangeANeighboursAcceleration) {
   // The sine-straight hands its acceleration to the quintic before it.
   CamProblem problem;
   problem.cam = {
@@ -84,7 +84,7 @@ TEST(CamProblem, TakesASineBesideADwell) {
   EXPECT_TRUE(outcome.usable()) << outcome.reason;
 }
 
-TEST(CamProblem, RefusesBadBounds) {
+TEST(CamProblem, RejectsBadBounds) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refused(with_free({{3, Bound{355, 205}, {}, {}, {}}})), "segment[3].free.master");
   EXPECT_EQ(refused(with_free({{3, Bound{205, 270}, {}, {}, {}}})), "segment[3].free.master");
@@ -94,7 +94,7 @@ TEST(CamProblem, RefusesBadBounds) {
   EXPECT_EQ(refused(with_free({{0, {}, {}, {}, Bound{1, 2}}})), "start.free.geo_acceleration");
 }
 
-TEST(CamProblem, RefusesWhatIsNoKnotOrNamedTwice) {
+TEST(CamProblem, RejectsWhatIsNoKnotOrNamedTwice) {
   EXPECT_EQ(refused(with_free({{5, {}, Bound{0, 1}, {}, {}}})), "segment[5].free");
   const FreeKnot three{3, {}, Bound{-20, 240}, {}, {}};
   EXPECT_EQ(refused(with_free({three, three})), "segment[3].free");
@@ -103,12 +103,12 @@ TEST(CamProblem, RefusesWhatIsNoKnotOrNamedTwice) {
   EXPECT_EQ(refused(with_free({start, last})), "segment[4].free");
 }
 
-TEST(CamProblem, RefusesMovingTheEndsOfTheMaster) {
+TEST(CamProblem, RejectsMovingTheEndsOfTheMaster) {
   EXPECT_EQ(refused(with_free({{4, Bound{300, 400}, {}, {}, {}}})), "segment[4].free.master");
   EXPECT_EQ(refused(with_free({{0, Bound{-1, 1}, {}, {}, {}}})), "start.free.master");
 }
 
-TEST(CamProblem, RefusesNothingToDo) {
+TEST(CamProblem, RejectsNothingToDo) {
   EXPECT_EQ(refused(with_free({})), "free");
   EXPECT_EQ(refused(with_free({{3, Bound{280, 280}, {}, {}, {}}})), "free");
   CamProblem problem = with_free({{3, {}, Bound{-20, 240}, {}, {}}});
@@ -118,7 +118,7 @@ TEST(CamProblem, RefusesNothingToDo) {
   EXPECT_EQ(refused(problem), "minimize[2]");
 }
 
-TEST(CamProblem, RefusesBadSettingsAndBadCams) {
+TEST(CamProblem, RejectsBadSettingsAndBadCams) {
   const CamProblem good = with_free({{3, {}, Bound{-20, 240}, {}, {}}});
   const auto but = [&](auto change) {
     CamProblem problem = good;
@@ -133,7 +133,7 @@ TEST(CamProblem, RefusesBadSettingsAndBadCams) {
   EXPECT_EQ(but([](CamProblem& p) { p.cam.segments[1].end.master = 10; }), "segment[2].end.master");
 }
 
-TEST(CamProblem, RefusesWhatALawBesideTheKnotFixes) {
+TEST(CamProblem, RejectsWhatALawBesideTheKnotFixes) {
   CamProblem problem;
   problem.cam.start = {0, 0, {}, {}};
   problem.cam.segments = {{Law::modified_sine, {40, 30, {}, {}}, ""},

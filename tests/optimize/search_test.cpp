@@ -188,7 +188,7 @@ TEST(SearchOfOne, NarrowsADipDownBetweenItsPlaces) {
   EXPECT_THAT(outcome.at_bound, IsEmpty());
 }
 
-TEST(SearchOfOne, SaysWhatRefusesTheChoicesJustBeyond) {
+TEST(SearchOfOne, NamesTheLimitJustBeyondTheResult) {
   const auto f = [](const X& x) -> SearchAnswer {
     if (x[0] > 1.25) return {0, {}, false, "line_speed: must be at most 1.25"};
     return {-x[0], {}};
@@ -209,7 +209,7 @@ TEST(SearchOfOne, StandsAtABoundWhereThatIsBest) {
 
 // ---- what goes wrong ---------------------------------------------------------------------------
 
-TEST(Search, SaysWhatIsMissedLeastWhereNothingIsFeasible) {
+TEST(Search, ReportsTheSmallestViolationIfNothingIsFeasible) {
   const auto f = [](const X& x) -> SearchAnswer {
     return {x[0], {-1, square(x[0]) + square(x[1]) + 0.5}};
   };
@@ -220,7 +220,7 @@ TEST(Search, SaysWhatIsMissedLeastWhereNothingIsFeasible) {
   EXPECT_THAT(outcome.reason, HasSubstr("constraint 2 is violated by 0.5"));
 }
 
-TEST(Search, SaysWhyNothingIsPossible) {
+TEST(Search, ReportsWhyNothingIsPossible) {
   const auto f = [](const X&) -> SearchAnswer { return {0, {}, false, "the spec is refused"}; };
   const SearchOutcome outcome = search(box(2, 0, 1, 0.5), f, {.budget = {.evaluations = 50}});
   EXPECT_EQ(outcome.status, Status::infeasible);
@@ -320,7 +320,7 @@ TEST(Search, KeepsTheBestOfAllThatWasAsked) {
   EXPECT_EQ(outcome.answer.objective, best);
 }
 
-TEST(Search, StopsWhenItIsTold) {
+TEST(Search, StopsOnRequest) {
   int asked = 0;
   const SearchOutcome outcome =
       search(box(2, -5.12, 5.12, 1), rastrigin_in_disc, {}, [&](const OptimizeProgress& progress) {
@@ -361,7 +361,7 @@ TEST(Search, LetsExceptionsThrough) {
   }
 }
 
-TEST(Search, DoesNotTrustAFunctionThatChangesItsMind) {
+TEST(Search, DetectsAFunctionThatIsNotDeterministic) {
   int asked = 0;
   const auto f = [&](const X& x) -> SearchAnswer { return {x[0] + x[1] - ++asked, {}}; };
   const SearchOutcome outcome = search(box(2, 0, 1, 0.5), f, {.budget = {.evaluations = 300}});
@@ -386,7 +386,7 @@ TEST(Search, MeasuresNothingInUnits) {
   }
 }
 
-TEST(Search, RefusesWhatMakesNoSense) {
+TEST(Search, RejectsContradictions) {
   const auto f = [](const X& x) -> SearchAnswer { return {x[0], {}}; };
   const auto key = [&](const std::vector<SearchVariable>& variables,
                        const OptimizeOptions& options) {

@@ -53,7 +53,7 @@ void refused_response(const std::function<std::vector<double>(const Trajectory&)
   refused(p, "minimize[2].figure.of");
 }
 
-TEST(HardShape, AResponseThatIsNoneIsRefused) {
+TEST(HardShape, AResponseThatIsNoneIsRejected) {
   refused_response([](const Trajectory&) { return std::vector<double>{NAN, 1.0}; });
   refused_response([](const Trajectory&) { return std::vector<double>{}; });
   refused_response([n = 0](const Trajectory&) mutable {
@@ -64,7 +64,7 @@ TEST(HardShape, AResponseThatIsNoneIsRefused) {
   });
 }
 
-TEST(HardShape, ACorridorTooNarrowForAKnotIsRefusedNotForgotten) {
+TEST(HardShape, ACorridorTooNarrowForAKnotIsRejectedNotForgotten) {
   ShapeProblem p = least_acceleration();
   p.corridors = {{position, 0.5, 0.5 + 1e-9, Edge{2, 2}, {}}};
   refused(p, "corridors[1].to");
@@ -74,7 +74,7 @@ TEST(HardShape, ACorridorTooNarrowForAKnotIsRefusedNotForgotten) {
   EXPECT_GE(Trajectory(narrow.best).jet(0.5)[0], 2 - 1e-8);
 }
 
-TEST(HardShape, NumbersBeyondWhatADoubleCarriesAreRefused) {
+TEST(HardShape, NumbersBeyondWhatADoubleCarriesAreRejected) {
   ShapeProblem p = least_acceleration();
   for (const double u : {1e-300, 1e-150, 1e150, 1e300}) {
     p.to.value = u;
@@ -233,7 +233,7 @@ TEST(HardSearch, EnergyMayBeNothingOrLessThanThat) {
   EXPECT_NEAR(lowered.figures[0].reached, 3 / 3.14159 * (std::cos(3.14159) - 1), 1e-6);
 }
 
-TEST(HardSearch, WithoutFreedomOrEndsThatAgreeItSaysSo) {
+TEST(HardSearch, ReportsMissingFreedomOrEndsThatDisagree) {
   ShapeProblem p = least_acceleration(1, 5);
   p.minimize = {{TorqueOf{inertia()}}};
   const ShapeOutcome only = optimize_shape(p);

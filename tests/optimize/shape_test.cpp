@@ -273,7 +273,7 @@ TEST(Shape, APeriodicShapeMeetsItself) {
   EXPECT_GE(segment_extrema(cam, 36)[0].min.value, 10);
 }
 
-TEST(Shape, SaysWhatLimitsItAndWhatHasRoom) {
+TEST(Shape, ReportsItsBindingLimitsAndMargins) {
   ShapeProblem p = rest_to_rest_shape(3);
   p.pieces = 60;
   p.minimize = {{PeakOf{derivative_of_shape(2)}}};
@@ -354,7 +354,7 @@ TEST(Shape, AResponseIsThePeakAtItsPlaces) {
   EXPECT_LE(best.figures[0].reached, peak.figures[0].reached * (1 + 1e-6)) << "fewer places";
 }
 
-TEST(Shape, StopsWhenToldAndWhenTimeIsUp) {
+TEST(Shape, StopsOnRequestAndAtItsTimeLimit) {
   ShapeProblem p = rest_to_rest_shape(3);
   p.minimize = {{PeakOf{derivative_of_shape(2)}}};
   const ShapeOutcome cancelled =
@@ -375,7 +375,7 @@ TEST(Shape, TheSameProblemGivesTheSameShape) {
   for (std::size_t i = 0; i < a.best.size(); ++i) EXPECT_EQ(a.best[i].c, b.best[i].c);
 }
 
-TEST(Shape, RefusesWhatItCannotMean) {
+TEST(Shape, RejectsWhatItCannotMean) {
   const auto rule = [](auto change) {
     ShapeProblem p = rest_to_rest_shape(3);
     p.minimize = {{PeakOf{derivative_of_shape(2)}}};

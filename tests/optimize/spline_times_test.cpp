@@ -183,7 +183,7 @@ std::string complaint(const SplineTimesSpec& spec) {
   return test::error_of([&] { (void)spline_times(spec); });
 }
 
-TEST(SplineTimes, NamesWhatItRefuses) {
+TEST(SplineTimes, NamesTheRejectedValue) {
   const SplineTimesSpec good = six_joints("A");
   SplineTimesSpec spec = good;
   spec.points.resize(1);

@@ -115,7 +115,7 @@ TEST(OverLength, ASplineThroughPointsKeepsItsShapeAndRunsAtItsFeed) {
   }
 }
 
-TEST(BSpline, WhatDoesNotFitIsRefused) {
+TEST(BSpline, AContradictionIsRejected) {
   const std::vector<Point> points{{0, 0}, {10, 20}, {30, -10}, {50, 10}};
   EXPECT_THROW(b_spline(points, 2, 2), InputError);
   EXPECT_THROW(b_spline(points, 2, 8), InputError);

@@ -267,7 +267,7 @@ class OwnScara final : public AxisMap {
   std::shared_ptr<const AxisMap> of_;
 };
 
-TEST(Map, AMapWithoutBoundsIsSampledAndTheFitSaysSo) {
+TEST(Map, AMapWithoutBoundsIsReportedAsSampled) {
   const std::vector<Limits> limits = joint_limits(2, 200, 1500, 20000);
   const Program program = rectangle({.velocity = 400, .corner = Corner::deviation, .value = 2});
   const Plan motion =

@@ -190,7 +190,7 @@ TEST(Override, RejectsBadSteps) {
   rejects({{0, 1}, {1, -0.5}}, "override[2].factor");
 }
 
-TEST(Retreat, GoesBackOnThePathWithinTheLimits) {
+TEST(Retreat, ReturnsOnThePathWithinTheLimits) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);

@@ -183,7 +183,7 @@ TEST(CurveFigure, TakesKnotsOfTheSpec) {
   EXPECT_THAT(curve_figure(trapezoid_move(), {.knots = std::vector{1.0}}).knots, ElementsAre(1));
 }
 
-TEST(CurveFigure, RefusesBadLimits) {
+TEST(CurveFigure, RejectsBadLimits) {
   CurveLook look;
   look.limits.velocity = -1;
   EXPECT_THROW(curve_figure(trapezoid_move(), look), InputError);

@@ -305,7 +305,7 @@ TEST(Svg, ShowsTheNoteOfAFigureBehindItsAxis) {
   EXPECT_THAT(texts(Markup(svg(figure))), Contains("x · limits at 300 mm/s"));
 }
 
-TEST(Svg, SaysThatKnotsAreTooDense) {
+TEST(Svg, ReportsThatKnotsAreTooDense) {
   Figure figure = with({"v", {0, 1}, {0, 1}, Style::line});
   for (int i = 0; i <= 1000; ++i) figure.knots.push_back(i / 1000.0);
   const Markup markup(svg(figure));

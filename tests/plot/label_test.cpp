@@ -29,7 +29,7 @@ TEST(ShortNumber, IsShort) {
   EXPECT_EQ(short_number(-1e-9), "−10⁻⁹");
 }
 
-TEST(ShortNumber, SaysWhatIsNoNumber) {
+TEST(ShortNumber, WritesNanAndInfinity) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(short_number(infinity), "∞");
   EXPECT_EQ(short_number(-infinity), "−∞");

@@ -64,7 +64,7 @@ TEST(Html, DrawsEachFigureForWideAndNarrowWindows) {
   }
 }
 
-TEST(Html, RefusesScriptsAndRequests) {
+TEST(Html, RejectsScriptsAndRequests) {
   const std::string text = html(sample());
   const Markup markup(text, true);
   const auto metas = markup.with("meta");

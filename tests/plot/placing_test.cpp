@@ -39,7 +39,7 @@ TEST(Place, CrossesALineIfItMust) {
   EXPECT_EQ(place(around, candidates), 1U);  // the first leaves the frame
 }
 
-TEST(Place, SaysWhenThereIsNoRoom) {
+TEST(Place, ReportsAFullPicture) {
   const Surroundings around{{0, 0, 100, 100}, {{0, 0, 100, 100}}, {}};
   EXPECT_FALSE(place(around, std::array{Rectangle{40, 40, 60, 60}}).has_value());
   EXPECT_FALSE(place(around, {}).has_value());

@@ -136,7 +136,7 @@ std::string complaint(const std::string& csv) {
   return test::error_of([&] { (void)read_played(csv, "run.csv"); });
 }
 
-TEST(Played, RefusesWhatIsNoLog) {
+TEST(Played, RejectsWhatIsNoLog) {
   EXPECT_EQ(complaint(""),
             "run.csv:1: has no column tick: the file is not a tick log of `jounce run --log`");
   EXPECT_EQ(complaint("a,b\n1,2\n"),

@@ -127,7 +127,7 @@ TEST(Proof, ASaturatedDriveNamesTheTorqueThatTheMotionNeeds) {
   EXPECT_TRUE(prove(input).drive->saturation.empty());
 }
 
-TEST(Proof, ALogThatIsNoneIsRefused) {
+TEST(Proof, ALogThatIsNoneIsRejected) {
   const Input input = example("pmc600-cam/cam.toml");
   EXPECT_NE(test::error_of([&] { prove(input, {.log = examples + "pmc600-cam/cam.toml"}); }), "");
 }
@@ -237,7 +237,7 @@ TEST(ReportPage, HoldsTheFindingsOfCheckAndProof) {
   EXPECT_EQ(page.findings.ok(), page.page.verdict->ok);
 }
 
-TEST(ReportPage, AMotionBeforeACamIsRefused) {
+TEST(ReportPage, AMotionBeforeACamIsRejected) {
   const Input cam = example("pmc600-cam/cam.toml");
   EXPECT_EQ(test::key_of([&] { report_page(cam, example("generators/03-move.toml"), {}); }),
             "before");

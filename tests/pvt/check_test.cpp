@@ -206,7 +206,7 @@ TEST(CheckTable, CatchesTheOvershootBetweenTheKnotsOfHmpl) {
   EXPECT_NEAR(extrema(table)[0].max.value, 596.1, 0.05);
 }
 
-TEST(CheckTable, RefusesWhatItsCurveRefuses) {
+TEST(CheckTable, RejectsWhatItsCurveRejects) {
   const Table steep(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
                     {{0, 1, 1 + 1e-15}, {0, 1, 1e300}, {0, 0, 0}, {}});
   EXPECT_THROW((void)steep.curve<OverTime>(), InputError);

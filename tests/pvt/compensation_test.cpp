@@ -243,7 +243,7 @@ TEST(Compensated, FollowsTwoAndThreeAxes) {
   expect_composed(compensated(x, deep, {{x, y, x}}, 1e-9), x, deep, {x, y, x}, 1e-9);
 }
 
-TEST(Compensated, RefusesWhatGoesOnFromPassToPass) {
+TEST(Compensated, RejectsATableThatAdvancesFromPassToPass) {
   const Compensation c(line_of_five());
   const Trajectory once = move(0, 100);
   const Trajectory on = with(once, Extrapolation::advance);
@@ -251,7 +251,7 @@ TEST(Compensated, RefusesWhatGoesOnFromPassToPass) {
   EXPECT_THROW(compensated(once, c, {{on}}, 1e-9), InputError);
 }
 
-TEST(Compensated, RefusesReferencesOfAnotherLength) {
+TEST(Compensated, RejectsReferencesOfAnotherLength) {
   const Compensation c(line_of_five());
   EXPECT_THROW(compensated(move(0, 100), c, {{move(0, 50)}}, 1e-9), InputError);
   EXPECT_THROW(compensated(move(0, 100), c, {}, 1e-9), InputError);

@@ -399,7 +399,7 @@ TEST(Fill, WithinLimitsIsTheSplineWhereThatKeepsThem) {
   EXPECT_EQ(velocities(spec), v);
 }
 
-TEST(Fill, WithinLimitsTellsTheTimeThatAPieceNeeds) {
+TEST(Fill, WithinLimitsReportsTheTimeThatAPieceNeeds) {
   // From rest to rest a cubic's peak velocity is 1.5 d / h, its acceleration 6 d / h^2, its jerk
   // 12 d / h^3.
   const auto needed = [](Limits limits) {
@@ -502,7 +502,7 @@ std::string complaint(const FillSpec& spec) {
   return test::error_of([&] { (void)filled(spec); });
 }
 
-TEST(Fill, NamesWhatItRefuses) {
+TEST(Fill, NamesTheRejectedValue) {
   const FillSpec good{.x = {0, 1, 2}, .p = {0, 1, 0}};
   FillSpec spec = good;
   spec.x[2] = 1;

@@ -144,7 +144,7 @@ TEST(LiveCompare, MoreEdgesThanThereIsRoomForAreCountedAndTheOutputIsRight) {
   EXPECT_EQ(output.fired(), 100U);
 }
 
-TEST(LiveCompare, RefusesWhatTheKnownMotionDoes) {
+TEST(LiveCompare, RejectsWhatTheKnownMotionDoes) {
   EXPECT_THROW(LiveCompare({}), InputError);
   EXPECT_THROW(LiveCompare({.points = {{NAN}}, .pulse = 1}), InputError);
   EXPECT_THROW(LiveCompare({.mode = CompareMode::equal, .points = {{1}}, .pulse = 1}), InputError);

@@ -121,7 +121,7 @@ TEST(PositionTrigger, FiresUnevenPositionsBothWays) {
   EXPECT_THROW(himc::random_trigger({}, {}, 0, 0), InputError);
 }
 
-TEST(PositionTrigger, RefusesWhatTheDriveRefuses) {
+TEST(PositionTrigger, RejectsWhatTheDriveRejects) {
   EXPECT_THROW(himc::position_trigger(0, 10, 1, 19), InputError);
   EXPECT_THROW(himc::position_trigger(0, 10, 1, 30), InputError);
   EXPECT_THROW(himc::position_trigger(0, 10, 1, 80020), InputError);

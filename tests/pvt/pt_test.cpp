@@ -117,7 +117,7 @@ TEST(Pt, Example74StepsWhereTheStopBeginsInBothLoops) {
   EXPECT_EQ(report.findings[0].severity, Severity::warning);
 }
 
-TEST(Pt, TypesBeginAndEndAsTheirTableSays) {
+TEST(Pt, TypesBeginAndEndAsInTheirTable) {
   const Points points{{2, 2, PtType::continued}, {4, 8},  {5, 10, PtType::even}, {7, 11},
                       {9, 14, PtType::stop},     {10, 15}};
   const auto rates = pt_rates<OverMaster>(points, 3);
@@ -240,7 +240,7 @@ TEST(Pt, BadInputNamesThePoint) {
   EXPECT_THROW((void)pt_loops<OverTime>(ex_7_3, 0), InputError);
 }
 
-TEST(Pt, EvenSegmentsFromRestStepAndSayHowMuch) {
+TEST(Pt, EvenSegmentsFromRestReportTheirStep) {
   const Points points{{1, 2, PtType::even}, {2, 4, PtType::even}, {3, 5, PtType::even}};
   const Report report = check_pt<OverTime>(points, 0, Extrapolation::hold);
   ASSERT_EQ(count(report, "pt/velocity_step"), 2U);  // rest to 2, then 2 to 1; not 2 to 2

@@ -538,7 +538,7 @@ TEST(Reduced, KeepsAnAxisInSync) {
     }
 }
 
-TEST(Reduced, SaysHowManyKnotsItsDwellsNeed) {
+TEST(Reduced, ReportsHowManyKnotsItsDwellsNeed) {
   const std::string text =
       refusal(up_and_down(), {.rule = Interpolation::linear, .most = 3, .x_step = 1, .p_step = 1});
   EXPECT_NE(text.find("must be at least 4 for a linear table: the table keeps the "),
@@ -578,7 +578,7 @@ double offered(const std::string& text) {
   return at == std::string::npos ? 0 : std::stod(text.substr(at + key.size()));
 }
 
-TEST(Reduced, SaysWhatWouldDo) {
+TEST(Reduced, ReportsASufficientTolerance) {
   const Target few{.rule = Interpolation::cubic_hermite, .tolerance = 1e-6, .most = 16};
   const std::string text = refusal(cycloid(), few);
   EXPECT_NE(text.find("must be at least 26 for "), std::string::npos) << text;
@@ -594,7 +594,7 @@ TEST(Reduced, SaysWhatWouldDo) {
       << spaced;
 }
 
-TEST(Reduced, RefusesWhatCannotBe) {
+TEST(Reduced, RejectsWhatCannotBe) {
   const Cam sawtooth({line(1, 0, 1), line(1, 0, 1)});
   EXPECT_NE(refusal(sawtooth, {.tolerance = 1e-3}).find("at 1"), std::string::npos);
   EXPECT_NE(refusal(cycloid(), {}), "");
@@ -667,7 +667,7 @@ TEST(ReducedToQuadraticPieces, TakesOnePieceWhereTheCurveIsOne) {
   EXPECT_LE(made.error.position, 1e-9);
 }
 
-TEST(ReducedToQuadraticPieces, KeepsItsTolerancesOrSaysWhichItCan) {
+TEST(ReducedToQuadraticPieces, KeepsItsTolerancesOrReportsWhichItCan) {
   const Cam f = Cam(normalized(Law::inclined_sine));
   for (const double tolerance : {1e-3, 1e-5}) {
     const Sampled made =

@@ -161,7 +161,7 @@ TEST(Sample, APeriodicTableEndsOnTheNumbersItBeginsWith) {
   EXPECT_EQ(sawtooth.table.columns().p.back(), 1) << "a real step is kept";
 }
 
-TEST(Sample, RefusesKnotsThatDoNotSpanTheCurve) {
+TEST(Sample, RejectsKnotsThatDoNotSpanTheCurve) {
   EXPECT_THROW(sample(cycloid(), Interpolation::linear, std::vector<double>{0, 0.5}), InputError);
   EXPECT_THROW(sample(cycloid(), Interpolation::linear, std::size_t{0}), InputError);
   EXPECT_THROW(sample_within(cycloid(), Interpolation::linear, 0), InputError);

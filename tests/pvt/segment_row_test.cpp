@@ -143,7 +143,7 @@ SegmentFifos::Layout rolling(std::size_t each, const RowLimits& limits = {}) {
       .each = each, .total = 2 * each, .stream = true, .open = true, .base = {}, .limits = limits};
 }
 
-TEST(SegmentFifos, AnOpenStreamStandsWhereItRunsDryAndGoesOn) {
+TEST(SegmentFifos, AnOpenStreamStopsWhenItRunsDryAndContinues) {
   SegmentFifos fifos(4);
   fifos.reset(rolling(4));
   ASSERT_EQ(fifos.push(0, {.x_end = 1, .p_end = 1, .degree = 1}), RowRule::none);

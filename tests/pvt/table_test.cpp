@@ -108,7 +108,7 @@ std::string complaint(Interpolation rule, Columns columns) {
       [&] { const Table table(Domain::time, rule, Extrapolation::hold, std::move(columns)); });
 }
 
-TEST(Table, NamesKnotColumnAndRuleOfWhatItRefuses) {
+TEST(Table, NamesKnotColumnAndRuleOfWhatItRejects) {
   EXPECT_EQ(complaint(Interpolation::linear, {{0}, {0}, {}, {}}), "knots = 1: must be at least 2");
   EXPECT_EQ(complaint(Interpolation::linear, {{}, {}, {}, {}}), "knots = 0: must be at least 2");
   EXPECT_EQ(complaint(Interpolation::linear, {{0, 1, 1}, {0, 1, 2}, {}, {}}),

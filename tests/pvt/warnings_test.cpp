@@ -102,7 +102,7 @@ TEST(VelocitySteps, OfALinearTableAreItsCornersAndBothEnds) {
   EXPECT_EQ(std::abs(report.findings.front().value), 3);
 }
 
-TEST(VelocitySteps, AtTheWrapAreToldOnce) {
+TEST(VelocitySteps, AtTheWrapAreReportedOnce) {
   const Report report =
       velocity_steps(cubics({{0, 1}, {0, 4}, {1, 3}, {}}, Extrapolation::advance));
   ASSERT_EQ(report.findings.size(), 1U);

@@ -24,7 +24,7 @@ TEST(Comparison, EqualVersionsAreEqual) {
   EXPECT_THAT(to_text(same), HasSubstr("equal except for rounding"));
 }
 
-TEST(Comparison, ConvertsUnitsAndSaysSo) {
+TEST(Comparison, ConvertsUnitsAndReportsIt) {
   const Comparison c = compare(version(50), version(50, {"deg", "m"}, 1e-3));
   for (const Change& change : c.changes) EXPECT_TRUE(change.none());
   ASSERT_EQ(c.remarks.size(), 1U);
@@ -56,7 +56,7 @@ TEST(Comparison, ToleranceIsAShareOrANumberOfAQuantity) {
   EXPECT_FALSE(compare(a, b, {.share = 0, .of = {0.051}}).equal()) << "now they are";
 }
 
-TEST(Comparison, NamesWhatWasSaidDifferently) {
+TEST(Comparison, NamesChangedTexts) {
   Version before = version(50);
   Version after = version(50);
   before.limits = Limits{.position_max = 60, .velocity = 1};
@@ -72,7 +72,7 @@ TEST(Comparison, NamesWhatWasSaidDifferently) {
   EXPECT_THAT(to_text(compare(before, after)), Not(HasSubstr("limit")));
 }
 
-TEST(Comparison, TellsNumbersApart) {
+TEST(Comparison, DistinguishesNumbers) {
   const std::string text = to_text(compare(version(50), version(50.0000001)));
   EXPECT_THAT(text, HasSubstr("50 -> 50.0000001"));
   EXPECT_THAT(text, HasSubstr("~ knot 2 at 120 deg, position 50 -> 50.0000001"));
@@ -91,7 +91,7 @@ TEST(Comparison, OfTheSpecThatAKnotWasMovedIn) {
   EXPECT_THAT(to_json(c), HasSubstr("\"what\":\"changed\",\"before\":{\"knot\":4"));
 }
 
-TEST(Comparison, OfDifferentAxesIsRefused) {
+TEST(Comparison, OfDifferentAxesIsRejected) {
   const Trajectory move({line(1, 0, 1)});
   EXPECT_THROW((void)compare(version(50), {"move", move, {{"s", "mm"}, false, {}}}), InputError);
 }

@@ -21,7 +21,7 @@ Checked fig_6_14() {
           {spec.units, true, std::move(made.segments)}};
 }
 
-TEST(ReportText, SaysWhereByHowMuchAndInWhichUnit) {
+TEST(ReportText, StatesWhereByHowMuchAndInWhichUnit) {
   const auto [report, labels] = fig_6_14();
   EXPECT_EQ(sentence(report.findings[0], labels),
             "geo_velocity -3.39227 pulse/pulse at 241.898 pulse (segment 3 return) exceeds the "
@@ -163,7 +163,7 @@ Finding half_of_a_limit() {
   return f;
 }
 
-TEST(ReportText, AFigureWithoutALimitSaysItsValueAndMeetsNone) {
+TEST(ReportText, AFigureWithoutALimitHasItsValue) {
   const Labels labels{{"deg", "mm"}, true, {}};
   Finding start = joint("coupling/start", "position", -40.36);
   start.broken = true;
@@ -180,7 +180,7 @@ TEST(ReportText, AFigureWithoutALimitSaysItsValueAndMeetsNone) {
   EXPECT_NE(json.find("\"limit\":null,\"margin\":null"), std::string::npos) << json;
 }
 
-TEST(ReportText, TheHeadlineIsALimitAndSaysWhereNoneIsGiven) {
+TEST(ReportText, TheHeadlineIsALimitOrStatesThatNoneIsGiven) {
   const Labels labels{{"deg", "mm"}, true, {}};
   Finding continuity;
   continuity.rule = "continuity/position";
@@ -258,7 +258,7 @@ TEST(ReportText, WhatHasNoLimitIsNamedBesideTheLimitsThatHold) {
 }
 
 }  // namespace
-TEST(ReportText, TakesTogetherWhatNobodyWouldRead) {
+TEST(ReportText, SummarizesLongLists) {
   const auto all = groups(100'000, {}, 60);
   ASSERT_EQ(all.size(), 60u);
   EXPECT_EQ(all.front().label, "1 to 1666");

@@ -35,7 +35,7 @@ std::string complaint(const std::string& drive, const std::string& name = "a.tom
   return test::error_of([&] { (void)read(drive, name); });
 }
 
-TEST(AxisDriveSpec, SaysWhatStandsBehindTheSetpoints) {
+TEST(AxisDriveSpec, ReadsTheDriveBehindTheSetpoints) {
   using Type = AxisDriveSpec::Type;
   EXPECT_FALSE(read(""));
   EXPECT_EQ(read("[drive]\ntype = \"null\"\n")->type, Type::null);
@@ -77,7 +77,7 @@ TEST(AxisDriveSpec, TakesAModelFromAFileBesideItsOwn) {
   EXPECT_NE(complaint("[drive]\nspec = \"none.toml\"\n", name), "");
 }
 
-TEST(AxisDriveSpec, RefusesWhatItsTypeDoesNotHave) {
+TEST(AxisDriveSpec, RejectsWhatItsTypeDoesNotHave) {
   EXPECT_THAT(complaint("[drive]\ntype = \"hydraulic\"\n"), HasSubstr("drive.type"));
   EXPECT_THAT(complaint("[drive]\ntype = \"null\"\nname = \"x\"\n"), HasSubstr("drive.name"));
   EXPECT_THAT(complaint("[drive]\ntype = \"shared_memory\"\n"), HasSubstr("drive.name"));
@@ -119,7 +119,7 @@ index = { period = "1 rev", offset = 4 }
   EXPECT_TRUE(model->model && model->machine->index);
 }
 
-TEST(AxisDriveSpec, RefusesSensorsThatNoMachineHas) {
+TEST(AxisDriveSpec, RejectsSensorsThatNoMachineHas) {
   const std::string machine = "[drive]\ntype = \"null\"\n[drive.machine]\n";
   EXPECT_THAT(complaint(machine + "home_switch = { width = 3 }\n"),
               HasSubstr("drive.machine.home_switch.position"));

@@ -91,7 +91,7 @@ TEST(AxisSpec, ARangeInTheWrongOrderLeavesTheOtherLimits) {
   EXPECT_EQ(velocity, 1);
 }
 
-TEST(AxisSpec, RefusesAWindowOfNothingAndAWrongUnitWithTheirPlace) {
+TEST(AxisSpec, RejectsAWindowOfNothingAndAWrongUnitWithTheirPlace) {
   const auto complaint = [](const std::string& keys) -> std::string {
     return test::error_of([&] { (void)read(keys); });
   };

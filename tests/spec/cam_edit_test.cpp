@@ -154,7 +154,7 @@ TEST(WithSwitch, ChangesTheEdgesOfASwitch) {
   EXPECT_THAT(test::why([&] { (void)with_switch(spec, 1, 0, 1); }), HasSubstr("must be 1 to 1"));
 }
 
-TEST(WithCam, RefusesAnotherNumberOfPoints) {
+TEST(WithCam, RejectsAnotherNumberOfPoints) {
   EXPECT_THAT(test::why([] {
                 (void)changed(text, [](CamSpec& cam) { cam.segments[1].points.resize(1); });
               }),

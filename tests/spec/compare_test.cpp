@@ -86,7 +86,7 @@ TEST(SpecCompare, CountsInTheAxisOwnUnit) {
   EXPECT_EQ(spec.compare->compare.points.at(0).position, 5);
 }
 
-TEST(SpecCompensation, TellsWhatItsFitMayDiffer) {
+TEST(SpecCompensation, StatesTheErrorOfItsFit) {
   const std::string plate =
       two_axes +
       "[[then]]\noperator = \"compensation\"\naxis = \"x\"\nrule = \"cubic\"\n"

@@ -69,7 +69,7 @@ TEST(SpecCoupling, IsAbsoluteByDefaultAndMayBeLeftOut) {
   EXPECT_EQ(c->master_scaling, 1);
 }
 
-TEST(SpecCoupling, RefusesWithPlaceKeyValueAndRule) {
+TEST(SpecCoupling, RejectsWithPlaceKeyValueAndRule) {
   EXPECT_EQ(complaint(cam("[coupling]\nslave_scaling = -1\n")),
             "a.toml:9:17: coupling.slave_scaling = -1: must be greater than 0");
   const std::string missing = complaint(cam("[coupling]\nstart = \"ramp_in\"\nacceleration = 1\n"));

@@ -45,7 +45,7 @@ TEST(DriveFile, IsReadBackToTheLastBit) {
   expect_the_same(spec, units);
 }
 
-TEST(DriveFile, SaysWhatIsKnownBesideItsNumbers) {
+TEST(DriveFile, ReadsTheUncertaintyOfItsNumbers) {
   const DriveSpec spec{.drive = servo_400w(), .limits = {}};
   EXPECT_THAT(
       drive_text(spec, {.x = "s", .position = "mm"}, "head", {{"motor.inertia", "95 %: 1 to 2"}}),

@@ -97,7 +97,7 @@ TEST(DriveSpec, LooksAtLinearLoadsFromTheShaft) {
   EXPECT_EQ(drive.train[1].stiffness, 0);
 }
 
-TEST(DriveSpec, SaysWhereTheFlatKeysWent) {
+TEST(DriveSpec, NamesTheTablesOfFormerKeys) {
   EXPECT_THAT(refused(model + "motor_inertia = 1e-4\n"),
               HasSubstr("drive.motor_inertia = 1e-04: is now inertia in [drive.motor]"));
   EXPECT_THAT(refused(model + "shaft_stiffness = 1\n"), HasSubstr("stiffness in [[drive.mass]]"));
@@ -118,7 +118,7 @@ TEST(DriveSpec, ReportsAMissingNumberAsMissing) {
             "d.toml:7:11: drive.motor.inertia = 0 kg m^2: must be greater than 0");
 }
 
-TEST(DriveSpec, RefusesWithPlaceAndRule) {
+TEST(DriveSpec, RejectsWithPlaceAndRule) {
   EXPECT_THAT(refused("position_per_rev = 10\n"), HasSubstr("drive.motor.inertia: is missing"));
   EXPECT_THAT(refused(model + "[drive.motor]\ninertia = -1\n"),
               HasSubstr("a.toml:13:11: drive.motor.inertia = -1 kg m^2: must be greater than 0"));

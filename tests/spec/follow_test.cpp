@@ -57,7 +57,7 @@ TEST(FollowSpecFile, APlanIsSmoothOrATable) {
   EXPECT_TRUE(check_follow(table).findings.empty());
 }
 
-TEST(FollowSpecFile, SaysWhenItBeginsOrThatItNeverDoes) {
+TEST(FollowSpecFile, ReportsWhenItBeginsOrThatItNeverDoes) {
   const auto text = [](const char* pass, const char* distance = "180000") {
     return spec("[follow]\npass = " + std::string(pass) +
                 "\n[[segment]]\nmaster = 100\nslave = 50\n[[segment]]\nmaster = 200\nslave = "

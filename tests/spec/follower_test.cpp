@@ -50,7 +50,7 @@ TEST(FollowerSpec, IsReadInSIUnits) {
   EXPECT_FALSE(spec.follower->limits.impact_speed);
 }
 
-TEST(FollowerSpec, RefusesWhatCannotBe) {
+TEST(FollowerSpec, RejectsWhatCannotBe) {
   const auto with = [](const std::string& more) {
     return refused(head + master + follower + more);
   };

@@ -23,7 +23,7 @@ std::string spec(const std::string& gear) {
   return "jounce = 1\nkind = \"gear\"\nunits = { position = \"mm\", master = \"deg\" }\n" + gear;
 }
 
-TEST(GearSpec, MakesALineThatGoesOnFromWhereItEnds) {
+TEST(GearSpec, MakesALineThatContinuesBeyondItsEnd) {
   const Made made =
       make(parse_spec(spec("[gear]\nnumerator = -4\ndenominator = 3\nmaster_period = 360\n"), "g"));
   const Cam& cam = std::get<Cam>(*made.curve);
@@ -85,7 +85,7 @@ TEST(GearSpec, EngagesAtPositions) {
   EXPECT_EQ(made.zones[0].from, 5000);
 }
 
-TEST(GearSpec, AnEngagementThatMustTurnBackIsTold) {
+TEST(GearSpec, AnEngagementThatReversesIsReported) {
   const auto checked = [](const std::string& gear) {
     return check_sync(parse_spec(
         spec("[gear]\nengage = \"position\"\ndenominator = 2\nmaster_sync_position = 5000\n"
@@ -151,7 +151,7 @@ TEST(GearSpec, NamesTheEngagementThatAKeyNeeds) {
               testing::HasSubstr("needs engage = \"position\""));
 }
 
-TEST(GearSpec, RefusesInTheWordsOfTheDocument) {
+TEST(GearSpec, RejectsInTheWordsOfTheDocument) {
   const std::string position =
       "[gear]\nengage = \"position\"\nnumerator = 1\nmaster_sync_position = 500\n"
       "slave_sync_position = 100\nmaster_start_distance = 400\navoid_reversal = true\n";
@@ -190,7 +190,7 @@ TEST(AxesSpec, WithoutLimitsOfItsOwnAnAxisFollowsOnTheLine) {
   EXPECT_EQ(std::get<Trajectory>(*both[2].curve).at(1).position, 5);
 }
 
-TEST(GearSpec, RefusesADenominatorOfNought) {
+TEST(GearSpec, RejectsADenominatorOfNought) {
   try {
     parse_spec(spec("[gear]\nnumerator = 1\ndenominator = 0\nmaster_period = 360\n"), "g.toml");
     FAIL();

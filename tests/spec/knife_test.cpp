@@ -70,7 +70,7 @@ TEST(KnifeSpec, NumbersThePiecesOfALawOnce) {
   EXPECT_EQ(made.segments[5], "3 sync");
 }
 
-TEST(KnifeSpec, RefusesInTheDocumentsWords) {
+TEST(KnifeSpec, RejectsInTheDocumentsWords) {
   EXPECT_EQ(
       refusal("deg", "cut_length = 0.2\nsync_angle = 10\n"),
       "k.toml:6:14: knife.cut_length = 0.2 in: must be longer than the sync zone on the web, "
@@ -86,7 +86,7 @@ TEST(KnifeSpec, RefusesInTheDocumentsWords) {
               HasSubstr("knife.matching"));
 }
 
-TEST(KnifeSpec, SaysThatTheKnifeTurnsBackAndWhatToDo) {
+TEST(KnifeSpec, ReportsAReversalWithItsRemedy) {
   const Report report = check_sync(spec("deg", "cut_length = 25\nsync_angle = 10\n"));
   ASSERT_FALSE(report.ok());
   const Finding& worst = report.findings.front();
@@ -98,7 +98,7 @@ TEST(KnifeSpec, SaysThatTheKnifeTurnsBackAndWhatToDo) {
   EXPECT_TRUE(check_sync(spec("deg", "cut_length = 25\nsync_angle = 10\ndwell = true\n")).ok());
 }
 
-TEST(KnifeSpec, TellsTheShortestCutAtTheLinesSpeed) {
+TEST(KnifeSpec, StatesTheShortestCutAtTheSpeedOfTheLine) {
   const Spec of =
       spec("rad", "cut_length = 4.71\nsync_angle = \"10 deg\"\n",
            "[master]\nvelocity = 20\ndistance = 10\n[limits.slave]\nacceleration = 400\n");

@@ -36,7 +36,7 @@ TEST(KnotsSpec, FillsInNothingSilently) {
                                    "a rule at the top, such as velocities = \"clamped\""));
 }
 
-TEST(KnotsSpec, TellsWhichSegmentCannotKeepTheLimits) {
+TEST(KnotsSpec, NamesTheSegmentThatCannotKeepTheLimits) {
   const Spec made =
       parse_spec(spec("velocities = \"within_limits\"\nlimits = { velocity = 30 }\n"
                       "knot = [{ time = 0, position = 0 }, { time = 1, position = 60 }]\n"),
@@ -45,7 +45,7 @@ TEST(KnotsSpec, TellsWhichSegmentCannotKeepTheLimits) {
   EXPECT_NEAR(made.fill.findings[0].limit, 3, 1e-8);
 }
 
-TEST(KnotsSpec, RefusesAMethodThatTheRuleCannotKeep) {
+TEST(KnotsSpec, RejectsAMethodThatTheRuleCannotKeep) {
   const std::string text = complaint(spec(std::string("velocities = \"monotone\"\n") + three_knots +
                                           "[table]\nrule = \"quintic_hermite\"\n"));
   EXPECT_THAT(text, ::testing::HasSubstr("table.rule = quintic_hermite: monotone velocities need"));

@@ -71,7 +71,7 @@ TEST(MachineMaster, ATableLiesBesideTheMachinesSpec) {
   EXPECT_EQ(v.limits.jerk, 30);
 }
 
-TEST(MachineMaster, SaysWhatIsWrongAndWhere) {
+TEST(MachineMaster, ReportsErrorsWithTheirPlace) {
   EXPECT_THAT(complaint(line + "order = 4\n"), HasSubstr("m.toml:10"));
   EXPECT_THAT(complaint(line + "order = 4\n"), HasSubstr("master.line.order = 4: must be 2 or 3"));
   EXPECT_THAT(complaint(line + "latency = -1\n"), HasSubstr("master.line.latency"));

@@ -101,7 +101,7 @@ TEST(MoveSpec, AMotionThatEndsMovingDoesNotStandAfterwards) {
             Extrapolation::hold);
 }
 
-TEST(MoveSpec, AModuloAxisGoesTheWayItIsTold) {
+TEST(MoveSpec, AModuloAxisMovesInItsDirection) {
   const std::string lines =
       "profile = \"point_to_point\"\nperiod = 360\nfrom = 350\nto = 10\nvelocity = 720\n"
       "acceleration = 7200\n";
@@ -116,7 +116,7 @@ TEST(MoveSpec, AModuloAxisGoesTheWayItIsTold) {
 }
 
 // The same motion as with the target that the way leads to, to the last bit.
-TEST(MoveSpec, EveryProfileWithATargetTurnsTheWayItIsTold) {
+TEST(MoveSpec, EveryProfileWithATargetTurnsInItsDirection) {
   const std::string deg = "position = \"deg\"";
   const std::string ramps = "velocity = 720\nacceleration = 7200\n";
   const std::vector<std::string> profiles{
@@ -777,7 +777,7 @@ std::vector<std::filesystem::path> generator_examples() {
   return all;
 }
 
-TEST(BadMotionSpecs, AnExampleCutOffAtAnyLineIsRefusedOrStillASpec) {
+TEST(BadMotionSpecs, AnExampleCutOffAtAnyLineIsRejectedOrStillASpec) {
   for (const auto& path : generator_examples()) {
     const std::string text = read_file(path);
     for (std::size_t end = text.find('\n'); end != std::string::npos;
@@ -789,7 +789,7 @@ TEST(BadMotionSpecs, AnExampleCutOffAtAnyLineIsRefusedOrStillASpec) {
   }
 }
 
-TEST(BadMotionSpecs, AnExampleWithAnyNumberReplacedIsRefusedOrStillASpec) {
+TEST(BadMotionSpecs, AnExampleWithAnyNumberReplacedIsRejectedOrStillASpec) {
   const std::regex assignment(R"(^[a-z_]+ = (-?[0-9.]+)\b)", std::regex::multiline);
   for (const auto& path : generator_examples()) {
     const std::string text = read_file(path);
@@ -871,7 +871,7 @@ TEST(TableRule, IsQuinticWhereTheAccelerationStepsAtOpenEndsAlone) {
   EXPECT_EQ(cam.sampled.table.size(), 4U);
 }
 
-TEST(TableTolerance, IsRefusedBelowWhatDoublesCanCertify) {
+TEST(TableTolerance, IsRejectedBelowWhatDoublesCanCertify) {
   EXPECT_EQ(complaint(open_cam("[table]\ntolerance = 1e-9\n")), "");
   const std::string refused = complaint(open_cam("[table]\ntolerance = 1e-30\n"));
   EXPECT_NE(refused.find("table.tolerance = 1e-30 mm: must be at least "), std::string::npos)

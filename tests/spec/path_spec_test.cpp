@@ -160,7 +160,7 @@ TEST(PathSpecFile, ReportsNoErrorThatOnlyFollowsFromAnother) {
   }
 }
 
-TEST(PathSpecFile, RefusesKeysThatItsCommandDoesNotUse) {
+TEST(PathSpecFile, RejectsKeysThatItsCommandDoesNotUse) {
   EXPECT_THAT(
       complaint(command("type = \"arc\"\nvia = [1, 1, 0]\nto = [2, 0, 0]\nradius = 3")),
       HasSubstr("command[1].radius = 3: cannot be combined with another definition of the arc"));
@@ -248,7 +248,7 @@ TEST_F(PathBesideFile, TakesPointsWithTheirFeeds) {
   EXPECT_THAT(path.source, HasSubstr("p.csv"));
 }
 
-TEST_F(PathBesideFile, RefusesPointsThatDoNotFit) {
+TEST_F(PathBesideFile, RejectsPointsThatDoNotFit) {
   const std::string top = "points = \"p.csv\"\n";
   EXPECT_EQ(complaint(top, "p.csv", "x,y,z\n1,2,3\n2,3,4\n"),
             "p.csv:1: z: is not a column of this table; possible columns: velocity, x, y");
@@ -325,7 +325,7 @@ TEST(PathSpecFile, ReadsEachKindOfJoints) {
             3U);
 }
 
-TEST(PathSpecFile, RefusesJointsThatDoNotFitWithTheirKeys) {
+TEST(PathSpecFile, RejectsJointsThatDoNotFitWithTheirKeys) {
   const std::string scara = "[kinematics]\ntype = \"scara\"\narms = [300, 250]\n";
   const auto refused = [](const std::string& text) { return complaint(text, ""); };
   EXPECT_THAT(refused(robot + joints),

@@ -47,7 +47,7 @@ TEST(AxisPatience, IsInSecondsAndLeftOutAsItEverWas) {
   EXPECT_EQ(std::get<AxisSpec>(given.subject).session_timeout, 2.5);
 }
 
-TEST(AxisPatience, RefusesWhatNoMachineCouldMean) {
+TEST(AxisPatience, RejectsWhatNoMachineCouldMean) {
   const auto said = [](const std::string& keys) { return complaint([&] { return axis(keys); }); };
   EXPECT_THAT(
       said("longest_gap = \"1 ms\"\n"),
@@ -69,7 +69,7 @@ TEST(MachineWatchdog, IsNeverOrNotTooShort) {
   EXPECT_THAT(complaint([] { return machine("watchdog = -1\n"); }), HasSubstr("watchdog"));
 }
 
-TEST(NamedFiles, ThatAreMissingAreSaidWhereTheyAreNamed) {
+TEST(NamedFiles, ThatAreMissingAreReportedWhereTheyAreNamed) {
   const Document document{"m.toml", "", {}, {{"axis[1].spec", {4, 1}}}, {}};
   const InputError unread = InputError("", "", "cannot be read: No such file").at("x.toml");
   EXPECT_STREQ(document.naming("axis[1].spec", "x.toml", unread).what(),
@@ -79,7 +79,7 @@ TEST(NamedFiles, ThatAreMissingAreSaidWhereTheyAreNamed) {
       << "an error in the file names the file";
 }
 
-TEST(NamedFiles, OfADriveAreSaidInTheAxissSpec) {
+TEST(NamedFiles, OfADriveAreReportedInTheSpecOfTheAxis) {
   EXPECT_THAT(complaint([] { return axis("[drive]\nspec = \"/no/such/drive.toml\"\n"); }),
               AllOf(HasSubstr("a.toml:7"), HasSubstr("drive.spec = /no/such/drive.toml"),
                     HasSubstr("cannot be read")));
@@ -93,7 +93,7 @@ Spec compare_of(const std::string& of) {
       "a.toml");
 }
 
-TEST(CompareOf, IsThePositionOrWhatTheDriveSays) {
+TEST(CompareOf, IsThePositionOrTheFeedback) {
   EXPECT_EQ(compare_of("").compare->of, SwitchesOf::position);
   EXPECT_EQ(compare_of("of = \"position\"\n").compare->of, SwitchesOf::position);
   EXPECT_EQ(compare_of("of = \"actual\"\n").compare->of, SwitchesOf::actual);

@@ -100,7 +100,7 @@ TEST_F(PointFile, HoldsTheSegmentsOfAFollowTable) {
   EXPECT_EQ(cam.jet(60000, Side::left)[0], 40000);
 }
 
-TEST_F(PointFile, APtTableThatTheControllerRefusesIsNamedWithItsOwnLine) {
+TEST_F(PointFile, APtTableThatTheControllerRejectsIsNamedWithItsOwnLine) {
   const std::string googol = pt + "[pt]\ncontroller = \"googol\"\n";
   EXPECT_THAT(complaint(googol, "time,position\n16,1\n\n32.5,2\n"),
               ::testing::StartsWith("points.csv:4:1: time = 32.5: must be a whole number of ms"));

@@ -61,7 +61,7 @@ TEST(PolydyneSpec, CountsInTheSpecsUnitOfTime) {
   EXPECT_NEAR(a.at(33).position, b.at(33).position, 1e-12);
 }
 
-TEST(PolydyneSpec, WarnsOfTheKnockAndRefusesWhatCannotBe) {
+TEST(PolydyneSpec, WarnsOfTheKnockAndRejectsWhatCannotBe) {
   const std::string tail = "[polydyne]\nfrequency = 12\n";
   EXPECT_EQ(table_warnings(spec_of(spec_text("4567", tail))).warnings(), 1U);
   const auto refused = [](const std::string& text) {

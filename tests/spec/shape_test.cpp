@@ -204,7 +204,7 @@ TEST(Load, WithFrictionHasFiguresThatAreSearched) {
   EXPECT_EQ(figures[2].unit, "J");
 }
 
-TEST(Load, RefusesWhatItCannotMean) {
+TEST(Load, RejectsWhatItCannotMean) {
   const auto with = [](const std::string& key) {
     return complaint("torque = 0.2", "torque = 0.2\n" + key);
   };
@@ -314,7 +314,7 @@ struct Bad {
   const char* message;
 };
 
-TEST(FreeShapes, RefuseWhatMakesNoSense) {
+TEST(FreeShapes, RejectWhatMakesNoSense) {
   for (const Bad& bad :
        {Bad{"shape = 40", "shape = 0", "must be a whole number of at least 1"},
         Bad{"shape = 40", "shape = 40.5", "must be a whole number of at least 1"},

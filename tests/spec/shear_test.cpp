@@ -126,7 +126,7 @@ TEST(IndexerSpec, MakesACamThatAdvances) {
   EXPECT_NEAR(extrema(cam, 2).max.value * 1e6, 1623.798, 5e-4);
 }
 
-TEST(IndexerSpec, SaysWhatDoesNotFit) {
+TEST(IndexerSpec, ReportsContradictions) {
   EXPECT_THAT(refusal("jounce = 1\nkind = \"indexer\"\n"
                       "units = { position = \"deg\", master = \"ms\" }\n"
                       "[indexer]\ndistance = 45\ncycle = 2000\nmotion = 400\ncount = 8\n"),
@@ -139,7 +139,7 @@ const SyncFigure& figure(const std::vector<SyncFigure>& all, const std::string& 
   throw InputError("figure", name, "is missing");
 }
 
-TEST(ShearSpec, TellsTheShortestCutAndTheFastestLine) {
+TEST(ShearSpec, StatesTheShortestCutAndTheFastestLine) {
   const Spec read = parse_spec(spec("cut_length = 1000\nline_speed = 1000\nsync_time = 0.15"), "s");
   const auto all = sync_figures(read);
   // Run-up and braking 187.5 mm each; the return of S = 337.5 mm at 10 m/s^2 with 3-4-5.
@@ -192,7 +192,7 @@ TEST(ShearSpec, IsMappedForEverySpeedAnew) {
   EXPECT_FALSE(cuts.shortest(2001, limits));
 }
 
-TEST(ShearSpec, AMapNeedsItsSyncSaid) {
+TEST(ShearSpec, AMapNeedsItsSync) {
   try {
     (void)cut_lengths(
         parse_spec(spec("cut_length = 1000\nline_speed = 1000\nstroke = 400"), "s.toml"));

@@ -210,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{pvt, "[[knot]]\ntime = 0", "[[knots]]\ntime = 0",
             "a.toml:6:3: [[knots]]: is not a section here: did you mean [[knot]]?"}));
 
-TEST(BadSpecs, EmptyFilesSaySo) {
+TEST(BadSpecs, EmptyFilesAreReported) {
   EXPECT_EQ(complaint(""), "a.toml:1: the file is empty: `jounce new` writes a spec to start with");
   EXPECT_EQ(complaint(" \n\t\n"),
             "a.toml:1: the file is empty: `jounce new` writes a spec to start with");
@@ -239,7 +239,7 @@ TEST(BadSpecs, AFileThatCannotBeReadHasThePlaceThatNamesIt) {
 }
 
 // It overran the stack.
-TEST(BadSpecs, AKeyOfVeryManyPartsIsRefused) {
+TEST(BadSpecs, AKeyOfVeryManyPartsIsRejected) {
   const auto refusal = [](const std::string& text) {
     return test::error_of([&] { (void)parse_spec(text, "a.toml"); });
   };
@@ -255,7 +255,7 @@ TEST(BadSpecs, AKeyOfVeryManyPartsIsRefused) {
   EXPECT_NE(refusal("jounce = 1\nx = [\n" + list + "]\n"), why);
 }
 
-TEST(BadSpecs, EveryTruncationOfASpecIsRefusedOrStillASpec) {
+TEST(BadSpecs, EveryTruncationOfASpecIsRejectedOrStillASpec) {
   const std::string text = read_file(examples + "pmc600-cam/cam.toml");
   for (std::size_t length = 0; length < text.size(); ++length) {
     const std::string message = complaint(text.substr(0, length));  // throws nothing but InputError

@@ -86,7 +86,7 @@ TEST(TargetSpec, TakesThePulseOfAControllerInTheUnitOfTheMaster) {
   for (const double x : made.sampled.table.columns().x) EXPECT_EQ(2 * x, std::round(2 * x));
 }
 
-TEST(TargetSpec, SaysWhatIsWrongInTheDocument) {
+TEST(TargetSpec, ReportsErrorsInTheDocument) {
   EXPECT_THAT(complaint(cam_with("controller = \"hmpl_pvt\"\n")), HasSubstr("a table over time"));
   EXPECT_THAT(complaint(cam_with("knots = \"even\"\nmost = 5\n")),
               HasSubstr("needs knots = \"fewest\""));

@@ -105,7 +105,7 @@ TEST(PtSpec, WarnsInTheOrderOfWhatIsWorst) {
   EXPECT_THAT(rules(googol(ramp + "loops = 3\n")), ElementsAre("pt/end_velocity", "pt/wrap"));
 }
 
-TEST(PtSpec, RefusesExample74AsPrinted) {
+TEST(PtSpec, RejectsExample74AsPrinted) {
   const std::string printed =
       "point = [{time = 0.016, position = 40.1447}]\n[pt]\ncontroller = \"googol\"\n";
   EXPECT_EQ(message(googol(printed)),
@@ -151,7 +151,7 @@ TEST(PtSpec, Pmc600ErrorsStandAtTheirKeys) {
               HasSubstr("must be a whole number of ms, the resolution of the data type TIME"));
 }
 
-TEST(PvtSpec, SaysWhatHappensAtItsEnd) {
+TEST(PvtSpec, StatesTheBehaviorAtItsEnd) {
   const std::string knots =
       "knot = [{time = 0, position = 0, velocity = 1}, {time = 1, position = 1, velocity = 1}]\n";
   const std::string head =

@@ -127,7 +127,7 @@ TEST(TomlSyntax, NamesTheSectionThatIsUnknown) {
             "a.toml:6:2: [paths]: is not a section here: did you mean [path]?");
 }
 
-TEST(TomlSyntax, TellsAForeignFileFromASpec) {
+TEST(TomlSyntax, DistinguishesAForeignFileFromASpec) {
   const auto error = [](const std::string& text, const char* name) {
     return test::error_of([&] { (void)parse_spec(text, name); });
   };

@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Knots, StreamOfKnots,
                          testing::Values(2, 5, 400, 401, 533, 534, 800, 801, 100'000),
                          testing::PrintToStringParamName());
 
-TEST(Stream, GoesNoFurtherThanItsGoal) {
+TEST(Stream, StopsAtItsGoal) {
   World world;
   const Table table = sine_table(5);
   EXPECT_FALSE(world.stream(plan_of(table, StreamGoal::download)).armed);
@@ -216,7 +216,7 @@ TEST(Stream, AStreamerThatDiesHalfWayLeavesNothingBehind) {
               ElementsAre("silent 1", "ready 2", "arm 2", "start 2", "released 2"));
 }
 
-TEST(Stream, ASecondStreamerIsRefusedWhileTheFirstLives) {
+TEST(Stream, ASecondStreamerIsRejectedWhileTheFirstLives) {
   World world;
   const Table table = sine_table(50'000);
   Streamer first(world, table, 1);
@@ -288,7 +288,7 @@ struct Recorder {
   MemoryTransport link;
 };
 
-TEST(Stream, NothingThatAStaleSessionSaidHasAnyEffect) {
+TEST(Stream, MessagesOfAStaleSessionHaveNoEffect) {
   World world;
   Recorder recorder(world);
   ASSERT_TRUE(world.stream(plan_of(sine_table(1000)), 1).ok());
@@ -314,7 +314,7 @@ TEST(Stream, NothingThatAStaleSessionSaidHasAnyEffect) {
 
 // ---- named failures -----------------------------------------------------------------------------
 
-TEST(Stream, SaysThatNobodyAnswers) {
+TEST(Stream, ReportsThatNoExecutorAnswers) {
   World world;
   world.shut_down();
   const StreamOutcome outcome = world.stream(plan_of(sine_table(5)));
@@ -322,7 +322,7 @@ TEST(Stream, SaysThatNobodyAnswers) {
   EXPECT_LT(world.now, 5100ms);
 }
 
-TEST(Stream, SaysThatTheExecutorHasGone) {
+TEST(Stream, ReportsThatTheExecutorEnded) {
   World world;
   StreamOptions options;
   options.progress = [&](const StreamProgress& progress) {
@@ -331,7 +331,7 @@ TEST(Stream, SaysThatTheExecutorHasGone) {
   EXPECT_EQ(world.stream(plan_of(sine_table(50'000)), 1, options).error, StreamError::contact_lost);
 }
 
-TEST(Stream, SaysThatTheAxisDoesNotDecide) {
+TEST(Stream, ReportsThatTheAxisDoesNotDecide) {
   World world;
   world.executor->answers = false;
   const StreamOutcome outcome = world.stream(plan_of(sine_table(5)));

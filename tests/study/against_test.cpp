@@ -218,7 +218,7 @@ TEST(Against, ACamThatTurnsForEverIsOptimizedInItsSteadyState) {
             1e-3 * outcome.driven_given.rms_torque);
 }
 
-TEST(Against, RefusesWhatItCannotDo) {
+TEST(Against, RejectsWhatItCannotDo) {
   CamShapeProblem none = index_problem(DriveFigure::torque);
   none.minimize = {{{PeakOf{derivative_of_shape(2)}}}};
   EXPECT_THROW(optimize_against(none, axis()), InputError);

@@ -45,7 +45,7 @@ TEST_F(JournalFile, KeepsItsLines) {
   EXPECT_THAT(lines(), ElementsAre("first", "", "third, with a comma"));
 }
 
-TEST_F(JournalFile, GoesOnAfterAnyTearAndLosesNoWholeLine) {
+TEST_F(JournalFile, ContinuesAfterAnyTearAndLosesNoWholeLine) {
   {
     Journal journal(path, "id");
     journal.append("one");

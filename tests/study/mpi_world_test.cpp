@@ -143,7 +143,7 @@ TEST(MpiFarm, EndsWhereACaseThrowsOnTheFirstRank) {
               ::testing::HasSubstr("case"));
 }
 
-TEST(MpiFarm, RefusesAWorkerWithOtherFiles) {
+TEST(MpiFarm, RejectsAWorkerWithOtherFiles) {
   post.boxes.clear();
   post.boxes[0].emplace_back(1, "other");
   me = 0;

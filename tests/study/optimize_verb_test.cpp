@@ -222,7 +222,7 @@ TEST_F(OptimizeVerb, WritesATableThatKeepsTheJerk) {
   EXPECT_LE(greatest_jerk(table), 0.001334 * (1 + 1e-9));
 }
 
-TEST_F(OptimizeVerb, TellsAViolationInFull) {
+TEST_F(OptimizeVerb, ReportsAViolationInFull) {
   const Ran ran = optimized("clipped-percent");
   EXPECT_EQ(ran.status, 1);
   EXPECT_THAT(ran.output, AllOf(HasSubstr("exceeds the limit 0.0003 "), HasSubstr(" by 900 %")));

@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using Points = std::vector<std::vector<double>>;
 
-TEST(ParetoFront, IsWhatNobodySurpasses) {
+TEST(ParetoFront, ContainsTheNonDominatedPoints) {
   EXPECT_THAT(pareto_front(Points{{1, 5}, {2, 3}, {2, 4}, {4, 1}}), ElementsAre(0, 1, 3));
   EXPECT_THAT(pareto_front(Points{{3}, {1}, {2}, {1}}), ElementsAre(1, 3));
   EXPECT_THAT(pareto_front(Points{}), IsEmpty());
@@ -27,7 +27,7 @@ TEST(ParetoFront, KeepsEqualPointsAndDropsThoseThatAreWorseInOne) {
   EXPECT_THAT(pareto_front(Points{{0, 1, 1}, {0, 1, 1}, {0, 1, 2}}), ElementsAre(0, 1));
 }
 
-TEST(ParetoFront, KnowsNoNanButInfinity) {
+TEST(ParetoFront, RejectsNanButAcceptsInfinity) {
   const double nan = std::nan("");
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_THAT(pareto_front(Points{{nan, 0}, {1, 1}, {0, nan}}), ElementsAre(1));

@@ -79,7 +79,7 @@ TEST(SampleDesign, DependsOnItsSeedAndGivesEachParameterItsOwn) {
   }
 }
 
-TEST(SampleDesign, RefusesMoreParametersThanSobolHasDimensions) {
+TEST(SampleDesign, RejectsMoreParametersThanSobolHasDimensions) {
   EXPECT_THAT(test::error_of([] {
                 const SampleDesign design(Design::sobol, 1, names(sobol_dimensions + 1), 8);
               }),

@@ -81,7 +81,7 @@ segment = [{ law = "quintic", end = { master = "0.5 rev", slave = 20 } }]
   EXPECT_EQ(std::get<CamSpec>(cam.spec(half).subject).segments[0].end.master, 90);
 }
 
-TEST(SpecNumbers, RefuseWhatIsNoNumber) {
+TEST(SpecNumbers, RejectsAnInvalidNumber) {
   const auto refused = [](const char* key, double value = 1) {
     const std::vector<SpecNumbers::Change> changes{{key, value}};
     return error_of([&] { (void)numbers().text(changes); });
@@ -101,7 +101,7 @@ TEST(SpecNumbers, RefuseWhatIsNoNumber) {
             "a.toml: start.slave = 1: is given twice");
 }
 
-TEST(SpecNumbers, RefuseWhatIsNoToml) {
+TEST(SpecNumbers, RejectWhatIsNoToml) {
   EXPECT_THROW(SpecNumbers({"a.toml", "jounce = = 1", {}, {}}), InputError);
   EXPECT_THROW((void)SpecNumbers({"a.toml", "", {}, {}}).value("jounce"), InputError);
 }

@@ -253,7 +253,7 @@ TEST_F(Sweeps, GiveTheSameBytesOnAnyNumberOfThreads) {
   }
 }
 
-TEST_F(Sweeps, GoOnWhereTheyWereStopped) {
+TEST_F(Sweeps, ContinueWhereTheyWereStopped) {
   const SweepSpec spec = sweep(random_two);
   const std::string whole = to_csv(spec, run_sweep(spec));
   const std::string journal = path("results.csv.journal");
@@ -275,7 +275,7 @@ TEST_F(Sweeps, GoOnWhereTheyWereStopped) {
   EXPECT_EQ(made, 120U);  // nothing lost, nothing twice
 }
 
-TEST_F(Sweeps, RefuseAJournalOfAnotherSpec) {
+TEST_F(Sweeps, RejectAJournalOfAnotherSpec) {
   const std::string journal = path("j");
   const auto part = [&](const SweepSpec& spec) {
     return run_sweep(spec, {.farm = on_threads(1),
@@ -399,7 +399,7 @@ TEST_F(Sweeps, AreForNumPyToo) {
   EXPECT_NEAR(duration, 6.5, 1e-12);
 }
 
-TEST_F(Sweeps, RefuseWhatMakesNoSense) {
+TEST_F(Sweeps, RejectWhatMakesNoSense) {
   const std::string one = "[[parameter]]\nkey = \"move.velocity\"\n";
   try {
     (void)parse_sweep("jounce = 1\nkind = \"sweep\"\nbase = \"move.toml\"\n" + one, "s.toml");

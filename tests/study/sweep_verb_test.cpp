@@ -149,7 +149,7 @@ TEST_F(SweepVerb, PictureCountsTheFiguresThatItDoesNotShow) {
               testing::Not(HasSubstr("more figure")));
 }
 
-TEST_F(SweepVerb, GoesOnAfterKillsAndDoesNothingTwice) {
+TEST_F(SweepVerb, ContinuesAfterKillsAndRepeatsNothing) {
   sweep(300, 3);  // so many that it is killed long before its end
   ASSERT_EQ(jounce("sweep sweep.toml -o whole.csv").status, 0);
   std::size_t seen = 0;
@@ -186,7 +186,7 @@ TEST_F(SweepVerb, KeepsWhatItHasAtSigtermAndAtSigint) {
   EXPECT_EQ(bytes("a.csv"), bytes("whole.csv"));
 }
 
-TEST_F(SweepVerb, RefusesTheJournalOfAnotherSweep) {
+TEST_F(SweepVerb, RejectsTheJournalOfAnotherSweep) {
   sweep(2000, 3);
   killed({JOUNCE_EXE, "sweep", "sweep.toml", "-o", "a.csv"}, 5);
   sweep(2000, 4);
@@ -197,7 +197,7 @@ TEST_F(SweepVerb, RefusesTheJournalOfAnotherSweep) {
             "to start again\n");
 }
 
-TEST_F(SweepVerb, SaysWhatIsWrong) {
+TEST_F(SweepVerb, ReportsErrors) {
   EXPECT_THAT(jounce("sweep none.toml").output, HasSubstr("none.toml: cannot be read"));
   EXPECT_EQ(jounce("sweep none.toml").status, 2);
   EXPECT_EQ(jounce("sweep move.toml").status, 2);
@@ -225,7 +225,7 @@ TEST_F(SweepVerb, GivesTheSameBytesUnderMpi) {
   }
 }
 
-TEST_F(SweepVerb, GoesOnUnderMpiWhereThreadsWereKilled) {
+TEST_F(SweepVerb, ContinuesUnderMpiAfterKilledThreads) {
   sweep(300, 3);
   ASSERT_EQ(jounce("sweep sweep.toml -o whole.csv").status, 0);
   killed({JOUNCE_EXE, "sweep", "sweep.toml", "-o", "a.csv", "--jobs", "2"}, 15);
@@ -237,7 +237,7 @@ TEST_F(SweepVerb, GoesOnUnderMpiWhereThreadsWereKilled) {
   EXPECT_EQ(bytes("a.csv"), bytes("whole.csv"));
 }
 
-TEST_F(SweepVerb, SaysOnceUnderMpiWhatIsWrong) {
+TEST_F(SweepVerb, ReportsErrorsOnceUnderMpi) {
   const Ran ran = run(mpirun + std::string("3 " JOUNCE_EXE " sweep none.toml"));
   EXPECT_NE(ran.status, 0);
   const std::string what = "jounce: none.toml: cannot be read";

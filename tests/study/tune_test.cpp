@@ -214,7 +214,7 @@ TEST(Tune, ChoosesTheDynamicsOfAQueue) {
   EXPECT_NEAR(outcome.figures[0].reached, 150.0 / 500 + 500.0 / 4000, 1e-6);
 }
 
-TEST(Tune, SaysWhatIsInTheWayWhereNothingHolds) {
+TEST(Tune, NamesTheBlockingLimits) {
   const TuneOutcome outcome =
       tuned(move +
             "[optimize]\nminimize = \"peak acceleration\"\n"
@@ -226,7 +226,7 @@ TEST(Tune, SaysWhatIsInTheWayWhereNothingHolds) {
   EXPECT_THAT(outcome.active, ElementsAre(HasSubstr("at most 0.3 is required")));
 }
 
-TEST(Tune, StopsWhenItIsTold) {
+TEST(Tune, StopsOnRequest) {
   const Spec spec = parse_spec(move + "[optimize]\nminimize = \"duration\"\n" +
                                    parameter("move.velocity", "100, 1000") +
                                    parameter("move.acceleration", "500, 10000"),
@@ -237,7 +237,7 @@ TEST(Tune, StopsWhenItIsTold) {
   EXPECT_TRUE(outcome.usable());
 }
 
-TEST(Tune, RefusesWhatItCannotDo) {
+TEST(Tune, RejectsWhatItCannotDo) {
   const std::string one = parameter("move.velocity", "100, 1000");
   const auto said = [&](const std::string& rest) {
     return error_of([&] { (void)tuned(move + rest); });
@@ -271,7 +271,7 @@ TEST(Tune, RejectsAFigureThatDependsOnNoParameter) {
   EXPECT_THAT(error, HasSubstr("designs that were tried"));
 }
 
-TEST(ParametersSpec, RefusesWhatMakesNoSense) {
+TEST(ParametersSpec, RejectsContradictions) {
   const std::string one = parameter("move.velocity", "100, 1000");
   const auto said = [&](const std::string& rest) {
     return error_of([&] { (void)parse_spec(move + rest, "s.toml"); });

@@ -103,7 +103,7 @@ TEST(RigidAxis, TurnsWorkIntoMotionAndBack) {
 
 // ---- friction -----------------------------------------------------------------------------------
 
-TEST(Friction, BringsABlockToRestWhereCoulombSays) {
+TEST(Friction, BringsABlockToRestAsCoulombPredicts) {
   Drive drive = open_loop();
   drive.motor.friction.coulomb = 0.05;
   const double a = 30'000 * radians;
@@ -207,7 +207,7 @@ TEST(Gear, LosesInTheDirectionThatPowerFlows) {
   EXPECT_NEAR(torque(-360), 0.5 * 0.8, 1e-6);
 }
 
-TEST(Pendulum, SwingsAsDuhamelsIntegralSays) {
+TEST(Pendulum, SwingsAsDuhamelsIntegral) {
   // A pendulum so light that the axis does not feel it: u'' + w^2 u = -a(t).
   Drive drive = rigid();
   drive.train = {Mass{.inertia = 1e-4}};

@@ -227,7 +227,7 @@ TEST(DriveStepper, AFrozenSetpointIsNotLeftAgain) {
   EXPECT_NEAR(stepper.now().velocity, 0, 1e-9);
 }
 
-TEST(DriveStepper, RefusesByName) {
+TEST(DriveStepper, RejectsByName) {
   const auto key = [](const Drive& drive, double period) {
     return test::key_of([&] { DriveStepper stepper(drive, period); }, "accepted");
   };

@@ -359,7 +359,7 @@ TEST(Drive, AReferenceThatStartsMovingIsMetAtRest) {
   expect_exact(ramp, ramp, servo_400w());
 }
 
-TEST(Drive, BreaksTooCloseToBeToldApartAreCrossed) {
+TEST(Drive, BreaksTooCloseToBeDistinguishedAreCrossed) {
   std::vector<Segment> segments;
   const Trajectory move = test::law_345(360, 0.5);
   for (const double s : {0.0, 0.3, 0.6}) {
@@ -448,7 +448,7 @@ std::string refused(Change change) {
   return test::key_of([&] { drive_through(test::law_345(1, 1), drive, options); }, "nothing");
 }
 
-TEST(Drive, RefusesParametersOutOfRangeByName) {
+TEST(Drive, RejectsParametersOutOfRangeByName) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refused([](Drive& d, auto&) { d = {}; }), "motor.inertia");
   EXPECT_EQ(refused([&](Drive& d, auto&) { d.motor.inertia = nan; }), "motor.inertia");
@@ -488,7 +488,7 @@ concept Drivable = requires(const Reference& r, const Drive& d) {
 };
 static_assert(Drivable<Trajectory> && Drivable<Table> && Drivable<Followed> && !Drivable<Cam>);
 
-TEST(Drive, RefusesATableOverMasterPosition) {
+TEST(Drive, RejectsATableOverMasterPosition) {
   const Table table(Domain::master, Interpolation::linear, Extrapolation::hold,
                     {{0, 1}, {0, 1}, {}, {}});
   try {

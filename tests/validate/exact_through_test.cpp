@@ -232,7 +232,7 @@ TEST(ExactThrough, PlaceAndInstantOfTheStartDoNotMatter) {
 
 // ---- where there is none ------------------------------------------------------------------------
 
-TEST(ExactThrough, HasNothingToSayOfAnotherDrive) {
+TEST(ExactThrough, IsEmptyForAnotherDrive) {
   const Trajectory move = s_curve_move();
   Drive rubs = two_mass();
   rubs.motor.friction.coulomb = 0.1;
@@ -242,7 +242,7 @@ TEST(ExactThrough, HasNothingToSayOfAnotherDrive) {
   EXPECT_FALSE(exact_through(move, sampled));
 }
 
-TEST(ExactThrough, HasNothingToSayExactlyWhereTheTorqueMeetsItsLimit) {
+TEST(ExactThrough, IsEmptyWhereTheTorqueMeetsItsLimit) {
   const Trajectory move = s_curve_move();
   for (Drive drive : drives()) {
     drive.motor.current_lag = 0;  // the torque asked for is the torque
@@ -254,7 +254,7 @@ TEST(ExactThrough, HasNothingToSayExactlyWhereTheTorqueMeetsItsLimit) {
   }
 }
 
-TEST(ExactThrough, KnowsTheLimitAtHighSpeed) {
+TEST(ExactThrough, IncludesTheLimitAtHighSpeed) {
   const Trajectory move = s_curve_move();
   Drive drive = servo_400w();
   drive.motor.rated_velocity = 10;
@@ -266,7 +266,7 @@ TEST(ExactThrough, KnowsTheLimitAtHighSpeed) {
   EXPECT_EQ(exact_through(move, drive).has_value(), !saturates);
 }
 
-TEST(ExactThrough, RefusesWhatTheRunRefuses) {
+TEST(ExactThrough, RejectsWhatTheRunRejects) {
   const Trajectory move = s_curve_move();
   DriveOptions options;
   options.sync = {{0.1, 99}};

@@ -241,7 +241,7 @@ std::string refused(Change change) {
   return test::key_of([&] { follow(harmonic(10, 1), f, options); }, "nothing");
 }
 
-TEST(Follower, RefusesParametersOutOfRangeByName) {
+TEST(Follower, RejectsParametersOutOfRangeByName) {
   EXPECT_EQ(refused([](auto& f, auto&) { f.mass = 0; }), "mass");
   EXPECT_EQ(refused([](auto& f, auto&) { f.mass = std::nan(""); }), "mass");
   EXPECT_EQ(refused([](auto& f, auto&) { f.linkage_stiffness = 0; }), "linkage_stiffness");

@@ -120,11 +120,11 @@ void expect_balance(const char* what, const Drive& drive, double share) {
   EXPECT_GT(run.energy.driving, 0);
 }
 
-TEST(Energy, OfAPlainAxisGoesIntoWhatItLoses) {
+TEST(Energy, OfAPlainAxisEqualsItsLosses) {
   expect_balance("plain", plain(), 1e-6);
 }
 
-TEST(Energy, OfDryFrictionGoesIntoWhatItLoses) {
+TEST(Energy, OfDryFrictionEqualsItsLosses) {
   Drive drive = rubbing();
   drive.motor.friction.breakaway = drive.motor.friction.coulomb;
   expect_balance("rubbing", drive, 1e-5);
@@ -201,7 +201,7 @@ TEST(HostileReference, OfNoLengthInPlaceIsAStandstill) {
   EXPECT_EQ(run.following_error.value, 0);
 }
 
-TEST(HostileReference, OfOneInstantIsRefused) {
+TEST(HostileReference, OfOneInstantIsRejected) {
   const test::MadeUp instant{[](double, Side) { return Jet{1, 0, 0, 0}; }, {0, 0}};
   EXPECT_THROW(drive_through(instant, plain()), InputError);
 }
@@ -254,7 +254,7 @@ TEST(HostileScale, OfTheMachineScalesOut) {
   }
 }
 
-TEST(HostileNumbers, ThatAreNotFiniteAreRefusedByName) {
+TEST(HostileNumbers, ThatAreNotFiniteAreRejectedByName) {
   Drive drive = everything();
   drive.pendulum = Pendulum{2, 0.1, 0.3};
   const std::size_t count = numbers(drive).size();
@@ -289,7 +289,7 @@ TEST(FailedRun, PassesNoLimit) {
   for (const Finding& f : run.report.findings) EXPECT_TRUE(f.broken) << f.rule;
 }
 
-TEST(FailedRun, StillTellsALimitThatWasExceededBefore) {
+TEST(FailedRun, StillReportsALimitThatWasExceededBefore) {
   const DriveResult run = drive_through(test::s_curve_move(), plain(),
                                         {.limits = {.velocity = 1e-3}, .max_steps = 400});
   ASSERT_FALSE(run.integration.ok());
@@ -401,7 +401,7 @@ TEST(SecondOpinion, HoldsAtEveryTolerance) {
       }
 }
 
-TEST(Tolerances, TellSettlingHeatAndEnergyWhereTheDriveHasThem) {
+TEST(Tolerances, IncludeSettlingHeatAndEnergyOfTheDrive) {
   Drive drive = plain();
   drive.motor.rated_torque = 1.3;
   drive.motor.thermal_time = 600;
@@ -423,7 +423,7 @@ TEST(Tolerances, TellSettlingHeatAndEnergyWhereTheDriveHasThem) {
 
 // ---- a follower without preload ---------------------------------------------------------------
 
-TEST(HostileFollower, WithoutPreloadAtTheFootOfItsSpringIsRefused) {
+TEST(HostileFollower, WithoutPreloadAtTheFootOfItsSpringIsRejected) {
   SpringFollower follower{
       .mass = 0.1, .linkage_stiffness = 1e6, .spring_stiffness = 1e4, .meters_per_unit = 1e-3};
   const Trajectory lift = test::law_345(10, 0.1);
@@ -435,7 +435,7 @@ TEST(HostileFollower, WithoutPreloadAtTheFootOfItsSpringIsRefused) {
   }
 }
 
-TEST(HostileFollower, NumbersThatAreNotFiniteAreRefused) {
+TEST(HostileFollower, NumbersThatAreNotFiniteAreRejected) {
   const SpringFollower good{.mass = 0.1,
                             .linkage_stiffness = 1e6,
                             .spring_stiffness = 1e4,
@@ -463,7 +463,7 @@ Recording still(std::size_t samples, double at) {
   return run;
 }
 
-TEST(HostileRecording, OfAnAxisThatStandsStillTellsNothing) {
+TEST(HostileRecording, OfAnAxisAtRestHasNoInformation) {
   for (const double at : {0.0, 1234.5}) {
     SCOPED_TRACE(at);
     const Recording run = still(101, at);
@@ -474,7 +474,7 @@ TEST(HostileRecording, OfAnAxisThatStandsStillTellsNothing) {
   }
 }
 
-TEST(HostileRecording, OutOfShapeIsRefusedByName) {
+TEST(HostileRecording, OutOfShapeIsRejectedByName) {
   const auto refused = [](const Recording& run, const std::string& key) {
     try {
       identify(run, commanded_motion(run), {servo_400w(), {"motor.inertia"}});

@@ -127,11 +127,11 @@ TEST(DriveResponse, AgreesWithDifferencesOfAMuchTighterRun) {
   expect_differences(test::law_345(360, 0.2), servo_400w(), elastic, 1e-3, 2e-5);
 }
 
-TEST(DriveResponse, GoesOnOverStepsOfTheAcceleration) {
+TEST(DriveResponse, ContinuesOverStepsOfTheAcceleration) {
   expect_differences(test::trapezoid_move(), servo_400w(), elastic, 1e-3, 2e-5);
 }
 
-TEST(DriveResponse, GoesOnOverTheTorqueLimit) {
+TEST(DriveResponse, ContinuesOverTheTorqueLimit) {
   Drive drive = servo_400w();
   drive.motor.torque_limit = 0.5;
   const Trajectory move = test::law_345(360, 0.1);
@@ -141,7 +141,7 @@ TEST(DriveResponse, GoesOnOverTheTorqueLimit) {
 }
 
 /// Dry friction stops and frees both bodies at instants that move with every number.
-TEST(DriveResponse, GoesOnThroughDryFriction) {
+TEST(DriveResponse, ContinuesThroughDryFriction) {
   Drive drive = servo_400w();
   drive.motor.friction.coulomb = 0.05;
   drive.motor.friction.breakaway = 0.07;
@@ -274,7 +274,7 @@ TEST(Identify, FromTheRecordedCommandAlone) {
 
 // ---- numbers that a recording does not determine -------------------------------------------------
 
-TEST(Identify, SaysWhatCannotBeToldApart) {
+TEST(Identify, ReportsIndistinguishableParameters) {
   // friction of motor and load act alike on a shaft that is much faster than the motion
   const Trajectory move = test::law_345(360, 0.4);
   const Drive truth = servo_400w();
@@ -287,7 +287,7 @@ TEST(Identify, SaysWhatCannotBeToldApart) {
   EXPECT_THAT(found.reason, HasSubstr("cannot be distinguished"));
 }
 
-TEST(Identify, SaysWhatDoesNotActAtAll) {
+TEST(Identify, ReportsParametersWithoutEffect) {
   const Trajectory move = test::law_345(360, 0.3);
   const Drive truth = servo_400w();
   const std::vector<std::string> keys{"mass[1].inertia", "motor.torque_limit"};  // never reached
@@ -299,7 +299,7 @@ TEST(Identify, SaysWhatDoesNotActAtAll) {
   EXPECT_LT(found.numbers[0].high, 1.1 * found.numbers[0].low);
 }
 
-TEST(Identify, SaysThatTheModelMissesSomething) {
+TEST(Identify, ReportsAnIncompleteModel) {
   const Trajectory move = test::s_curve_move();
   const Drive truth = servo_400w();
   Recording run = recorded(move, truth, 301, {}, 1);
@@ -401,7 +401,7 @@ void expect_refused(const Recording& run, const IdentifySpec& spec, const std::s
   }
 }
 
-TEST(Identify, RefusesBadInput) {
+TEST(Identify, RejectsBadInput) {
   const Drive drive = servo_400w();
   const Recording run = recorded(test::law_345(360, 0.3), drive, 51, {}, 1);
   expect_refused(run, {drive, {}}, "fit");

@@ -399,7 +399,7 @@ TEST(LinearDrive, WhatIsLeftAddsUpToTheResidual) {
   EXPECT_NEAR(late, 1, 1e-3);
 }
 
-TEST(LinearDrive, ModesTooMuchAlikeAreNotToldApart) {
+TEST(LinearDrive, SimilarModesAreNotDistinguished) {
   Drive drive = rigid();
   const double damping = 2e-4 + drive.controller.velocity_gain;
   drive.controller.position_gain =
@@ -434,7 +434,7 @@ std::string refused(Change change) {
   return test::key_of([&] { exact_run(reference("s_curve"), drive, times); }, "nothing");
 }
 
-TEST(LinearDrive, RefusesWhatIsNotLinearByName) {
+TEST(LinearDrive, RejectsWhatIsNotLinearByName) {
   EXPECT_EQ(refused([](Drive& d, auto&) { d.motor.friction.coulomb = 0.1; }),
             "motor.friction.coulomb");
   EXPECT_EQ(refused([](Drive& d, auto&) { d.train[0].backlash = 0.1; }), "mass[1].backlash");

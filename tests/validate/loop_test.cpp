@@ -162,7 +162,7 @@ TEST(Loop, ResponseIsTheOracles) {
 }
 
 /// An unstable loop moves by itself as its first pole predicts: the exact run does not use poles.
-TEST(Loop, GrowsAsItsFirstPoleSays) {
+TEST(Loop, GrowsWithItsFirstPole) {
   for (const char* name : {"two masses, delay 1.1 ms", "sampled, delay of cycles"}) {
     const Drive drive = oracle_drive(name);
     const LoopPole pole = loop_poles(drive).front();
@@ -205,7 +205,7 @@ TEST(Loop, IsAFindingWhereItIsUnstable) {
   EXPECT_EQ(found(calm.report, "drive/stability"), nullptr);
 }
 
-TEST(Loop, SaysWhichVelocityGainWouldBeStable) {
+TEST(Loop, ReportsAStableVelocityGain) {
   Drive drive = oracle_drive("two masses, delay 1.1 ms");
   const std::optional<double> gain = loop_stability(drive).velocity_gain;
   ASSERT_TRUE(gain.has_value());
@@ -240,7 +240,7 @@ TEST(Loop, IsLookedAtWithoutItsNonlinearParts) {
   EXPECT_EQ(same.poles.front().growth, linear.poles.front().growth);
 }
 
-TEST(Loop, RefusesADelayOfTooManyCycles) {
+TEST(Loop, RejectsADelayOfTooManyCycles) {
   Drive drive = oracle_drive("sampled");
   drive.controller.delay = 101 * drive.controller.cycle;
   EXPECT_THROW(loop_stability(drive), InputError);

@@ -135,7 +135,7 @@ TEST(PeriodicDrive, OfACamBehindASteadyMaster) {
   EXPECT_GT(run.rms_torque, 0);
 }
 
-TEST(PeriodicDrive, SaysSoWhereTheTorqueMeetsItsLimit) {
+TEST(PeriodicDrive, ReportsATorqueAtItsLimit) {
   Drive weak = servo_400w();
   weak.motor.torque_limit = 0.3;
   const DriveResult run = drive_through(to_and_fro(), weak, {.periodic = true});
@@ -172,7 +172,7 @@ std::string refused(Change change) {
   return test::key_of([&] { drive_through(to_and_fro(), drive, {.periodic = true}); }, "nothing");
 }
 
-TEST(PeriodicDrive, RefusesWhatHasNoKnownSteadyState) {
+TEST(PeriodicDrive, RejectsWhatHasNoKnownSteadyState) {
   EXPECT_EQ(refused([](Drive& d) { d.motor.friction.coulomb = 0.1; }), "motor.friction.coulomb");
   EXPECT_EQ(refused([](Drive& d) { d.controller.cycle = 1e-3; }), "controller.cycle");
   EXPECT_EQ(refused([](Drive&) {}), "nothing");

@@ -96,7 +96,7 @@ TEST(Sensitivity, IsInterpolatedInsideAStep) {
 }
 
 /// At t = 1 the state jumps by p q: the sensitivities jump by q and p, and go on.
-TEST(Sensitivity, GoesOnAfterAJumpThatDependsOnTheParameters) {
+TEST(Sensitivity, ContinuesAfterAJumpThatDependsOnTheParameters) {
   const Decay decay;
   OdeSolver solver(decay.ode(), settings(1, 1e-10), 0, std::array{decay.y0});
   run_to(solver, 1);

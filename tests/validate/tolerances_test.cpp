@@ -133,7 +133,7 @@ TEST(Tolerances, DrawsHaveTheDistributionAskedFor) {
   }
 }
 
-TEST(Tolerances, RmsTorqueOfARigidAxisGoesWithItsInertia) {
+TEST(Tolerances, RmsTorqueOfARigidAxisIsProportionalToItsInertia) {
   // The feed-forward takes the nominal inertia from its drive, so it follows a change. Without
   // friction the torque is then J a exactly, and the rms torque is linear in J.
   Drive drive = strong();
@@ -178,7 +178,7 @@ std::string refused(Change change) {
   return "nothing";
 }
 
-TEST(Tolerances, RefusesWhatIsNoTolerance) {
+TEST(Tolerances, RejectsWhatIsNoTolerance) {
   EXPECT_EQ(refused([](auto& s) { s.numbers[0].key = "mass[2].inertia"; }),
             "tolerances.key = mass[2].inertia");
   EXPECT_EQ(refused([](auto& s) { s.numbers[1].key = s.numbers[0].key; }),

@@ -302,7 +302,7 @@ TEST(Witness, AnExceptionOfTheSignalComesThroughTheSolver) {
   EXPECT_EQ(calls, 31);
 }
 
-TEST(Witness, RefusesBadOptionsAndBreaks) {
+TEST(Witness, RejectsBadOptionsAndBreaks) {
   const Trajectory f = test::s_curve_move();
   const auto key = [&](const WitnessOptions& options) {
     return test::key_of([&] { witness(f, options); }, "none");

@@ -26,7 +26,7 @@ json next(const Board& board, std::int64_t& seen, Nanos now = 0s) {
   return json::parse(board.json_since(seen, now));
 }
 
-TEST(Board, TellsAnAxisThatWasNotHeardFromOneThatWas) {
+TEST(Board, DistinguishesAnAxisWithoutStatus) {
   Board board({"feeder", "knife"});
   board.take("feeder", at(10, 1.5), 3s);
   std::int64_t seen = 0;
@@ -119,7 +119,7 @@ TEST(Board, TakesNothingOldAndNothingOfOthers) {
   EXPECT_FALSE(board.has("stranger"));
 }
 
-TEST(Board, GoesOnWhereTheExecutorWasStartedAgain) {
+TEST(Board, ContinuesWhereTheExecutorWasStartedAgain) {
   Board board({"feeder"});
   wire::Status status = at(1000, 1);
   status.boot = 1;
@@ -141,7 +141,7 @@ TEST(Board, ForgetsTheOldestSamples) {
   EXPECT_NEAR(samples[0][0].get<double>(), 0.011, 1e-12);
 }
 
-TEST(Board, SaysAFaultWithNumberNameAndMeaning) {
+TEST(Board, ShowsAFaultWithNumberNameAndMeaning) {
   Board board({"feeder"});
   wire::Status status = at(1, 0);
   status.last_error = static_cast<std::int32_t>(Cause::following_error);
@@ -153,7 +153,7 @@ TEST(Board, SaysAFaultWithNumberNameAndMeaning) {
   EXPECT_EQ(fault["meaning"], meaning(Cause::following_error));
 }
 
-TEST(Board, KeepsSoManyMastersWhateverAnybodySays) {
+TEST(Board, KeepsALimitedNumberOfMasters) {
   Board board({"knife"});
   wire::Status status = at(10, 1.5);
   status.boot = 5;
@@ -166,7 +166,7 @@ TEST(Board, KeepsSoManyMastersWhateverAnybodySays) {
   EXPECT_EQ(masters[masters.size() - 1]["name"], "m999") << "the newest stay";
 }
 
-TEST(Board, TellsTheMastersOfAnAxis) {
+TEST(Board, ListsTheMastersOfAnAxis) {
   Board board({"knife"});
   wire::Status status = at(10, 1.5);
   status.boot = 5;

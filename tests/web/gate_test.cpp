@@ -14,13 +14,13 @@ TEST(Gate, LetsTheLoopbackNamesIn) {
   EXPECT_EQ(objection({.host = "localhost:8080", .site = "none"}, 8080), "");
 }
 
-TEST(Gate, RefusesNamesThatWereReboundToLoopback) {
+TEST(Gate, RejectsNamesThatWereReboundToLoopback) {
   for (const char* host : {"", "evil.example:8080", "127.0.0.1", "127.0.0.1:8081", "localhost",
                            "127.0.0.1:8080.evil.example", "localhost:80800", "x127.0.0.1:8080"})
     EXPECT_NE(objection({.host = host}, 8080), "") << host;
 }
 
-TEST(Gate, RefusesPagesOfOtherOrigins) {
+TEST(Gate, RejectsPagesOfOtherOrigins) {
   for (const char* origin : {"http://evil.example", "null", "https://127.0.0.1:8080",
                              "http://127.0.0.1:8081", "http://127.0.0.1:8080.evil.example"})
     EXPECT_NE(objection({.host = "127.0.0.1:8080", .origin = origin}, 8080), "") << origin;

@@ -24,7 +24,7 @@ TEST(PageCommand, IsReadFromJson) {
   EXPECT_EQ(read_command(R"({"axis":"a","what":"release","hold":7})").hold, 7);
 }
 
-TEST(PageCommand, IsRefusedWithTheKeyThatIsWrong) {
+TEST(PageCommand, IsRejectedWithTheKeyThatIsWrong) {
   const auto key_of = [](const std::string& text) -> std::string {
     try {
       static_cast<void>(read_command(text));

@@ -62,7 +62,7 @@ struct Shown {
   }
 };
 
-TEST(Panel, ShowsWhatItHears) {
+TEST(Panel, ShowsTheReceivedStatus) {
   Shown shown;
   std::string all;
   shown.client.Get("/events", [&](const char* data, std::size_t size) {
@@ -83,7 +83,7 @@ TEST(Panel, HandsOrdersOnAndTheAxisAnswerBack) {
   EXPECT_EQ(stop->body, R"({"ok":true,"reason":""})");
 }
 
-TEST(Panel, EverybodyReadsTracesAndNobodyCommandsWithoutTheToken) {
+TEST(Panel, TracesAreReadWithoutATokenButCommandsNeedIt) {
   Shown shown;
   nlohmann::json trace;
   for (int turn = 0; turn < 200 && trace["newest"].is_null(); ++turn) {

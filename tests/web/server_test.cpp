@@ -74,7 +74,7 @@ TEST(Server, LoadsNothingFromElsewhere) {
   }
 }
 
-TEST(Server, AnswersNobodyThatComesByAnotherName) {
+TEST(Server, RejectsAnotherHostName) {
   Served served;
   for (const char* path : {"/", "/panel.js", "/events"}) {
     EXPECT_EQ(served.client.Get(path, {{"Host", "evil.example"}})->status, 403) << path;
@@ -311,7 +311,7 @@ TEST(Server, AReaderWithTheTokenTakesThePlaceOfOneWithout) {
   EXPECT_THAT(answer("X-Jounce-Token: " + token + "\r\n"), HasSubstr(" 200 "));
 }
 
-TEST(Server, RefusesAPortThatIsTaken) {
+TEST(Server, RejectsAPortThatIsTaken) {
   const Served served;
   EXPECT_THROW(Listening(served.server.port()), InputError);
 }

@@ -137,7 +137,7 @@ TEST(AxisCoincidence, OntoALimitSwitchAtThePassedTarget) {
 }
 
 // The tick reports the waiting command.
-TEST(AxisCoincidence, WhatWaitsForItsTickIsSaidToWait) {
+TEST(AxisCoincidence, AMotionThatWaitsForItsTickIsReported) {
   Bench axis(wide);
   axis.send(Kind::enable);
   axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 50});

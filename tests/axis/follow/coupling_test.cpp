@@ -124,7 +124,7 @@ TEST(CoupledJob, AStopInTheRampStaysOnItsPath) {
   EXPECT_EQ(last.stopped, 1U);
 }
 
-TEST(CoupledJob, RefusalsHaveTheirCauses) {
+TEST(CoupledJob, RejectionsHaveTheirCauses) {
   EXPECT_EQ(cause(example_43(ramp(StartMode::ramp_in_neg), -17), -17), Cause::would_reverse);
   EXPECT_EQ(cause(example_43(ramp(), -17), -18), Cause::start_position) << "it was moved since";
   EXPECT_EQ(cause(example_43(ramp(), 1e60), 1e60), Cause::no_ramp);

@@ -373,7 +373,7 @@ TEST(LiveCam, PlaysExample67OfLineFollow) {
   EXPECT_NEAR(slave.run(10).slave[1], 0, 1e-9) << "both stop together";
 }
 
-TEST(LiveCam, RefusesWithTheReasonsOfTheCoupling) {
+TEST(LiveCam, RejectsWithTheReasonsOfTheCoupling) {
   const auto begun = [](const CouplingSpec& spec, double position, const Jet& master,
                         const TablePtr& table = pmc600_cam()) {
     LiveCam cam(1, table, spec);

@@ -184,7 +184,7 @@ TEST(LiveGearInPos, GoesBackWithAMasterThatTurnsWhileConnecting) {
   EXPECT_EQ(gear.progress(), Progress::waiting);
 }
 
-TEST(LiveGearInPos, RefusesAnAxisThatDoesNotStandAtItsStart) {
+TEST(LiveGearInPos, RejectsAnAxisThatDoesNotStandAtItsStart) {
   LiveGearInPos gear(1, example_6_2());
   const Moment now{0, 0, {0, 0, 0, 0}};
   EXPECT_EQ(gear.begin({0, 0, 0}, now), Cause::none);

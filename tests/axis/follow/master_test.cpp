@@ -77,7 +77,7 @@ TEST(Estimate, HasTheNoiseThatTheoryGivesIt) {
 }
 
 // The residual r of order 2 settles where B r / h = a h compensates the acceleration in each step.
-TEST(Estimate, LagsUnderAccelerationByWhatTheGainsSay) {
+TEST(Estimate, LagsUnderAccelerationAsItsGainsPredict) {
   const double a = 20;
   TrackerSpec spec{.velocity = 100, .acceleration = 100, .time_constant = 5e-3, .order = 2};
   const auto settled = [&] {
@@ -325,7 +325,7 @@ TEST(EncoderMaster, FiltersNoiseAndQuantisation) {
   }
 }
 
-TEST(EncoderMaster, AsksWhereItIsInEveryCycleAndSaysHowOldThatIs) {
+TEST(EncoderMaster, ReadsThePositionInEachCycleAndReportsItsAge) {
   double truth = 0;
   EncoderMaster master({.velocity = 3, .acceleration = 20, .time_constant = 10e-3, .order = 2},
                        [&] { return truth; });
@@ -380,7 +380,7 @@ TEST(ExternalMaster, IsWhereItIsByOurClock) {
       << "0.4 ms at 1.2 m/s: ten seconds of 50 ppm, and what is left of 1";
 }
 
-TEST(ExternalMaster, BeginsAfreshWithAnotherClockAndIsLostWhenToldSo) {
+TEST(ExternalMaster, RestartsWithAnotherClockAndIsLostOnCommand) {
   ExternalMaster master(line);
   const auto send = [&](double t, std::int64_t stamp, std::int32_t clock, bool valid) {
     master.receive({stamp, clock, t, t, valid});
@@ -441,7 +441,7 @@ TEST(TableMaster, StandsBeforeAndAfterItsTable) {
   EXPECT_THROW(TableMaster{pmc600_cam()}, InputError);
 }
 
-TEST(TrackerSpec, RefusesWhatIsOutOfRange) {
+TEST(TrackerSpec, RejectsValuesOutOfRange) {
   for (const double modulo : {-1.0, double(NAN), HUGE_VAL})
     EXPECT_THROW(Tracked({.velocity = 1, .acceleration = 1, .modulo = modulo}), InputError);
   const auto bad = [](auto change) {

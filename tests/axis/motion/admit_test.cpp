@@ -76,7 +76,7 @@ TEST(Admit, ThePeakOfTheJerkOfACamIsFoundBetweenItsSamples) {
   EXPECT_NEAR(jerk.max.where, z, 1e-4);
 }
 
-TEST(Admit, RefusesAMotionThatNobodyCouldMake) {
+TEST(Admit, RejectsAnImpossibleMotion) {
   const auto cam = table(Domain::master, Interpolation::linear, Extrapolation::advance,
                          {{0, 1}, {0, 1}, {}, {}});
   const auto far =
@@ -223,7 +223,7 @@ TEST(Admit, Fig614CamAtConstantMasterHasThePrintedPeaks) {
   EXPECT_EQ(cause_of(admit(job, {.limits = limits(678.5, 6476)}, 0)), Cause::acceleration_limit);
 }
 
-TEST(Admit, MasterMustStayWithinACamThatRefuses) {
+TEST(Admit, MasterMustStayWithinACamThatRejects) {
   const TablePtr cam = table(Domain::master, Interpolation::quintic_hermite, Extrapolation::refuse,
                              {{0, 100}, {0, 10}, {0, 0}, {0, 0}});
   EXPECT_FALSE(admit(Job(1, trapezoid_table(100, 50, 100, 100), cam), generous, 0));

@@ -222,7 +222,7 @@ TEST(AxisBuffer, AfterATableAndAfterAHaltTheyBeginAtItsEnd) {
   EXPECT_EQ(halted.last.stopped, 1U);
 }
 
-TEST(AxisBuffer, EightWaitAndAnotherIsRefused) {
+TEST(AxisBuffer, EightWaitAndAnotherIsRejected) {
   Two axis;
   axis.step(to(50, 100));
   for (int i = 1; i <= 8; ++i)

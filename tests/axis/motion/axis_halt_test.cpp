@@ -53,7 +53,7 @@ TEST(AxisHalt, OfAVelocityAndOfACamOverAVirtualMasterIsDiscreteMotionToo) {
 
 // A halt ends the motion: there is nothing to hold, to resume or to finish, and the answer states
 // this.
-TEST(AxisHalt, HoldResumeAndFinishAreRefusedInWords) {
+TEST(AxisHalt, HoldResumeAndFinishAreRejectedInWords) {
   for (const Kind kind : {Kind::hold, Kind::resume, Kind::finish}) {
     Job job(1, there_and_back(0, 10, 1, Extrapolation::wrap));
     Bench axis({.limits = limits(40, 300)});

@@ -122,7 +122,7 @@ TEST(AxisHold, WhatIsSuperimposedStaysHeldWhereThePathEndsMeanwhile) {
 
 // The way back from beyond the target would take a day at 1e-9 u/s; the planner's durations have no digits
 // for it, and its motion leapt by 122 u in the middle.
-TEST(AxisMoves, AMoveThatNoDoubleHasTheDigitsForIsRefused) {
+TEST(AxisMoves, AMoveThatNoDoubleHasTheDigitsForIsRejected) {
   Held axis({.limits = limits(1000, 1e4, 1e6)});
   axis.step({command::MoveVelocity{.velocity = 400}});
   Tick last = axis.run(200);

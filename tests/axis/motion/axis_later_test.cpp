@@ -69,7 +69,7 @@ TEST(AxisLater, OneWaitsAndWhatIsOverIsTooLate) {
 }
 
 // No caller waits for the answer any more: it is in Tick::dropped.
-TEST(AxisLater, WhatIsRefusedThenIsSaidToBeDropped) {
+TEST(AxisLater, ACommandRejectedThenIsReportedAsDropped) {
   Bench axis(wide);
   axis.send(Kind::enable);
   axis.step({.what = command::MoveAbsolute{.position = 10}, .at = 20});

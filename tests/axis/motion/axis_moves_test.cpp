@@ -210,7 +210,7 @@ TEST(AxisMoves, Figure517TurnsRound) {
   EXPECT_EQ(moves.run(301).velocity, -20'000);
 }
 
-TEST(AxisMoves, WhatIsNotGivenIsTheLimitAndBeyondItIsRefused) {
+TEST(AxisMoves, WhatIsNotGivenIsTheLimitAndBeyondItIsRejected) {
   Moves moves;
   moves.move(Kind::move_velocity, -1e5, {});
   EXPECT_EQ(moves.run(200).velocity, -1e5);
@@ -259,7 +259,7 @@ TEST(AxisMoves, AJogAtZeroIsNoDirection) {
             Cause::velocity_limit);
 }
 
-TEST(AxisMoves, ADynamicsOfZeroIsRefused) {
+TEST(AxisMoves, ADynamicsOfZeroIsRejected) {
   const std::vector<double MoveDynamics::*> all{&MoveDynamics::velocity,
                                                 &MoveDynamics::acceleration,
                                                 &MoveDynamics::deceleration, &MoveDynamics::jerk};
@@ -300,7 +300,7 @@ TEST(AxisMoves, OverrideScalesTheVelocityAndHoldIsNone) {
   EXPECT_EQ(refusal(moves.step({command::Override{.factor = 2.01}})), Cause::no_value);
 }
 
-TEST(AxisMoves, AModuloAxisGoesTheWayThatIsAskedFor) {
+TEST(AxisMoves, AModuloAxisMovesInTheRequestedDirection) {
   AxisConfig config{.limits = limits(720, 7200), .modulo = 360};
   const auto end = [&](double from, double to, Direction direction) {
     config.position = from;
@@ -331,7 +331,7 @@ TEST(AxisMoves, AMoveTakesOverFromATableWithoutALeap) {
   EXPECT_EQ(tick.position, -1);
 }
 
-TEST(AxisMoves, TargetsBeyondTheRangeAreRefused) {
+TEST(AxisMoves, TargetsBeyondTheRangeAreRejected) {
   AxisConfig config = pulses;
   config.limits.position_max = 5000;
   Moves moves(config);

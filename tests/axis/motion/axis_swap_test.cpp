@@ -44,7 +44,7 @@ void start_at_end(Bench& bench, Job& job) {
   ASSERT_EQ(refusal(bench.step({command::Start{.when = StartAt::end_of_table}})), Cause::none);
 }
 
-TEST(AxisSwap, ARepeatingTableGoesOverIntoAnotherAtItsWrapWithoutAStop) {
+TEST(AxisSwap, ARepeatingTableIsReplacedAtItsWrapWithoutAStop) {
   const TablePtr first = there_and_back(0, 10, 0.5, Extrapolation::wrap);
   const TablePtr second = there_and_back(0, -6, 0.5, Extrapolation::hold);
   Job a(1, first);

@@ -141,7 +141,7 @@ std::vector<SegmentRow> straight(int rows) {
   return all;
 }
 
-TEST(FifoPath, SaysHowMuchIsKnownAndThatMoreIsToCome) {
+TEST(FifoPath, ReportsTheKnownLengthAndThatMoreFollows) {
   FifoPath path(1, {.each = 100, .limits = row_limits({.limits = limits(10, 20)})});
   for (const SegmentRow& row : straight(11)) ASSERT_EQ(path.fifos().push(0, row), RowRule::none);
   EXPECT_EQ(path.known(), 2);
@@ -242,7 +242,7 @@ TEST(FifoPath, ThatRunsDryKeepsItsLastSetpoint) {
   EXPECT_EQ(last.slave[0], 6);
 }
 
-TEST(FifoPath, RefusesWhatCannotBegin) {
+TEST(FifoPath, RejectsWhatCannotBegin) {
   const auto refused = [](FifoPath& path, const MotionState& axis) {
     const auto refusal = path.admit(fast, axis);
     return refusal ? refusal->cause : Cause::none;

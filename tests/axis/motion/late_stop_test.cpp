@@ -54,7 +54,7 @@ Outcome play(double known, std::int64_t when, std::int64_t late, const Command& 
   return outcome;
 }
 
-TEST(LateStop, StaysOnWhatIsKnownWhateverIsToldInThatCycle) {
+TEST(LateStop, StaysOnTheKnownPathForAnyCommandInThatCycle) {
   const AnyCommand told[] = {{},
                              {.kind = Kind::stop},
                              {.kind = Kind::halt},
@@ -84,7 +84,7 @@ TEST(LateStop, StaysOnWhatIsKnownWhateverIsToldInThatCycle) {
 }
 
 // Nothing is lost: after more has come it goes on from there, to where the path leads.
-TEST(LateStop, GoesOnFromThereWhenMoreHasCome) {
+TEST(LateStop, ContinuesFromThereWhenMoreHasArrived) {
   MotionAxis axis({.limits = limits(500, 2000)});
   Feed feed(1, 0, reach, w);
   feed.prefill(0.3);

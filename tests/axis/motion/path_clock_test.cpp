@@ -36,7 +36,7 @@ TEST(PathClock, StopsInThreeHalvesOfTheSlopeAndHalfOfThatWay) {
 }
 
 // A hold and a resume: path time goes on where it stopped, then again one second a second.
-TEST(PathClock, GoesOnWhereItWasHeld) {
+TEST(PathClock, ContinuesWhereItWasHeld) {
   PathClock clock(1'000'000);
   clock.start(0, 0, 1);
   clock.change(500, 0, 10);
@@ -115,7 +115,7 @@ TEST(PathClock, AnOverrideIsClippedToWhatTheLimitsLeave) {
   EXPECT_DOUBLE_EQ(highest_rate({10, 0, 0, 0.4}, axis), 1.25);
 }
 
-TEST(PathClock, RefusesAChangeThatIsNone) {
+TEST(PathClock, RejectsAChangeThatIsNone) {
   PathClock clock(1'000'000);
   clock.start(0, 0, 1);
   EXPECT_FALSE(clock.change(1, -1, 1));

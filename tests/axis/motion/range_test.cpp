@@ -114,7 +114,7 @@ TEST(Range, AMoveBlendsIntoAJogOnlyAsFastAsTheAxisCanStopInside) {
       }
 }
 
-TEST(Range, AJogStopsAtTheLimitAndSaysWhy) {
+TEST(Range, AJogStopsAtTheLimitWithItsReason) {
   for (const Limits& limits : {trapezoids, curves})
     for (const double velocity : {500.0, 37.0, -500.0, -0.3}) {
       Watched axis(between(-1, 30, limits));
@@ -207,7 +207,7 @@ double stepped_turn(double v, double a, double s, double j) {
 }
 
 // The ladder of stops against small steps of an integration: both agree.
-TEST(Range, TheGentlestStopIsWhatSmallStepsSay) {
+TEST(Range, TheGentlestStopMatchesSmallSteps) {
   test::Random random(17);
   AxisConfig config = between(-1e6, 0, curves);
   config.limit_acceleration = 6000;

@@ -118,7 +118,7 @@ TEST(TouchProbe, ASingleOneEndsACountedOneFillsAndAnEndlessOneGoesOn) {
   }
 }
 
-TEST(TouchProbe, TakesTheEdgesThatItWants) {
+TEST(TouchProbe, CapturesTheSelectedEdges) {
   for (const auto edge : {ProbeEdge::rising, ProbeEdge::falling, ProbeEdge::both}) {
     Probed axis;
     axis.step({command::TouchProbe{.edge = edge, .count = 0}});

@@ -123,7 +123,7 @@ TEST(AxisInputs, NoNumberOfAMasterBreaksACoupling) {
   }
 }
 
-TEST(AxisInputs, MovementsRefuseThemToo) {
+TEST(AxisInputs, MovementsRejectThemToo) {
   for (const auto& make : couplings())
     for (const double value : {1e51, 1e101, 1e200, 1e300, infinity})
       for (std::size_t k = 0; k < 4; ++k) {
@@ -142,7 +142,7 @@ TEST(AxisInputs, MovementsRefuseThemToo) {
       }
 }
 
-TEST(AxisInputs, ADriveThatSaysNonsenseHasFailed) {
+TEST(AxisInputs, ADriveThatReportsNonsenseHasFailed) {
   for (const double value : extremes())
     for (double Feedback::*field : {&Feedback::position, &Feedback::velocity, &Feedback::torque}) {
       Bench bench({.limits = limits(1e3, 1e5)});
@@ -161,7 +161,7 @@ TEST(AxisInputs, ADriveThatSaysNonsenseHasFailed) {
     }
 }
 
-TEST(AxisInputs, AnAxisDoesNotBelieveADriveThatIsBeyondItsReachWhileItIsDisabled) {
+TEST(AxisInputs, ADisabledAxisRejectsAPositionBeyondItsRange) {
   for (const double value : extremes()) {
     Bench bench({.limits = limits(1e3, 1e5), .position = 7});
     Inputs inputs;

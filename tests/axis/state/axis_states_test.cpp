@@ -49,7 +49,7 @@ struct InState : Bench {
 
 // Every command in every state: what the table forbids is refused for that reason and changes
 // nothing; what it permits is not refused for a reason of the state.
-TEST(AxisStates, EveryCommandInEveryStateIsAnsweredAsTheTableSays) {
+TEST(AxisStates, EveryCommandInEveryStateIsAnsweredByTheTable) {
   for (std::size_t s = 0; s < states; ++s)
     for (const Kind kind : axis_kinds()) {
       const auto state = static_cast<State>(s);

@@ -48,7 +48,7 @@ void expect_same(const std::vector<SwitchEdge>& edges, const SwitchTimes& exact)
   }
 }
 
-TEST(AxisSwitches, OfThePositionSwitchAsTheTableSays) {
+TEST(AxisSwitches, OfThePositionSwitchByTheTable) {
   const auto table = trapezoid_table(100, 500, 10000, 10000);
   Job job(1, table);
   Bench bench({.limits = limits(600, 11000)}, {.table = range(30.3, 80.8)});
@@ -95,7 +95,7 @@ TEST(AxisSwitches, AnAxisWithoutAnyHasNoOutputs) {
   EXPECT_EQ(bench.step().switches.outputs, 0U);
 }
 
-TEST(AxisSwitches, ABadTableIsRefusedWithTheAxis) {
+TEST(AxisSwitches, ABadTableIsRejectedWithTheAxis) {
   EXPECT_THROW(MotionAxis({.limits = limits(1, 1)}, {.table = range(3, 2)}), InputError);
 }
 

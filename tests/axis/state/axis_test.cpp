@@ -425,7 +425,7 @@ TEST(MotionAxis, StopOrDisableTakesBackAWaitingStart) {
   }
 }
 
-TEST(MotionAxis, DisarmTakesBackWhatWasNotToldToStart) {
+TEST(MotionAxis, DisarmRemovesAMotionThatWasNotStarted) {
   Job job(9, trapezoid_table(50, 10, 20, 20));
   Bench bench(wide);
   bench.send(Kind::enable);
@@ -519,7 +519,7 @@ TEST(MotionAxis, SetPositionStaysInsideThePositionRange) {
   EXPECT_EQ(below.refused->limit, -10);
 }
 
-TEST(MotionAxis, ALinearAxisRefusesATargetOnTheOtherSideOfItsDirection) {
+TEST(MotionAxis, ALinearAxisRejectsATargetOnTheOtherSideOfItsDirection) {
   Bench bench(wide);
   bench.send(Kind::enable);
   const auto asked = [&](double position, Direction direction) {

@@ -96,7 +96,7 @@ TEST(Machine, AFollowerSeesItsLeadersSetpointOfTheSameTick) {
   EXPECT_GT(rig.images[1].inputs.master[0], 0.01);
 }
 
-TEST(Machine, AFollowerOfAnActualPositionSeesWhatTheDriveSays) {
+TEST(Machine, AFollowerOfAnActualPositionFollowsTheDrive) {
   Rig rig({axis("feeder"), axis("knife", {.what = What::actual, .index = 0})});
   rig.images[0].inputs.feedback = {.position = 3, .velocity = 0.5};
   rig.step();
@@ -182,7 +182,7 @@ TEST(Machine, AGroupWithoutAStartOfEachAxisDoesNotBegin) {
   }
 }
 
-TEST(Machine, AStartAfterTheGroupWasBrokenIsRefused) {
+TEST(Machine, AStartAfterTheGroupWasBrokenIsRejected) {
   for (const std::size_t first : {0U, 1U})
     for (const Kind how : {Kind::stop, Kind::abort, Kind::disable, Kind::disarm}) {
       Together rig;
@@ -326,7 +326,7 @@ std::string refused(std::vector<MachineAxis> axes) {
   return error_of([&] { Machine machine(std::move(axes)); });
 }
 
-TEST(Machine, RefusesWhatIsNoMachine) {
+TEST(Machine, RejectsAnInvalidMachine) {
   EXPECT_THAT(refused({}), HasSubstr("needs at least one axis"));
   EXPECT_THAT(refused({axis("a"), axis("a")}),
               HasSubstr("name = a: is the name of two axes of the machine: rename one of them"));

@@ -73,7 +73,7 @@ TEST(Part, IsTheCamBetweenTwoMasterPositions) {
   EXPECT_EQ(part(cam, 75, 200).segments()[0].c, cam.segments()[1].c);
 }
 
-TEST(Part, GoesOnAsTheCamDoesOutsideItsInterval) {
+TEST(Part, ContinuesAsTheCamOutsideItsInterval) {
   const Cam cam = rise_and_return(Law::modified_sine, 360, 50);
   const Cam turns = part(cam, 300, 1100);
   EXPECT_NEAR(turns.length(), 800, 1e-12);
@@ -140,7 +140,7 @@ TEST(Phased, KeepsThePeriodToTheLastDigit) {
   }
 }
 
-TEST(Advancing, ASlaveGoesOnTurnByTurn) {
+TEST(Advancing, ASlaveAdvancesTurnByTurn) {
   Segment f = line(360, 0, 120);
   f.sines = 1;
   f.sine[0] = {-20, 2 * pi, 0};
@@ -234,7 +234,7 @@ TEST(Superimposed, CamsThatHoldReachFromTheFirstStartToTheLastEnd) {
   expect_sum(both, f, g, 1e-12);
 }
 
-TEST(Superimposed, ACamThatRefusesGivesTheInterval) {
+TEST(Superimposed, ACamThatRejectsGivesTheInterval) {
   const Cam f = part(rise_and_return(Law::modified_sine, 360, 50), 30, 500);
   const Cam g = rise_and_return(Law::poly345, 77, 3);  // no common period is needed
   for (const Cam& both : {superimposed(f, g), superimposed(g, f)}) {

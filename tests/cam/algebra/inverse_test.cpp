@@ -322,7 +322,7 @@ TEST(InverseWithin, IsACurveWithACertifiedError) {
   }
 }
 
-TEST(InverseWithin, RefusesARest) {
+TEST(InverseWithin, RejectsARest) {
   const Inverse g = only_branch(Cam({quintic(1, 0, 0, 0, 1, 0, 0)}));
   EXPECT_THROW(inverse_within(g, 0, 0.5, 1e-6), InputError);
   EXPECT_THROW(inverse_within(g, 0.5, 1, 1e-6), InputError);

@@ -48,7 +48,7 @@ TEST(Polynomial, RecoversAnyOneFromItsOwnValues) {
   }
 }
 
-TEST(Polynomial, RefusesWhatHasNoAnswer) {
+TEST(Polynomial, RejectsWhatHasNoAnswer) {
   const auto complaint = [](const std::vector<Condition>& conditions, double length = 1) {
     return test::key_of([&] { (void)polynomial(length, conditions); }, "no error");
   };

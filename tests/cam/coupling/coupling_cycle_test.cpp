@@ -332,7 +332,7 @@ TEST(Trigger, ComesAtAPositionOrAPeriodsEnd) {
   EXPECT_EQ(at(narrow, fast(0.87), fast(0.89))->t, 0.89);
 }
 
-TEST(Trigger, RefusesAPositionOrWindowThatIsNotInTheCam) {
+TEST(Trigger, RejectsAPositionOrWindowThatIsNotInTheCam) {
   const auto key = [](const Trigger& trigger) -> std::string {
     return test::key_of([&] { require_valid(trigger, indexing(), "engage"); });
   };

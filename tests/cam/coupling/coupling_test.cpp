@@ -163,7 +163,7 @@ TEST(Coupling, ARotarySlaveTakesTheWayThatIsAskedFor) {
   EXPECT_DOUBLE_EQ(travel(StartMode::ramp_in_neg), -100);
 }
 
-TEST(Coupling, ARotarySlaveNeverTurnsBackFromTheWayItGoes) {
+TEST(Coupling, ARotarySlaveNeverReverses) {
   CouplingSpec spec = ramping(StartMode::ramp_in_pos);
   spec.slave_period = 360;
   const Coupling coupling(indexing(), spec);
@@ -174,7 +174,7 @@ TEST(Coupling, ARotarySlaveNeverTurnsBackFromTheWayItGoes) {
   EXPECT_GE(extrema(in.engaged.correction.profile().curve())[1].min.value, -1e-9);
 }
 
-TEST(Coupling, ALinearSlaveIsRefusedTheWrongWay) {
+TEST(Coupling, ALinearSlaveIsRejectedTheWrongWay) {
   const Coupling positive(indexing(), ramping(StartMode::ramp_in_pos));
   const Coupling negative(indexing(), ramping(StartMode::ramp_in_neg));
   const auto status = [](const Coupling& c, const MotionState& slave) {
@@ -221,7 +221,7 @@ TEST(Coupling, RoundingGivesADirectionNoWay) {
   EXPECT_DOUBLE_EQ(point(rotary, round.engaged, {}, 1e3)[0], 360);
 }
 
-TEST(Coupling, ACorrectionThatNoDoubleHoldsIsRefused) {
+TEST(Coupling, ACorrectionThatNoDoubleHoldsIsRejected) {
   for (const auto& [distance, slave, x] : {std::tuple{2.7e230, 99.0, Jet{0, 4e-6, 0, 0}},
                                            {1e-130, 5.0, Jet{0, 1, 0, 0}},
                                            {4e180, 1e-10, Jet{0, 7e-10, 0, 0}},
@@ -271,7 +271,7 @@ TEST(Coupling, TheCorrectionOverMasterHasItsOwnDerivatives) {
   EXPECT_DOUBLE_EQ(middle[0], 0.125 * (3 + 0.5 * 5 + 0.25 * (0.64 + 3 * -4.0 + 18)));
 }
 
-TEST(Coupling, RefusesWhatItCannotDo) {
+TEST(Coupling, RejectsWhatItCannotDo) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Coupling once(with(ramp(), Extrapolation::refuse), {.master_offset = 1});
   EXPECT_EQ(engage(once, {}, {9.1, 0, 0, 0}, 0).status, CouplingStatus::master_outside_cam);
@@ -291,7 +291,7 @@ TEST(Coupling, RefusesWhatItCannotDo) {
   EXPECT_EQ(engage(huge, {1e60, 0, 0}, {}, 0).status, CouplingStatus::no_ramp);
 }
 
-TEST(Coupling, RefusesABadSpecByItsKey) {
+TEST(Coupling, RejectsABadSpecByItsKey) {
   const auto key = [](const CouplingSpec& spec) -> std::string {
     return test::key_of([&] { require_valid(spec); });
   };
@@ -307,7 +307,7 @@ TEST(Coupling, RefusesABadSpecByItsKey) {
   EXPECT_EQ(key({.slave_period = 0}), "slave_period");
 }
 
-TEST(Coupling, GoesOnFromPeriodToPeriodWhereItIsRelative) {
+TEST(Coupling, ContinuesFromPeriodToPeriodWhereItIsRelative) {
   const Coupling relative(indexing(), {.start = StartMode::relative});
   const Engagement in = engage(relative, {.position = 7}, {0, 0, 0, 0}, 0);
   EXPECT_DOUBLE_EQ(point(relative, in.engaged, {720, 1, 0, 0}, 0)[0], 7 + 180);
@@ -363,7 +363,7 @@ std::optional<Finding> find(const Report& report, const std::string& rule,
   return {};
 }
 
-TEST(CouplingCheck, SaysWhereAWaitingSlaveHasToMoveAtOnce) {
+TEST(CouplingCheck, ReportsWhereAWaitingSlaveMustMoveAtOnce) {
   // y = 2x on [0, 10], three times as high over half the master: 12 u/m at both ends.
   CouplingSpec spec = ramping();
   spec.master_scaling = 2;
@@ -386,7 +386,7 @@ TEST(CouplingCheck, SaysWhereAWaitingSlaveHasToMoveAtOnce) {
   EXPECT_TRUE(check(rests, {}, {-1, 5, 0, 0}).ok()) << "begins at rest";
 }
 
-TEST(CouplingCheck, TellsTheLargestValuesOfTheCorrection) {
+TEST(CouplingCheck, StatesTheLargestValuesOfTheCorrection) {
   const Coupling over_time(indexing(), ramping());
   const Report timed = check(over_time, {.position = -10}, {});
   EXPECT_DOUBLE_EQ(find(timed, "coupling/ramp", "position")->value, -10);
@@ -426,7 +426,7 @@ TEST(CouplingCheck, RoundingIsNoJump) {
   EXPECT_FALSE(check(absolute, {.position = 5.1 + 1e-10}, {10, 0, 0, 0}).ok());
 }
 
-TEST(CouplingCheck, NamesRefusalPeriodJumpAndAMovingEnd) {
+TEST(CouplingCheck, NamesRejectionPeriodJumpAndAMovingEnd) {
   const auto rules = [](const Report& report) {
     std::string all;
     for (const Finding& f : report.findings) all += (f.broken ? "!" : "") + f.rule.text() + " ";

@@ -75,7 +75,7 @@ TEST(Followed, AMasterThatReversesMeetsTheLeftLimits) {
   EXPECT_DOUBLE_EQ(slave.at(1.5).velocity, -1);
 }
 
-TEST(Followed, RefusesAMasterThatLeavesTheCam) {
+TEST(Followed, RejectsAMasterThatLeavesTheCam) {
   const Cam cam({line(1, 0, 1)});
   EXPECT_THROW(Followed(cam, Trajectory({line(1, 0, 2)})), InputError);
 }

@@ -179,7 +179,7 @@ TEST(MasterLimits, FindANarrowPeakThatAThousandSamplesMiss) {
   EXPECT_NEAR(limit.where, start + width / 4, 1e-9);
 }
 
-TEST(MasterLimits, RefuseWhatIsNoLimit) {
+TEST(MasterLimits, RejectsAnInvalidLimit) {
   const Cam cam({line(1, 0, 1)});
   EXPECT_THROW((void)greatest_master_velocity(cam, {.velocity = 0}), InputError);
   EXPECT_THROW((void)greatest_master_velocity(cam, {}, {-1, 0}), InputError);

@@ -98,7 +98,7 @@ TEST(CheckSlave, NamesEachSegmentThatBreaksALimit) {
   EXPECT_EQ(report.findings[1].segment, 0U);
 }
 
-TEST(CheckSlave, RefusesRatesThatAreNone) {
+TEST(CheckSlave, RejectsRatesThatAreNone) {
   const Cam cam = placed("poly_345", 1, 1);
   EXPECT_EQ(test::key_of([&] { (void)check_slave(cam, {.velocity = 1}, 0); }), "velocity");
   EXPECT_EQ(test::key_of([&] {

@@ -221,7 +221,7 @@ TEST(Boundaries, ChangesWithItsUnitsAndWithNothingElse) {
   }
 }
 
-TEST(Boundaries, RefusesWhatDesignRefuses) {
+TEST(Boundaries, RejectsWhatDesignRejects) {
   CamSpec spec;
   spec.segments = {{Law::dwell, {1, 1, {}, {}}, ""}};
   EXPECT_THROW((void)filled(spec, Fill::minimum_jerk), InputError);

@@ -28,7 +28,7 @@ const Finding* find(const Report& report, const std::string& rule) {
   return nullptr;
 }
 
-TEST(Certificates, SayThat345Is21PercentAboveTheLeastForItsJerk) {
+TEST(Certificates, Law345Is21PercentAboveTheLeastForItsJerk) {
   const Report best = certificates(laws().at("poly_345"));
   const Finding* front = find(best, "bound/acceleration_for_jerk");
   ASSERT_TRUE(front);

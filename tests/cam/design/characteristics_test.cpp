@@ -114,7 +114,7 @@ TEST(Characteristics, AreInfiniteWhereAStepWouldNeedIt) {
       << "nothing beside it";
 }
 
-TEST(Characteristics, RefuseALawWithoutStroke) {
+TEST(Characteristics, RejectALawWithoutStroke) {
   EXPECT_THROW((void)characteristics(Cam({line(1, 2, 2)})), InputError);
 }
 

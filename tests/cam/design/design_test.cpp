@@ -140,7 +140,7 @@ TEST(Design, BringsASinesReversalToTheNeighbourThatTakesIt) {
   EXPECT_EQ(transition(made, 1), "U-R");
 }
 
-TEST(Design, GoesThroughThePointsOfAPolynomial) {
+TEST(Design, ReachesThePointsOfAPolynomial) {
   CamSpec spec;
   spec.start = {10, 1};
   CamSegment segment{Law::polynomial, {70, 5, 0.1, 0}};
@@ -159,7 +159,7 @@ TEST(Design, GoesThroughThePointsOfAPolynomial) {
   EXPECT_TRUE(check_continuity(f, 2).ok());
 }
 
-TEST(Design, ARotarySlaveGoesOnFromTurnToTurn) {
+TEST(Design, ARotarySlaveAdvancesFromTurnToTurn) {
   CamSpec spec;
   spec.periodic = true;
   spec.slave_period = 360;
@@ -192,7 +192,7 @@ TEST(Design, ASplinesOpenEndIsTheRestBesideItAlsoAcrossTheSeam) {
   }
 }
 
-TEST(Design, AReversalMayLieAtTheSeam) {
+TEST(Design, AReversalMayBeAtTheSeam) {
   CamSpec spec;
   spec.periodic = true;
   spec.start = {0, 30};
@@ -218,7 +218,7 @@ TEST(Design, TwoSplinesMeetAtTheSeamAsOneKnot) {
   EXPECT_TRUE(check_continuity(design(spec).cam, 2).ok());
 }
 
-TEST(Design, RefusesNumbersThatNothingCanBeComputedWith) {
+TEST(Design, RejectsNumbersThatNothingCanBeComputedWith) {
   CamSpec spec;
   spec.segments = {{Law::modified_sine, {100, 1e200}}};
   EXPECT_THROW(design(spec), InputError);

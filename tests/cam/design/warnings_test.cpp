@@ -95,7 +95,7 @@ TEST(Warnings, NoRemedyIsLongerThanThePeriod) {
             "use a stroke from 80 to 120");
 }
 
-TEST(Warnings, OvershootTellsHowFarAndWhetherItIsInevitable) {
+TEST(Warnings, OvershootHasItsSizeAndWhetherItIsInevitable) {
   // Ends at rest but accelerating hard: the slave swings beyond.
   const Report swing = warnings(Cam({quintic(1, 0, 0, -80, 1, 0, 0)}));
   const Finding& below = get(swing, "warning/overshoot");

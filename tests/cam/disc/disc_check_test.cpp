@@ -180,7 +180,7 @@ TEST(DiscCheck, InterferenceAgreesWithAGridOfPairs) {
   EXPECT_GT(clear, 20);
 }
 
-TEST(DiscCheck, LimitsOutOfRangeAreRefused) {
+TEST(DiscCheck, LimitsOutOfRangeAreRejected) {
   const Disc disc(harmonic(5), {.base_radius = 20, .roller_radius = 8});
   EXPECT_THROW(check(disc, {.pressure_angle = 0}), InputError);
   EXPECT_THROW(check(disc, {.pressure_angle = 1.6}), InputError);

@@ -109,7 +109,7 @@ TEST(Contour, HasAVertexAtEveryBreak) {
     EXPECT_TRUE(std::any_of(c.begin(), c.end(), [&](const Vertex& v) { return v.master == x; }));
 }
 
-TEST(Contour, RefusesCornersAndTolerances) {
+TEST(Contour, RejectsCornersAndTolerances) {
   const Disc disc(harmonic(5), {.base_radius = 20, .roller_radius = 8});
   EXPECT_THROW(contour(disc, 0, 0), InputError);
   EXPECT_THROW(contour(disc, 0, 1e-12), InputError);

@@ -240,7 +240,7 @@ struct Refused {
   DiscSpec spec;
 };
 
-TEST(Disc, RefusesWhatIsNoDisc) {
+TEST(Disc, RejectsAnInvalidDisc) {
   const Cam good = rise_dwell_return(Law::poly345, 10);
   const DiscSpec swing{.follower = Follower::oscillating,
                        .base_radius = 20,

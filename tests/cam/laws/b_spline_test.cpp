@@ -138,7 +138,7 @@ std::string complaint(Make make) {
   return test::error_of([&] { (void)make(); });
 }
 
-TEST(BSpline, NamesWhatItRefuses) {
+TEST(BSpline, NamesTheRejectedValue) {
   const auto of = [](BSplineSpec spec) { return complaint([&] { return b_spline(spec); }); };
   EXPECT_EQ(of({0, {0, 1}, {0}}), "degree = 0: must be 1 to 11");
   EXPECT_EQ(of({2, {0, 0, 1, 1}, {0, 1}}),

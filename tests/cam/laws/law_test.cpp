@@ -234,7 +234,7 @@ TEST(LawForms, NameWhatALawDoesNotTake) {
             "shares = 0.5 + 0.5 + 0.5: must add up to 1, not 1.5");
 }
 
-TEST(Scca, RefusesAStraightShareThatLeavesNoRamp) {
+TEST(Scca, RejectsAStraightShareThatLeavesNoRamp) {
   EXPECT_EQ(test::error_of([] { (void)scca(0.25, 0.5, 0.25, 1); }),
             "straight = 1: must be less than 1: no share is left for the ramps");
   EXPECT_NO_THROW((void)scca(0.25, 0.5, 0.25, 0.99));
@@ -258,7 +258,7 @@ TEST(Scca, OneCodePathYieldsTheWholeFamily) {
     }
 }
 
-TEST(Scca, RefusesSharesThatDoNotAddUp) {
+TEST(Scca, RejectsSharesThatDoNotAddUp) {
   EXPECT_THROW(scca(0.5, 0.5, 0.5), InputError);
   EXPECT_THROW(scca(-0.5, 1, 0.5), InputError);
 }

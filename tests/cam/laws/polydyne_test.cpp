@@ -92,7 +92,7 @@ TEST(Polydyne, IsExactOnSinesAndEveryLengthStrokeAndPlace) {
 }
 
 /// The trap: with 4-5-6-7 as output the cam starts with f'' = 840 / w^2.
-TEST(Polydyne, TellsOfAnOutputThatIsNotSmoothEnough) {
+TEST(Polydyne, ReportsAnOutputThatIsNotSmoothEnough) {
   const Mode mode{12 / two_pi, 0};
   const Polydyne knocks = polydyne(rise(Law::poly4567), mode);
   ASSERT_EQ(knocks.warnings.findings.size(), 1U);
@@ -117,7 +117,7 @@ TEST(Polydyne, TellsOfAnOutputThatIsNotSmoothEnough) {
   refused(Law::line, "output's geo_velocity");
 }
 
-TEST(Polydyne, RefusesAModeOutOfRange) {
+TEST(Polydyne, RejectsAModeOutOfRange) {
   for (const Mode mode : {Mode{0, 0}, Mode{-1, 0}, Mode{NAN, 0}, Mode{1, 1}, Mode{1, -0.1}})
     EXPECT_THROW((void)polydyne(rise(Law::poly56789), mode), InputError);
 }

@@ -187,7 +187,7 @@ std::string complaint(const SplineSpec& spec) {
   return test::error_of([&] { (void)smoothing_spline(spec); });
 }
 
-TEST(SmoothingSpline, NamesWhatItRefuses) {
+TEST(SmoothingSpline, NamesTheRejectedValue) {
   EXPECT_EQ(complaint({.points = {{0, 0}, {1, 1}}}), "points = 2: must be at least 3");
   EXPECT_EQ(complaint({.points = {{0, 0}, {1, 1, -1}, {2, 0}}}),
             "points[2].tolerance = -1: must not be negative");

@@ -174,7 +174,7 @@ double fourth(const Segment& f, double s) {
   return (24 * f.c[4] + 120 * f.c[5] * s) / std::pow(f.length, 4);
 }
 
-TEST(Spline, JoinsAsSmoothlyAsItSays) {
+TEST(Spline, JoinsWithItsStatedContinuity) {
   for (int round = 0; round < 300; ++round) {
     Random random(static_cast<std::uint64_t>(round));
     SCOPED_TRACE(round);
@@ -318,7 +318,7 @@ std::string complaint(const Maker& make, const SplineSpec& spec) {
   return test::error_of([&] { (void)make(spec); });
 }
 
-TEST(Spline, NamesWhatItRefuses) {
+TEST(Spline, NamesTheRejectedValue) {
   EXPECT_EQ(complaint(cubic_spline, {.points = {{0, 0}}}), "points = 1: must be at least 2");
   EXPECT_EQ(complaint(cubic_spline, {.points = {{0, 0}, {1, 1}, {1, 2}}}),
             "points[3].master = 1: must be greater than 1, the previous point");

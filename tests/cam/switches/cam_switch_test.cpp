@@ -251,7 +251,7 @@ void expect_refused(const CamSwitchSpec& spec, const std::string& key, const std
   }
 }
 
-TEST(CamSwitch, RefusesWhatCannotBeMeant) {
+TEST(CamSwitch, RejectsInputThatCannotBeMeant) {
   using List = std::vector<CamSwitch>;
   const auto with = [](const List& switches, SwitchTrack track = {}) {
     return CamSwitchSpec{.switches = switches, .tracks = {track}, .period = 360};

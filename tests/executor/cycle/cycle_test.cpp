@@ -93,7 +93,7 @@ TEST(Cycle, StopsTheAxesWhereTheOtherThreadIsSilent) {
   EXPECT_EQ(tick.velocity, 0);
 }
 
-TEST(Cycle, CountsTicksThatNobodyTakes) {
+TEST(Cycle, CountsTicksThatAreNotRead) {
   Rig rig(config);
   for (std::size_t i = 0; i < AxisExchange::most_ticks + 10; ++i) rig.cycle.once();
   EXPECT_EQ(rig.cycle.counts().lost, 10);

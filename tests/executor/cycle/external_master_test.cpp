@@ -248,7 +248,7 @@ TEST(ExternalMasterRun, SamplesOfBeforeDoNothing) {
   EXPECT_EQ(run(false), run(true));
 }
 
-TEST(ExternalMasterRun, EachMasterIsToldByTheAxesThatFollowIt) {
+TEST(ExternalMasterRun, EachMasterIsReportedByTheAxesThatFollowIt) {
   Line site;
   site.web.silent = true;
   site.advance(1s);
@@ -273,7 +273,7 @@ TEST(ExternalMasterRun, EachMasterIsToldByTheAxesThatFollowIt) {
   EXPECT_EQ(last["web"].taken, 0);
 }
 
-TEST(ExternalMasterRun, AMasterInAnotherUnitIsRefusedAndNamed) {
+TEST(ExternalMasterRun, AMasterInAnotherUnitIsRejectedAndNamed) {
   Line site;
   site.line.unit = "in";
   site.advance(500ms);

@@ -54,7 +54,7 @@ struct Ear {
   std::optional<MasterServer> server;
 };
 
-TEST(MasterEpoch, ThatIsOverIsSaidWithTheOneThatCounts) {
+TEST(MasterEpoch, ThatIsOverIsReportedWithTheCurrentOne) {
   Ear ear;
   ear.say(200'000'000, 1);
   for (std::int64_t k = 1; k <= 50; ++k) ear.say(7, k);

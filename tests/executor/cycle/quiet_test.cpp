@@ -98,7 +98,7 @@ TEST(Quiet, ACycleNeitherTouchesTheHeapNorLocksNorWrites) {
 }
 
 // Followers of a line on the bus and of an encoder on the feeder's drive: through coming, going and another clock.
-TEST(Quiet, MastersFromOutsideMakeNoNoise) {
+TEST(Quiet, ExternalMasters) {
   ExternalMaster line({.velocity = 10, .acceleration = 50});
   auto drive = std::make_shared<ObservedDrive>(std::make_shared<NullDrive>());
   EncoderReading reading({.resolution = 1e-4, .noise = 1e-5});
@@ -146,14 +146,14 @@ TEST(Quiet, MastersFromOutsideMakeNoNoise) {
   EXPECT_EQ(last.fault, Cause::master_lost);
 }
 
-TEST(Quiet, FullRingsAndAWatchdogAreNoReasonToMakeNoise) {
+TEST(Quiet, FullRingsAndAWatchdog) {
   Rig rig;
   EXPECT_EQ(noise_of(rig, 6000), Noise{});
   EXPECT_GT(rig.cycle.counts().lost, 3000);
 }
 
 // The hooks do count: a silent result is evidence.
-TEST(Quiet, TheHooksHear) {
+TEST(Quiet, TheHooksDetectAllocationsLocksAndWrites) {
   Noise before = noise();
   int* volatile memory = new int(1);  // volatile: or the compiler spares itself the way
   delete memory;

@@ -86,7 +86,7 @@ TEST(RunExecutor, ASignalStopsTheMotionFirst) {
   }
 }
 
-TEST(RunExecutor, EndsWithItsTimeAndSaysWhatItWasGranted) {
+TEST(RunExecutor, EndsWithItsTimeAndReportsWhatItWasGranted) {
   MemoryNetwork network;
   network.on_wait = [](Nanos time) { std::this_thread::sleep_for(time); };
   MemoryTransport link(network);

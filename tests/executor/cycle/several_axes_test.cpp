@@ -97,7 +97,7 @@ TEST(SeveralAxes, EdgesOfSwitchesAreMessagesTwiceEach) {
 }
 
 // The instant is the one at which the position is passed: 1/2 * 1000 * t^2 = 2 of a ramp from rest.
-TEST(SeveralAxes, AnEventSaysWhenBetweenTheTicks) {
+TEST(SeveralAxes, AnEventHasItsTimeBetweenTheTicks) {
   Tick before{.tick = 62, .position = 500 * 0.062 * 0.062, .velocity = 62};
   Tick now{.tick = 64, .position = 500 * 0.064 * 0.064, .velocity = 64, .skipped = 1};
   const double at = std::sqrt(2.0 / 500);  // 63.2 ms

@@ -75,7 +75,7 @@ TEST(VirtualMaster, StartsOnlyWhereItsTableBegins) {
 }
 
 // It is not what its owner had armed before that begins in its place.
-TEST(VirtualMaster, OneThatIsRefusedStartsNothingElse) {
+TEST(VirtualMaster, OneThatIsRejectedStartsNothingElse) {
   Line site;
   Client line(site.link, "line", {}, site.clock);
   StaticQueue rows(line, {.units = {"s", "mm"}, .mode = wire::QueueMode::static_});
@@ -90,7 +90,7 @@ TEST(VirtualMaster, OneThatIsRefusedStartsNothingElse) {
   EXPECT_EQ(site.last(0).position, 7);
 }
 
-TEST(VirtualMaster, AnAxisWithoutATableOfItsOwnSaysSo) {
+TEST(VirtualMaster, AnAxisWithoutATableIsReported) {
   Line site;
   EXPECT_THAT(site.order("knife", CommandKind::start_table).reason,
               HasSubstr("no table and no cutter to start"));

@@ -133,7 +133,7 @@ TEST(GroupStart, NoneMovesWhereOneStartIsLost) {
     none_moves([&](const wire::Message& message) { return message.executor != lost; });
 }
 
-TEST(GroupStart, NoneMovesWhereOneStartIsRefused) {
+TEST(GroupStart, NoneMovesWhereOneStartIsRejected) {
   for (const std::string& late : names)
     none_moves([&](wire::Message& message) {
       if (message.executor == late) std::get<wire::Start>(message.body).tick = 1;

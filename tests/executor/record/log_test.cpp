@@ -63,7 +63,7 @@ TEST_F(TickLogTest, LeavesNothingBehindIfItIsNeverClosed) {
   EXPECT_EQ(files(), 0U);
 }
 
-TEST_F(TickLogTest, SaysWhereItCannotWrite) {
+TEST_F(TickLogTest, ReportsWhereItCannotWrite) {
   try {
     TickLog log(folder / "absent" / "run.csv", {});
     FAIL() << "opened a file in a folder that does not exist";
@@ -99,7 +99,7 @@ TEST_F(TickLogTest, ADiskThatIsFullAtTheStartIsFoundThere) {
   EXPECT_EQ(files(), 0U);
 }
 
-TEST_F(TickLogTest, OnAFullDiskKeepsTheWholeLinesAndSaysSo) {
+TEST_F(TickLogTest, OnAFullDiskKeepsWholeLinesAndReportsIt) {
   for (const rlim_t bytes : {rlim_t{5'000}, rlim_t{20'000}, rlim_t{20'001}}) {
     const fs::path path = folder / ("run" + std::to_string(bytes) + ".csv");
     {

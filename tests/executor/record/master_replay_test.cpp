@@ -122,7 +122,7 @@ class RecordedRun {
   int lost_ = 0, dropped_ = 0, recorded_dropped_ = 0;
 };
 
-TEST(RemadeMasters, SayTheSameToTheLastBit) {
+TEST(RemadeMasters, AreTheSameToTheLastBit) {
   RecordedRun run;
   const Replay replay = run.play();
   EXPECT_TRUE(replay.same()) << (replay.difference ? replay.difference->what.field
@@ -149,12 +149,12 @@ TEST(RemadeMasters, OfAnotherFilterDiffer) {
   EXPECT_EQ(encoder.difference->axis, 1U);
 }
 
-TEST(RemadeMasters, ThatCannotBeAreRefused) {
+TEST(RemadeMasters, ThatCannotBeAreRejected) {
   RecordedRun run;
   EXPECT_THROW(run.play([](auto& masters) { masters[0].tracker.order = 7; }), InputError);
 }
 
-TEST(RecordedTicks, SayWhatDidNotBegin) {
+TEST(RecordedTicks, ReportMotionsThatDidNotBegin) {
   RecordedRun run;
   const Replay replay = run.play();
   EXPECT_TRUE(replay.same());

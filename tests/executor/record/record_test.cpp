@@ -219,7 +219,7 @@ TEST_F(Recorded, TheFirstDifferenceIsFound) {
   EXPECT_EQ(result.compared, 151);
 }
 
-TEST_F(Recorded, WhatIsCutOffIsReplayedAsFarAsItGoes) {
+TEST_F(Recorded, ATruncatedRecordIsReplayedToItsEnd) {
   start({.log = path("run.lcmlog")});
   order({command::Enable{}});
   order({command::Arm{.movement = cam(1)}});
@@ -314,7 +314,7 @@ TEST_F(Recorded, AChecksumShowsALostEventAndAnOldRecordHasNone) {
   EXPECT_TRUE(old.same()) << old.damage;
 }
 
-TEST_F(Recorded, ForeignFilesAreRefusedAndForeignChannelsLeftOut) {
+TEST_F(Recorded, ForeignFilesAreRejectedAndForeignChannelsLeftOut) {
   EXPECT_THROW(replayed(""), InputError);
   EXPECT_THROW(replayed("tick,time [s],state\n0,0,disabled,and so on for a while\n"), InputError);
   start({.log = path("run.lcmlog")});
@@ -335,7 +335,7 @@ TEST_F(Recorded, ForeignFilesAreRefusedAndForeignChannelsLeftOut) {
 }
 
 // Records from before the replay of outputs.
-TEST(RecordedEvents, OfAnAxisOfVersionTwoAreRefusedInOneError) {
+TEST(RecordedEvents, OfAnAxisOfVersionTwoAreRejectedInOneError) {
   std::string bytes = encoded(RecordedAxis{});
   ASSERT_EQ(bytes[9], 8) << "the version, big-endian, after eight bytes of the type";
   bytes[9] = 2;
@@ -349,7 +349,7 @@ TEST(RecordedEvents, OfAnAxisOfVersionTwoAreRefusedInOneError) {
 }
 
 // LCM's fingerprint stands for the fields of a type: a cycle of other fields is another version's.
-TEST(RecordedEvents, OfAnotherVersionAreRefusedAndTheErrorSaysSo) {
+TEST(RecordedEvents, OfAnotherVersionAreRejected) {
   std::string bytes = encoded(RecordedCycle{});
   bytes[3] = static_cast<char>(bytes[3] ^ 1);
   for (const std::string& other : {bytes, bytes.substr(0, bytes.size() - 17)}) {
@@ -363,7 +363,7 @@ TEST(RecordedEvents, OfAnotherVersionAreRefusedAndTheErrorSaysSo) {
   }
 }
 
-TEST_F(Recorded, ATableThatIsNotTheOneOfItsHashIsRefused) {
+TEST_F(Recorded, ATableThatIsNotTheOneOfItsHashIsRejected) {
   std::string bytes;
   start({.log = path("run.lcmlog")});
   order({command::Enable{}});
@@ -387,7 +387,7 @@ TEST_F(Recorded, ATableThatIsNotTheOneOfItsHashIsRefused) {
   }
 }
 
-TEST_F(Recorded, AMovementThatIsNotInTheRecordEndsTheReplayAndIsSaid) {
+TEST_F(Recorded, AMissingMovementEndsTheReplayWithAnError) {
   start({.log = path("run.lcmlog")});
   order({command::Enable{}});
   Job unknown(5, test::there_and_back(0, 10, 1, Extrapolation::hold));
@@ -486,7 +486,7 @@ TEST_F(Recorded, AFaultLeavesABlackBoxOfTheCyclesBeforeIt) {
   EXPECT_NE(bytes_of(path("box.lcmlog")), box) << "a new one is";
 }
 
-TEST_F(Recorded, BadPathsAndNumbersAreRefusedAtOnce) {
+TEST_F(Recorded, BadPathsAndNumbersAreRejectedAtOnce) {
   EXPECT_THROW(start({.log = path("no/such/folder.lcmlog")}), std::system_error);
   EXPECT_THROW(start({.black_box = path("box"), .black_box_cycles = 0}), InputError);
   EXPECT_THROW(start({.black_box = path("no/such/box.lcmlog")}), std::system_error)

@@ -273,7 +273,7 @@ class RandomRun : public ::testing::Test {
   std::map<std::string, int> done_;
 };
 
-TEST_F(RandomRun, IsReplayedToTheLastBitWhateverTheAxesAreTold) {
+TEST_F(RandomRun, IsReplayedToTheLastBitForAnyCommands) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(::testing::Message() << "seed " << seed);
     const Replay result = replayed(record(seed, 9));
@@ -289,7 +289,7 @@ TEST_F(RandomRun, IsReplayedToTheLastBitWhateverTheAxesAreTold) {
     EXPECT_GT(done_[what], 0) << what << ": nothing was tried";
 }
 
-TEST_F(RandomRun, CutOffAnywhereIsReplayedThatFarOrRefused) {
+TEST_F(RandomRun, CutOffAnywhereIsReplayedThatFarOrRejected) {
   const std::string whole = record(3, 4);
   Random random(97);
   for (int i = 0; i < 25; ++i) {

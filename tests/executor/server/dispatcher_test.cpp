@@ -134,7 +134,7 @@ TEST(Dispatcher, Example43ReachesTheLogBitForBit) {
   }
 }
 
-TEST(Dispatcher, ATableThatBreaksALimitIsRefusedWithItsNumbers) {
+TEST(Dispatcher, ATableThatBreaksALimitIsRejectedWithItsNumbers) {
   Site site({feeder()});
   const StreamOutcome outcome = site.play(*trapezoid_table(5000, 1500, 5000, 5000));
   EXPECT_EQ(outcome.error, StreamError::refused);
@@ -159,7 +159,7 @@ TEST(Dispatcher, AMasterThatIsSentMayHaveAnotherUnitThanTheLiveOne) {
   EXPECT_GT(std::abs(site.last().position), 1);
 }
 
-TEST(Dispatcher, OtherUnitsAndAMasterInputAreRefused) {
+TEST(Dispatcher, OtherUnitsAndAMasterInputAreRejected) {
   Site site({feeder()});
   const TablePtr move = trapezoid_table(50, 100, 1000, 1000);
   StreamOutcome outcome =
@@ -338,7 +338,7 @@ TEST(Dispatcher, AnAbortIsNotUndoneByTheStopBehindIt) {
   EXPECT_EQ(site.last().fault, Cause::aborted);
 }
 
-TEST(Dispatcher, AFloodOfOrdersIsRefusedNotHoarded) {
+TEST(Dispatcher, AFloodOfOrdersIsRejectedNotHoarded) {
   Site site({feeder()});
   const Sender owner = holding(site, *there_and_back(0, 10, 1, Extrapolation::wrap), 1);
   EXPECT_EQ(flood(site, owner, 100, 150), "");

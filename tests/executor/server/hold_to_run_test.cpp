@@ -36,7 +36,7 @@ ExecutorOptions feeder() {
   return axis_named("feeder", limits(1000, 1e4, 1e6), {"", "mm"});
 }
 
-TEST(HoldToRun, RunsWhileItsSessionIsHeardAndStopsWhenThatIsSilent) {
+TEST(HoldToRun, RunsWhileItsSessionSendsAndStopsWhenItIsSilent) {
   ExecutorOptions options = feeder();
   options.stop_when_silent = false;  // that is for other motions
   options.receiver.session_timeout = 10s;

@@ -129,7 +129,7 @@ TEST(OrderedHoming, ItsEndIsInTheStatus) {
   EXPECT_FALSE(status().homed) << "it searches anew";
 }
 
-TEST(OrderedHoming, OtherOrdersAreRefusedMeanwhile) {
+TEST(OrderedHoming, OtherOrdersAreRejectedMeanwhile) {
   Slide site(slide(-50));
   ASSERT_TRUE(site.client.command(command::Home{}).ok());
   site.advance(200ms);
@@ -151,7 +151,7 @@ TEST(OrderedHoming, OtherOrdersAreRefusedMeanwhile) {
   EXPECT_TRUE(site.last().homed);
 }
 
-TEST(OrderedHoming, IsRefusedWhileATableIsPlayed) {
+TEST(OrderedHoming, IsRejectedWhileATableIsPlayed) {
   Slide site(slide(-50));
   ASSERT_TRUE(
       site.client.command(command::MoveRelative{.distance = 50, .dynamics = {.velocity = 10}})
@@ -198,7 +198,7 @@ TEST(OrderedHoming, WhatIsNotGivenOrWrong) {
   EXPECT_EQ(site.last().state, State::standstill);
 }
 
-TEST(OrderedHoming, AnAxisThatRequiresItRefusesTablesBefore) {
+TEST(OrderedHoming, AnAxisThatRequiresItRejectsTablesBefore) {
   ExecutorOptions options = slide(0);
   options.axis.require_home = true;
   Slide site(options);
@@ -212,7 +212,7 @@ TEST(OrderedHoming, AnAxisThatRequiresItRefusesTablesBefore) {
   EXPECT_TRUE(site.play(table).ok());
 }
 
-TEST(OrderedHoming, ARefusedTableNeitherNamesThePositionNorClearsAFault) {
+TEST(OrderedHoming, ARejectedTableNeitherNamesThePositionNorClearsAFault) {
   ExecutorOptions options = slide(0);
   options.axis.require_home = options.adopt_start = true;
   Slide site(options);

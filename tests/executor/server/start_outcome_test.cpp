@@ -61,7 +61,7 @@ TEST(StartOutcome, AStartAtAMasterPositionIsAwaitedAndJudgedThere) {
   EXPECT_NEAR(site.last(1).position, pmc600_cam()->jet(site.last(0).position)[0], 1e-9);
 }
 
-TEST(StartOutcome, WhatIsDroppedIsSaidToTheStreamerWithItsNumbers) {
+TEST(StartOutcome, ADroppedStartIsReportedWithItsNumbers) {
   const CouplingSpec negative{
       .start = StartMode::ramp_in_neg, .velocity_diff = 150, .acceleration = 5000};
   for (const CouplingSpec& coupling : {CouplingSpec{}, negative}) {
@@ -152,7 +152,7 @@ TEST(StartOutcome, AMotionBesideACommandForALaterTickIsAnsweredWithThisTick) {
   EXPECT_EQ(client.command(command::MoveAbsolute{.position = 30}).reason, "");
 }
 
-TEST(StartOutcome, PatienceThatRunsOutLeavesTheStartWaitingAndSaysSo) {
+TEST(StartOutcome, AnExpiredPatienceIsReportedAndLeavesTheStartWaiting) {
   Site site(line_and_slave());
   StreamOptions options;
   options.total = 1s;
@@ -208,7 +208,7 @@ TEST(Group, StartsInOneTickAndEndsWithTheLast) {
   EXPECT_FALSE(site.dispatcher.owned());
 }
 
-TEST(Group, WhereOneRefusesNoneStartsAndAllReasonsAreThere) {
+TEST(Group, WhereOneRejectsNoneStartsAndAllReasonsAreThere) {
   Site site(x_and_y());
   const TablePtr good = trapezoid_table(50, 100, 1000, 1000);
   const TablePtr fast = trapezoid_table(50, 2000, 1e5, 1e5);
@@ -290,7 +290,7 @@ TEST(Group, ATickThatIsOverStartsNone) {
   EXPECT_EQ(site.last(1).position, 0);
 }
 
-TEST(Group, RefusesWhatIsNoGroup) {
+TEST(Group, RejectsAnInvalidGroup) {
   MemoryNetwork network;
   MemoryTransport link(network);
   const TablePtr table = trapezoid_table(50, 100, 1000, 1000);

@@ -60,12 +60,12 @@ TEST(Between, CutsAtABreakWithoutDust) {
   }
 }
 
-TEST(Between, RefusesWhatIsNoStretch) {
+TEST(Between, RejectsAnInvalidStretch) {
   EXPECT_THROW(between(move(), 1, 1), InputError);
   EXPECT_THROW(between(with(move(), Extrapolation::refuse), -1, 1), InputError);
 }
 
-TEST(Between, RefusesMoreTurnsThanItCanHold) {
+TEST(Between, RejectsMoreTurnsThanItCanHold) {
   EXPECT_THROW(between(with(move(), Extrapolation::wrap), 0, 1e9 * move().length()), InputError);
 }
 

@@ -128,7 +128,7 @@ TEST(Composed, RandomPolynomialsMeetTheChainRule) {
   }
 }
 
-TEST(Composed, RefusesWhatDoesNotFit) {
+TEST(Composed, RejectsContradictions) {
   const Trajectory quintic_move({quintic(1, 0, 0, 0, 1, 0, 0)});
   EXPECT_THROW(composed(quintic_move, Trajectory({cubic(2, 0, 0, 1, 0)})), InputError);
   EXPECT_THROW(composed(Cam({sine_rise(1, 1)}), Trajectory({cubic(2, 0, 0, 1, 0)})), InputError);
@@ -152,7 +152,7 @@ TEST(Composed, EndsWhereTheInnerEnds) {
   }
 }
 
-TEST(Composed, RefusesMoreTurnsThanItCanHold) {
+TEST(Composed, RejectsMoreTurnsThanItCanHold) {
   const Trajectory turn({line(1, 0, 1), line(1, 1, 0)}, 0, Extrapolation::wrap);
   EXPECT_THROW(composed(turn, Trajectory({line(1, 0, 1e9)})), InputError);
 }

@@ -99,7 +99,7 @@ TEST(Curve, SumKeepsShortSegmentsFarFromTheOrigin) {
   EXPECT_NEAR(extrema(sum(rest, f), 2).max.value, 0.14, 0.14e-14);
 }
 
-TEST(Curve, RefusesWhatIsNoCurve) {
+TEST(Curve, RejectsAnInvalidCurve) {
   EXPECT_THROW(Trajectory(std::vector<Segment>{}), InputError);
   EXPECT_THROW(Trajectory({line(0, 0, 1)}), InputError);
   EXPECT_THROW(Trajectory({line(-1, 0, 1)}), InputError);
@@ -135,7 +135,7 @@ TEST(Curve, WrapsAsTheLibraryDividesToTheBit) {
   EXPECT_EQ(remainder_of(1e308, 3 * least), std::fmod(1e308, 3 * least));
 }
 
-TEST(Curve, RefusesAnOriginThatSwallowsItsLength) {
+TEST(Curve, RejectsAnOriginThatSwallowsItsLength) {
   EXPECT_THROW(shifted(Trajectory({line(5.7, 0, 1)}), 1e17), InputError);
 }
 

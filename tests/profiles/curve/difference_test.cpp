@@ -176,7 +176,7 @@ TEST(Difference, IsOverWhatBothHave) {
   EXPECT_THROW((void)difference(before, Cam({line(10, 0, 1)}, 360)), InputError);
 }
 
-TEST(Difference, SaysWhereAStepOfADerivativeWasMoved) {
+TEST(Difference, ReportsWhereAStepOfADerivativeWasMoved) {
   const Trajectory slow =
       s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
   const Trajectory fast =
@@ -189,7 +189,7 @@ TEST(Difference, SaysWhereAStepOfADerivativeWasMoved) {
   EXPECT_NEAR(changes[3].after.max.value, 120, 1e-12);
 }
 
-TEST(KnotChange, TellsMovedChangedAddedAndRemoved) {
+TEST(KnotChange, DistinguishesMovedChangedAddedAndRemoved) {
   const auto moved = knot_changes(feeder(), feeder(300, 100));
   ASSERT_EQ(moved.size(), 1U);
   EXPECT_TRUE(moved[0].moved);

@@ -93,7 +93,7 @@ TEST(Fitted, KeepsWhatHasNoSines) {
   EXPECT_EQ(fitted.curve.segments()[0].c, f.segments()[0].c);
 }
 
-TEST(Fitted, RefusesAToleranceBelowRounding) {
+TEST(Fitted, RejectsAToleranceBelowRounding) {
   const Trajectory f({line(1, 0, 1000)});
   EXPECT_THROW(polynomial_within(f, 0), InputError);
   EXPECT_THROW(polynomial_within(f, -1), InputError);

@@ -40,7 +40,7 @@ TEST(Modulo, DoesNotDriftOverHugeTurnCounts) {
   }
 }
 
-TEST(Modulo, RefusesMoreTurnsThanADoubleCounts) {
+TEST(Modulo, RejectsMoreTurnsThanADoubleCounts) {
   EXPECT_THROW(rolled(1e308, 1e-10), InputError);
 }
 
@@ -72,7 +72,7 @@ TEST(Modulo, ShortestIsAtMostHalfATurnAndHalfIsPositive) {
   EXPECT_EQ(target(730, 20, Direction::shortest).position, 740);
 }
 
-TEST(Modulo, OneWayGoesOneWay) {
+TEST(Modulo, OneWayMovesInOneDirection) {
   EXPECT_EQ(target(10, 350, Direction::positive).distance, 340);
   EXPECT_EQ(target(350, 10, Direction::negative).distance, -340);
   EXPECT_EQ(target(10, 10, Direction::positive).distance, 0);
@@ -128,7 +128,7 @@ TEST(Modulo, FastestIsNeverSlowerThanAnyTurn) {
   }
 }
 
-TEST(Modulo, SaysWhyThereIsNoStop) {
+TEST(Modulo, ReportsWhyThereIsNoStop) {
   const Bounds bad{.velocity_min = 1};
   EXPECT_EQ(modulo_target({}, 10, Direction::positive, 360, bad).status,
             MoveStatus::invalid_bounds);

@@ -139,7 +139,7 @@ TEST(Crossings, FindsWhereALevelIsPassed) {
   EXPECT_TRUE(crossings(f, 0, 2).empty());
 }
 
-TEST(Crossings, RefusesALevelThatIsNoNumber) {
+TEST(Crossings, RejectsALevelThatIsNoNumber) {
   const Trajectory f({quintic(2, 0, 0, 0, 1, 0, 0)});
   for (const double level : {NAN, INFINITY, -INFINITY})
     for (const int order : {0, 1}) EXPECT_THROW(crossings(f, order, level), InputError) << level;

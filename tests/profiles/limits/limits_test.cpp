@@ -15,7 +15,7 @@ Trajectory move() {
   return trapezoid({.to = 10, .velocity = 2, .acceleration = 4}).curve();
 }
 
-TEST(Check, SaysHowCloseTheNearestLimitIs) {
+TEST(Check, ReportsTheClosestLimit) {
   const Report report = check(move(), {.velocity = 2.5, .acceleration = 4});
   EXPECT_TRUE(report.ok());
   ASSERT_EQ(report.findings.size(), 2U);
@@ -69,7 +69,7 @@ TEST(Check, WithoutLimitsFindsNothing) {
   EXPECT_TRUE(check(move(), {}).findings.empty());
 }
 
-TEST(Check, RefusesLimitsThatAreNone) {
+TEST(Check, RejectsLimitsThatAreNone) {
   EXPECT_THROW(check(move(), {.velocity = 0}), InputError);
   EXPECT_THROW(check(move(), {.acceleration = std::nan("")}), InputError);
   EXPECT_THROW(check(move(), {.position_min = 1, .position_max = 0}), InputError);

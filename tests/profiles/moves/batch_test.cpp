@@ -141,7 +141,7 @@ TEST(Batch, OneValueStandsForAll) {
     EXPECT_NEAR(t[i], move_to({0, 0.5, 0}, {way[i]}, within(2, 2, 2)).profile.duration(), 1e-14);
 }
 
-TEST(Batch, SaysNaNWhereThereIsNoMove) {
+TEST(Batch, ReturnsNanWithoutAMove) {
   Moves m = random_moves(16, 44, 1);
   const double nan = std::nan("");
   m.distance[0] = nan;

@@ -144,7 +144,7 @@ TEST(VelocityRamp, RandomStatesWithinTheLimitsStayThere) {
   }
 }
 
-TEST(VelocityRamp, RefusesJerksThatAProfileCannotHold) {
+TEST(VelocityRamp, RejectsJerksThatAProfileCannotHold) {
   EXPECT_THROW(profiles_detail::velocity_ramp({}, 1, {1, 1, 2}, {1, 1, 3}), InputError);
   EXPECT_THROW(profiles_detail::velocity_ramp({}, 1, {1, 1, 0}, {1, 1, 1}), InputError);
   EXPECT_THROW(profiles_detail::velocity_ramp({}, 1, {1, 0, 0}, {1, 1, 1}), InputError);
@@ -153,7 +153,7 @@ TEST(VelocityRamp, RefusesJerksThatAProfileCannotHold) {
   EXPECT_NO_THROW(profiles_detail::velocity_ramp({}, 1, {1, 1, 1}, {2, 3, 3}));
 }
 
-TEST(VelocityRamp, NamesTheJerkThatItRefuses) {
+TEST(VelocityRamp, NamesTheJerkThatItRejects) {
   using profiles_detail::RampLimits;
   const auto key = [](const RampLimits& up, const RampLimits& down) -> std::string {
     return test::key_of([&] { profiles_detail::velocity_ramp({}, 1, up, down); });
@@ -164,7 +164,7 @@ TEST(VelocityRamp, NamesTheJerkThatItRefuses) {
   EXPECT_EQ(key({1, 1, 2}, {1, 1, 3}), "down.jerk_end");
 }
 
-TEST(VelocityRamp, RefusesStatesThatAreNoNumbersOrTooLarge) {
+TEST(VelocityRamp, RejectsStatesThatAreNoNumbersOrTooLarge) {
   const Dynamics step{.acceleration = 1};
   const Dynamics soft{.acceleration = 1, .jerk = 1};
   for (const double bad : {std::nan(""), Bounds::none, -Bounds::none})
@@ -327,7 +327,7 @@ TEST(InFlight, WithTwoJerksAFartherTargetTakesAsLongAsIfItHadBeenGivenAtOnce) {
   }
 }
 
-TEST(InFlight, WhatEndsAtRestHoldsAndWhatEndsMovingRefuses) {
+TEST(InFlight, WhatEndsAtRestHoldsAndWhatEndsMovingRejects) {
   const Dynamics d{.velocity = 10, .acceleration = 20, .jerk = 100};
   const Trajectory move = point_to_point(0, 50, d).curve();
   for (const Extrapolation outside :
@@ -376,7 +376,7 @@ TEST(InFlight, AJerkLimitedCommandTakesOverNoAccelerationThatSteps) {
   test::expect_invariants(halted, 1);
 }
 
-TEST(InFlight, RefusesWhatIsNoNumber) {
+TEST(InFlight, RejectsAnInvalidNumber) {
   const Trajectory f = point_to_point(0, 100, {.velocity = 10, .acceleration = 10}).curve();
   EXPECT_THROW(with_target(f, 2, std::nan(""), {.velocity = 10, .acceleration = 10}), InputError);
   EXPECT_THROW(with_target(f, -1, 0, {.velocity = 10, .acceleration = 10}), InputError);

@@ -171,7 +171,7 @@ TEST(FourthOrder, DoesNotDependOnTheUnit) {
     }
 }
 
-TEST(FourthOrder, RefusesWhatIsNoMove) {
+TEST(FourthOrder, RejectsAnInvalidMove) {
   const FourthOrderSpec good{0, 1, 1, 1, 1, 1};
   const double nan = std::nan("");
   for (double FourthOrderSpec::*key : {&FourthOrderSpec::velocity, &FourthOrderSpec::acceleration,

@@ -116,7 +116,7 @@ TEST(LoweredLimits, NeverPassWhatTheFastestStopDoesNot) {
   EXPECT_GT(braked, cases / 3);
 }
 
-TEST(LoweredLimits, BrakingUnderWayGoesOnWhereTheTargetNeedsIt) {
+TEST(LoweredLimits, BrakingContinuesWhereTheTargetNeedsIt) {
   constexpr int cases = 20000;
   Random r(58);
   int extended = 0;

@@ -287,7 +287,7 @@ TEST(MoveVelocity, StopsFromAnyState) {
   }
 }
 
-TEST(Move, SaysWhatIsWrong) {
+TEST(Move, ReportsErrors) {
   const Bounds b = within(1, 1, 1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(move_to({nan, 0, 0}, {1, 0, 0}, b).status, MoveStatus::not_finite);

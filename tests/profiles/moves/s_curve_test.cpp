@@ -136,7 +136,7 @@ TEST(SCurve, DurationDoesNotDependOnTheUnit) {
   }
 }
 
-TEST(Moves, RefuseWhatIsNoMove) {
+TEST(Moves, RejectsAnInvalidMove) {
   EXPECT_THROW(trapezoid({.to = 0, .velocity = 1, .acceleration = 1}), InputError);
   EXPECT_THROW(trapezoid({.to = 1, .velocity = 0, .acceleration = 1}), InputError);
   EXPECT_THROW(trapezoid({.to = 1, .velocity = 1, .acceleration = -1}), InputError);

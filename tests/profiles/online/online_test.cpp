@@ -35,7 +35,7 @@ void run(OnlineGenerator<N>& g, double seconds) {
   for (int k = 0; k < static_cast<int>(std::lround(seconds / cycle)); ++k) (void)g.step(cycle);
 }
 
-TEST(Online, GoesTheSameWayAsMoveTo) {
+TEST(Online, MovesLikeMoveTo) {
   auto g = axes_with<1>(within(2, 10, 100));
   g.set_target(0, {.position = 1});
   const Profile plan = move_to({}, {1, 0, 0}, within(2, 10, 100)).profile;
@@ -70,7 +70,7 @@ TEST(Online, NothingMovesWithoutBounds) {
   EXPECT_EQ(g[0].position, 0);
 }
 
-TEST(Online, GoesOnAtTheVelocityOfItsTarget) {
+TEST(Online, ContinuesAtTheVelocityOfItsTarget) {
   auto g = axes_with<1>(within(2, 10, 100));
   g.set_target(0, {1, 0.5, 0});
   const double t = move_to({}, {1, 0.5, 0}, within(2, 10, 100)).profile.duration();
@@ -322,7 +322,7 @@ TEST(Online, ATargetOffTheLineStopsNothingThatKeepsItsBounds) {
   EXPECT_EQ(g[1].position, -2);
 }
 
-TEST(Online, RefusesWhatMakesNoSense) {
+TEST(Online, RejectsContradictions) {
   auto g = axes_with<1>(within(2, 10, 100));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   g.set_target(0, {.position = 1});

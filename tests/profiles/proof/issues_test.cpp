@@ -502,7 +502,7 @@ TEST(Issue, Rsruckig7OppositeDirectionsStayInPhase) {
   }
 }
 
-TEST(Issue, Wpilib3962AGoalVelocityBeyondItsLimitIsRefused) {
+TEST(Issue, Wpilib3962AGoalVelocityBeyondItsLimitIsRejected) {
   EXPECT_EQ(move_to({0, 2, 0}, {10, 5, 0}, within(2, 2)).status, MoveStatus::target_outside);
   // A start beyond it, moving away, brakes first.
   expect_optimal({0, -5, 0}, {10, 0, 0}, within(2, 2));

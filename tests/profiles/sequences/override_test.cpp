@@ -223,7 +223,7 @@ TEST(Override, DoesNotDependOnTheUnit) {
   EXPECT_EQ(overridden(axes, all, spec).clock.end(), play(spec).clock.end());
 }
 
-TEST(Override, SaysWhatThePlanBreaks) {
+TEST(Override, ReportsTheLimitThatThePlanBreaks) {
   const std::array axes{trapezoid({.to = 10, .velocity = 10, .acceleration = 20}).curve()};
   const std::array tight{Limits{.velocity = 8, .acceleration = 20, .jerk = 100}};
   try {
@@ -237,7 +237,7 @@ TEST(Override, SaysWhatThePlanBreaks) {
   }
 }
 
-TEST(Override, RefusesWhatItCannotPlay) {
+TEST(Override, RejectsWhatItCannotPlay) {
   EXPECT_THROW(play({.factor = -0.1}), InputError);
   EXPECT_THROW(play({.factor = 0}), InputError) << "nothing sets it going";
   try {

@@ -273,7 +273,7 @@ TEST(Queue, StopsWithItsDecelerationToTurnRound) {
   }
 }
 
-TEST(Queue, GoesOnFromWhereItStoppedToTurnRound) {
+TEST(Queue, ContinuesFromWhereItStoppedToTurnRound) {
   // From -3 it stops at -9/2; from there the junction is reached as from rest.
   const QueuedMotion m =
       queue({.start = {0, -3, 0},
@@ -366,7 +366,7 @@ TEST(Queue, HasNoJumpAtTheEdgesOfTheMagnitudes) {
       }
 }
 
-TEST(Queue, RefusesWhatIsNoQueue) {
+TEST(Queue, RejectsAnInvalidQueue) {
   const Dynamics d = dynamics(1, 1);
   const auto refused = [](const QueueSpec& spec, const std::string& key) {
     try {

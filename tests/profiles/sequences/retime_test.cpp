@@ -13,7 +13,7 @@
 namespace jounce::retime_test {
 namespace {
 
-TEST(Retime, TheRiseOfAQuinticTakesWhatItsCharacteristicValuesSay) {
+TEST(Retime, TheRiseOfAQuinticTakesTheTimeOfItsCharacteristicValues) {
   // The 5th degree polynomial has C_v = 15/8, C_a = 10/sqrt(3), C_j = 60 (VDI 2143): over a second and
   // a height of 1 each limit alone asks for one stretch.
   const Trajectory rise({quintic(1, 0, 0, 0, 1, 0, 0)});
@@ -52,7 +52,7 @@ TEST(Retime, PowersOfTwoOfTheUnitDoNotChangeABit) {
                              {.velocity = big, .acceleration = 3 * big, .jerk = 50 * big}));
 }
 
-TEST(Retime, RefusesWhatNothingBounds) {
+TEST(Retime, RejectsWhatNothingBounds) {
   const Trajectory move({cubic(1, 0, 0, 1, 0)});
   EXPECT_THROW(least_stretch(move, {}), InputError);
   EXPECT_THROW(least_stretch(Trajectory({line(1, 2, 2)}), {.velocity = 1}), InputError);

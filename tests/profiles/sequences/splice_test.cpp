@@ -60,7 +60,7 @@ TEST(Until, ARestIsARestWhateverRoundingLeaves) {
   EXPECT_EQ(state_at(stopped, stopped.end()).acceleration, 0);
 }
 
-TEST(Until, RefusesTimesBeforeTheMotion) {
+TEST(Until, RejectsTimesBeforeTheMotion) {
   EXPECT_THROW(until(running(), 0.5), InputError);
   EXPECT_THROW(until(running(), 1), InputError);
   EXPECT_THROW(state_at(running(), 0.5), InputError);
@@ -91,7 +91,7 @@ TEST(StateFor, TakesOverWhatWasBuiltUpAndNoStep) {
   EXPECT_DOUBLE_EQ(taken_over(given, 0), 7);
 }
 
-TEST(Spliced, GoesOnWithTheNextMotionWhateverItsTime) {
+TEST(Spliced, ContinuesWithTheNextMotionWhateverItsTime) {
   const Trajectory f = running();
   const Profile back =
       s_curve({.from = 50, .to = 0, .velocity = 5, .acceleration = 20, .jerk = 100});

@@ -188,7 +188,7 @@ TEST(Synchronize, InPhaseIsReplannedOnItsOwnLine) {
   }
 }
 
-TEST(Synchronize, RefusesAnEndlessDuration) {
+TEST(Synchronize, RejectsAnEndlessDuration) {
   std::vector<AxisMove> axes{{{}, {1, 0, 0}, within(1, 1, 1)}};
   std::vector<Profile> out(1);
   for (const Sync sync : {Sync::none, Sync::time, Sync::phase})

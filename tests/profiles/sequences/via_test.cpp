@@ -255,7 +255,7 @@ TEST(Via, DoesNotDependOnTheUnit) {
   }
 }
 
-TEST(Via, SaysWhereNothingBetterThanStoppingIsFound) {
+TEST(Via, ReportsWhereNothingBetterThanStoppingIsFound) {
   // Without jerk limits there is nothing to choose where every axis turns.
   const Bounds axis = within(1, 2);
   const ViaMotion m = via({.axes = {axis, axis}, .points = {{0, 0}, {1, 2}, {0, 1}, {3, 3}}});
@@ -274,7 +274,7 @@ void refused(const ViaSpec& spec, const std::string& key) {
   }
 }
 
-TEST(Via, RefusesWhatIsNoMotion) {
+TEST(Via, RejectsWhatIsNoMotion) {
   const Bounds axis = within(1, 2, 3);
   refused({{}, {{}, {}}}, "axes");
   refused({{axis}, {{0}}}, "points");
@@ -382,7 +382,7 @@ TEST(Via, BeginsAndEndsInMotion) {
   EXPECT_TRUE(std::isinf(passed.stopping_duration));
 }
 
-TEST(Via, RefusesRatesAndLimitsThatGiveNoMotion) {
+TEST(Via, RejectsRatesAndLimitsThatGiveNoMotion) {
   const Bounds axis = within(1, 2, 3);
   refused({.axes = {axis}, .points = {{0}, {1}}, .start = {{1, 2}, {}}}, "start.velocity");
   refused({.axes = {axis}, .points = {{0}, {1}}, .end = {{}, {std::nan("")}}}, "end.acceleration");

@@ -122,7 +122,7 @@ TEST(MovingAverage, SinesStaySinesOfTheirFrequency) {
   test::expect_invariants(g, 2);
 }
 
-TEST(MovingAverage, GoesThroughTheSeamOfACurveThatWraps) {
+TEST(MovingAverage, PassesTheSeamOfACurveThatWraps) {
   const Trajectory f({line(1, 0, 1), line(2, 1, 0)}, 5, Extrapolation::wrap);
   const Trajectory g = moving_average(f, 0.5);
   EXPECT_EQ(g.start(), 5);
@@ -180,7 +180,7 @@ TEST(MovingAverage, AtItsShortestWindowNoPeakGrows) {
   }
 }
 
-TEST(MovingAverage, RefusesAWindowWithoutDigits) {
+TEST(MovingAverage, RejectsAWindowWithoutDigits) {
   const Trajectory f = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
   for (const double window : {1e-14, 1e-12, 1e-9, 5e-5, 1e5})
     EXPECT_THROW(moving_average(f, window), InputError) << window;
@@ -188,7 +188,7 @@ TEST(MovingAverage, RefusesAWindowWithoutDigits) {
   EXPECT_THROW(moving_average(with(f, Extrapolation::wrap), 1e9), InputError);
 }
 
-TEST(MovingAverage, RefusesAMovingEnd) {
+TEST(MovingAverage, RejectsAMovingEnd) {
   const Trajectory f = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100}).curve();
   EXPECT_THROW(moving_average(between(f, 0, 3), 0.1), InputError);
   EXPECT_THROW(moving_average(between(f, 3, f.end()), 0.1), InputError);
@@ -196,7 +196,7 @@ TEST(MovingAverage, RefusesAMovingEnd) {
   EXPECT_NO_THROW(moving_average(jog, 0.1)) << "it never ends";
 }
 
-TEST(MovingAverage, RefusesWhatItCannotHold) {
+TEST(MovingAverage, RejectsWhatItCannotHold) {
   EXPECT_THROW(moving_average(himc_trapezoid(), 0), InputError);
   EXPECT_THROW(moving_average(himc_trapezoid(), -1), InputError);
   Segment full;

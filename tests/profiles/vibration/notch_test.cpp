@@ -86,7 +86,7 @@ TEST(Notch, TakesSinesAndSteps) {
     EXPECT_NEAR(stepped.motion.at(0.2 + t).position, 1 - 2 * w * t * std::exp(-w * t), 1e-13);
 }
 
-TEST(Notch, RefusesWhatItCannotFilter) {
+TEST(Notch, RejectsWhatItCannotFilter) {
   EXPECT_THROW(notched(move(), {.frequency = 0}), InputError);
   EXPECT_THROW(notched(move(), {5, 0.01}), InputError);
   EXPECT_THROW(notched(move(), {5, 1, 1}), InputError);

@@ -52,7 +52,7 @@ TEST(Shaper, DetuningFollowsTheCosine) {
   }
 }
 
-TEST(Shaper, ForgivesAsMuchAsItsTextbookSays) {
+TEST(Shaper, IsAsInsensitiveAsInItsTextbook) {
   // Half the width of the band in which less than 5 % is left, from the formulas above.
   const auto width = [](ShaperKind kind, double half) {
     const auto impulses = shaper({kind, {1, 0}, 0.05});
@@ -149,14 +149,14 @@ TEST(Shaper, TwoModesAtOnce) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(twice[i].amplitude, zvd[i].amplitude, 1e-15);
 }
 
-TEST(Shaper, RefusesAMovingEndAndCopiesOutOfReach) {
+TEST(Shaper, RejectsAMovingEndAndCopiesOutOfReach) {
   const auto zv = shaper({ShaperKind::zv, {5.5, 0}});
   const Trajectory jog({quintic(0.1, 0, 0, 0, 1, 10, 0), line(1, 1, 11)});
   EXPECT_THROW(shaped(jog, zv), InputError) << "it would be stopped in no time";
   EXPECT_THROW(shaped(move(), std::array{Impulse{0, 0.5}, Impulse{1e20, 0.5}}), InputError);
 }
 
-TEST(Shaper, RefusesWhatIsNoShaper) {
+TEST(Shaper, RejectsWhatIsNoShaper) {
   EXPECT_THROW(shaper({ShaperKind::zv, {0, 0}}), InputError);
   EXPECT_THROW(shaper({ShaperKind::zv, {5, 1}}), InputError);
   EXPECT_THROW(shaper({ShaperKind::ei, {5, 0}, 0}), InputError);

@@ -91,7 +91,7 @@ TEST(WorstResidual, CanBeAtTheGreatestDamping) {
   EXPECT_GT(worst.residual, residual_vibration(quiet, {2.5, 0}));
 }
 
-TEST(WorstResidual, RefusesABandOutOfRange) {
+TEST(WorstResidual, RejectsABandOutOfRange) {
   const Trajectory f = inclined_sine();
   for (const ModeBand band :
        {ModeBand{0, 1}, ModeBand{2, 1}, ModeBand{1, NAN}, ModeBand{1, 2, -0.1, 0},

@@ -89,7 +89,7 @@ TEST(Vibration, WorstOfABandIsNotMissed) {
   EXPECT_THROW(residual_vibration(std::span<const Impulse>{}, {1, 0}), InputError);
 }
 
-TEST(Vibration, RefusesImpulsesThatAreNone) {
+TEST(Vibration, RejectsImpulsesThatAreNone) {
   const auto left = [](Impulse a, Impulse b) {
     return residual_vibration(std::array{a, b}, {5, 0});
   };

@@ -103,7 +103,7 @@ TEST(Claim, GivesUpOnlyWhereItsOwnBootIsNamed) {
   EXPECT_EQ(claim.lost(), "feeder");
 }
 
-TEST(Claim, AnswersWhoAsksAndNobodyElse) {
+TEST(Claim, AnswersOnlyTheSenderOfTheRequest) {
   Claim claim({"feeder"}, 5);
   (void)claim.poll(0s);
   claim.receive({"feeder", 0, wire::Claim{7, 5, false}}, 0s);
@@ -117,7 +117,7 @@ TEST(Claim, AnswersWhoAsksAndNobodyElse) {
 }
 
 // Exactly one of the executors that start together continues, on every network.
-TEST(Claim, OneGoesOnWhereSeveralStartTogether) {
+TEST(Claim, OneContinuesIfSeveralStartTogether) {
   test::Random random(seed);
   for (int round = 0; round < 400; ++round) {
     SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round));
@@ -130,7 +130,7 @@ TEST(Claim, OneGoesOnWhereSeveralStartTogether) {
   }
 }
 
-TEST(Claim, OneThatIsUpStaysWhoeverComes) {
+TEST(Claim, ARunningOneStays) {
   test::Random random(seed);
   for (int round = 0; round < 100; ++round) {
     World world(random, random.uniform(0, 0.1), 5ms);
@@ -143,7 +143,7 @@ TEST(Claim, OneThatIsUpStaysWhoeverComes) {
 }
 
 // Two machines were apart, each with an executor that is up, and are joined.
-TEST(Claim, OneGoesOnWhereTwoNetworksAreJoined) {
+TEST(Claim, OneContinuesIfTwoNetworksAreJoined) {
   test::Random random(seed);
   for (int round = 0; round < 100; ++round) {
     World world(random, random.uniform(0, 0.3), 5ms);

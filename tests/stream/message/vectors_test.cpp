@@ -170,7 +170,7 @@ void with_type_of(const Message& message, F f) {
       message.body);
 }
 
-TEST(Vectors, AreWhatTheCodeSays) {
+TEST(Vectors, MatchTheCode) {
   const auto all = vectors();
   const auto said = messages();
   ASSERT_EQ(all.size(), 2 * said.size());

@@ -186,7 +186,7 @@ TEST(Wire, DoublesComeBackBitByBit) {
   EXPECT_EQ(std::memcmp(values.data(), odd.data(), odd.size() * sizeof(double)), 0);
 }
 
-TEST(Wire, AChunkIsAsLongAsItsCountSays) {
+TEST(Wire, AChunkHasTheLengthOfItsCount) {
   const auto chunk = [](std::uint32_t knots) {
     const std::vector<double> values(std::size_t{knots} * 4, 0.5);
     return wire::encode({"a", 1, wire::Chunk{.knots = knots, .columns = 4, .values = values}});
@@ -242,7 +242,7 @@ Bytes forged(const wire::Body& body, std::size_t at, unsigned value) {
   return bytes;
 }
 
-TEST(Wire, RefusesFieldsOutOfRange) {
+TEST(Wire, RejectsFieldsOutOfRange) {
   constexpr std::size_t fields = 56;  // behind type and envelope
   const wire::Header header{.units = {"s", "mm"}, .knots = 5, .columns = 2, .chunks = 1};
   const wire::Chunk chunk{.knots = 2, .columns = 2, .values = {1, 2, 3, 4}};
@@ -278,7 +278,7 @@ TEST(Wire, RefusesFieldsOutOfRange) {
   EXPECT_EQ(reject(forged(wire::Ack{.boot = 1}, fields + 7, 0)), Reject::bad_field) << "boot 0";
 }
 
-TEST(Wire, RefusesGroupsOutOfRange) {
+TEST(Wire, RejectsGroupsOutOfRange) {
   constexpr std::size_t fields = 56;  // behind type and envelope
   const wire::GroupStatus seen{.boot = 1, .tick = 5, .axes = {"x", "y"}, .place = {1, 2}};
   const auto status = [&](std::size_t at, unsigned value) {
@@ -305,7 +305,7 @@ TEST(Wire, RefusesGroupsOutOfRange) {
   EXPECT_EQ(status(fields + 326, 0xBF), Reject::bad_field) << "length < 0";
 }
 
-TEST(Wire, RefusesMastersOutOfRange) {
+TEST(Wire, RejectsMastersOutOfRange) {
   constexpr std::size_t fields = 56;  // behind type and envelope
   const wire::MasterStatus seen{1, "line", "mm", 5, false, 1, 2, 0.5, 3, 4};
   EXPECT_EQ(reject(forged(seen, fields + 7, 0)), Reject::bad_field) << "boot 0";
@@ -339,7 +339,7 @@ TEST(Wire, OperatorsAndFreeAxesHaveNoSession) {
   EXPECT_EQ(reject(wire::encode({"a", 0, wire::Start{.command = 1}})), Reject::bad_field);
 }
 
-TEST(Wire, RefusesToEncodeWhatDoesNotFit) {
+TEST(Wire, RejectsToEncodeWhatDoesNotFit) {
   const auto units = [](std::string x) { return wire::Header{.units = {std::move(x), "mm"}}; };
   EXPECT_THROW(wire::encode({"", 1, wire::Start{}}), InputError);
   EXPECT_THROW(wire::encode({"two words", 1, wire::Start{}}), InputError);

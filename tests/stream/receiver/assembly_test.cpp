@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Rules, AssemblyOfRule,
                                          Interpolation::quintic_hermite),
                          [](const auto& each) { return std::string(name(each.param)); });
 
-TEST(Assembly, SaysWhatHasArrived) {
+TEST(Assembly, ReportsWhatHasArrived) {
   const auto messages = test::messages_of(test::sine_table(80 * 533), 1);
   Assembly assembly(header_of(messages));
   for (const std::size_t seq : {0U, 1U, 3U, 5U, 67U}) assembly.add(chunk_of(messages, seq));
@@ -55,7 +55,7 @@ TEST(Assembly, SaysWhatHasArrived) {
   EXPECT_EQ(assembly.next(), 4U);
 }
 
-TEST(Assembly, RefusesAChunkThatContradictsItsHeader) {
+TEST(Assembly, RejectsAChunkThatContradictsItsHeader) {
   const auto messages = test::messages_of(test::sine_table(1000), 1);
   Assembly assembly(header_of(messages));
   const auto refuses = [&](auto change) {
@@ -93,7 +93,7 @@ TEST(Assembly, FindsOtherUnitsThanWereAnnounced) {
             wire::Refusal::hash_mismatch);
 }
 
-TEST(Assembly, RefusesWhatIsNoTable) {
+TEST(Assembly, RejectsWhatIsNoTable) {
   const auto messages = test::messages_of(test::sine_table(100), 1);
   wire::Chunk chunk = chunk_of(messages, 0);
   chunk.values[7] = chunk.values[6];  // x does not ascend
@@ -105,7 +105,7 @@ TEST(Assembly, RefusesWhatIsNoTable) {
       << refused.reason;
 }
 
-TEST(Contradiction, NamesWhatAHeaderSaysWrongly) {
+TEST(Contradiction, NamesTheWrongFieldOfAHeader) {
   const auto messages = test::messages_of(test::sine_table(1000), 1);
   const auto says = [&](auto change) {
     wire::Header header = header_of(messages);

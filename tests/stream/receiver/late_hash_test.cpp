@@ -47,7 +47,7 @@ class LateHash : public testing::Test {
   Receiver receiver{{.executor = "feeder"}, 77};
 };
 
-TEST_F(LateHash, CompletesATableOnceItIsTold) {
+TEST_F(LateHash, CompletesATableWhenItArrives) {
   put(first);
   put_chunks(0, chunks);
   const wire::Ack all = ack();
@@ -80,7 +80,7 @@ TEST_F(LateHash, MayComeTwiceAndTheFirstHeaderAfterIt) {
   EXPECT_EQ(receiver.store().tables(), 1U);
 }
 
-TEST_F(LateHash, RefusesTheTableIfItIsWrong) {
+TEST_F(LateHash, RejectsTheTableIfItIsWrong) {
   put(first);
   put_chunks(0, chunks);
   last.hash[31] ^= 1;
@@ -93,7 +93,7 @@ TEST_F(LateHash, RefusesTheTableIfItIsWrong) {
   EXPECT_THAT(events(), IsEmpty()) << "a second hash is another table";
 }
 
-TEST_F(LateHash, RefusesASecondOne) {
+TEST_F(LateHash, RejectsASecondOne) {
   put(first);
   put(last);
   static_cast<void>(receiver.poll(now));
@@ -218,7 +218,7 @@ class LateHashSender : public testing::Test {
   int lose = 0;
 };
 
-TEST_F(LateHashSender, TellsItAsSoonAsItHasIt) {
+TEST_F(LateHashSender, SendsItAsSoonAsItIsComputed) {
   run();
   EXPECT_TRUE(sender.at_goal()) << sender.outcome().reason;
   ASSERT_GE(headers.size(), 2U);
@@ -246,27 +246,27 @@ TEST_F(LateHashSender, SendsNoMoreOfATableThatTurnsOutToBeThere) {
   EXPECT_LE(chunks, pace.window);
 }
 
-TEST_F(LateHashSender, ComputesItInTheEndIfNobodyCallsHash) {
+TEST_F(LateHashSender, ComputesItInTheEndWithoutACallOfHash) {
   run(false);
   EXPECT_TRUE(sender.at_goal()) << sender.outcome().reason;
   EXPECT_EQ(headers.back().hash, content_hash(table, test::move_units));
 }
 
-TEST_F(LateHashSender, SaysItAgainUntilItIsHeard) {
+TEST_F(LateHashSender, RepeatsItUntilItIsAcknowledged) {
   lose = 5;
   run();
   EXPECT_TRUE(sender.at_goal()) << sender.outcome().reason;
   EXPECT_EQ(sender.outcome().progress.resent, 0U) << "no chunk was missing";
 }
 
-TEST_F(LateHashSender, FailsWithANameIfItIsNeverHeard) {
+TEST_F(LateHashSender, FailsWithANameIfItIsNeverAcknowledged) {
   lose = 1'000'000;
   for (int i = 0; i < 20'000 && !sender.ended(); ++i) poll();
   EXPECT_EQ(sender.outcome().error, StreamError::contact_lost)
       << "it reports nothing else any more";
 }
 
-TEST_F(LateHashSender, DoesNotBelieveThatATableIsCompleteWhoseHashItHasNotTold) {
+TEST_F(LateHashSender, IgnoresACompletionBeforeItSentTheHash) {
   poll(), poll();
   wire::Ack ack{.boot = receiver.boot(), .complete = true};
   sender.receive({"feeder", 1, ack, receiver.challenge()}, now);
@@ -275,7 +275,7 @@ TEST_F(LateHashSender, DoesNotBelieveThatATableIsCompleteWhoseHashItHasNotTold) 
   EXPECT_TRUE(sender.outcome().downloaded);
 }
 
-TEST_F(LateHashSender, OfATableThatFitsAWindowIsToldAtOnce) {
+TEST_F(LateHashSender, OfATableThatFitsAWindowIsSentAtOnce) {
   Sender small(test::plan_of(test::sine_table(300)), 1, {.pace = pace});
   const auto messages = small.poll(now);
   ASSERT_EQ(messages.size(), 1U);

@@ -31,7 +31,7 @@ TEST(MasterIntake, WhatIsRepeatedOrOldDoesNothing) {
   EXPECT_EQ(intake.refused(), 4);
 }
 
-TEST(MasterIntake, OfTwoSendersTheLaterBegunIsHeard) {
+TEST(MasterIntake, AcceptsTheLaterOfTwoSenders) {
   MasterIntake intake({.unit = "mm"});
   EXPECT_TRUE(intake.take(sample(100, 100'000, 7), 0s));
   EXPECT_TRUE(intake.take(sample(0, 0, 8), 1ms));
@@ -51,7 +51,7 @@ TEST(MasterIntake, AnEpochThatIsOverComesBackWithoutAKeyOnly) {
   }
 }
 
-TEST(MasterIntake, AnotherUnitIsRefusedAndNamed) {
+TEST(MasterIntake, AnotherUnitIsRejectedAndNamed) {
   MasterIntake intake({.unit = "mm"});
   wire::Master inches = sample(1, 1);
   inches.unit = "in";

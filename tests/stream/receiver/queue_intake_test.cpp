@@ -112,7 +112,7 @@ TEST(QueueIntake, IsFilledByItsPrefillOrTheLastRow) {
   EXPECT_TRUE(queues.is_filled(65, 0));
 }
 
-TEST(QueueIntake, AcknowledgesProgressAndRefusals) {
+TEST(QueueIntake, AcknowledgesProgressAndRejections) {
   QueueIntake queues = opened();
   queues.add(one_row(64, 0));
   static_cast<void>(queues.acks(boot));

@@ -68,7 +68,7 @@ class ReceiverTest : public testing::Test {
   std::map<std::int64_t, std::int64_t> challenges;  // by session
 };
 
-TEST_F(ReceiverTest, TakesATableAndSaysSo) {
+TEST_F(ReceiverTest, AcceptsATableAndAcknowledgesIt) {
   put(download[0]);
   auto ack = answer<wire::Ack>();
   EXPECT_EQ(ack.boot, 77);
@@ -110,7 +110,7 @@ TEST_F(ReceiverTest, AnswersABatchOnce) {
   EXPECT_THAT(receiver.poll(now), IsEmpty());
 }
 
-TEST_F(ReceiverTest, KnowsATableItHas) {
+TEST_F(ReceiverTest, RecognizesATableItHas) {
   arm();
   put(1, wire::Heartbeat{.command = 2, .release = true});
   put(2, std::get<wire::Header>(download[0].body));
@@ -167,7 +167,7 @@ TEST_F(ReceiverTest, BoundsMemoryOfAllTables) {
   EXPECT_EQ(receiver.store().bytes(), 0U) << "a session that ends gives its memory back";
 }
 
-TEST_F(ReceiverTest, RefusesAHeaderThatContradictsItself) {
+TEST_F(ReceiverTest, RejectsAHeaderThatContradictsItself) {
   wire::Header header = std::get<wire::Header>(download[0].body);
   header.chunks += 1;
   put(1, header);
@@ -175,7 +175,7 @@ TEST_F(ReceiverTest, RefusesAHeaderThatContradictsItself) {
   EXPECT_EQ(receiver.store().bytes(), 0U);
 }
 
-TEST_F(ReceiverTest, RefusesAChunkOfNoKnotsOrTooMany) {
+TEST_F(ReceiverTest, RejectsAChunkOfNoKnotsOrTooMany) {
   wire::Header header = std::get<wire::Header>(download[0].body);
   for (const std::uint32_t per_chunk : {0U, 1U + 7680 / 3, UINT32_MAX / 2}) {
     ++header.table;
@@ -198,7 +198,7 @@ TEST_F(ReceiverTest, GivesCreditByLength) {
   EXPECT_EQ(answer<wire::Ack>().credit, 4U);
 }
 
-TEST_F(ReceiverTest, RefusesAnotherTableUnderAnIndexInUse) {
+TEST_F(ReceiverTest, RejectsAnotherTableUnderAnIndexInUse) {
   put(download[0]);
   static_cast<void>(receiver.poll(now));
   put(test::messages_of(test::sine_table(10), 1)[0]);
@@ -207,7 +207,7 @@ TEST_F(ReceiverTest, RefusesAnotherTableUnderAnIndexInUse) {
   EXPECT_THAT(events(), ElementsAre("ready 1")) << "the first one is not disturbed";
 }
 
-TEST_F(ReceiverTest, RefusesAChunkThatContradictsItsHeader) {
+TEST_F(ReceiverTest, RejectsAChunkThatContradictsItsHeader) {
   put(download[0]);
   wire::Chunk chunk = std::get<wire::Chunk>(download[2].body);
   chunk.first_knot = 0;
@@ -226,7 +226,7 @@ TEST_F(ReceiverTest, AnswersAFloodOfStrangersWithinBounds) {
 
 // ---- what arrived is not what was announced -----------------------------------------------------
 
-TEST_F(ReceiverTest, RefusesATableWhoseHashIsWrong) {
+TEST_F(ReceiverTest, RejectsATableWhoseHashIsWrong) {
   auto& chunk = std::get<wire::Chunk>(download[2].body);
   chunk.values[600] += 1e-9;  // a position; its checksum would be right
   put(download);
@@ -241,7 +241,7 @@ TEST_F(ReceiverTest, RefusesATableWhoseHashIsWrong) {
 
 // ---- arm, start, stop ---------------------------------------------------------------------------
 
-TEST_F(ReceiverTest, RefusesToArmBeforeTheTableIsComplete) {
+TEST_F(ReceiverTest, RejectsToArmBeforeTheTableIsComplete) {
   download.pop_back();
   put(download);
   put(1, wire::Arm{.command = 1, .slave = hash});
@@ -251,21 +251,21 @@ TEST_F(ReceiverTest, RefusesToArmBeforeTheTableIsComplete) {
   EXPECT_THAT(events(), IsEmpty());
 }
 
-TEST_F(ReceiverTest, RefusesToStartWithoutArm) {
+TEST_F(ReceiverTest, RejectsToStartWithoutArm) {
   put(download);
   put(1, wire::Start{.command = 1});
   EXPECT_EQ(answer<wire::Reply>().refusal, Refusal::not_armed);
   EXPECT_THAT(events(), ElementsAre("ready 1"));
 }
 
-TEST_F(ReceiverTest, RefusesToStartBeforeTheAxisHasAnswered) {
+TEST_F(ReceiverTest, RejectsToStartBeforeTheAxisHasAnswered) {
   put(download);
   put(1, wire::Arm{.command = 1, .slave = hash});
   put(1, wire::Start{.command = 2});
   EXPECT_EQ(answer<wire::Reply>().refusal, Refusal::not_armed);
 }
 
-TEST_F(ReceiverTest, RefusesAModeThatTheTableDoesNotFit) {
+TEST_F(ReceiverTest, RejectsAModeThatTheTableDoesNotFit) {
   put(download);
   put(1, wire::Arm{.command = 1, .mode = wire::ArmMode::follow_input, .slave = hash});
   EXPECT_EQ(answer<wire::Reply>().refusal, Refusal::wrong_axis);
@@ -292,7 +292,7 @@ TEST_F(ReceiverTest, HandsTheArmToTheAxisAndItsAnswerBack) {
   EXPECT_EQ(std::get<StartRequested>(*event).tick, 500);
 }
 
-TEST_F(ReceiverTest, GivesTheAxissRefusalOn) {
+TEST_F(ReceiverTest, GivesTheAxissRejectionOn) {
   put(download);
   put(1, wire::Arm{.command = 1, .slave = hash});
   receiver.refuse(1, 1, "start_position", 41);
@@ -361,7 +361,7 @@ TEST_F(ReceiverTest, ArmsAMasterAndASlaveTable) {
 
 // ---- sessions -----------------------------------------------------------------------------------
 
-TEST_F(ReceiverTest, GivesALiveSessionsAxisToNobodyElse) {
+TEST_F(ReceiverTest, KeepsAnAxisForItsLiveSession) {
   put(download[0]);
   static_cast<void>(receiver.poll(now));
   put(2, std::get<wire::Header>(download[0].body));
@@ -475,7 +475,7 @@ TEST_F(ReceiverTest, PublishesItsSession) {
   EXPECT_EQ(std::get<wire::Status>(status.body).tick, 5);
 }
 
-TEST_F(ReceiverTest, RefusesOptionsThatMakeNoSense) {
+TEST_F(ReceiverTest, RejectsOptionsThatMakeNoSense) {
   EXPECT_THAT([] { Receiver({.executor = "my axis"}, 1); }, testing::Throws<InputError>());
   EXPECT_THAT([] { Receiver({.executor = "a", .credit = 0}, 1); }, testing::Throws<InputError>());
   EXPECT_THAT([] { Receiver({.executor = "a", .credit = 65}, 1); }, testing::Throws<InputError>());

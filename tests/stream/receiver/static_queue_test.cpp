@@ -62,7 +62,7 @@ TEST(StaticQueue, LosesNothingOnABadLink) {
   }
 }
 
-TEST(StaticQueue, SaysWhatDoesNotFit) {
+TEST(StaticQueue, ReportsValuesThatDoNotFit) {
   World world;
   Client client(world.link, "feeder", {}, world.clock);
   StaticQueue queue(client, fifos(16));
@@ -103,7 +103,7 @@ TEST(StaticQueue, DoesNotWaitForEverForRowsToBeTaken) {
   EXPECT_LT(world.now - before, 600ms);
 }
 
-TEST(StaticQueue, IsRefusedByNameAndNeverWaitsForEver) {
+TEST(StaticQueue, IsRejectedByNameAndNeverWaitsForEver) {
   World world;
   Client client(world.link, "feeder", {}, world.clock);
   StaticQueue huge(client, fifos(1U << 21U));

@@ -58,7 +58,7 @@ TEST(TableIntake, FindsAStoredTableByItsHeader) {
   EXPECT_EQ(tables.store().tables(), 1U);
 }
 
-TEST(TableIntake, RefusesAnIndexTwiceAndAChunkThatContradicts) {
+TEST(TableIntake, RejectsAnIndexTwiceAndAChunkThatContradicts) {
   TableIntake tables(limits);
   const Sent sent(1);
   EXPECT_FALSE(tables.add(sent.header()));
@@ -71,7 +71,7 @@ TEST(TableIntake, RefusesAnIndexTwiceAndAChunkThatContradicts) {
   EXPECT_FALSE(tables.add(chunk)) << "it has overtaken its header";
 }
 
-TEST(TableIntake, ATableBeyondTheLimitsIsRefusedInItsAcknowledgment) {
+TEST(TableIntake, ATableBeyondTheLimitsIsRejectedInItsAcknowledgment) {
   TableIntake tables(limits);
   EXPECT_FALSE(tables.add(Sent(1, 2001).header()));
   TableIntake small({.most_knots = 2000, .memory = 1000, .credit = 8});

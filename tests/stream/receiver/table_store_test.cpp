@@ -50,7 +50,7 @@ TEST(TableStore, KeepsWhatSomebodyHolds) {
   EXPECT_TRUE(store.reserve(160));
 }
 
-TEST(TableStore, RefusesWhatCannotFitWithoutLosingAnything) {
+TEST(TableStore, RejectsWhatCannotFitWithoutLosingAnything) {
   TableStore store(320);
   put(store, stored(10, 1));
   EXPECT_FALSE(store.reserve(321));

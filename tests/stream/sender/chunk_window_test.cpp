@@ -91,7 +91,7 @@ TEST(ChunkWindow, RepeatsSoonAgainOnceSomethingArrives) {
   EXPECT_THAT(window.due(56ms), ElementsAre(1));
 }
 
-TEST(ChunkWindow, LearnsTheRoundTrip) {
+TEST(ChunkWindow, EstimatesTheRoundTrip) {
   ChunkWindow window(100, {.window = 1});
   window.acknowledge(ack(0), 0ms);
   Nanos now = 0ms;

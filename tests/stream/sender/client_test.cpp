@@ -25,7 +25,7 @@ ReceiverOptions keyed() {
   return options;
 }
 
-TEST(Client, TellsTheAxisOneThingAfterAnother) {
+TEST(Client, SendsCommandsInTheirOrder) {
   World world;
   Client client(world.link, "feeder", {}, world.clock);
   EXPECT_TRUE(client.enable().ok());
@@ -54,7 +54,7 @@ TEST(Client, EachOrderIsGivenOnceOnABadLink) {
   EXPECT_EQ(world.executor->log, told);
 }
 
-TEST(Client, SaysWhyTheAxisRefuses) {
+TEST(Client, ReportsWhyTheAxisRejects) {
   World world;
   world.executor->objection = "not_enabled";
   Client client(world.link, "feeder", {}, world.clock);
@@ -86,7 +86,7 @@ TEST(Client, BeginsAnewAfterALongPause) {
   EXPECT_NE(client.session(), before);
 }
 
-TEST(Client, NeverTellsAnExecutorThatHasRestartedWhatWasMeantForTheOneBefore) {
+TEST(Client, NeverRepeatsACommandToARestartedExecutor) {
   World world;
   Client client(world.link, "feeder", {}, world.clock);
   ASSERT_TRUE(client.enable().ok());
@@ -95,7 +95,7 @@ TEST(Client, NeverTellsAnExecutorThatHasRestartedWhatWasMeantForTheOneBefore) {
   EXPECT_TRUE(world.executor->log.empty());
 }
 
-TEST(Client, SaysThatNobodyAnswers) {
+TEST(Client, ReportsThatNoExecutorAnswers) {
   World world;
   world.shut_down();
   Client client(world.link, "feeder", {}, world.clock);
@@ -103,7 +103,7 @@ TEST(Client, SaysThatNobodyAnswers) {
   EXPECT_LT(world.now, 2100ms);
 }
 
-TEST(Client, RefusesValuesThatNoAxisCanTake) {
+TEST(Client, RejectsValuesThatNoAxisCanTake) {
   World world;
   Client client(world.link, "feeder", {}, world.clock);
   EXPECT_THROW(client.command(command::Override{2.5}), InputError);
@@ -116,7 +116,7 @@ TEST(Client, RefusesValuesThatNoAxisCanTake) {
 
 // ---- with a key ---------------------------------------------------------------------------------
 
-TEST(Key, WhoHasItIsObeyedAndNobodyElse) {
+TEST(Key, IsNeededForEveryCommand) {
   World world(keyed());
   Client owner(world.link, "feeder", {.key = key}, world.clock);
   EXPECT_TRUE(owner.enable().ok());
@@ -133,7 +133,7 @@ TEST(Key, WhoHasItIsObeyedAndNobodyElse) {
   EXPECT_GT(world.executor->pump.rejects()[wire::Reject::not_authentic], 100U);
 }
 
-TEST(Key, AWholeTableGoesThrough) {
+TEST(Key, AWholeTableArrives) {
   World world(keyed());
   StreamOptions options;
   options.key = key;
@@ -217,7 +217,7 @@ TEST(Key, NobodysRepetitionKeepsADeadStreamersSessionAlive) {
   EXPECT_EQ(world.executor->log.back(), "silent 1");
 }
 
-TEST(Key, AForgedAnswerConvincesNobody) {
+TEST(Key, AForgedAnswerIsIgnored) {
   World world(keyed());
   world.executor->answers = false;
   MemoryTransport attacker(world.network);

@@ -90,7 +90,7 @@ TEST(Driver, ReadsTheNewestStatus) {
   EXPECT_EQ(std::get<wire::Status>(message->body).tick, 6) << "1 had waited; 2 to 5 did not fit";
 }
 
-TEST(Driver, AnOperatorStopsWhoeverStreams) {
+TEST(Driver, AnOperatorStopsAnyStreamer) {
   World world;
   Sender streamer(test::plan_of(test::sine_table(50'000)), 1);
   world.link.subscribe("JOUNCE2.feeder.reply", 10);
@@ -113,7 +113,7 @@ TEST(Driver, AnOperatorsStopGetsThroughABadLink) {
   EXPECT_THAT(world.executor->log, ElementsAre("stop 0")) << "once";
 }
 
-TEST(Driver, AnOperatorLearnsThatNobodyStopped) {
+TEST(Driver, AStopWithoutAnAnswerIsReported) {
   World world;
   world.shut_down();
   EXPECT_FALSE(operator_stop(world.link, "feeder", wire::StopMode::stop, 1s, world.clock));

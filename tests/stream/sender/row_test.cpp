@@ -74,7 +74,7 @@ TEST(RowIntake, HoldsNoMoreMessagesThanItsCredit) {
   EXPECT_EQ(intake.ack(1).mask[0], 0b111U) << "messages 1 to 3";
 }
 
-TEST(RowIntake, NamesTheRowThatItRefuses) {
+TEST(RowIntake, NamesTheRowThatItRejects) {
   const auto refused = [](auto change) {
     RowIntake intake(queue_of(100), 8);
     intake.add(message(0, 0, 10));
@@ -191,7 +191,7 @@ RowSource halting_source(World& world, std::size_t count) {
   };
 }
 
-TEST(RollingStream, SaysThatItsSourceWasTooSlowAndStops) {
+TEST(RollingStream, ReportsASlowSourceAndStops) {
   World world;
   const Player player(world, 10ms);
   const RowOutcome outcome = stream_rows(
@@ -204,7 +204,7 @@ TEST(RollingStream, SaysThatItsSourceWasTooSlowAndStops) {
   EXPECT_EQ(world.executor->pump.receiver().session(), 0);
 }
 
-TEST(RollingStream, GoesOnAfterAnUnderrunIfItMay) {
+TEST(RollingStream, ContinuesAfterAnUnderrunIfPermitted) {
   World world;
   const Player player(world, 10ms);
   const RowOutcome outcome = stream_rows(world.link,
@@ -273,7 +273,7 @@ TEST(RollingStream, WhatWasStoppedIsNotCalledAnUnderrun) {
   }
 }
 
-TEST(RollingStream, ARefusedRowStopsItAndIsNamed) {
+TEST(RollingStream, ARejectedRowStopsItAndIsNamed) {
   World world;
   const Player player(world, 1ms);
   bool refused = false;

@@ -110,7 +110,7 @@ TEST_F(SenderTest, ShowsASignOfLifeWhereChunksMayNotFlow) {
   static_cast<void>(says<wire::Header>());
 }
 
-TEST_F(SenderTest, SaysThatNobodyAnswers) {
+TEST_F(SenderTest, ReportsThatNoExecutorAnswers) {
   static_cast<void>(sender.poll(now));
   now += 5s;
   static_cast<void>(sender.poll(now));
@@ -121,7 +121,7 @@ TEST_F(SenderTest, SaysThatNobodyAnswers) {
   EXPECT_EQ(sender.outcome().reason, "no answer from feeder for 5000 ms");
 }
 
-TEST_F(SenderTest, SaysThatContactIsLost) {
+TEST_F(SenderTest, ReportsALostContact) {
   static_cast<void>(sender.poll(now));
   now += 4s;
   hear_ack(0);
@@ -130,7 +130,7 @@ TEST_F(SenderTest, SaysThatContactIsLost) {
   EXPECT_EQ(sender.outcome().error, StreamError::contact_lost);
 }
 
-TEST_F(SenderTest, SaysThatNoChunkGetsThrough) {
+TEST_F(SenderTest, ReportsThatNoChunkArrives) {
   static_cast<void>(sender.poll(now));
   for (int i = 0; i < 101 && !sender.ended(); ++i) {
     hear_ack(0);
@@ -176,7 +176,7 @@ TEST_F(SenderTest, EndsItsFarewellWhereTheEndOfItsSessionIsAnswered) {
   EXPECT_THAT(sender.poll(now), IsEmpty());
 }
 
-TEST_F(SenderTest, ReportsARefusalByName) {
+TEST_F(SenderTest, ReportsARejectionByName) {
   static_cast<void>(sender.poll(now));
   hear(wire::Ack{.boot = 5, .refusal = Refusal::too_large, .reason = "at most 500 knots"});
   EXPECT_EQ(sender.outcome().error, StreamError::refused);
@@ -277,7 +277,7 @@ TEST_F(SenderTest, DoesNotWaitForEverToBeReleased) {
   EXPECT_EQ(sender.outcome().reason, "the executor did not confirm the release");
 }
 
-TEST_F(SenderTest, RefusesAPlanThatCannotBeSentOrArmed) {
+TEST_F(SenderTest, RejectsAPlanThatCannotBeSentOrArmed) {
   const auto refuses = [&](auto change, SenderOptions options = {}) {
     StreamPlan plan = test::plan_of(table);
     change(plan);

@@ -33,7 +33,7 @@ TEST(Address, HasAPortATtlAnInterfaceAndABuffer) {
   EXPECT_EQ(multicast_address("udpm://239.1.2.3").port, 7667);
 }
 
-TEST(Address, IsRefusedWithItsRule) {
+TEST(Address, IsRejectedWithItsRule) {
   for (const char* const url :
        {"", "tcpq://", "udpm://", "udpm://:7667", "udpm://127.0.0.1:7667", "udpm://10.0.0.1:7667",
         "udpm://239.255.76.67:0", "udpm://239.255.76.67:65536", "udpm://239.255.76.67:x",

@@ -113,14 +113,14 @@ TEST(LossyTransport, LosesWhatIsSentWhileItIsCut) {
   }
 }
 
-TEST(LossyTransport, RefusesAPartitionThatEndsBeforeItBegins) {
+TEST(LossyTransport, RejectsAPartitionThatEndsBeforeItBegins) {
   MemoryNetwork network;
   MemoryTransport link(network);
   EXPECT_THROW(LossyTransport(link, {.partitions = {{2s, 1s}}}, [] { return Nanos{}; }),
                InputError);
 }
 
-TEST(LossyTransport, RefusesSharesOutOfRange) {
+TEST(LossyTransport, RejectsSharesOutOfRange) {
   MemoryNetwork network;
   MemoryTransport link(network);
   const Clock clock = [] { return Nanos{}; };

@@ -176,7 +176,7 @@ TEST_F(UnixTransportTest, AProgramThatHangsHindersNoOther) {
   EXPECT_GE(got, 100);
 }
 
-TEST_F(UnixTransportTest, TakesNoHarmFromForeignDatagrams) {
+TEST_F(UnixTransportTest, IgnoresForeignDatagrams) {
   UnixTransport link(folder());
   link.subscribe("a", 100);
   const int stranger = stream_detail::datagram_socket();
@@ -212,7 +212,7 @@ TEST_F(UnixTransportTest, MakesAFolderForItsOwnerAlone) {
   EXPECT_EQ(about.st_mode & 0777U, 0700U);
 }
 
-TEST_F(UnixTransportTest, RefusesAFolderThatAllMayWriteAndNamesThatDoNotFit) {
+TEST_F(UnixTransportTest, RejectsAFolderThatAllMayWriteAndNamesThatDoNotFit) {
   chmod(folder().c_str(), 0777);
   EXPECT_THAT(why([&] { UnixTransport link(folder()); }), HasSubstr("chmod o-w"));
   EXPECT_EQ(files(), 0U);
@@ -252,7 +252,7 @@ TEST_F(UnixTransportTest, AnAddressChoosesIt) {
   EXPECT_NE(dynamic_cast<UnixTransport*>(here.get()), nullptr);
 }
 
-TEST(OpenTransport, RefusesWhatNamesNoLink) {
+TEST(OpenTransport, RejectsWhatNamesNoLink) {
   for (const char* url : {"", "tcpq://", "unix:/tmp", "/tmp", "UNIX://a"})
     EXPECT_THAT(why([&] { (void)open_transport(url); }),
                 HasSubstr("must begin with udpm://, unix:// or memq://"));
