@@ -26,6 +26,12 @@ void require_valid(const Segment& f, std::size_t index) {
   const auto key = [&] { return "segment[" + std::to_string(index + 1) + "]"; };
   if (!std::isfinite(f.length) || !(f.length > 0))
     require_positive((key() + ".length").c_str(), f.length);
+  if (f.degree < 0 || f.degree > Segment::max_degree)
+    throw InputError(key() + ".degree", f.degree,
+                     "must be from 0 to " + std::to_string(Segment::max_degree));
+  if (f.sines < 0 || f.sines > Segment::max_sines)
+    throw InputError(key() + ".sines", f.sines,
+                     "must be from 0 to " + std::to_string(Segment::max_sines));
   if (!is_finite(f))
     throw InputError(
         key(), "",
@@ -73,6 +79,7 @@ Jet Curve<Over>::jet(double x, Side side) const {
 
 template <class Over>
 Jet Curve<Over>::at_end_or_outside(double x, Side side) const {
+  if (profiles_detail::is_nowhere(x, outside_)) return profiles_detail::not_a_number;
   const auto within = [&](double at) {
     const std::size_t i = index_.find(breaks_, at, side);
     return inside(segments_[i], breaks_[i], at);

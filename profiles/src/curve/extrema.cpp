@@ -2,7 +2,6 @@
 #include "jounce/profiles/curve/extrema.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/bernstein.hpp"
+#include "jounce/profiles/detail/derivative_order.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce {
@@ -135,7 +135,7 @@ void widen(Ranges& ranges, const Segment& f, double start, double end) {
 }
 
 Range segment_range(const Segment& f, double start, double end, int order) {
-  assert(order >= 0 && order <= 3);
+  profiles_detail::require_order(order);
   Segment g = f;
   for (int k = 0; k < order; ++k) g = derivative(g);
   return range_on(g, derivative(g), start, end);
@@ -188,7 +188,7 @@ Range extrema(const Curve<Over>& f, int order) {
 
 template <class Over>
 Jump largest_jump(const Curve<Over>& f, int order) {
-  assert(order >= 0 && order <= 3);
+  profiles_detail::require_order(order);
   const auto k = static_cast<std::size_t>(order);
   const auto pieces = f.segments();
   Jump largest;

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <utility>
 
 #include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/detail/bernstein.hpp"
+#include "jounce/profiles/detail/derivative_order.hpp"
 #include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
@@ -185,7 +185,7 @@ void zeros(const Segment& g, double flat, std::vector<double>& out) {
 
 template <class Over>
 std::vector<double> crossings(const Curve<Over>& f, int order, double level) {
-  assert(order >= 0 && order <= 3);
+  profiles_detail::require_order(order);
   require_finite("level", level);
   std::vector<double> found;
   std::vector<double> s;

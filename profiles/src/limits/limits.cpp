@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jounce/profiles/curve/over_length.hpp"
+#include "jounce/profiles/detail/derivative_order.hpp"
 #include "jounce/profiles/detail/limit_check.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
@@ -257,6 +258,7 @@ Report check(const Curve<Over>& f, const Limits& limits) {
 
 template <class Over>
 Report check_continuity(const Curve<Over>& f, int order, double tolerance) {
+  profiles_detail::require_order(order);
   std::array<Jump, 4> jumps;
   for (int k = 0; k <= order; ++k) jumps[static_cast<std::size_t>(k)] = largest_jump(f, k);
   return profiles_detail::continuity_report(

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/profiles/detail/evaluate.hpp"
+
 namespace jounce {
 namespace {
 
@@ -98,7 +100,10 @@ double Profile::duration() const noexcept {
 
 Motion Profile::at(double t) const noexcept {
   const double total = duration();
-  if (!(t >= 0)) return {start_.position, start_.velocity, start_.acceleration, 0};
+  if (!(t >= 0)) [[unlikely]] {
+    if (std::isnan(t)) return point<OverTime>(profiles_detail::not_a_number);
+    return {start_.position, start_.velocity, start_.acceleration, 0};
+  }
   double left = total - t;
   if (!(left > 0)) return {end_.position, end_.velocity, end_.acceleration, 0};
   // The first half is computed from the start, the second backwards from the end, so small values

@@ -2,8 +2,8 @@
 #include "jounce/profiles/sequences/retime.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <string>
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
@@ -17,7 +17,9 @@
 namespace jounce {
 
 double least_stretch(std::span<const Trajectory> axes, std::span<const Limits> limits) {
-  assert(axes.size() == limits.size());
+  if (axes.size() != limits.size())
+    throw InputError("limits", static_cast<double>(limits.size()),
+                     "must be as many as the axes, " + std::to_string(axes.size()));
   double k = 0;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     require_valid(limits[i]);

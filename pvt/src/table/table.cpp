@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "pvt/src/table/piece.hpp"
@@ -126,6 +127,7 @@ Jet Table::jet(double x, Side side) const {
 }
 
 Jet Table::at_end_or_outside(double x, Side side) const {
+  if (profiles_detail::is_nowhere(x, outside_)) return profiles_detail::not_a_number;
   const auto within = [&](double at) { return inside(knots_->index.find(breaks(), at, side), at); };
   if (x == end() && !(side == Side::right && repeats(outside_))) return within(x);
   assert(outside_ != Extrapolation::refuse &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/profiles/curve/curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -41,6 +42,29 @@ TEST(Curve, HoldsOrWrapsOutside) {
   EXPECT_DOUBLE_EQ(f.at(14).position, 0.5);
   EXPECT_DOUBLE_EQ(f.at(9.5).position, 4.5);
   EXPECT_DOUBLE_EQ(f.at(10 + 3e6 + 1).position, 0.5);
+}
+
+TEST(Curve, IsNanAtAPlaceThatIsNone) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const auto is_nan = [](const Jet& f) {
+    return std::all_of(f.begin(), f.end(), [](double each) { return std::isnan(each); });
+  };
+  for (const Extrapolation outside :
+       {Extrapolation::refuse, Extrapolation::hold, Extrapolation::wrap, Extrapolation::advance}) {
+    const Trajectory f = two_lines(outside);
+    EXPECT_TRUE(is_nan(f.jet(std::nan(""))));
+    EXPECT_TRUE(is_nan(f.jet(std::nan(""), Side::left)));
+    const std::vector<double> x{10.5, std::nan(""), 11};
+    std::vector<Motion> block(x.size());
+    f.sample(x, block);
+    EXPECT_TRUE(std::isnan(block[1].velocity));
+    EXPECT_EQ(block[2].velocity, 0.5);
+    EXPECT_EQ(is_nan(f.jet(-inf)), repeats(outside));
+  }
+  EXPECT_EQ(two_lines().at(inf).position, 4) << "the nearer end";
+  const Profile move = s_curve({.to = 3, .velocity = 1, .acceleration = 7, .jerk = 90});
+  const Motion at = move.at(std::nan(""));
+  EXPECT_TRUE(is_nan({at.position, at.velocity, at.acceleration, at.jerk}));
 }
 
 TEST(Curve, SamplesABlockLikeSinglePoints) {
@@ -107,6 +131,10 @@ TEST(Curve, RejectsAnInvalidCurve) {
   EXPECT_THROW(Trajectory({line(1, 0, 1)}, std::numeric_limits<double>::infinity()), InputError);
   EXPECT_THROW(Trajectory({line(1e308, 0, 1), line(1e308, 0, 1)}), InputError)
       << "the end overflows";
+  for (const int wrong : {-1, 12, 200}) {
+    EXPECT_THROW(Trajectory({Segment{.length = 1, .degree = wrong}}), InputError);
+    EXPECT_THROW(Trajectory({Segment{.length = 1, .sines = wrong}}), InputError);
+  }
 }
 
 TEST(InputErrorText, NamesPlaceKeyValueAndRule) {

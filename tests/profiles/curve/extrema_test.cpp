@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/error.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
 #include "support/random.hpp"
@@ -151,6 +153,17 @@ TEST(Extrema, OfACurveAreThoseOfEachOfItsSegments) {
       ASSERT_EQ(all[order].min.where, wanted.min.where) << i << ", order " << order;
       ASSERT_EQ(all[order].max.where, wanted.max.where) << i << ", order " << order;
     }
+  }
+}
+
+TEST(Extrema, RejectAnOrderOutOfRange) {
+  const Trajectory f({line(1, 0, 1)});
+  for (const int order : {-1, 4}) {
+    EXPECT_THROW(extrema(f, order), InputError);
+    EXPECT_THROW(segment_range(f, 0, order), InputError);
+    EXPECT_THROW(largest_jump(f, order), InputError);
+    EXPECT_THROW(crossings(f, order, 0), InputError);
+    EXPECT_THROW(check_continuity(f, order), InputError);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "jounce/profiles/sequences/retime.hpp"
 
 #include <array>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -57,6 +58,9 @@ TEST(Retime, RejectsWhatNothingBounds) {
   EXPECT_THROW(least_stretch(move, {}), InputError);
   EXPECT_THROW(least_stretch(Trajectory({line(1, 2, 2)}), {.velocity = 1}), InputError);
   EXPECT_THROW(least_stretch(move, {.velocity = -1}), InputError);
+  const std::vector<Trajectory> two{move, move};
+  const std::vector<Limits> one{{.velocity = 1}};
+  EXPECT_THROW(least_stretch(two, one), InputError);
 }
 
 }  // namespace

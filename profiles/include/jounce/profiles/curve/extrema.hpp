@@ -31,7 +31,8 @@ using Ranges = std::array<Range, 4>;
 /// Returns the exact range of the derivative of this order (0: the value, at most 3) over the whole
 /// curve. At a jump, both one-sided limits count. Critical points are exact roots of the
 /// derivative, not found by sampling (see roots.hpp). Of several equal extrema, the result has the
-/// first. The error is rounding: about 1e-15 of the curve's magnitude.
+/// first. The error is rounding: about 1e-15 of the curve's magnitude. Here and below, functions
+/// throw InputError for an order that is not from 0 to 3.
 template <class Over>
 Range extrema(const Curve<Over>& f, int order);
 

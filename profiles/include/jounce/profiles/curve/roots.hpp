@@ -23,7 +23,7 @@ void roots(const Segment& f, double flat, std::vector<double>& out);
 /// Returns every position where the derivative of this order (0: the value) equals `level`, in
 /// ascending order. A break counts if the derivative reaches the level on one of its sides. A
 /// segment that stays at the level (to rounding) gives one position, its start. Throws InputError
-/// if the level is not finite.
+/// if the level is not finite, or the order is not from 0 to 3.
 template <class Over>
 std::vector<double> crossings(const Curve<Over>& f, int order, double level);
 

@@ -2,11 +2,23 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "jounce/profiles/curve/segment.hpp"
 
 namespace jounce::profiles_detail {
+
+/// True if a curve with this policy has no value at x: at NaN, and if it is periodic at infinity.
+inline bool is_nowhere(double x, Extrapolation outside) {
+  return std::isnan(x) || (std::isinf(x) && repeats(outside));
+}
+
+/// The value and the derivatives at such a place.
+inline constexpr Jet not_a_number{
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
 /// c[0] + c[1] s + ... + c[n] s^n with its three derivatives with respect to s. Horner's rule for
 /// the value and for the derivatives / k!, without the first steps, which would only add zeros.

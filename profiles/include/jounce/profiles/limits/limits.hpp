@@ -85,7 +85,7 @@ Report check(const Curve<Over>& f, const Limits& limits);
 /// curve, and the steps from and to rest at the ends of a curve with the policy `hold`. A rule is
 /// broken if a step exceeds `tolerance` times the stroke of the value (order 0) or the peak
 /// magnitude of the derivative (orders 1 to 3), and also exceeds rounding. The default 1e-9 permits
-/// the rounding of numbers in a file.
+/// the rounding of numbers in a file. Throws InputError for an order that is not from 0 to 3.
 template <class Over>
 Report check_continuity(const Curve<Over>& f, int order, double tolerance = 1e-9);
 

@@ -103,7 +103,7 @@ class Profile {
   [[nodiscard]] double duration() const noexcept;  ///< s
 
   /// Returns the position and its three derivatives at t (s). At a step of the highest derivative,
-  /// returns the value after the step.
+  /// returns the value after the step. At NaN, all four are NaN.
   [[nodiscard]] Motion at(double t) const noexcept;
 
   /// Returns this motion as a curve that begins at 0 s and holds outside. Throws InputError if the

@@ -26,7 +26,7 @@ namespace jounce {
 double least_stretch(const Trajectory& motion, const Limits& limits);
 
 /// Returns the least k with which every axis stays within its limits, for axes that move together.
-/// Requires spans of the same size.
+/// Throws InputError also if the two spans have different sizes.
 double least_stretch(std::span<const Trajectory> axes, std::span<const Limits> limits);
 
 /// Returns the motion with its duration multiplied by least_stretch(), from the same start time.
