@@ -12,6 +12,41 @@
 
 namespace jounce {
 
+namespace {
+
+/// Calls functions of the caller. After the first exception, it keeps this exception and calls no
+/// function again, so that the axis can be stopped first.
+class Callbacks {
+ public:
+  template <class Function, class Result>
+  Result call(const Function& function, Result otherwise) {
+    if (failure_) return otherwise;
+    try {
+      return function();
+    } catch (...) {
+      failure_ = std::current_exception();
+      return otherwise;
+    }
+  }
+  template <class Progress, class Value>
+  void report(const Progress& progress, const Value& value) {
+    if (progress) call([&] { return progress(value), true; }, false);
+  }
+  /// True if the caller cancels, or a function has thrown.
+  bool cancelled(const std::function<bool()>& asked) {
+    const bool yes = asked && call(asked, true);
+    return yes || failure_ != nullptr;
+  }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
 StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options,
                             const Clock& clock, std::int64_t session) {
   const std::string replies = wire::channel(plan.executor, wire::Lane::reply);
@@ -20,51 +55,47 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
   Sender sender(std::move(plan), session, options.sender);
   link.subscribe(replies, queue_capacity);
   Rejects rejects;
-  bool cancelled = false;
+  Callbacks caller;
+  bool stopped = false;
   for (const Nanos begin = clock();;) {
     if (clock() - begin > options.total)
       sender.fail(StreamError::out_of_time, stream_detail::time_over_reason(options.total));
     for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
-    if (options.progress) options.progress(sender.outcome().progress);
-    if (sender.done()) return sender.outcome();
+    caller.report(options.progress, sender.outcome().progress);
+    if (sender.done()) break;
 
     const Nanos wait = sender.hash() ? Nanos{} : options.period;
     drain(link, wait, options.key, rejects,
           [&](const wire::Message& message) { sender.receive(message, clock()); });
-    if (!cancelled && options.cancelled && options.cancelled()) {
-      cancelled = true;
+    if (!stopped && caller.cancelled(options.cancelled)) {
+      stopped = true;
       sender.stop(wire::StopMode::stop);
     }
     if (sender.at_goal()) sender.release();
   }
+  caller.rethrow();
+  return sender.outcome();
 }
 
 RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options, const Clock& clock,
                        std::int64_t session) {
   const std::string executor = plan.executor;
-  // A source that throws stops the axis before its exception reaches the caller.
-  std::exception_ptr failure;
-  plan.rows = [&, source = std::move(plan.rows)](std::size_t most) -> std::vector<wire::Row> {
-    if (failure) return {};
-    try {
-      return source(most);
-    } catch (...) {
-      failure = std::current_exception();
-      return {};
-    }
+  Callbacks caller;
+  plan.rows = [&, source = std::move(plan.rows)](std::size_t most) {
+    return caller.call([&] { return source(most); }, std::vector<wire::Row>{});
   };
   RowSender sender(std::move(plan), session, options.sender);
   link.subscribe(wire::channel(executor, wire::Lane::reply), queue_capacity);
   Rejects rejects;
   for (;;) {
     for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
-    if (options.progress) options.progress(sender.outcome().progress);
+    caller.report(options.progress, sender.outcome().progress);
     if (sender.done()) break;
     drain(link, options.period, options.key, rejects,
           [&](const wire::Message& message) { sender.receive(message, clock()); });
-    if (failure || (options.cancelled && options.cancelled())) sender.stop(wire::StopMode::stop);
+    if (caller.cancelled(options.cancelled)) sender.stop(wire::StopMode::stop);
   }
-  if (failure) std::rethrow_exception(failure);
+  caller.rethrow();
   return sender.outcome();
 }
 

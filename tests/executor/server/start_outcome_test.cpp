@@ -3,6 +3,7 @@
 // streamer through an executor to the axis, on a virtual clock.
 
 #include <cstdlib>
+#include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -93,6 +94,31 @@ TEST(StartOutcome, AStopWhileItWaitsIsNoBeginning) {
   EXPECT_FALSE(outcome.started);
   EXPECT_TRUE(outcome.stopped);
   EXPECT_FALSE(site.last(1).waiting);
+}
+
+/// A function of the caller that throws must not leave the start waiting, nor the axis moving.
+TEST(StartOutcome, AnExceptionOfTheCallerStopsTheAxisFirst) {
+  for (const bool in_progress : {false, true}) {
+    Site site(line_and_slave());
+    StreamOptions options;
+    options.total = 20s;
+    const Nanos throws = site.clock() + 500ms;
+    int thrown = 0;
+    const auto maybe = [&] {
+      if (site.clock() <= throws) return false;
+      ++thrown;
+      throw std::runtime_error("of the caller");
+    };
+    if (in_progress)
+      options.progress = [&](const StreamProgress& /*now*/) { (void)maybe(); };
+    else
+      options.cancelled = maybe;
+    EXPECT_THROW(
+        stream_tables(site.link, at_460(pmc600_cam()), options, site.clock, ++site.sessions),
+        std::runtime_error);
+    EXPECT_EQ(thrown, 1) << "no function is called again";
+    EXPECT_FALSE(site.last(1).waiting);
+  }
 }
 
 TEST(StartOutcome, AStopByAnotherOperatorEndsTheStreamAndTheStart) {

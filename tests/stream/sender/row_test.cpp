@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Queues of rows: what the executor takes in, and a rolling stream through a bad link.
+#include <stdexcept>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -202,6 +204,19 @@ TEST(RollingStream, ReportsASlowSourceAndStops) {
   EXPECT_THAT(world.executor->log, testing::Contains("stop 1"));
   EXPECT_EQ(world.executor->log.back(), "released 1") << "the next streamer finds the axis free";
   EXPECT_EQ(world.executor->pump.receiver().session(), 0);
+}
+
+TEST(RollingStream, AnExceptionOfTheCallerStopsTheAxisFirst) {
+  World world;
+  const Player player(world, 10ms);
+  RowOptions options;
+  options.progress = [&](const RowProgress& now) {
+    if (now.played > 50) throw std::runtime_error("of the caller");
+  };
+  EXPECT_THROW(stream_rows(world.link, {"feeder", queue_of(100, 50), source_of(5'000)}, options,
+                           world.clock, 1),
+               std::runtime_error);
+  EXPECT_THAT(world.executor->log, testing::Contains("stop 1"));
 }
 
 TEST(RollingStream, ContinuesAfterAnUnderrunIfPermitted) {

@@ -31,7 +31,8 @@ struct StreamOptions {
 
 /// Runs a Sender to its goal, then releases the session; a motion continues. Returns within
 /// options.total, in any state of the link, plus the time of a few last messages that free the axis
-/// (farewell.hpp). Throws InputError like Sender, and TransportError.
+/// (farewell.hpp). Throws InputError like Sender, and TransportError. If a function of the options
+/// throws, the motion is stopped as if `cancelled` returned true, and the exception is rethrown.
 StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOptions& options = {},
                             const Clock& clock = steady_now, std::int64_t session = random_id());
 
@@ -46,8 +47,8 @@ struct RowOptions {
 };
 
 /// Runs a RowSender to the end of the motion, without a time limit. Returns earlier after an error.
-/// Throws InputError like RowSender, and TransportError. If the source of the rows throws, the
-/// function stops the axis and rethrows the exception.
+/// Throws InputError like RowSender, and TransportError. If the source of the rows or a function of
+/// the options throws, the axis is stopped, and the exception is rethrown.
 RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options = {},
                        const Clock& clock = steady_now, std::int64_t session = random_id());
 
