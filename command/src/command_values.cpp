@@ -104,7 +104,14 @@ std::string contradiction(CommandKind kind, const CommandValues& values) {
 }
 
 std::string contradiction(const ClientCommand& command) {
-  return contradiction(kind_of(command), values_of(command));
+  const CommandKind kind = kind_of(command);
+  const CommandValues values = values_of(command);
+  const Fields& fields = info(kind).fields;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (std::isnan(values[i]) && !is_as_configured(values[i]))
+      return fields[i].name + std::string(" must be a number, but is NaN") +
+             (fields[i].range.may_be_nan ? "; leave it out, or give as_configured" : "");
+  return contradiction(kind, values);
 }
 
 ClientCommand command_of(CommandKind kind) {

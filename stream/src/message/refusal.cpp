@@ -17,6 +17,10 @@ Refused not_over_time(const char* which, TableInUnits table) {
 }
 
 /// True for a list of numbers: a linear table over their index.
+std::string unit_name(const std::string& unit) {
+  return unit.empty() ? "no unit" : unit;
+}
+
 bool is_list(const Table& table) {
   const std::vector<double>& x = table.columns().x;
   for (std::size_t i = 0; i < x.size(); ++i)
@@ -61,8 +65,8 @@ Refused misfit(wire::ArmMode mode, TableInUnits slave, const TableInUnits* maste
     return {wire::Refusal::table_missing, "the table of the master is missing"};
   if (Refused refused = not_over_time("the master", *master)) return refused;
   if (master->units.position != slave.units.x) {
-    return {wire::Refusal::wrong_unit, "the master moves in " + master->units.position +
-                                           ", the slave table is over " + slave.units.x};
+    return {wire::Refusal::wrong_unit, "the master moves in " + unit_name(master->units.position) +
+                                           ", the slave table is over " + unit_name(slave.units.x)};
   }
   return {};
 }

@@ -52,8 +52,11 @@ CallOutcome Client::ask(const wire::Body& body, Nanos patience) {
             "no answer from " + executor_ +
                 (foreign ? "; its messages are unsigned, or signed with another key" : "")};
   }
-  if (slot_.number() > 1 && reply->boot != boot_)
-    return {StreamError::restarted, wire::Refusal::none, 0, "the executor has restarted"};
+  if (slot_.number() > 1 && reply->boot != boot_) {
+    session_ = 0;
+    return {StreamError::restarted, wire::Refusal::none, 0,
+            "the executor has restarted, and has not executed the command"};
+  }
   boot_ = reply->boot;
   if (reply->outcome == wire::Outcome::refused) return refused(*reply);
   if (reply->outcome == wire::Outcome::accepted) return {.reason = reply->reason};

@@ -93,6 +93,8 @@ TEST(Client, NeverRepeatsACommandToARestartedExecutor) {
   world.boot(101);
   EXPECT_EQ(client.command(command::MoveRelative{.distance = 1}).error, StreamError::restarted);
   EXPECT_TRUE(world.executor->log.empty());
+  EXPECT_TRUE(client.command(command::MoveRelative{.distance = 1}).ok()) << "a new session";
+  EXPECT_EQ(world.executor->log.size(), 1U);
 }
 
 TEST(Client, ReportsThatNoExecutorAnswers) {
@@ -108,6 +110,9 @@ TEST(Client, RejectsValuesThatNoAxisCanTake) {
   Client client(world.link, "feeder", {}, world.clock);
   EXPECT_THROW(client.command(command::Override{2.5}), InputError);
   EXPECT_THROW(client.command(command::MoveAbsolute{.position = NAN}), InputError);
+  EXPECT_THROW(client.command(command::MoveRelative{.distance = 1, .dynamics = {.velocity = NAN}}),
+               InputError)
+      << "not the limit of the axis";
   EXPECT_THROW(client.command(command::MoveRelative{.distance = 1, .dynamics = {.velocity = -1}}),
                InputError);
   EXPECT_THROW(client.command(command::GearIn{.numerator = 1, .denominator = 0}), InputError);

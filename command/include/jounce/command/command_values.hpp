@@ -38,7 +38,7 @@ std::optional<FieldConflict> field_conflict(CommandKind kind, const std::bitset<
 
 /// Returns the first error in the values of a command, as a sentence with the name of the field; ""
 /// if the values are valid. Includes the conflicts between fields; a field with its default is not
-/// given.
+/// given. In a ClientCommand, any NaN but as_configured is an error.
 std::string contradiction(CommandKind kind, const CommandValues& values);
 std::string contradiction(const ClientCommand& command);
 

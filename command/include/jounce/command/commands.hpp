@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -21,8 +22,17 @@
 /// master.
 namespace jounce {
 
-/// Value of a field that the sender does not give (NaN): the axis uses its configured value.
-inline constexpr double as_configured = std::numeric_limits<double>::quiet_NaN();
+/// Value of a field that the sender does not give: the axis uses its configured value. It is a NaN
+/// whose bits spell "Jounce", so that a client can reject the NaN of an invalid computation.
+inline constexpr double as_configured =
+    std::bit_cast<double>(std::uint64_t{0x7ff8'0000'0000'0000} | 0x4a6f'756e'6365);
+
+/// True for as_configured, also multiplied by a unit; false for any other NaN, such as 0.0 / 0.0.
+inline bool is_as_configured(double value) {
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+  return (std::bit_cast<std::uint64_t>(value) & ~sign) ==
+         std::bit_cast<std::uint64_t>(as_configured);
+}
 
 /// Dynamics of a move: magnitudes, > 0. A value that is not given is the limit of the axis.
 struct MoveDynamics {

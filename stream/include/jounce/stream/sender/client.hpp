@@ -35,6 +35,9 @@ struct ClientOptions {
 /// The first call opens a session: from then on, the client owns the axis. If another program owns
 /// the axis, the call is rejected with Refusal::busy. If no call is made for the session timeout of
 /// the axis (by default one second), the session ends; the next call opens a new session.
+///
+/// If the executor restarts, the next call returns StreamError::restarted and has no effect,
+/// because the state of the axis may have changed. The call after it opens a new session.
 class Client {
  public:
   /// Subscribes to the replies. `link` must outlive the client. Throws InputError for an invalid
@@ -59,7 +62,8 @@ class Client {
   CallOutcome cam_out() { return command(command::CamOut{}); }
 
   /// Sends any command to the axis. `at`: tick in which the axis executes it; -1: the next one.
-  /// Throws InputError for a value out of range.
+  /// Throws InputError for a value out of range, and for NaN: a value that is not given is
+  /// as_configured.
   CallOutcome command(const ClientCommand& command, std::int64_t at = -1);
 
   /// Sends any message of a client, in the present session or in a new one. Use a Heartbeat to keep
