@@ -313,6 +313,19 @@ TEST(TimingLaw, FindsTheIntervalOfAnyInstant) {
 // ---- limits of axes in commands ---------------------------------------------------------------
 
 /// On one axis, the limits of the axis are those along the path.
+TEST(Plan, TheJerkOfRampsOf10MicrosecondsOnAnArcKeepsItsLimit) {
+  // The table of such a ramp exceeded the limit of the jerk by 1.6e-5 of it.
+  Program p(2, {-31.456381813969376, -48.999632396641367});
+  p.set({.velocity = 2.8864641698850559});
+  p.arc(arc_through(p.position(), {-31.344471705986287, -49.7641512601515},
+                    {-31.01078602438746, -50.461049266195097}, 2));
+  const GroupLimits limits{
+      .axes = {{.acceleration = 1017.4555673048253, .jerk = 711550.56622446992},
+               {.acceleration = 6.3578496791281545, .jerk = 638170.0954683451}}};
+  const PlanAxes axes = to_axes(plan(p, limits));
+  EXPECT_LE(path_tests::worst_ratio(axes, limits), 1 + 1e-12);
+}
+
 TEST(Plan, LimitsOfAnAxisInACommandAreThoseAlongALineOfThisAxis) {
   const auto made = [](bool of_axis) {
     Program p(1);

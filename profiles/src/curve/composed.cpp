@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "jounce/profiles/curve/extrema.hpp"
@@ -37,11 +38,18 @@
 // derivative.
 //
 // In a short piece, the differences of both ends are mostly rounding, which the coefficients of the
-// fit multiply. If the sixth coefficient M_6 of the majorant is below that rounding, the series at
-// the start up to s^5 is the better fit. By Taylor's theorem, the error of its k-th derivative with
-// respect to s is at most
+// fit multiply. The series at the start has no such differences: each of its coefficients is exact
+// to the rounding of its own terms. By Taylor's theorem, without the terms beyond s^n the error of
+// its k-th derivative with respect to s is at most
 //
-//   (5)  6! / (6 - k)! M_6
+//   (5)  (n + 1)! / (n + 1 - k)! M_(n+1)
+//
+// M_n is coefficient n of the majorant. The k-th derivative itself is at most k! M_k. So the error is
+// this share of a bound of the derivative:
+//
+//   (6)  C(n + 1, k) M_(n+1) / M_k
+//
+// If it is below rounding for k = 1, 2 and 3, the series is the better fit.
 
 namespace jounce {
 namespace {
@@ -278,12 +286,15 @@ struct Fit {
   Piece p;
 
   [[nodiscard]] double length() const { return p.inner.length; }
-  [[nodiscard]] profiles_detail::EndSeries end(int s) const {
-    profiles_detail::EndSeries d = profiles_detail::taylor(p.inner, s);
+  /// Coefficients at the start (s = 0) or at the end (s = 1).
+  template <std::size_t n>
+  [[nodiscard]] profiles_detail::Series<n> series(int s) const {
+    profiles_detail::Series<n> d = profiles_detail::taylor<n>(p.inner, s);
     for (double& c : d) c /= p.outer.length;
-    return profiles_detail::substituted(profiles_detail::taylor(p.outer, s == 0 ? p.r0 : p.end()),
-                                        d);
+    return profiles_detail::substituted(
+        profiles_detail::taylor<n>(p.outer, s == 0 ? p.r0 : p.end()), d);
   }
+  [[nodiscard]] profiles_detail::EndSeries end(int s) const { return series<6>(s); }
   [[nodiscard]] profiles_detail::Majorant majorant() const {
     profiles_detail::Majorant d = profiles_detail::majorant(p.inner, 1);
     for (double& c : d) c /= p.outer.length;
@@ -301,20 +312,33 @@ struct Fit {
   }
 };
 
+/// True if the error (5) of the series up to s^n is at most `tolerance`, and (6) is rounding.
+bool ends_at(std::size_t n, const profiles_detail::Majorant& bound, double tolerance) {
+  constexpr double rounding = 1e-13;  // relative rounding in a fit
+  double rest = bound[n + 1];
+  if (!(rest <= tolerance)) return false;
+  for (std::size_t k = 1; k < std::tuple_size_v<Jet>; ++k) {
+    rest *= static_cast<double>(n + 2 - k) / static_cast<double>(k);
+    if (!(rest <= rounding * bound[k])) return false;
+  }
+  return true;
+}
+
 /// The series of a short piece, with its error (5); nullopt if a fit is better.
 std::optional<Segment> series_of(const Fit& piece, double tolerance, Jet& error) {
-  constexpr double rounding = 1e-13;  // relative rounding in a fit
   const profiles_detail::Majorant bound = piece.majorant();
-  if (!(bound[6] <= std::min(tolerance, rounding * bound[1]))) return std::nullopt;
-  const profiles_detail::EndSeries series = piece.end(0);
+  std::size_t n = 5;
+  while (n <= Segment::max_degree && !ends_at(n, bound, tolerance)) ++n;
+  if (n > Segment::max_degree) return std::nullopt;
+  const auto series = piece.series<Segment::max_degree + 1>(0);
   Segment f;
   f.length = piece.length();
-  f.degree = static_cast<int>(series.size()) - 1;
-  std::copy(series.begin(), series.end(), f.c.begin());
-  double stray = bound[6];
+  f.degree = static_cast<int>(n);
+  std::copy_n(series.begin(), n + 1, f.c.begin());
+  double stray = bound[n + 1];
   for (std::size_t k = 0; k < error.size(); ++k) {
     error[k] = std::max(error[k], stray);
-    stray *= static_cast<double>(6 - k) / f.length;
+    stray *= static_cast<double>(n + 1 - k) / f.length;
   }
   return f;
 }

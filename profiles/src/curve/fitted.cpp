@@ -30,12 +30,13 @@
 namespace jounce {
 namespace profiles_detail {
 
-EndSeries taylor(const Segment& f, double s) {
+template <std::size_t n>
+Series<n> taylor(const Segment& f, double s) {
   auto c = f.c;
-  for (int i = 0; i < f.degree && i < 6; ++i)
+  for (int i = 0; i < f.degree && i < static_cast<int>(n); ++i)
     for (int k = f.degree - 1; k >= i; --k)
       c[static_cast<std::size_t>(k)] += s * c[static_cast<std::size_t>(k) + 1];
-  EndSeries series{};
+  Series<n> series{};
   std::copy_n(c.begin(), series.size(), series.begin());
   for (std::size_t i = 0; i < static_cast<std::size_t>(f.sines); ++i) {
     const auto& [amplitude, angle, phase] = f.sine[i];
@@ -50,6 +51,9 @@ EndSeries taylor(const Segment& f, double s) {
   }
   return series;
 }
+
+template Series<6> taylor(const Segment& f, double s);
+template Series<12> taylor(const Segment& f, double s);
 
 Majorant majorant(const Segment& f, double reach) {
   Segment positive = f;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jounce/path/along.hpp"
+#include "jounce/path/axes_by_stretch.hpp"
 
 #include "path/proof/extremes.hpp"
 
@@ -82,12 +83,8 @@ std::string judge_axis(const Trajectory& curve, const Jet& error, const Limits& 
   return join({demand.to[axis], 0, 0}, " at the end");
 }
 
-/// The legs to which a place of the path belongs: two on a rounded corner.
-std::vector<std::size_t> legs_at(const Case& c, const Path& path, double q) {
-  const auto pieces = path.pieces();
-  const auto behind = std::upper_bound(pieces.begin() + 1, pieces.end(), q,
-                                       [](double x, const PathPiece& p) { return x < p.start; });
-  const PathPiece& piece = *std::prev(behind);
+/// The legs to which a piece of the path belongs: two on a rounded corner.
+std::vector<std::size_t> legs_of(const Case& c, const PathPiece& piece) {
   const auto leg = static_cast<std::size_t>(piece.line) - 1;
   if (piece.kind != PieceKind::turn && piece.kind != PieceKind::blend) return {leg};
   std::size_t before = leg - 1;
@@ -96,27 +93,27 @@ std::vector<std::size_t> legs_at(const Case& c, const Path& path, double q) {
 }
 
 /// Each axis stays within the limits of the commands, each in its part of the path.
-std::string judge_commands(const Case& c, const Plan& motion, const PlanAxes& axes, Worst& worst) {
+std::string judge_commands(const Case& c, const Plan& motion, Worst& worst) {
   if (std::ranges::all_of(c.legs, [](const Leg& leg) { return leg.settings.axes.empty(); }))
     return {};
   const auto given = [](double limit) {
     return std::isfinite(limit) ? std::optional(limit) : std::nullopt;
   };
-  for (std::size_t i = 0; i < axes.curves.size(); ++i) {
-    double time = 0;
-    for (const Segment& f : axes.curves[i].segments()) {
-      const double q = motion.law().at(time + f.length / 2).position;
-      for (const std::size_t leg : legs_at(c, motion.path(), q)) {
-        const std::vector<AxisRates>& rates = c.legs[leg].settings.axes;
-        if (i >= rates.size()) continue;
-        const Limits limits{.velocity = given(rates[i].velocity),
-                            .acceleration = given(rates[i].acceleration),
-                            .jerk = given(rates[i].jerk)};
-        if (const std::string why = limited(f, limits, i, worst); !why.empty())
-          return why + " in command " + std::to_string(leg + 1) + " at " + text(time) + " s";
-      }
-      time += f.length;
-    }
+  AxesByStretch axes(motion);
+  for (const LawInterval& stretch : motion.law().stretches()) {
+    axes.next();
+    for (std::size_t i = 0; i < c.axes; ++i)
+      for (std::size_t k = 0; k < axes.segments(i).size(); ++k)
+        for (const std::size_t leg : legs_of(c, motion.path().pieces()[axes.pieces(i)[k]])) {
+          const std::vector<AxisRates>& rates = c.legs[leg].settings.axes;
+          if (i >= rates.size()) continue;
+          const Limits limits{.velocity = given(rates[i].velocity),
+                              .acceleration = given(rates[i].acceleration),
+                              .jerk = given(rates[i].jerk)};
+          if (const std::string why = limited(axes.segments(i)[k], limits, i, worst); !why.empty())
+            return why + " in command " + std::to_string(leg + 1) + " after " + text(stretch.time) +
+                   " s";
+        }
   }
   return {};
 }
@@ -242,7 +239,7 @@ std::string judge_plan(const Case& c, const Plan& plan, Worst& worst, double rou
   demand.to = c.legs.back().to;
   const PlanAxes axes = to_axes(plan);
   if (std::string why = judge_axes(axes, c.limits, demand, worst); !why.empty()) return why;
-  if (std::string why = judge_commands(c, plan, axes, worst); !why.empty()) return why;
+  if (std::string why = judge_commands(c, plan, worst); !why.empty()) return why;
   if (std::string why = judge_corners(c, plan, worst); !why.empty()) return why;
   const double T = plan.duration();
   const bool all_lines = !c.has(Leg::Shape::arc) && !c.has(Leg::Shape::spline);
@@ -266,7 +263,7 @@ std::string judge_motion(const Case& c, const Plan& plan, const Plan& motion, do
   demand.to = point_at_length(plan.path(), last.start + last.length);
   const PlanAxes axes = to_axes(motion);
   if (std::string why = judge_axes(axes, c.limits, demand, worst); !why.empty()) return why;
-  if (std::string why = judge_commands(c, motion, axes, worst); !why.empty()) return why;
+  if (std::string why = judge_commands(c, motion, worst); !why.empty()) return why;
   double q = from;
   constexpr int places = 24;
   for (int i = 0; i <= places; ++i) {

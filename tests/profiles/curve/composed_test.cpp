@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/curve/over_length.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
 
@@ -98,6 +99,43 @@ TEST(Composed, AShortSegmentFarFromTheOriginEndsAtItsOwnEnd) {
   const Trajectory clock({line(3 * f.length(), f.start(), f.end())}, 7e3);
   EXPECT_NEAR(extrema(composed(f, clock), 2).max.value, 0.14 / 9, 1e-14);
   EXPECT_NEAR(extrema(composed(f, clock), 2).min.value, -0.14 / 9, 1e-14);
+}
+
+TEST(Composed, AShortRampOnAnArcIsExactToItsOwnRounding) {
+  // A ramp of 10 us covers 1e-10 of an arc with coordinates of 50: by differences of its ends, rounding of the positions
+  // changed the jerk by 1e-4 of it.
+  const double radius = 50;
+  const double length = 2;
+  Segment f = line(length, 0, 0);
+  f.degree = 0;
+  f.sines = 1;
+  f.sine[0] = {radius, length / radius, 0.7};
+  const Curve<OverLength> arc({f});
+  for (const double v : {0.0, 1e-3, 2.0})
+    for (const double duration : {1e-6, 1e-5, 1e-3}) {
+      const double jerk = 6e5;
+      Segment ramp;
+      ramp.length = duration;
+      ramp.degree = 3;
+      ramp.c[0] = 0.3;
+      ramp.c[1] = v * duration;
+      ramp.c[3] = jerk * duration * duration * duration / 6;
+      const Fitted<OverTime> g = composed_within(arc, Trajectory({ramp}), 1e-9);
+      ASSERT_EQ(g.curve.segments().size(), 1U);
+      for (int n = 0; n <= 16; ++n) {
+        const double t = duration * n / 16;
+        const Jet law{0.3 + t * (v + jerk * t * t / 6), v + jerk * t * t / 2, jerk * t, jerk};
+        const double at = law[0] / radius + 0.7;
+        const Jet place{radius * std::sin(at), std::cos(at), -std::sin(at) / radius,
+                        -std::cos(at) / (radius * radius)};
+        const Jet wanted = chained(place, law);
+        const Jet got = evaluate(g.curve.segments()[0], n / 16.0);
+        EXPECT_NEAR(got[0], wanted[0], 1e-13 * radius);
+        EXPECT_NEAR(got[1], wanted[1], 1e-12 * law[1]) << v << ", " << duration << " at " << t;
+        EXPECT_NEAR(got[3], wanted[3], 1e-11 * jerk) << v << ", " << duration << " at " << t;
+        EXPECT_LE(g.error[3], 1e-10 * jerk);
+      }
+    }
 }
 
 TEST(Composed, RandomPolynomialsMeetTheChainRule) {

@@ -22,8 +22,9 @@ using Series = std::array<double, n>;
 using EndSeries = Series<6>;
 using Majorant = Series<13>;
 
-/// Returns the coefficients of f at s, for any s.
-EndSeries taylor(const Segment& f, double s);
+/// Returns the first n coefficients of f at s, for any s; n is 6 or 12.
+template <std::size_t n = 6>
+Series<n> taylor(const Segment& f, double s);
 
 /// Upper bounds of the magnitude of every coefficient of f over |s| <= reach.
 Majorant majorant(const Segment& f, double reach);
