@@ -280,6 +280,43 @@ TEST(Map, AMapWithoutBoundsIsReportedAsSampled) {
   EXPECT_LE(path_tests::worst_ratio(to_axes(motion), motion.given().limits), 1 + 1e-12);
 }
 
+/// A map of a user with an error: beyond x = 150, its joints are NaN, or its velocities are halved.
+class WrongMap final : public AxisMap {
+ public:
+  explicit WrongMap(bool nan) : AxisMap(2, 2), nan_(nan) {}
+  MapState jets(std::span<const Jet> point, std::span<Jet> joints) const override {
+    for (std::size_t j = 0; j < 2; ++j) {
+      joints[j] = point[j];
+      if (nan_ && point[0][0] > 150) joints[j].fill(std::nan(""));
+      if (!nan_) joints[j][1] /= 2;
+    }
+    return MapState::ok;
+  }
+
+ private:
+  bool nan_;
+};
+
+TEST(Map, AnErrorInAMapOfAUserIsReported) {
+  const auto rejected = [](bool nan, const Program& program) {
+    const JointSpace joints{std::make_shared<WrongMap>(nan), joint_limits(2, 200, 1500, 20000)};
+    try {
+      static_cast<void>(plan(program, none(2), {.joints = joints}));
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.key(), "map");
+      return error.rule();
+    }
+    return std::string();
+  };
+  const PathSettings rounded{.velocity = 400, .corner = Corner::deviation, .value = 2};
+  EXPECT_THAT(rejected(true, rectangle(rounded)), HasSubstr("is not finite"));
+  Program p(2);
+  p.set(rounded);
+  p.line({10, 0}, 1);
+  EXPECT_THAT(rejected(false, p),
+              HasSubstr("the first derivative 0.5, but its values change by 1"));
+}
+
 TEST(Map, AHaltKeepsTheLimitsOfTheJointsAndThePath) {
   const Program program = rectangle({.velocity = 400, .corner = Corner::deviation, .value = 2});
   const Plan motion = plan(

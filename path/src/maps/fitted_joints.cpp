@@ -15,6 +15,7 @@
 #include "path/src/corners/blend.hpp"
 #include "path/src/geometry/hull.hpp"
 #include "path/src/geometry/septic.hpp"
+#include "path/src/maps/joints_at.hpp"
 #include "path/src/timing/not_limited.hpp"
 
 // The joints f over a part of the path, s in [0, 1], are replaced by the polynomial p of degree 7
@@ -74,12 +75,6 @@ Derivatives bounds_of(std::span<const Segment> axes, std::size_t path_axes) {
   return d;
 }
 
-std::string text_of(const Jets& jets, std::size_t n) {
-  std::string text = "(";
-  for (std::size_t i = 0; i < n; ++i) text += (i > 0 ? ", " : "") + six_digits(jets[i][0]);
-  return text + ")";
-}
-
 class Fitting {
  public:
   Fitting(Path path, std::span<const Unit> units, const JointSpace& joints, const Rates& rates,
@@ -136,7 +131,35 @@ class Fitting {
 
   MapState state_at(const Part& part, double s, Jets& point, Jets& joint) const {
     for (std::size_t i = 0; i < n_; ++i) point[i] = evaluate(part.tool[i], s);
-    return map_.jets(std::span(point).first(map_.axes()), std::span(joint).first(map_.joints()));
+    return path_detail::joints_at(map_, point, joint);
+  }
+
+  /// Rejects a map without bounds whose first derivatives are not those of its values.
+  void require_derivatives(const Part& part) const {
+    if (fit_.proven) return;
+    constexpr double step = 1e-4;   // of the part, on both sides of its middle
+    constexpr double share = 0.01;  // greater than the change of a derivative over the two steps
+    Jets point{};
+    Jets before{};
+    Jets after{};
+    Jets here{};
+    if (state_at(part, 0.5 - step, point, before) != MapState::ok ||
+        state_at(part, 0.5 + step, point, after) != MapState::ok ||
+        state_at(part, 0.5, point, here) != MapState::ok)
+      return;
+    for (std::size_t j = 0; j < map_.joints(); ++j) {
+      double change = after[j][0] - before[j][0];
+      if (const double turn = map_.turn(j); turn > 0) change -= turn * std::round(change / turn);
+      const double mean = change / (2 * step * part.length);
+      const double allowed = share * std::max(std::abs(mean), std::abs(here[j][1])) +
+                             joint_rounding * std::abs(here[j][0]) / (step * part.length);
+      if (std::abs(mean - here[j][1]) > allowed)
+        throw InputError("map", path_detail::text_of(point, map_.axes()),
+                         "is a point at which jets() gives joint " + std::to_string(j + 1) +
+                             " the first derivative " + six_digits(here[j][1]) +
+                             ", but its values change by " + six_digits(mean) +
+                             ": correct the derivatives");
+    }
   }
 
   [[noreturn]] void fail(const Part& part, double s, MapState state) const {
@@ -147,7 +170,7 @@ class Fitting {
         ", at " + six_digits(part.start + s * part.length) + " along the path";
     const bool at_start = !(part.start + s * part.length > 0);
     throw InputError(
-        at_start ? "start" : "point", text_of(point, map_.axes()),
+        at_start ? "start" : "point", path_detail::text_of(point, map_.axes()),
         state == MapState::out_of_reach
             ? "is out of reach of the joints" + where + ": move the path or the machine"
             : "is a singular position of the joints" + where +
@@ -170,6 +193,7 @@ class Fitting {
   /// Reports why the fit does not converge. Over so short a part, a joint has one velocity, unless it is singular.
   [[noreturn]] void fail_to_fit(const Part& part, const Jets& begin, const Jets& end,
                                 double error) const {
+    require_derivatives(part);
     for (std::size_t j = 0; j < map_.joints(); ++j) {
       const double mean = (end[j][0] - begin[j][0]) / part.length;
       const double size = std::max(std::abs(begin[j][0]), std::abs(end[j][0]));
@@ -187,7 +211,8 @@ class Fitting {
   }
 
   /// Rejects a command of too many parts. The axis that moves farthest is named.
-  [[noreturn]] void fail_to_end() const {
+  [[noreturn]] void fail_to_end(const Part& part) const {
+    require_derivatives(part);
     const std::size_t k = tool_units_[unit_].piece;
     const PathPiece& piece = path_.pieces()[k];
     const Point from = path_.point(k, 0);
@@ -323,7 +348,7 @@ class Fitting {
   }
 
   void emit(const Part& part, const Axes& axes, const Derivatives& bounds) {
-    if (pieces_.size() - before_ >= most_parts) fail_to_end();
+    if (pieces_.size() - before_ >= most_parts) fail_to_end(part);
     const Unit& unit = tool_units_[unit_];
     PathPiece piece = path_.pieces()[unit.piece];
     piece.start = part.start;

@@ -11,6 +11,7 @@
 
 #include "path/src/geometry/pieces.hpp"
 #include "path/src/maps/fitted_joints.hpp"
+#include "path/src/maps/joints_at.hpp"
 
 namespace jounce {
 namespace {
@@ -130,9 +131,7 @@ Rates Joined::corner_rates(const Route& route) const {
       const Point at = route.path.point(k, inside * route.path.pieces()[k].length);
       std::array<Jet, max_axes> point{};
       for (std::size_t m = 0; m < map.axes(); ++m) point[m] = {at[m], m == i ? 1.0 : 0.0, 0, 0};
-      if (map.jets(std::span(point).first(map.axes()), std::span(joint).first(map.joints())) !=
-          MapState::ok)
-        continue;
+      if (path_detail::joints_at(map, point, joint) != MapState::ok) continue;
       Point least;
       least.fill(PathSettings::none);
       for (std::size_t j = 0; j < map.joints(); ++j) {

@@ -52,7 +52,8 @@ class AxisMap {
 
   /// Computes the joints and their three derivatives from a point and its three derivatives. The
   /// derivatives are with respect to one common parameter. An angle may jump by whole turns
-  /// between two calls; plans remove such jumps.
+  /// between two calls; plans remove such jumps. A plan rejects a joint that is not finite although
+  /// the result is MapState::ok.
   virtual MapState jets(std::span<const Jet> point, std::span<Jet> joints) const = 0;
 
   /// Period of a joint, in its unit (360 for an angle in deg); 0: not periodic.
