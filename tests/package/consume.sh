@@ -24,3 +24,12 @@ logged g++ -std=c++20 "$2/main.cpp" -o "$scratch/alone" $(words jounce-profiles)
 # shellcheck disable=SC2046
 logged g++ -std=c++20 "$scratch/build/sources/use_base.cpp" -o "$scratch/base" $(words jounce-base)
 "$scratch/base"
+
+# Each module has all libraries of its .pc file.
+echo 'int main() {}' | logged g++ -x c++ -c - -o "$scratch/empty.o"
+for file in "$folder"/jounce-*.pc; do
+  module=$(basename "$file" .pc)
+  # shellcheck disable=SC2046
+  logged g++ "$scratch/empty.o" -o "$scratch/whole" $(PKG_CONFIG_PATH="$folder" pkg-config --libs-only-L "$module") \
+    -Wl,--whole-archive "-l$(echo "$module" | tr - _)" -Wl,--no-whole-archive $(words "$module")
+done
