@@ -6,6 +6,7 @@
 #include <csignal>
 #include <future>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "jounce/profiles/error.hpp"
@@ -25,7 +26,6 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not 
 class SignalWatch {
  public:
   SignalWatch() {
-    signals_seen = 0;
     struct sigaction count {};
     count.sa_handler = [](int) { ++signals_seen; };
     count.sa_flags = SA_RESTART;
@@ -102,7 +102,8 @@ class Deadline {
 
   [[nodiscard]] bool reached(const Dispatcher& dispatcher) const {
     const double elapsed = std::chrono::duration<double>(steady_now() - begin_).count();
-    return signals_seen > 0 || (run_.seconds && elapsed >= *run_.seconds) ||
+    return signals_seen > 0 || run_.stop.stop_requested() ||
+           (run_.seconds && elapsed >= *run_.seconds) ||
            (run_.once && !dispatcher.moving() && has_played(dispatcher));
   }
 
@@ -192,7 +193,9 @@ ExecutorSummary run_executor(Transport& link, const std::vector<ExecutorOptions>
   std::vector<ExecutorOptions> axes = of_axes;
   Claim claim = claimed(link, axes);
   const Deadline deadline(run);
-  const SignalWatch watch;
+  signals_seen = 0;
+  std::optional<SignalWatch> watch;
+  if (run.handle_signals) watch.emplace();
   const executor_detail::RunRecord recording = executor_detail::record_of(run, axes);
   for (auto& axis : axes) {
     axis.recorder = recording.recorder.get();

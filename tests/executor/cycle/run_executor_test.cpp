@@ -86,6 +86,25 @@ TEST(RunExecutor, ASignalStopsTheMotionFirst) {
   }
 }
 
+TEST(RunExecutor, AnotherProgramEndsItAndKeepsItsSignals) {
+  MemoryNetwork network;
+  MemoryTransport link(network);
+  Streamer streamer(network, *there_and_back(0, 5, 0.5, Extrapolation::wrap));
+  std::stop_source source;
+  struct sigaction before {
+  }, during{};
+  sigaction(SIGINT, nullptr, &before);
+  streamer.at_goal = [&] {
+    sigaction(SIGINT, nullptr, &during);
+    source.request_stop();
+  };
+  const ExecutorSummary summary = run_executor(
+      link, {options()}, {.seconds = 60, .stop = source.get_token(), .handle_signals = false});
+  EXPECT_EQ(during.sa_handler, before.sa_handler);
+  EXPECT_EQ(summary.axes.at(0).stopped, 1U) << "the motion is stopped first";
+  EXPECT_EQ(summary.axes.at(0).fault, Cause::none);
+}
+
 TEST(RunExecutor, EndsWithItsTimeAndReportsWhatItWasGranted) {
   MemoryNetwork network;
   network.on_wait = [](Nanos time) { std::this_thread::sleep_for(time); };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,11 @@ struct RunOptions {
   /// Called when the executor owns the names of its axes, its files are open, and it accepts
   /// commands.
   std::function<void()> up = {};
+  /// Ends the run, like SIGTERM: for an executor within another program.
+  std::stop_token stop = {};
+  /// False: run_executor() leaves the signal handlers of the process as they are. Then ignore
+  /// SIGPIPE, so that a closed pipe does not end the process while an axis moves.
+  bool handle_signals = true;
 };
 
 /// Result of one axis.
@@ -69,9 +75,10 @@ struct ExecutorSummary {
 };
 
 /// Runs an executor (`jounce run`). The cyclic thread steps all axes; the calling thread
-/// communicates over `link`. The run ends after the given time, after one motion, or at SIGINT or
-/// SIGTERM. Before it ends, axes in motion stop on their paths. A second signal ends the run
-/// without waiting for these stops.
+/// communicates over `link`. The run ends after the given time, after one motion, at a request of
+/// `stop`, or at SIGINT, SIGTERM or SIGHUP. Before it ends, axes in motion stop on their paths. A
+/// second signal ends the run without waiting for these stops. During the run, the function handles
+/// these signals and ignores SIGPIPE; then it restores the handlers of the process.
 ///
 /// Before the executor opens a file, it claims the names of its axes, all at once, in 0.3 s
 /// (Claim). If two running executors have the same name, because two networks were connected later,
