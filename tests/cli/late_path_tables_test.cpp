@@ -9,6 +9,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,7 @@
 #include "jounce/design/executor_tables.hpp"
 #include "jounce/design/input.hpp"
 
+#include "support/random.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace jounce::cli {
@@ -59,26 +61,57 @@ double greatest_jerk(const Columns& knots) {
   return static_cast<double>(greatest);
 }
 
+/// Expects that the tables keep the jerk by the witness, and that an axis with their limits admits them.
+void expect_admitted(const std::vector<Input>& inputs, const std::string& what, double share) {
+  ASSERT_EQ(inputs.size(), 3u);
+  for (const Input& input : inputs) {
+    const Table& table = input.table.table;
+    const double limit = *input.limits.jerk;
+    const double jerk = greatest_jerk(table.columns());
+    EXPECT_GT(jerk, share * limit) << input.axis;
+    EXPECT_LE(jerk, limit * (1 + 1e-6)) << input.axis << " " << what;
+    AxisConfig axis;
+    axis.limits = input.limits;
+    const Job job(1, std::make_shared<const Table>(table), nullptr);
+    const auto refusal = admit(job, axis, table.columns().p.front());
+    EXPECT_FALSE(refusal) << input.axis << " " << what << ": " << (refusal ? refusal->value : 0);
+    EXPECT_TRUE(check_all(input).ok()) << input.axis << " " << what;
+  }
+}
+
 TEST(LatePathTables, KeepTheLimitsAndAreAdmitted) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "plate.toml") << text_of(plate / "plate.toml");
   for (const char* const delay : {"0", "60", "3600"}) {
     std::ofstream(folder / "plate.ngc") << delayed(delay);
-    const std::vector<Input> inputs = read_inputs((folder / "plate.toml").string());
-    ASSERT_EQ(inputs.size(), 3u);
-    for (const Input& input : inputs) {
-      const Table& table = input.table.table;
-      const double limit = *input.limits.jerk;
-      const double jerk = greatest_jerk(table.columns());
-      EXPECT_GT(jerk, 0.9 * limit) << input.axis;
-      EXPECT_LE(jerk, limit * (1 + 1e-6)) << input.axis << " after " << delay << " s";
-      AxisConfig axis;
-      axis.limits = input.limits;
-      const Job job(1, std::make_shared<const Table>(table), nullptr);
-      const auto refusal = admit(job, axis, table.columns().p.front());
-      EXPECT_FALSE(refusal) << input.axis << " after " << delay
-                            << " s: " << (refusal ? refusal->value : 0);
-    }
+    expect_admitted(read_inputs((folder / "plate.toml").string()),
+                    std::string("after ") + delay + " s", 0.9);
+  }
+}
+
+/// A spiral of short lines. The corners are curves of degree 11 over time, in intervals of 20 ms.
+std::string spiral(test::Random& random) {
+  std::ostringstream program;
+  program << "G21 G90 G17 G54 G64 P0.02\nG0 X60 Y40\nG1 Z-1 F600\n";
+  const double start = random.uniform(0.5, 3);
+  const int lines = 20 + random.below(40);
+  for (int i = 0; i < lines; ++i) {
+    const double angle = i * random.uniform(0.1, 0.5);
+    const double radius = start + 0.05 * i;
+    program << "G1 X" << 60 + radius * std::cos(angle) << " Y" << 40 + radius * std::sin(angle)
+            << " F2400\n";
+  }
+  return program.str() + "M30\n";
+}
+
+TEST(LatePathTables, OfShortLinesKeepTheLimitsAndAreAdmitted) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "plate.toml") << text_of(plate / "plate.toml");
+  test::Random random(27);
+  for (int i = 0; i < 12; ++i) {
+    std::ofstream(folder / "plate.ngc") << spiral(random);
+    expect_admitted(read_inputs((folder / "plate.toml").string()), "of spiral " + std::to_string(i),
+                    0.5);
   }
 }
 

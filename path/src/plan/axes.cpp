@@ -6,6 +6,7 @@
 #include "jounce/path/plan.hpp"
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/curve/over_length.hpp"
+#include "jounce/profiles/detail/compensated_sum.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -41,7 +42,9 @@ double place_of(const Segment& f, double y, double from) {
 }
 
 /// Returns the number of cuts at the beginning of `out`; the memory of the others is used again.
-std::size_t cut_at_pieces(const Path& path, const LawInterval& stretch, std::vector<Cut>& out) {
+/// `offset`: place of the start of the stretch on its first piece; then that of its end on the last.
+std::size_t cut_at_pieces(const Path& path, const LawInterval& stretch, double& offset,
+                          std::vector<Cut>& out) {
   std::array<LawPhase, 7> phase;
   const std::size_t count = phases(stretch, phase);
   std::size_t used = 0;
@@ -50,10 +53,12 @@ std::size_t cut_at_pieces(const Path& path, const LawInterval& stretch, std::vec
     out[used].piece = number;
     out[used++].law.clear();
   };
-  // Each part is computed from its whole phase, and each place from the path: a phase may extend over
-  // many thousands of pieces, in which rounding would add up.
+  // Each part is computed from its whole phase, and each place from the lengths of the pieces: a phase
+  // may extend over many thousands of pieces, in which rounding would add up.
   std::size_t piece = stretch.piece;
-  const auto place = [&](std::size_t k) { return path.pieces()[k].start - stretch.start; };
+  profiles_detail::CompensatedSum ends;  // the end of this piece, from the start of the first one
+  ends.add(path.pieces()[piece].length);
+  double begin = -offset;  // of this piece, from the start of the stretch
   begin_piece(piece);
   for (std::size_t i = 0; i < count; ++i) {
     const Segment phase_of = segment_of(phase[i]);
@@ -61,18 +66,21 @@ std::size_t cut_at_pieces(const Path& path, const LawInterval& stretch, std::vec
     const auto add_to = [&](double s) {
       if (!(s > from)) return;
       const Segment law = from > 0 || s < 1 ? part(phase_of, from, s) : phase_of;
-      if (law.length > 0) out[used - 1].law.push_back(scaled(law, 1, -place(piece)));
+      if (law.length > 0) out[used - 1].law.push_back(scaled(law, 1, -begin));
       from = s;
     };
     while (piece + 1 < stretch.piece + stretch.pieces) {
-      const double end = place(piece + 1);
+      const double end = ends.value() - offset;
       if (value(phase_of, 1) < end) break;
       add_to(place_of(phase_of, end, from));
       begin_piece(++piece);
+      ends.add(path.pieces()[piece].length);
+      begin = end;
       if (!(from < 1)) break;
     }
     add_to(1);
   }
+  offset = stretch.length - begin;
   return used;
 }
 
@@ -187,6 +195,16 @@ AxesByStretch::AxesByStretch(const Plan& plan, double tolerance) : plan_(plan) {
   error_.resize(plan.path().axes());
 }
 
+/// The place of the start of a stretch on its first piece. Far from the start of the path, q has few
+/// digits, so the place is 0 or the end of the previous stretch, if it is that to rounding.
+double AxesByStretch::offset_of(const LawInterval& stretch) const {
+  const double place = stretch.start - plan_.path().pieces()[stretch.piece].start;
+  const double rounding = rounded_sum * stretch.start;
+  if (stretch.piece == last_.piece && std::abs(place - last_.offset) <= rounding)
+    return last_.offset;
+  return std::abs(place) <= rounding ? 0 : place;
+}
+
 bool AxesByStretch::next() {
   const auto stretches = plan_.law().stretches();
   if (next_ == stretches.size()) return false;
@@ -203,7 +221,9 @@ bool AxesByStretch::next() {
     for (std::vector<std::size_t>& pieces : piece_of_) pieces.push_back(stretch.piece);
     return true;
   }
-  const std::size_t cuts = cut_at_pieces(path, stretch, cuts_);
+  double offset = offset_of(stretch);
+  const std::size_t cuts = cut_at_pieces(path, stretch, offset, cuts_);
+  last_ = {cuts_[cuts - 1].piece, offset};
   for (Cut& cut : std::span(cuts_).first(cuts)) {
     drop_slivers(cut, path.pieces()[cut.piece].length);
     for (std::size_t i = 0; i < segments_.size(); ++i) {

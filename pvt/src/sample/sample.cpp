@@ -215,21 +215,49 @@ class Spread {
   std::array<double, 4> peaks_;
 };
 
-/// f(b) - f(a) without the rounding of either: for every stretch of length h between breaks
+/// True if (3) is the rise of the segment.
+bool has_short_rise(const Segment& f) {
+  constexpr int greatest = 6;
+  return f.degree <= greatest && f.sines == 0;
+}
+
+/// f(1) - f(0) of any segment without the rounding of either: the coefficients beyond the constant
+/// one, and for each sine 2 amplitude cos(phase + angle / 2) sin(angle / 2).
+double rise(const Segment& f) {
+  double sum = 0;
+  for (auto k = static_cast<std::size_t>(f.degree); k > 0; --k) sum += f.c[k];
+  for (std::size_t k = 0; k < static_cast<std::size_t>(f.sines); ++k) {
+    const auto& [amplitude, angle, phase] = f.sine[k];
+    sum += 2 * amplitude * std::cos(phase + angle / 2) * std::sin(angle / 2);
+  }
+  return sum;
+}
+
+/// f(b) - f(a) without the rounding of either: the sum over the stretches between breaks. With the
+/// length h and up to the sixth power, a stretch rises by
 ///
 ///     (3)  h (v0 + v1) / 2 + h^2 (a0 - a1) / 10 + h^3 (j0 + j1) / 120
-///
-/// which is exact for polynomials up to the sixth power.
 template <class Over>
 double rise(const Curve<Over>& f, double a, double b) {
+  const auto breaks = f.breaks();
   double sum = 0;
   while (a < b) {
-    const auto above = std::upper_bound(f.breaks().begin(), f.breaks().end(), a);
-    const double end = above == f.breaks().end() ? b : std::min(b, *above);
-    const Jet from = f.jet(a, Side::right);
-    const Jet to = f.jet(end, Side::left);
-    const double h = end - a;
-    sum += h * ((from[1] + to[1]) / 2 + h * ((from[2] - to[2]) / 10 + h * (from[3] + to[3]) / 120));
+    const auto above = std::upper_bound(breaks.begin(), breaks.end(), a);
+    const double end = above == breaks.end() ? b : std::min(b, *above);
+    const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+        above - breaks.begin() - 1, 0, static_cast<std::ptrdiff_t>(f.segments().size()) - 1));
+    if (const Segment& piece = f.segments()[i]; has_short_rise(piece)) {
+      const Jet from = f.jet(a, Side::right);
+      const Jet to = f.jet(end, Side::left);
+      const double h = end - a;
+      sum +=
+          h * ((from[1] + to[1]) / 2 + h * ((from[2] - to[2]) / 10 + h * (from[3] + to[3]) / 120));
+    } else {
+      const auto place = [&](double x) {
+        return std::clamp((x - breaks[i]) / piece.length, 0.0, 1.0);
+      };
+      if (place(a) < place(end)) sum += rise(part(piece, place(a), place(end)));
+    }
     a = end;
   }
   return sum;
@@ -242,7 +270,9 @@ double rise(const Curve<Over>& f, double a, double b) {
 /// e / d: the interval then has the curve's derivatives, and the adjacent ones change by much less.
 ///
 /// Knots at the velocity 0 stay where they are. From both of them, the knots settle towards the
-/// longest interval between them, in which the sum of the rounding is least visible.
+/// longest interval between them. The sum of the rounding and of the steps of the curve, which is
+/// there then, is spread over the long intervals: a part e of it changes the jerk by 60 e / d^3, so
+/// each takes a part in proportion to d^3, and the change is the same in all.
 template <class Over>
 class ShortIntervals {
  public:
@@ -294,6 +324,34 @@ class ShortIntervals {
       if (length(all, i) < noisy_) settle(all, i, i + 1);
     for (std::size_t i = to - 1; i > longest; --i)
       if (length(all, i) < noisy_) settle(all, i, i);
+    spread(all, from, to, longest);
+  }
+
+  /// Spreads the error of the rise in the longest interval over all intervals in which the spacing of
+  /// the doubles is not visible. A position moves by a multiple of this spacing, so the differences
+  /// in the other intervals stay as they are.
+  void spread(Columns& all, std::size_t from, std::size_t to, std::size_t longest) const {
+    const auto off = [&](std::size_t k, Side side) { return all.p[k] - f_.jet(all.x[k], side)[0]; };
+    const double error = off(longest + 1, Side::left) - off(longest, Side::right);
+    if (!(jerk_change(error, length(all, longest)) > settled_noise * jerk_)) return;
+    double farthest = 0;
+    for (std::size_t i = from; i <= to; ++i) farthest = std::max(farthest, std::abs(all.p[i]));
+    const double spacing = std::nextafter(farthest, profiles_detail::inf) - farthest;
+    const auto share = [&](std::size_t i) {
+      const double d = length(all, i);
+      return jerk_change(spacing, d) > settled_noise * jerk_
+                 ? 0
+                 : profiles_detail::cube(d / length(all, longest));
+    };
+    double sum = 0;
+    for (std::size_t i = from; i < to; ++i) sum += share(i);
+    if (!(sum > 1)) return;
+    double before = 0;
+    for (std::size_t k = from + 1; k < to; ++k) {
+      before += share(k - 1);
+      const double part = before / sum - (k > longest ? 1 : 0);
+      all.p[k] += spacing * std::round(error * part / spacing);
+    }
   }
 
   /// Settles interval i by its knot `moved`.
@@ -319,15 +377,18 @@ class ShortIntervals {
     all.v[i + 1] += more;
   }
 
+  /// The greatest change of the jerk by an error of the rise over the length d, with its own rounding.
+  static double jerk_change(double error, double d) {
+    return 120 * std::abs(error) / profiles_detail::cube(d);
+  }
+
   /// The place among the doubles from x towards `limit` with the least change of the jerk, or the
   /// first one with an invisible change. An error e of the rise over the length d changes the jerk
   /// by up to 120 e / d^3. Beside a step of the jerk, a moved knot changes it by up to twice the
   /// greatest jerk times the share of d by which the knot moves.
   template <class At>
   Place best(double x, double limit, double d, At at) const {
-    const auto change = [&](double error) {
-      return 120 * std::abs(error) / profiles_detail::cube(d);
-    };
+    const auto change = [&](double error) { return jerk_change(error, d); };
     const double from = x;
     Place found = at(x);
     double least = change(found.error);

@@ -39,8 +39,17 @@ class AxesByStretch {
   };
 
  private:
+  /// A place on a piece.
+  struct Place {
+    std::size_t piece = 0;
+    double offset = 0;
+  };
+
+  [[nodiscard]] double offset_of(const LawInterval& stretch) const;
+
   const Plan& plan_;
   std::size_t next_ = 0;  // the next stretch
+  Place last_;            // the end of the previous stretch
   std::vector<Jet> allowed_, error_;
   std::vector<Cut> cuts_;
   std::vector<Segment> pieces_;
