@@ -76,8 +76,10 @@ void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
 
 /// Gives the quantities that rules name by a word their units.
 void name_quantities(TomlReader& top, const Spec& spec, const Kind& kind) {
-  if (kind.name == std::string_view("axes")) return;  // each axis has units of its own
   const Units& units = spec.units;
+  for (const char* noun : {"the motion has the length", "a segment of the length"})
+    top.name_quantity(noun, kind.runs == Kind::over_master ? units.x : spec.time_unit);
+  if (kind.name == std::string_view("axes")) return;  // each axis has units of its own
   if (kind.runs == Kind::over_master) {
     for (const char* noun : {"master", "length from", "the master travels"})
       top.name_quantity(noun, units.x);
@@ -87,8 +89,11 @@ void name_quantities(TomlReader& top, const Spec& spec, const Kind& kind) {
       top.name_quantity(noun, rate_unit(units.position, units.x, 1));
     return;
   }
+  top.name_quantity("the time", spec.time_unit);
   top.name_quantity("position", units.position);
-  top.name_quantity("velocity", rate_unit(units.position, spec.time_unit, 1));
+  int order = 1;
+  for (const char* noun : {"velocity", "acceleration", "jerk"})
+    top.name_quantity(noun, rate_unit(units.position, spec.time_unit, order++));
 }
 
 /// The travel of the master through the motion of the slave once.

@@ -280,7 +280,8 @@ TEST(FollowPlan, RejectsContradictions) {
             "(zone[1].from = 10, zone[1].to = 40): correct the master, or leave the point out");
   EXPECT_THAT(text({.points = {{20, 30}}, .zones = {{30, 40, 1}}}), HasSubstr("zone[1].slave"));
   EXPECT_EQ(text({.points = {{100, 50, 1}}, .periodic = true, .start_ratio = 0}),
-            "periodic = true: needs the same ratio at start and end: they are 0 and 1");
+            "periodic = true: needs the same ratio at start and end: at the start, ratio = 0; at "
+            "the end, ratio = 1");
   EXPECT_THAT(text({.points = {{NAN, 0}}}), HasSubstr("point[1].master = nan"));
 }
 

@@ -607,8 +607,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml:9:15: move.to_velocity = 11 mm/s: must be at most 10 mm/s, the greatest "
                   "velocity"},
         BadMotion{move_spec(point + "position_max = 40"),
-                  "a.toml:6:6: move.to: no motion from start to target keeps the position limits: "
-                  "target 50 is above the highest permitted value 40"},
+                  "a.toml:6:6: move.to = 50 mm: must be at most position_max = 40 mm"},
         BadMotion{move_spec(point + "position_min = 60\nposition_max = 40"),
                   "a.toml:9:16: move.position_min = 60 mm: must be below position_max = 40 mm"},
         BadMotion{move_spec(point + "from = 50"),
@@ -626,7 +625,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec(trap, "", "position = \"pulse\""),
                   "a.toml:3:9: units.time = \"s\": must be ms for the profiles of Googol"},
         BadMotion{move_spec(trap + "smooth_time = 51", "", pulse_ms),
-                  "a.toml:9:15: move.smooth_time = 51: must be between 0 and 50 ms"},
+                  "a.toml:9:15: move.smooth_time = 51 ms: must be between 0 and 50 ms"},
         BadMotion{move_spec(trap + "smooth_time = 2.5", "", pulse_ms),
                   "a.toml:9:15: move.smooth_time = 2.5: must be a whole number"},
         BadMotion{move_spec(with(trap, "50000", "5000000000"), "", pulse_ms),

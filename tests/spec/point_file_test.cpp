@@ -60,7 +60,7 @@ TEST_F(PointFile, MayLeaveOutWhatIsFilledIn) {
 
 TEST_F(PointFile, IsNamedWithTheLineOfAMistake) {
   EXPECT_THAT(complaint(pvt, "time [s],position,velocity\n0,0,0\n\n2,1,0\n1,2,0\n"),
-              ::testing::StartsWith("points.csv:5: time = 1: must be greater than 2"));
+              ::testing::StartsWith("points.csv:5:1: time = 1 s: must be greater than 2 s"));
   EXPECT_THAT(complaint(pvt, "time [s],position,speed\n0,0,0\n"),
               "points.csv:1: speed: is not a column of this table; possible columns: time, "
               "position, velocity");
@@ -102,20 +102,23 @@ TEST_F(PointFile, HoldsTheSegmentsOfAFollowTable) {
 
 TEST_F(PointFile, APtTableThatTheControllerRejectsIsNamedWithItsOwnLine) {
   const std::string googol = pt + "[pt]\ncontroller = \"googol\"\n";
-  EXPECT_THAT(complaint(googol, "time,position\n16,1\n\n32.5,2\n"),
-              ::testing::StartsWith("points.csv:4:1: time = 32.5: must be a whole number of ms"));
+  EXPECT_THAT(
+      complaint(googol, "time,position\n16,1\n\n32.5,2\n"),
+      ::testing::StartsWith("points.csv:4:1: time = 32.5 ms: must be a whole number of ms"));
   EXPECT_THAT(
       complaint(googol, "time,position\n16,1\n2147483648,2\n"),
-      ::testing::StartsWith("points.csv:3:1: time = 2147483648: must be at most 2147483647"));
-  EXPECT_THAT(complaint(pt + "[pt]\n", "time,position\n1,1e308\n2,-1e308\n"),
-              ::testing::StartsWith("points.csv:2:3: position = 1e308: is too far"));
+      ::testing::StartsWith("points.csv:3:1: time = 2147483648 ms: must be at most 2147483647"));
+  EXPECT_THAT(
+      complaint(pt + "[pt]\n", "time,position\n1,1e308\n2,-1e308\n"),
+      ::testing::StartsWith("points.csv:2:3: position = 1e308 pulse: is too far from 0, the "
+                            "previous point"));
   EXPECT_THAT(complaint(pvt, "time,position,velocity\n0,0,0\n1,1e308,0\n2,-1e308,0\n"),
               ::testing::StartsWith("points.csv:3: knot[2]: is the end of a segment whose value"));
   const std::string follow =
       "kind = \"follow\"\nunits = { position = \"pulse\", master = \"pulse\" }\npoints = "
       "\"points.csv\"\n";
   EXPECT_THAT(complaint(follow, "master,slave\n100,1\n200,-1e308\n"),
-              ::testing::StartsWith("points.csv:3:5: slave = -1e308: is too far"));
+              ::testing::StartsWith("points.csv:3:5: slave = -1e308 pulse: is too far"));
 }
 
 TEST_F(PointFile, HoldsTheStagesOfAPmc600Table) {
@@ -132,7 +135,7 @@ TEST_F(PointFile, HoldsTheStagesOfAPmc600Table) {
       "the data type TIME");
   EXPECT_THAT(
       complaint(head, "delta_time,velocity\n1,10\n0,0\n"),
-      ::testing::StartsWith("points.csv:3:1: delta_time = 0: must be greater than 0 (PMC600"));
+      ::testing::StartsWith("points.csv:3:1: delta_time = 0 s: must be greater than 0 (PMC600"));
   EXPECT_THAT(complaint(head, "delta_time,position\n1,10\n"),
               ::testing::StartsWith("points.csv:1: position: is not a column of this table"));
 }

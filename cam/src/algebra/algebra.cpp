@@ -113,7 +113,7 @@ std::size_t segment_at(const Cam& f, double master) {
 Cam part(const Cam& f, double from, double to) {
   require_finite("from", from);
   require_finite("to", to);
-  if (!(from < to)) throw InputError("to", to, "must be greater than " + number(from));
+  if (!(from < to)) throw InputError("to", to, "must be greater than from = " + number(from));
   const double apart = axis_rounding(f.start(), f.end());
   if (f.outside() == Extrapolation::refuse && (from < f.start() - apart || to > f.end() + apart))
     throw InputError(from < f.start() - apart ? "from" : "to", from < f.start() - apart ? from : to,

@@ -100,7 +100,7 @@ void require_motion(const Inverse& g, double slave, Side side) {
 }  // namespace
 
 Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, double tolerance) {
-  if (!(from < to)) throw InputError("from", number(from), "must be less than to, " + number(to));
+  if (!(from < to)) throw InputError("to", to, "must be greater than from = " + number(from));
   if (from < g.start())
     throw InputError("from", number(from),
                      "must be at least " + number(g.start()) + ", where the rise or fall begins");

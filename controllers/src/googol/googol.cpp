@@ -59,7 +59,8 @@ double share_jerk(double acc, double share, double dv) {  // (2)
 Dynamics dynamics(const Trap& move) {
   require_move(move.from, move.pos, move.vel, move.acc, move.dec);
   if (move.smooth_time < 0 || move.smooth_time > 50)
-    throw InputError("smooth_time", move.smooth_time, "must be between 0 and 50 ms");
+    throw InputError("smooth_time", std::to_string(move.smooth_time) + " ms",
+                     "must be between 0 and 50 ms");
   Dynamics d{
       .velocity = move.vel, .acceleration = move.acc, .deceleration = or_else(move.dec, move.acc)};
   if (move.smooth_time > 0) {

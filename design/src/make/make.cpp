@@ -11,6 +11,7 @@
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/warnings.hpp"
+#include "jounce/spec/detail/in_document.hpp"
 
 #include "design/src/make/cam_of.hpp"
 #include "design/src/make/table_of.hpp"
@@ -177,6 +178,17 @@ void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& option
     options.tolerance = linear_table * (travel.max.value - travel.min.value);
 }
 
+/// The table of an axis. An error has the key of the table of this axis.
+Sampled table_of_axis(const Spec& spec, const Trajectory& curve, const AxisPart& part,
+                      std::size_t i) {
+  try {
+    return table_of(curve, part.table, {part.limits});
+  } catch (const InputError& error) {
+    const std::string own = "axis[" + std::to_string(i + 1) + "]." + error.key();
+    throw spec_detail::renamed(error, spec.document.units.contains(own) ? own : error.key());
+  }
+}
+
 std::vector<Made> make_motions(const Spec& spec) {
   std::vector<AxisPart> parts = spec.parts();
   // The knots of a PVT spec are its table, unless an operator has changed the motion.
@@ -189,7 +201,7 @@ std::vector<Made> make_motions(const Spec& spec) {
   std::vector<Made> all;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     choose_rule(spec, curves[i], parts[i].table);
-    Sampled table = table_of(curves[i], parts[i].table, {parts[i].limits});
+    Sampled table = table_of_axis(spec, curves[i], parts[i], i);
     table.error.position += fits[i][0];
     table.error.velocity += fits[i][1];
     if (!before.path.names.empty()) {

@@ -147,6 +147,7 @@ std::string key_in_document(std::string key, std::size_t k, std::size_t axes) {
   if (key.starts_with("axis[") && axes > 1) return key;
   if (key.starts_with("axis[1].")) key.erase(0, 8);
   if (key.starts_with("axis")) return then;
+  if (key.starts_with("limits") && axes == 1) return key;
   if (key.starts_with("limits") || key == "axes") return axes == 1 ? "limits" : then;
   return key.empty() ? then : then + "." + key;
 }

@@ -67,7 +67,8 @@ void AxisServer::couple(const CommandRequested& requested, const Request& reques
       options_.recorder->note(RecordedGear{axis_, id, requested.what, last_.position});
     couple(std::move(gear), requested.at, request);
   } catch (const InputError& error) {
-    decline(requested, Cause::no_value, error.what());
+    receiver_.refuse(requested.session, requested.command, error.what(),
+                     static_cast<std::int32_t>(Cause::no_value));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "jounce/executor/log.hpp"
 #include "jounce/executor/queues.hpp"
 #include "jounce/executor/worker.hpp"
+#include "jounce/stream/message/message.hpp"
 #include "jounce/stream/receiver/receiver.hpp"
 
 #include "executor/src/server/command_queue.hpp"
@@ -21,6 +23,15 @@
 #include "executor/src/server/movement_builder.hpp"
 
 namespace jounce {
+
+/// Text of a rejection that fits into its field of the answer. The compiler rejects a longer one.
+struct FixedReason {
+  // NOLINTNEXTLINE(google-explicit-constructor): a literal is such a text
+  consteval FixedReason(const char* literal) : text(literal) {
+    if (std::string_view(literal).size() >= wire::reason_bytes) throw "longer than reason_bytes";
+  }
+  const char* text;
+};
 
 /// The part of the communication thread that serves one axis, or one group. It passes the requests of
 /// streamers to the axis and returns the answers, owns the movements of the axis, writes its tick log
@@ -113,7 +124,7 @@ class MotionServer {
   void arm(const Request& request, MadeMovement made, const Sha256& hash, std::int64_t group);
   void record(const MadeMovement& made);
   void answer(const Request& request, const std::optional<Refusal>& refused);
-  void decline(const CommandRequested& requested, Cause cause, const std::string& reason);
+  void decline(const CommandRequested& requested, Cause cause, FixedReason reason);
   [[nodiscard]] bool reject_at_tick(const CommandRequested& requested);
   void refuse_crowd(std::int64_t session, std::int32_t command);
   void notify(const std::string& notice) const;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "executor/src/server/notices.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "jounce/command/command_table.hpp"
 #include "jounce/command/refusal_text.hpp"
@@ -74,6 +76,25 @@ std::string fault_text(const Tick& now, const std::string& unit, const AxisConfi
 
 namespace {
 
+/// The first of these texts, from the most complete one, that fits into the field of the reason; the
+/// last one if none fits.
+std::string fitting(std::initializer_list<std::string> texts) {
+  const auto* const fits = std::find_if(texts.begin(), texts.end() - 1, [](const auto& text) {
+    return text.size() < wire::reason_bytes;
+  });
+  return *fits;
+}
+
+/// The text of a refusal without the meaning of its cause: "axis_away: x is at 3 mm instead of 5 mm."
+std::string without_meaning(Cause cause, const std::string& words) {
+  const std::string head = std::string(name(cause)) + ": ";
+  std::string meant = head + meaning(cause);
+  meant.pop_back();  // the full stop
+  if (!words.starts_with(meant)) return words;
+  const std::size_t rest = words.find_first_not_of(".: ", meant.size());
+  return rest == std::string::npos ? words : head + words.substr(rest);
+}
+
 /// A reason with its remedy, for an axis of these groups.
 std::string in_group_text(const std::vector<std::string>& groups, CommandKind order) {
   std::string names;
@@ -82,7 +103,9 @@ std::string in_group_text(const std::vector<std::string>& groups, CommandKind or
   const std::string to_group = "`jounce order " + groups.front();
   if (order == CommandKind::hold || order == CommandKind::resume || order == CommandKind::halt)
     return reason + "send " + to_group + " " + info(order).word + "`";
-  return reason + "command the group, or stop it and send " + to_group + " disable` first";
+  const std::string disable =
+      "command the group, or stop it and send " + to_group + " disable` first";
+  return fitting({reason + disable, "one of its enabled groups alone moves this axis: " + disable});
 }
 
 }  // namespace
@@ -109,9 +132,11 @@ std::string distance_text(const Refusal& refusal, const Tick& now, const Executo
   std::string most;
   if (forward > 0) most = in_units(forward, options) + " forward";
   if (back > 0) most += (most.empty() ? "" : ", or ") + in_units(back, options) + " back";
-  return in_units(refusal.value, options) + " is outside the position range, " +
-         in_units(*limits.position_min, options) + " to " +
-         in_units(*limits.position_max, options) + ": give at most " + most;
+  const std::string outside = in_units(refusal.value, options) + " is outside the position range";
+  const std::string give = ": give at most " + most;
+  return fitting({outside + ", " + in_units(*limits.position_min, options) + " to " +
+                      in_units(*limits.position_max, options) + give,
+                  outside + give});
 }
 
 /// The reason and its remedy, for what the spec of the axis lacks; "" for another refusal.
@@ -159,27 +184,37 @@ std::string start_position_text(const Refusal& refusal, const Tick& now,
                                 const ExecutorOptions& options) {
   const std::string order = "`jounce order " + options.receiver.executor;
   const std::string start = in_units(refusal.value, options);
-  if (now.fault != Cause::none)
-    return "the axis has a fault: " + std::string(name(now.fault)) + ". First send " + order +
-           " reset`, and move the axis to the start of the table, " + start;
+  const std::string present = in_units(refusal.limit, options);
+  if (now.fault != Cause::none) {
+    const std::string reset = "the axis has a fault: " + std::string(name(now.fault)) +
+                              ". First send " + order +
+                              " reset`, and move the axis to the start of the table";
+    return fitting({reset + ", " + start, reset});
+  }
   if (std::isnan(refusal.value))
-    return "the motion does not begin at the position of the axis, " +
-           in_units(refusal.limit, options);
-  if (options.cutter && options.follow.what != Follow::What::nothing && !in_motion(now))
-    return std::string(name(refusal.cause)) + ": The table begins at " + start +
-           ", but the axis is at " + in_units(refusal.limit, options) + ": send " + order +
-           " start` for its cutter.";
+    return "the motion does not begin at the position of the axis, " + present;
+  const std::string head = std::string(name(refusal.cause)) + ": ";
+  const std::string begins = head + "The table begins at " + start;
+  if (options.cutter && options.follow.what != Follow::What::nothing && !in_motion(now)) {
+    const std::string cutter = ": send " + order + " start` for its cutter.";
+    return fitting({begins + ", but the axis is at " + present + cutter, begins + cutter});
+  }
   const bool endless =
       now.state == State::synchronized_motion || now.state == State::continuous_motion;
-  if (endless)
-    return std::string(name(refusal.cause)) + ": The table begins at " + start +
-           ", but the axis moves without end: end this with " + order + " halt`, and repeat.";
+  if (endless) {
+    const std::string halt =
+        "he axis moves without end: end this with " + order + " halt`, and repeat.";
+    return fitting({begins + ", but t" + halt, head + "T" + halt});
+  }
   std::string place = start;
   std::erase(place, ' ');
-  return std::string(name(refusal.cause)) + ": The table begins at " + start +
-         (in_motion(now) ? ", but the present motion ends at " : ", but the axis is at ") +
-         in_units(refusal.limit, options) + (in_motion(now) ? ": after it, send " : ": send ") +
-         order + " move --to " + place + "`.";
+  const bool moves = in_motion(now);
+  const std::string move = (moves ? ": after the present motion, send " : ": send ") + order +
+                           " move --to " + place + "`.";
+  return fitting({begins + (moves ? ", but the present motion ends at " : ", but the axis is at ") +
+                      present + (moves ? ": after it, send " : ": send ") + order + " move --to " +
+                      place + "`.",
+                  begins + move, head + "Move the axis to the start of the table first" + move});
 }
 
 /// The unit of the numbers of a refusal: that of the axis of the group that it names.
@@ -196,9 +231,12 @@ std::string home_position_text(const Refusal& refusal, const ExecutorOptions& op
   const std::string home = in_units(refusal.value, options);
   std::string place = home;
   std::erase(place, ' ');
-  return "the cutter does not stand at its home position: home is at " + home + ", the axis at " +
-         in_units(refusal.limit, options) + ": send `jounce order " + options.receiver.executor +
-         " move --to " + place + "`";
+  const std::string away = "the cutter does not stand at its home position";
+  const std::string move =
+      ": send `jounce order " + options.receiver.executor + " move --to " + place + "`";
+  return fitting(
+      {away + ": home is at " + home + ", the axis at " + in_units(refusal.limit, options) + move,
+       away + move});
 }
 
 /// The orders that enable a disabled group without a fault: its axes, then the group. "" for another
@@ -212,7 +250,7 @@ std::string disabled_group_text(Cause cause, const Tick& now, const ExecutorOpti
   std::string names;
   for (const std::string& axis : options.group->names) names += (names.empty() ? "" : ", ") + axis;
   const std::string all = words(names);
-  return all.size() < wire::reason_bytes ? all : words("each of its axes");
+  return fitting({all, words("each of its axes")});
 }
 
 }  // namespace
@@ -242,6 +280,8 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
   if (refusal.cause == Cause::axis_away && options.group)
     words += " The tolerance is " + six_digits(options.group->of.tolerance) +
              (unit.empty() ? "" : " " + unit) + ".";
+  words = fitting({words, without_meaning(refusal.cause, words),
+                   std::string(name(refusal.cause)) + ": " + meaning(refusal.cause)});
   const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;
   if (!fault || now.fault == Cause::none) return words;
   const std::string who = options.group ? ": the group " : ": the axis ";
@@ -253,10 +293,8 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
       numbers_of(now, options.units.position, options.axis, group_names(options), true);
   const std::string means = why + ". " + meaning(now.fault);
   // The most complete text that fits into the field of the reason.
-  for (const std::string& reason :
-       {means + numbers, numbers.empty() ? means : why + "." + numbers, means})
-    if (reason.size() < wire::reason_bytes) return reason;
-  return why + ". See `jounce explain " + name(now.fault) + "`.";
+  return fitting({means + numbers, numbers.empty() ? means : why + "." + numbers, means,
+                  why + ". See `jounce explain " + name(now.fault) + "`."});
 }
 
 std::vector<std::string> notices_of(const Tick& before, const Tick& now, const std::string& unit,

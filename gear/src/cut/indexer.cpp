@@ -23,6 +23,10 @@ void require_valid(const Indexer& spec) {
   require_not_negative("before", spec.before);
   if (spec.count < 1) throw InputError("count", std::to_string(spec.count), "must be at least 1");
   const double room = spec.cycle / spec.count;
+  if (!(spec.before < room))
+    throw InputError(
+        "before", spec.before,
+        "must be less than " + six_digits_down(room) + ", the time for one step: cycle / count");
   // The rounding of cycle / count is not a dwell.
   if (spec.before + spec.motion > room * (1 + rounded_sum))
     throw InputError(

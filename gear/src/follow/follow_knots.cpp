@@ -177,8 +177,9 @@ class Knots {
     if (!last.ratio) last.ratio = first.ratio;
     if (!near(*first.ratio, *last.ratio))
       throw InputError("periodic", "true",
-                       "needs the same ratio at start and end: they are " +
-                           six_digits(*first.ratio) + " and " + six_digits(*last.ratio));
+                       "needs the same ratio at start and end: at the start, ratio = " +
+                           six_digits(*first.ratio) +
+                           "; at the end, ratio = " + six_digits(*last.ratio));
   }
 
   /// Computes the omitted ratios. They are between the mean ratios before and after, so nothing

@@ -245,11 +245,20 @@ void add_machine_group(const MachineSpec::Group& spec, const Document& document,
   }
 }
 
-InputError in_group(const MachineSpec& machine, const InputError& error) {
-  for (const MachineSpec::Group& group : machine.groups)
-    if (error.key().starts_with(group.name + "."))
-      return machine.document.located(InputError(group.key + error.key().substr(group.name.size()),
-                                                 error.value(), error.rule()));
+InputError in_group(const MachineSpec& machine, const MachineParts& parts,
+                    const InputError& error) {
+  for (const MachineSpec::Group& group : machine.groups) {
+    if (!error.key().starts_with(group.name + ".")) continue;
+    Document document = machine.document;
+    const std::string tolerance = group.key + ".tolerance";
+    for (const ExecutorOptions& axis : parts.axes)
+      if (axis.group && axis.receiver.executor == group.name)
+        document.units[tolerance] = axis.group->unit;
+    if (group.tolerance) document.given[tolerance] = quantity_unit(*group.tolerance);
+    if (document.given[tolerance].empty()) document.given.erase(tolerance);
+    return document.located(
+        InputError(group.key + error.key().substr(group.name.size()), error.value(), error.rule()));
+  }
   return error;
 }
 

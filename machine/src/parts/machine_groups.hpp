@@ -12,8 +12,8 @@ namespace jounce::machine_detail {
 void add_machine_group(const MachineSpec::Group& spec, const Document& document,
                        const MachineOptions& options, MachineParts& parts);
 
-/// Returns an error about a group ("plotter.axes") with its place in the machine spec; any other
-/// error is returned unchanged.
-InputError in_group(const MachineSpec& machine, const InputError& error);
+/// Returns an error about a group ("plotter.axes") with its place in the machine spec, and its
+/// tolerance with its unit; any other error is returned unchanged.
+InputError in_group(const MachineSpec& machine, const MachineParts& parts, const InputError& error);
 
 }  // namespace jounce::machine_detail

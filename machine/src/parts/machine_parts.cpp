@@ -381,7 +381,7 @@ MachineParts parts_of(const MachineOptions& options, const std::optional<Machine
     (void)Machine(machine_of(parts.axes), parts.masters.size());
   } catch (const InputError& error) {  // the axes do not fit together
     const InputError placed = in_spec_of_axis(read, error);
-    throw machine ? machine_detail::in_group(*machine, placed) : placed;
+    throw machine ? machine_detail::in_group(*machine, parts, placed) : placed;
   }
   return parts;
 }

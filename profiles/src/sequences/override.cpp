@@ -49,9 +49,9 @@ void require_kept(const std::string& key, const Trajectory& axis, const Limits& 
   if (report.ok()) return;
   const Finding& worst = report.findings.front();
   throw InputError(key + ".limits." + worst.quantity, worst.limit,
-                   "is exceeded before any override: the " + std::string(worst.quantity) +
-                       " of the plan itself is " + six_digits(worst.value) + " at " +
-                       six_digits(worst.where));
+                   "is exceeded before any override: the plan itself has the " +
+                       std::string(worst.quantity) + " " + six_digits(worst.value) +
+                       " at the time " + six_digits(worst.where));
 }
 
 /// Throws for a first factor that would step the velocity.

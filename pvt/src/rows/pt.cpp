@@ -74,9 +74,8 @@ void for_each_link(std::span<const PtPoint> points, double start_rate, Use&& use
     const Link link = pvt_detail::pt_link(before, points[i], i == 0, rate);
     if (!std::isfinite(link.rate.end) || !std::isfinite(2 * link.distance))
       throw InputError(key<Over>(i, false), points[i].position,
-                       "is too far from the previous point, " + number(before.position) +
-                           ", for a time of " + number(link.length) +
-                           ": the velocity exceeds the range of a double");
+                       "is too far from " + number(before.position) +
+                           ", the previous point: the velocity exceeds the range of a double");
     use(link);
     rate = link.rate.end;
     before = points[i];

@@ -24,7 +24,8 @@ std::vector<PtPoint> segments_of(const Points& file, const Units& units, bool in
   } catch (const InputError& error) {
     std::string key = error.key();
     if (key.ends_with(".position")) key.replace(key.size() - 8, 8, "slave");
-    throw placed(InputError(key, error.value(), error.rule()), file);
+    throw placed(InputError(key, error.value(), error.rule()), file,
+                 {{"master", units.x}, {"slave", units.position}});
   }
   for (std::size_t i = 0; googol && i < points.size(); ++i)
     if (const std::string rule = googol::broken_follow_rule(points[i].x); !rule.empty())

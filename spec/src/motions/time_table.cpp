@@ -53,7 +53,8 @@ PtSpec with_points(PtSpec spec, const Points& file, const Units& units, bool inc
                    std::span<const std::string> permitted) {
   spec.points =
       pt_points(file, {"time", units.x}, {"position", units.position}, increments, permitted);
-  placed_in(file, [&] { return motion_of(spec); });
+  placed_in(file, {{"time", units.x}, {"position", units.position}},
+            [&] { return motion_of(spec); });
   return spec;
 }
 
@@ -145,7 +146,8 @@ ProfileTableSpec read_profile_table(TomlReader& top, TomlReader& pt, const Units
   const char* const quantity = quantities[order].c_str();
   if (const auto file = read_point_file(top, "point", {"delta_time", quantity})) {
     table.points = profile_points(*file, quantity, rate(order));
-    placed_in(*file, [&] { return motion_of(spec); });
+    placed_in(*file, {{"delta_time", "s"}, {quantity, rate(order)}},
+              [&] { return motion_of(spec); });
     return spec;
   }
   for (TomlReader& point : top.tables("point"))

@@ -68,7 +68,7 @@ std::vector<PtPoint> pt_points(const Points& points, const PointQuantity& x,
   return all;
 }
 
-InputError placed(const InputError& error, const Points& points) {
+InputError placed(const InputError& error, const Points& points, const ColumnUnits& units) {
   const std::string& key = error.key();
   const auto open = key.find('[');
   std::size_t point = 0;
@@ -78,7 +78,9 @@ InputError placed(const InputError& error, const Points& points) {
     return error;
   const auto dot = key.find('.', open);
   const std::string column = dot == key.npos ? key : key.substr(dot + 1);
-  return points.error(point - 1, column, error.value(), error.rule());
+  const Document in_units{.name = {}, .text = {}, .places = {}, .units = units};
+  const InputError own = in_units.located(InputError(column, error.value(), error.rule()));
+  return points.error(point - 1, column, own.value(), own.rule());
 }
 
 }  // namespace jounce::spec_detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,9 +23,8 @@ std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
 /// without such a column.
 std::vector<std::size_t> types_of(const Points& points, std::span<const std::string> words);
 
-/// The result of `make` for the points. An error for "knot[3].time", with any word before the
-/// bracket, gets the line of the third point. Points of a PT or follow table count from the origin
-/// of the table; `increments` are summed. Throws InputError with the place if x does not ascend.
+/// Points of a PT or follow table count from the origin of the table; `increments` are summed.
+/// Throws InputError with the place if x does not ascend.
 struct PointQuantity {
   const char* name;
   const std::string& unit;
@@ -33,13 +33,21 @@ std::vector<PtPoint> pt_points(const Points& points, const PointQuantity& x,
                                const PointQuantity& position, bool increments,
                                std::span<const std::string> types);
 
-InputError placed(const InputError& error, const Points& points);
+/// Unit of the numbers of each column.
+using ColumnUnits = std::map<std::string, std::string>;
+
+/// Returns the error for "knot[3].time", with any word before the bracket, with the line of the
+/// third point and the units of its numbers.
+InputError placed(const InputError& error, const Points& points, const ColumnUnits& units);
+
+/// Returns the result of `make`. Its errors are placed().
 template <class Make>
-auto placed_in(const Points& points, const Make& make) -> decltype(make()) {
+auto placed_in(const Points& points, const ColumnUnits& units, const Make& make)
+    -> decltype(make()) {
   try {
     return make();
   } catch (const InputError& error) {
-    throw placed(error, points);
+    throw placed(error, points, units);
   }
 }
 

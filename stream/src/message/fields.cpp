@@ -30,7 +30,11 @@ void put_text(std::string_view text, std::uint8_t* bytes, std::size_t size) {
   constexpr std::string_view cut = "...";
   const bool is_cut = clean.size() >= size && size > cut.size();
   std::string fits(shortened(clean, is_cut ? size - cut.size() : size));
-  if (is_cut) fits += cut;
+  if (is_cut) {  // after a word, unless it fills half of the field
+    const std::size_t space = fits.rfind(' ');
+    if (space != std::string::npos && space >= size / 2) fits.resize(space);
+    fits += cut;
+  }
   std::fill_n(bytes, size, std::uint8_t{0});
   std::copy(fits.begin(), fits.end(), bytes);
 }

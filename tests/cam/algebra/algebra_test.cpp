@@ -90,7 +90,7 @@ TEST(Part, ContinuesAsTheCamOutsideItsInterval) {
 
   EXPECT_EQ(complaint([&] { return part(with(cam, Extrapolation::refuse), 0, 361); }),
             "to = 361: must lie within the cam, 0 to 360");
-  EXPECT_EQ(complaint([&] { return part(cam, 5, 5); }), "to = 5: must be greater than 5");
+  EXPECT_EQ(complaint([&] { return part(cam, 5, 5); }), "to = 5: must be greater than from = 5");
   EXPECT_EQ(complaint([&] { return part(cam, 0, 1e9); }),
             "to = 1000000000: is more than 1e6 segments away from 0");
   EXPECT_EQ(complaint([&] { return part(cam, 360, 360 + 1e-12); }),

@@ -7,6 +7,7 @@
 #include "jounce/command/causes.hpp"
 #include "jounce/command/command_table.hpp"
 #include "jounce/command/refusal_text.hpp"
+#include "jounce/path/point.hpp"
 #include "jounce/stream/message/message.hpp"
 
 namespace jounce::notices_test {
@@ -155,6 +156,51 @@ TEST(Notices, AMemberOfAGroupNamesTheOrderToTheGroup) {
               ::testing::EndsWith("send `jounce order plotter hold`"));
   EXPECT_THAT(refusal_text({Cause::in_group}, {}, options, CommandKind::move_absolute),
               ::testing::EndsWith("send `jounce order plotter disable` first"));
+}
+
+/// Each refusal, in each state, with the longest names, units and numbers, for these options.
+void expect_all_fit(ExecutorOptions options) {
+  constexpr double number = -1.23456e-300;
+  options.receiver.executor = std::string(wire::executor_bytes - 1, 'n');
+  options.units = {std::string(wire::unit_bytes - 1, 'u'), std::string(wire::unit_bytes - 1, 'u')};
+  options.axis.limits = {.position_min = 10 * number,
+                         .position_max = 0,
+                         .velocity = number,
+                         .acceleration = number,
+                         .jerk = number};
+  options.axis.following_error = options.axis.following_time = -number;
+  for (const CauseInfo& info : all_causes())
+    for (const Cause fault : {Cause::none, Cause::following_error, Cause::axis_fault, Cause::jump})
+      for (const State state : {State::disabled, State::standstill, State::discrete_motion,
+                                State::continuous_motion, State::synchronized_motion})
+        for (const CommandKind order :
+             {CommandKind::arm, CommandKind::start, CommandKind::hold, CommandKind::move_relative,
+              CommandKind::move_linear_relative}) {
+          if (info.cause == Cause::none) continue;
+          constexpr double all_axes = (1U << max_axes) - 1;  // bits of the axes that are not ready
+          const bool is_of_axes = info.cause == Cause::axis_not_ready;
+          Tick now{.state = state, .fault = fault, .fault_value = number};
+          now.position = number;
+          const std::string text = refusal_text(
+              {info.cause, number, is_of_axes ? all_axes : number, 1}, now, options, order);
+          EXPECT_LT(text.size(), wire::reason_bytes) << text;
+        }
+}
+
+TEST(Notices, ARejectionWithLongNamesFitsIntoItsField) {
+  const std::string name(wire::executor_bytes - 1, 'g');
+  expect_all_fit({});
+  ExecutorOptions member;
+  member.groups = {name, name};
+  expect_all_fit(member);
+  ExecutorOptions cutter;
+  cutter.follow.what = Follow::What::master;
+  cutter.cutter.emplace();
+  expect_all_fit(cutter);
+  ExecutorOptions group;
+  group.group.emplace();
+  group.group->names.assign(max_axes, name);
+  expect_all_fit(group);
 }
 
 // The field of the reason on the wire cuts a longer text.

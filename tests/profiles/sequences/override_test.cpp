@@ -230,10 +230,10 @@ TEST(Override, ReportsTheLimitThatThePlanBreaks) {
     overridden(axes, tight, {});
     FAIL() << "velocity 10 under a limit of 8";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "axis[1].limits.velocity = 8: is exceeded before any override: the velocity of "
-                 "the plan itself is 10 at "
-                 "0.5");
+    EXPECT_STREQ(
+        error.what(),
+        "axis[1].limits.velocity = 8: is exceeded before any override: the plan itself has "
+        "the velocity 10 at the time 0.5");
   }
 }
 

@@ -529,6 +529,14 @@ TEST(Wire, EveryTextIsUtf8WithoutControlCharacters) {
   }
 }
 
+TEST(Wire, ALongReasonEndsAfterAWord) {
+  const std::string words = std::string(150, 'x') + " velocity limit";  // 159 is in the last word
+  const auto decoded =
+      wire::decode(wire::encode({"a", 1, wire::Reply{.boot = 1, .command = 1, .reason = words}}));
+  EXPECT_EQ(std::get<wire::Reply>(std::get<wire::Message>(decoded).body).reason,
+            std::string(150, 'x') + "...");
+}
+
 TEST(Wire, WhatIsSentIsReceivedWhateverTextItWasMadeFrom) {
   const wire::Message message{
       "feeder", 1,
