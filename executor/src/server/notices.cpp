@@ -209,7 +209,7 @@ std::string place_text(double place, double tolerance) {
   return number(place);
 }
 
-/// Gives the place of an axis all digits that it needs, and adds the tolerance if there is room.
+/// Gives the place of an axis all digits that it needs, and adds the tolerance if the reply is long enough for it.
 void add_place(std::string& words, const Refusal& refusal, double tolerance,
                const std::string& unit) {
   const std::string rounded = " instead of " + six_digits(refusal.limit);
