@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Example{"pmc600-path/gcode.toml", 1.514214 + 2.457023},
                     Example{"pmc600-path/gcode-arcs.toml", 6.055806},
                     Example{"pmc600-path/blended-corner.toml"}, Example{"plotter/square.toml"},
-                    Example{"glue-head/bead.toml"}, Example{"path-square/curvature.toml"}));
+                    Example{"welding-head/seam.toml"}, Example{"path-square/curvature.toml"}));
 
 /// PMC600 8.2: the live speed ratio. At the ratios 0.5, 1.5 and 1, the line of 5000 pulses has the printed
 /// speeds 1500, 4500 and 3000.

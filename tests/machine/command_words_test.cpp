@@ -105,6 +105,13 @@ TEST(CommandWords, TheRatesOfAFollowerHaveItsUnit) {
   set_values(jog, {jog.value});
   EXPECT_DOUBLE_EQ(std::get<command::GroupJog>(command_of(jog, mm, axes, units)).dynamics.velocity,
                    180);
+  CommandWords circle{.what = "move-circular",
+                      .options = {{"center", "x=5,y=0"}, {"velocity", "2cm/s"}}};
+  set_values(circle, {"c=90"});
+  EXPECT_DOUBLE_EQ(std::get<command::MoveCircularAbsolute>(command_of(circle, mm, axes, units))
+                       .path.along.velocity,
+                   20)
+      << "a whole circle turns c, and its velocity is that in the plane";
   for (const char* const axis : {"c", "3"}) {
     const CommandWords limits{.what = "set-limits",
                               .options = {{"axis", axis}, {"velocity", "1rev/s"}}};

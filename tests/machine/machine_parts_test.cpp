@@ -220,7 +220,7 @@ TEST_F(MachineGroups, AreVirtualAxesAfterTheOthers) {
 
 TEST_F(MachineGroups, HaveFollowersInTheirOwnUnits) {
   const ExecutorOptions head =
-      machine_parts({.files = {JOUNCE_SOURCE_DIR "/examples/glue-head/machine.toml"}}).axes[3];
+      machine_parts({.files = {JOUNCE_SOURCE_DIR "/examples/welding-head/machine.toml"}}).axes[3];
   EXPECT_EQ(head.group->coordinates(), (std::vector<std::string>{"x", "y", "c"}));
   EXPECT_EQ(head.group->path_axes(), 2U);
   EXPECT_EQ(head.group->coordinate_units(), (std::vector<std::string>{"mm", "mm", "deg"}));

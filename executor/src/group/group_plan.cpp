@@ -50,6 +50,11 @@ void require_coordinates(const LimitedProgram& sent, const ExecutorGroup& group)
     throw InputError(names[path_axes] + ".unit", units.front(),
                      "must be " + units[path_axes] + ", the unit of the axis in the group");
   require_followers(sent.program, group);
+  if (sent.program.axes() >= path_axes && sent.program.axes() < names.size())
+    throw InputError(
+        names[sent.program.axes()], "",
+        "is a follower of the group, but not an axis of the path: add its [[axis]] with "
+        "follower = true to the spec of the path");
 }
 
 void require_followers(const Program& program, const ExecutorGroup& group) {

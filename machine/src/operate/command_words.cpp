@@ -702,7 +702,10 @@ Units units_of_rates(const CommandWords& words, const Form& form, Units units,
   const auto end = std::find_if(fields.begin(), fields.end(), [&](const Field& field) {
     return form.form(field) == OptionForm::coordinates;
   });
-  if (end == fields.end() || !is_path_kind(form.command->kind)) return units;
+  const CommandKind kind = form.command->kind;
+  const bool is_arc = kind == CommandKind::move_circular_absolute ||
+                      kind == CommandKind::move_circular_relative;  // it moves two path axes
+  if (end == fields.end() || is_arc || !is_path_kind(kind)) return units;
   const std::string list = text_of(words, form.option(*end));
   if (list.empty()) return units;
   std::string first;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A group with a follower: a glue head, whose rotary axis c (deg) moves along with x and y (mm). The judge
+// A group with a follower: a welding head, whose rotary axis c (deg) moves along with x and y (mm). The judge
 // has the limits of the axes and the requested lines and arcs with the angles at their ends, and nothing of
 // the planner.
 #include <algorithm>
@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 constexpr std::size_t x = 0, y = 1, c = 2, head = 3;
 
 /// The options of the head. `turn`: of c, deg; 0: a linear axis.
-std::vector<ExecutorOptions> glue_head(double turn) {
+std::vector<ExecutorOptions> welding_head(double turn) {
   const Limits linear = limits(200, 2000, 1e5);
   const Limits rotary = limits(360, 4000, 2e5);
   std::vector<ExecutorOptions> axes{axis_named("x", linear, {"", "mm"}),
@@ -80,7 +80,7 @@ Found found(const Stroke& s, double px, double py) {
 /// A head that is judged in every tick.
 struct JudgedHead : Site {
   explicit JudgedHead(double turn = 0)
-      : Site(glue_head(turn), {.masters = {}, .recorded = true, .said = {}}) {
+      : Site(welding_head(turn), {.masters = {}, .recorded = true, .said = {}}) {
     for (std::size_t i = 0; i < 3; ++i) configs.push_back(resolved(axes[i].axis));
     after = [this] { judge(); };
     advance(10ms);
@@ -448,7 +448,8 @@ TEST(GroupFollowers, AProgramWithOtherAxesIsRejected) {
   LimitedProgram without{.program = plane,
                          .limits = {.axes = std::vector<Limits>(2, limits(200, 2000, 1e5))},
                          .names = {"x", "y"}};
-  EXPECT_FALSE(site.stream(to_head(without)).ok());
+  EXPECT_THAT(site.stream(to_head(without)).reason,
+              HasSubstr("c: is a follower of the group, but not an axis of the path"));
   EXPECT_EQ(site.last(head).state, State::standstill);
 }
 
