@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "jounce/path/point.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
