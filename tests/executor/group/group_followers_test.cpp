@@ -13,6 +13,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/executor/group_plan.hpp"
+
 #include "executor/group/judged_plotter.hpp"
 
 namespace jounce::group_followers_test {
@@ -24,8 +26,8 @@ using ::testing::HasSubstr;
 
 constexpr std::size_t x = 0, y = 1, c = 2, head = 3;
 
-/// The options of the head. `turn`: of c, deg; 0: a linear axis.
-std::vector<ExecutorOptions> welding_head(double turn) {
+/// The options of the head. `turn`: of c, deg; 0: a linear axis. `window`: of the plans of a long program.
+std::vector<ExecutorOptions> welding_head(double turn, const PlanWindow& window) {
   const Limits linear = limits(200, 2000, 1e5);
   const Limits rotary = limits(360, 4000, 2e5);
   std::vector<ExecutorOptions> axes{axis_named("x", linear, {"", "mm"}),
@@ -41,7 +43,8 @@ std::vector<ExecutorOptions> welding_head(double turn) {
                             .configs = configs,
                             .followers = 1,
                             .unit = "mm",
-                            .units = {"mm", "mm", "deg"}};
+                            .units = {"mm", "mm", "deg"},
+                            .window = window};
   axes.push_back(std::move(all));
   return axes;
 }
@@ -79,8 +82,8 @@ Found found(const Stroke& s, double px, double py) {
 
 /// A head that is judged in every tick.
 struct JudgedHead : Site {
-  explicit JudgedHead(double turn = 0)
-      : Site(welding_head(turn), {.masters = {}, .recorded = true, .said = {}}) {
+  explicit JudgedHead(double turn = 0, const PlanWindow& window = {})
+      : Site(welding_head(turn, window), {.masters = {}, .recorded = true, .said = {}}) {
     for (std::size_t i = 0; i < 3; ++i) configs.push_back(resolved(axes[i].axis));
     after = [this] { judge(); };
     advance(10ms);
@@ -132,7 +135,7 @@ struct JudgedHead : Site {
         << "c is not proportional in tick " << all.tick << ": " << last(c).position;
   }
   void rests() {
-    for (int k = 0; k < 2000 && last(head).job != 0; ++k) advance(10ms);
+    for (int k = 0; k < 20000 && last(head).job != 0; ++k) advance(10ms);
     ASSERT_EQ(last(head).state, State::standstill);
     advance(20ms);
   }
@@ -422,6 +425,45 @@ TEST(GroupFollowers, AProgramThatIsSentTurnsARotaryAxisAgainAndAgain) {
   site.rests();
   site.expect_at(10, 0, 1070);
   EXPECT_TRUE(site.replayed().same());
+}
+
+TEST(GroupFollowers, ALongProgramIsPlayedInWindowsAsOnePlan) {
+  JudgedHead site(0, {.commands = 120, .common = 60});
+  Program program(3, {}, 2);
+  program.set({.velocity = 100, .corner = Corner::deviation, .value = 0.2});
+  for (int k = 1; k <= 400; ++k)
+    program.line({40 * std::sin(0.031 * k) + 0.7 * std::sin(1.7 * k), 40 * std::sin(0.023 * k),
+                  90 * std::sin(0.05 * k)},
+                 k);
+  LimitedProgram sent = contour_with_turn();
+  sent.program = program;
+  const auto whole =
+      planned_program(sent.program, sent.limits, *site.axes[head].group);  // one window
+  std::int64_t begin = -1;
+  std::size_t plans = 0;
+  std::uint64_t job = 0;
+  double away = 0;
+  std::array<Motion, 3> motion;
+  const auto judge = site.after;
+  site.after = [&] {
+    judge();
+    const Tick& now = site.last(head);
+    if (now.job == 0) return;
+    if (begin < 0) begin = now.tick;
+    plans += now.job != job;
+    job = now.job;
+    const double t = static_cast<double>(now.tick - begin) * 1e-3;
+    whole->plan->at(std::min(t, whole->plan->duration()), motion);
+    for (const std::size_t i : {x, y, c})
+      away = std::max(away, std::abs(site.last(i).position - motion[i].position));
+  };
+  ASSERT_TRUE(site.stream(to_head(sent)).ok());
+  site.advance(20ms);
+  site.rests();
+  EXPECT_GE(plans, 5U);
+  EXPECT_LT(away, 1e-8);
+  EXPECT_EQ(site.last(head).finished, 1U) << "without a rest";
+  site.expect_at(program.position()[0], program.position()[1], program.position()[2]);
 }
 
 TEST(GroupFollowers, ALinearFollowerMustStandWhereTheProgramBegins) {
