@@ -31,7 +31,7 @@ struct OrderArguments {
   CommandWords words;
   std::vector<std::string> values;  // after the command
   double seconds = 0;               // length of a hold-to-run jog; 0: until Ctrl-C
-  std::int64_t at = -1;
+  std::string at;                   // "": at once
   LinkOptions link;
   bool json = false;
 };
@@ -58,8 +58,8 @@ wire::GroupStatus coordinates_of(const OrderArguments& options, KeyedLink& link)
 
 CallOutcome execute(const OrderArguments& options, KeyedLink& link, const Units& units) {
   const bool homes = options.words.what == "home";
-  if (homes && options.at >= 0)
-    throw InputError("--at", std::to_string(options.at),
+  if (homes && !options.at.empty())
+    throw InputError("--at", options.at,
                      "cannot be combined with home, which waits until the axis is homed");
   const wire::GroupStatus group = coordinates_of(options, link);
   const ClientCommand command = command_of(options.words, units, group.axes, group.units);
@@ -67,7 +67,7 @@ CallOutcome execute(const OrderArguments& options, KeyedLink& link, const Units&
   if (homes || holds_to_run(command)) interrupt.emplace();
   return execute_command(
       link.transport(), options.executor, command,
-      {.at = options.at,
+      {.at = dashboard::tick_at(options.at, link, options.executor),
        .hold = nanos(options.seconds),
        .held =
            [&] {
@@ -155,8 +155,8 @@ void add_order(CommandLine& line) {
   verb.option("--seconds", options->seconds, "End a --hold-to-run jog after this number of seconds")
       .check(seconds());
   verb.option("--at", options->at,
-              "Tick of the executor at which the command takes effect; default: at once")
-      .check(whole(0, INT64_MAX, "a tick of the executor (see `jounce monitor NAME --json`), "));
+              "Tick of the executor (see `jounce monitor NAME --json`) at which the command takes "
+              "effect, or +SECONDS from now; default: at once");
   add_link_options(verb, options->link);
   verb.flag("--json", options->json, "Outcome as JSON");
   verb.work([options] { return run_order(*options); });

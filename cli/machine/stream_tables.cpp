@@ -73,22 +73,6 @@ StreamOptions stream_options(const StreamArguments& options, const KeyedLink& li
   return stream;
 }
 
-/// --at: a tick, or so long from now by the status of the executor; -1: the next one.
-std::int64_t tick_of(const StreamArguments& options, KeyedLink& link, const std::string& executor) {
-  if (options.at.empty()) return -1;
-  const bool from_now = options.at.front() == '+';
-  const auto number = number_in(from_now ? options.at.substr(1) : options.at);
-  const bool good = number && *number >= 0 &&
-                    (from_now ? *number <= 1e9 : *number <= 1e15 && *number == std::floor(*number));
-  if (!good)
-    throw InputError("--at", options.at,
-                     "must be a tick, such as 120000, or + and seconds from now, such as +2.5");
-  if (!from_now) return static_cast<std::int64_t>(*number);
-  const auto tick = tick_after(link.transport(), executor, *number, link.key());
-  if (!tick) dashboard::throw_missing(link, executor);
-  return *tick;
-}
-
 /// True for a follow spec with --live. One that waits for a position of its master needs --live.
 bool is_live_follow(const Input& input, const StreamArguments& options) {
   if (const auto position = pass_position(input); position && !options.live)
@@ -167,7 +151,7 @@ int stream_table(const StreamArguments& options) {
                      "at their first position");
   StreamPlan plan = path ? std::move(*path) : plan_of(options, options.to, *input);
   KeyedLink link = open_link(options.link);
-  plan.start_tick = tick_of(options, link, options.to);
+  plan.start_tick = dashboard::tick_at(options.at, link, options.to);
   const Interrupt interrupt;
   StreamOptions stream = stream_options(options, link, interrupt);
   ProgressLine progress("streaming to " + options.to);
@@ -215,7 +199,7 @@ int stream_group(const StreamArguments& options) {
   const Interrupt interrupt;
   const StreamOptions stream = stream_options(options, link, interrupt);
   const GroupOptions group{.sender = stream.sender,
-                           .tick = tick_of(options, link, names.front()),
+                           .tick = dashboard::tick_at(options.at, link, names.front()),
                            .watch = !options.no_wait};
   return report(names, jounce::stream_group(link.transport(), std::move(plans), group, stream),
                 options, link);

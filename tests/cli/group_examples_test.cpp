@@ -52,6 +52,9 @@ std::vector<ExecutorOptions> axes_for(const std::vector<Input>& path, const Poin
   std::vector<ExecutorOptions> axes;
   ExecutorGroup group;
   const PlanAxes motions = to_axes(*path.front().plan);
+  const Program& program = std::get<PathSpec>(path.front().spec->subject).program;
+  group.followers = program.axes() - program.path_axes();
+  group.unit = path.front().table.units.position;
   for (const Input& input : path) {
     ExecutorOptions axis = test::axis_named(input.axis, wide(input, motions.curves[axes.size()]),
                                             {"", input.table.units.position});
@@ -59,6 +62,7 @@ std::vector<ExecutorOptions> axes_for(const std::vector<Input>& path, const Poin
     group.of.axes.push_back(axes.size());
     group.names.push_back(input.axis);
     group.configs.push_back(axis.axis);
+    group.units.push_back(input.table.units.position);
     axes.push_back(std::move(axis));
   }
   ExecutorOptions all = test::axis_named("group", {}, axes.front().units);
@@ -153,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Example{"pmc600-path/gcode.toml", 1.514214 + 2.457023},
                     Example{"pmc600-path/gcode-arcs.toml", 6.055806},
                     Example{"pmc600-path/blended-corner.toml"}, Example{"plotter/square.toml"},
-                    Example{"path-square/curvature.toml"}));
+                    Example{"welding-head/seam.toml"}, Example{"path-square/curvature.toml"}));
 
 /// PMC600 8.2: the live speed ratio. At the ratios 0.5, 1.5 and 1, the line of 5000 pulses has the printed
 /// speeds 1500, 4500 and 3000.

@@ -103,6 +103,22 @@ void play_points(const std::vector<PtPoint>& points, const wire::Queue& queue, d
   EXPECT_EQ(site.feeder().fault, Cause::none);
 }
 
+// From 400 pulse/s at 0.5 s, a PT row over 800 pulse in 0.5 s ends at 2 * 1600 - 400 = 2800 pulse/s.
+TEST(ExamplePlay, ARejectedRowHasItsNumberAndTheLimit) {
+  Follower site(limits(1000, 1e5));
+  const RowOutcome outcome = stream_rows(
+      site.link,
+      {.executor = "feeder",
+       .queue = {.units = over_time, .capacity = 32, .prefill = 2},
+       .rows = source_of(ending(rows_of(std::vector<PtPoint>{{0.5, 100}, {1, 900}, {2, 1000}})))},
+      {}, site.clock, 1);
+  EXPECT_FALSE(outcome.ok());
+  EXPECT_NE(outcome.reason.find("velocity: The row exceeds the velocity limit of the axis. It has "
+                                "2800 pulse/s; the limit is 1000 pulse/s."),
+            std::string::npos)
+      << outcome.reason;
+}
+
 TEST(ExamplePlay, Googol73) {
   play_points({{1.024, 1024}, {2.048, 3072}, {3.072, 4096}},
               {.units = over_time, .capacity = 32, .prefill = 3}, 1e-11);

@@ -78,6 +78,50 @@ TEST(CommandWords, EachCoordinateOfAGroupHasItsUnit) {
   EXPECT_FALSE(has_coordinates({.what = "move", .options = {{"to", "10"}}}));
 }
 
+// The rates of a move of followers alone, and of limits of one axis, have the unit of this axis.
+TEST(CommandWords, TheRatesOfAFollowerHaveItsUnit) {
+  const std::vector<std::string> axes{"x", "y", "c"};
+  const std::vector<std::string> units{"mm", "mm", "deg"};
+  const auto velocity = [&](const std::vector<std::string>& values, const std::string& text) {
+    CommandWords words{.what = "move-linear", .options = {{"velocity", text}}};
+    set_values(words, values);
+    return std::get<command::MoveLinearAbsolute>(command_of(words, mm, axes, units))
+        .path.along.velocity;
+  };
+  EXPECT_DOUBLE_EQ(velocity({"c=90"}, "0.5rev/s"), 180);
+  EXPECT_DOUBLE_EQ(velocity({"c=90", "x=1"}, "5cm/s"), 50);
+  EXPECT_EQ(test::error_of([&] { (void)velocity({"c=90"}, "45mm/s"); }),
+            "--velocity = 45mm/s: mm/s is not a unit of this quantity: give the value in deg/s");
+  EXPECT_THAT(test::error_of([&] {
+                (void)velocity({"c=90", "x=1"}, "45deg/s");
+              }),
+              HasSubstr("give the value in mm/s"));
+  const CommandWords by{.what = "move-linear",
+                        .options = {{"by", "c=90"}, {"velocity", "45deg/s"}}};
+  EXPECT_DOUBLE_EQ(
+      std::get<command::MoveLinearRelative>(command_of(by, mm, axes, units)).path.along.velocity,
+      45);
+  CommandWords jog{.what = "jog", .value = "0.5rev/s", .options = {{"along", ",,1"}}};
+  set_values(jog, {jog.value});
+  EXPECT_DOUBLE_EQ(std::get<command::GroupJog>(command_of(jog, mm, axes, units)).dynamics.velocity,
+                   180);
+  CommandWords circle{.what = "move-circular",
+                      .options = {{"center", "x=5,y=0"}, {"velocity", "2cm/s"}}};
+  set_values(circle, {"c=90"});
+  EXPECT_DOUBLE_EQ(std::get<command::MoveCircularAbsolute>(command_of(circle, mm, axes, units))
+                       .path.along.velocity,
+                   20)
+      << "a whole circle turns c, and its velocity is that in the plane";
+  for (const char* const axis : {"c", "3"}) {
+    const CommandWords limits{.what = "set-limits",
+                              .options = {{"axis", axis}, {"velocity", "1rev/s"}}};
+    EXPECT_TRUE(has_coordinates(limits)) << "the units of the axes are needed";
+    const auto set = std::get<command::GroupSetLimits>(command_of(limits, mm, axes, units));
+    EXPECT_EQ(set.axis, 3);
+    EXPECT_DOUBLE_EQ(set.dynamics.velocity, 360);
+  }
+}
+
 TEST(CommandWords, AMoveOfAGroupHasCoordinates) {
   const CommandWords words{.what = "move-linear",
                            .options = {{"to", "1cm,,5"},

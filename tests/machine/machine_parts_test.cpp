@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -217,6 +218,43 @@ TEST_F(MachineGroups, AreVirtualAxesAfterTheOthers) {
   EXPECT_EQ(group.group->sent->stages.front().program->plan->path().length(), 50);
 }
 
+TEST_F(MachineGroups, HaveFollowersInTheirOwnUnits) {
+  const ExecutorOptions head =
+      machine_parts({.files = {JOUNCE_SOURCE_DIR "/examples/welding-head/machine.toml"}}).axes[3];
+  EXPECT_EQ(head.group->coordinates(), (std::vector<std::string>{"x", "y", "c"}));
+  EXPECT_EQ(head.group->path_axes(), 2U);
+  EXPECT_EQ(head.group->coordinate_units(), (std::vector<std::string>{"mm", "mm", "deg"}));
+  EXPECT_EQ(head.units.position, "mm");
+  const double length = 2 * 10 + 2 * 80 + 2 * 40 + 20 * std::numbers::pi;
+  EXPECT_NEAR(head.group->sent->stages.front().program->plan->path().length(), length, 1e-9)
+      << "C turns by 360 deg, which do not count";
+}
+
+TEST_F(MachineGroups, RejectFollowersThatCannotFollow) {
+  using testing::AllOf;
+  using testing::HasSubstr;
+  EXPECT_THAT(error("axes = [\"x\", \"y\"]\nfollowers = [\"y\"]\n"),
+              AllOf(HasSubstr("machine.toml:10"),
+                    HasSubstr("group[1].followers = y: is already an axis of this group")));
+  EXPECT_THAT(error("followers = [\"y\"]\n"), HasSubstr("group[1].axes: is missing"));
+  EXPECT_THAT(error("axes = []\nfollowers = [\"y\"]\n"), HasSubstr("group[1].axes: is missing"));
+  EXPECT_THAT(error("axes = [\"x\"]\nfollowers = [\"z\"]\n"),
+              HasSubstr("group[1].followers = z: is not an axis of this machine"));
+  EXPECT_THAT(error("axes = [\"x\"]\nfollowers = \"y\"\n"),
+              HasSubstr("must be a list of strings: followers = [\"y\"]"));
+  EXPECT_THAT(error("axes = [\"x\"]\nfollowers = [\"y\"]\nprogram = \"part.toml\"\n"),
+              HasSubstr("a follower of the group, but a path axis of the path"));
+  EXPECT_THAT(
+      error("axes = [\"x\", \"y\"]\nfollowers = [\"x\", \"y\"]\nkinematics = \"part.toml\"\n"),
+      HasSubstr("kinematics"));
+  std::string follower = part();
+  follower.insert(follower.rfind("limits ="), "follower = true\n");
+  EXPECT_EQ(error("axes = [\"x\"]\nfollowers = [\"y\"]\nprogram = \"part.toml\"\n", follower), "");
+  follower.insert(follower.rfind("limits ="), "unit = \"deg\"\n");
+  EXPECT_THAT(error("axes = [\"x\"]\nfollowers = [\"y\"]\nprogram = \"part.toml\"\n", follower),
+              HasSubstr("has the unit deg for y, but the axis y of the group has mm"));
+}
+
 TEST_F(MachineGroups, TakeAProgramWithOtherNamesInItsOrder) {
   std::string program = part("u");
   program.replace(program.find("\"y\""), 3, "\"v\"");
@@ -241,7 +279,7 @@ TEST_F(MachineGroups, RejectWhatTheyCannotPlayWithItsPlace) {
   std::string turned = part();
   turned.insert(turned.rfind("limits ="), "unit = \"deg\"\nfollower = true\n");
   EXPECT_THAT(error(good, turned),
-              HasSubstr("has the unit deg, but the axes of the group have mm"));
+              HasSubstr("has the unit deg for y, but the axis y of the group has mm"));
   EXPECT_THAT(error(good + "tolerance = \"1 s\"\n"), HasSubstr("machine.toml:11"));
   EXPECT_THAT(error(good + "tolerance = 1\n"),
               AllOf(HasSubstr("machine.toml:11"), HasSubstr("must be at most 0.04")));

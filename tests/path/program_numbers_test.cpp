@@ -102,7 +102,7 @@ TEST(ProgramNumbers, ListsThatAreNoProgramAreRejected) {
     return error_of([&] { static_cast<void>(program_of(list)); });
   };
   EXPECT_THAT(error([](auto& list) { list.clear(); }), HasSubstr("numbers[0]"));
-  EXPECT_THAT(error([](auto& list) { list[0] = 3; }), HasSubstr("must be 1 or 2, the version"));
+  EXPECT_THAT(error([](auto& list) { list[0] = 4; }), HasSubstr("must be 1, 2 or 3, the version"));
   EXPECT_THAT(error([](auto& list) { list[1] = 10; }), HasSubstr("from 1 to 9"));
   EXPECT_THAT(error([](auto& list) { list[2] = 4; }), HasSubstr("from 1 to 3"));
   EXPECT_THAT(error([](auto& list) { list.pop_back(); }), HasSubstr("ends within a command"));
@@ -124,6 +124,24 @@ TEST(ProgramNumbers, AMachineWithJointsHasTheirNames) {
   const LimitedProgram same = program_of(list);
   EXPECT_EQ(same.names, joints.names);
   EXPECT_EQ(numbers_of(same), list);
+}
+
+TEST(ProgramNumbers, AxesWithSeveralUnitsHaveThem) {
+  LimitedProgram given = everything();
+  const std::size_t plain = numbers_of(given).size();
+  given.units = {"mm", "mm", "deg"};
+  const std::vector<double> list = numbers_of(given);
+  EXPECT_EQ(list[0], 3);
+  EXPECT_EQ(list.size(), plain + 1 + 3 + 3 + 4) << "no joints; each unit with its length";
+  const LimitedProgram same = program_of(list);
+  EXPECT_EQ(same.names, given.names);
+  EXPECT_EQ(same.units, given.units);
+  EXPECT_EQ(numbers_of(same), list);
+  given.names.emplace_back("a0");
+  given.units.emplace_back("\xC2\xB0");  // a degree sign in UTF-8
+  const LimitedProgram joint = program_of(numbers_of(given));
+  EXPECT_EQ(joint.names, given.names);
+  EXPECT_EQ(joint.units, given.units);
 }
 
 TEST(ProgramNumbers, LimitsTooSmallForAPlanAreRejected) {

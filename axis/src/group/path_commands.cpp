@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "jounce/path/reach.hpp"
+#include "jounce/path/rotary.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
@@ -121,6 +122,33 @@ Point PathCommands::machine(const Point& part) const {
   return framed() ? placed(frame_, part) : part;
 }
 
+Point PathCommands::machine_end(const Point& end) const {
+  if (!framed()) return end;
+  const Point from = part();
+  const std::size_t m = measured();
+  Point to = machine(end);
+  if (std::equal(end.begin(), end.begin() + static_cast<std::ptrdiff_t>(m), from.begin()))
+    std::copy_n(position().begin(), m, to.begin());
+  for (std::size_t i = m; i < axes_; ++i)
+    if (end[i] == from[i]) to[i] = position()[i];
+  return to;
+}
+
+/// The length of a line: that of its path axes, or of its followers if only these move.
+double PathCommands::length(const Point& from, const Point& to) const {
+  double path = 0;
+  double all = 0;
+  for (std::size_t i = 0; i < axes_; ++i) {
+    all = std::hypot(all, to[i] - from[i]);
+    if (i < measured()) path = all;
+  }
+  return path > 0 ? path : all;
+}
+
+const Point& PathCommands::from_of_last() const {
+  return all_.size() > 1 ? all_[all_.size() - 2].to : start_;
+}
+
 /// True if the last command ends here. In a frame, the coordinates are rounded.
 bool PathCommands::is_at(const Point& part) const {
   if (!framed()) return part == position();
@@ -146,7 +174,11 @@ PathSettings PathCommands::within_limits(PathSettings settings) const {
 Point PathCommands::target(const command::Coordinates& to, bool relative) const {
   require_axes(to, axes_);
   require_given(to);
-  return moved(part(), to, relative);
+  const Point from = part();
+  Point end = moved(from, to, relative);
+  for (std::size_t i = measured(); i < std::min(axes_, modulo_.size()) && !relative; ++i)
+    if (!std::isnan(to[i])) end[i] = shortest_way(from[i], end[i], modulo_[i]);
+  return end;
 }
 
 void PathCommands::add_line(const command::Coordinates& to, bool relative,
@@ -156,7 +188,7 @@ void PathCommands::add_line(const command::Coordinates& to, bool relative,
     throw InputError("the move", "",
                      "has no length: the path already ends at " + listed_point(end, axes_) +
                          ": give another position");
-  all_.push_back({within_limits(settings), Line{}, machine(end), settings.velocity});
+  all_.push_back({within_limits(settings), Line{}, machine_end(end), settings.velocity});
 }
 
 template <bool relative>
@@ -172,12 +204,20 @@ void PathCommands::append(const command::MoveDirect<relative>& line) {
 template <bool relative>
 void PathCommands::append(const command::MoveCircular<relative>& arc) {
   const PathSettings settings = settings_of(arc.path);
-  if (axes_ < 2) throw InputError("axes", "1", "must be at least 2 for an arc");
+  if (measured() < 2)
+    throw InputError("an arc", "",
+                     "needs two path axes, but the group has only one" +
+                         std::string(axes_ > 1 ? ": its other axes are followers" : ""));
   const Point from = part();
   const Point to = is_given(arc.to) ? target(arc.to, relative) : from;
   require_axes(arc.via, axes_);
   const bool through = is_given(arc.via);
   const bool around = is_given(arc.center);
+  for (std::size_t i = measured(); i < arc.via.size(); ++i)
+    if (!std::isnan(arc.via[i]))
+      throw InputError("via", arc.via[i],
+                       "is the coordinate of a follower, which has a value at the end of the arc "
+                       "only: leave it out");
   const bool by_radius = !std::isnan(arc.radius);
   if (static_cast<int>(through) + static_cast<int>(around) + static_cast<int>(by_radius) != 1)
     throw InputError("an arc", "", "needs exactly one of --via, --center and --radius");
@@ -190,7 +230,7 @@ void PathCommands::append(const command::MoveCircular<relative>& arc) {
       arc.clockwise ? ArcRotation::clockwise : ArcRotation::counterclockwise;
   const Arc arc_of_part =
       through  ? arc_through(from, moved(from, arc.via, relative), to,
-                             std::min<std::size_t>(axes_, 3), arc.turns)
+                             std::min<std::size_t>(measured(), 3), arc.turns)
       : around ? arc_about(from, moved(from, arc.center, relative), to, plane, rotation, arc.turns)
                : arc_of_radius(from, arc.radius, to, plane, rotation, arc.turns);
   const Arc made = framed() ? placed(frame_, arc_of_part) : arc_of_part;
@@ -214,13 +254,17 @@ template void PathCommands::append(const command::MoveCircularRelative& arc);
 
 namespace {
 
-/// The direction of a jog, a vector of length 1.
-Point direction_of(const command::GroupJog& jog, std::size_t axes) {
+/// The direction of a jog: its path axes have the length 1, or its followers if only these move.
+Point direction_of(const command::GroupJog& jog, std::size_t axes, std::size_t path_axes) {
   require_axes(jog.along, axes);
-  double square = 0;
-  for (const double component : jog.along)
-    if (!std::isnan(component)) square += component * component;
-  const double norm = std::sqrt(square);
+  const auto length = [&](std::size_t first, std::size_t last) {
+    double square = 0;
+    for (std::size_t i = first; i < last; ++i)
+      if (!std::isnan(jog.along[i])) square += jog.along[i] * jog.along[i];
+    return std::sqrt(square);
+  };
+  const double path = length(0, path_axes);
+  const double norm = path != 0 ? path : length(path_axes, axes);
   if (!(norm > 0) || !std::isfinite(norm))
     throw InputError("the direction of the jog", "",
                      "has no length: give a component that is not 0, such as x=1");
@@ -276,7 +320,7 @@ JogLine line_in_reach(const JogLine& line, const Point& from, const Point& direc
 }  // namespace
 
 void PathCommands::append(const command::GroupJog& jog, const GroupSpace& space) {
-  Point direction = direction_of(jog, axes_);
+  Point direction = direction_of(jog, axes_, measured());
   if (framed()) direction = placed({{}, frame_.rotation}, direction);
   const PathSettings commanded = settings_of({.along = jog.dynamics});
   const PathSettings settings = within_limits(commanded);
@@ -321,18 +365,24 @@ std::optional<LoweredVelocity> PathCommands::lowered_velocity(const GroupSpace& 
   const One& last = all_.back();
   if (!std::isfinite(last.commanded)) return std::nullopt;
   const bool is_line = std::holds_alternative<Line>(last.what);
-  const Point& from = all_.size() > 1 ? all_[all_.size() - 2].to : start_;
-  const std::size_t measured = path_axes_ == 0 ? axes_ : path_axes_;
-  double length = 0;
-  for (std::size_t i = 0; i < measured; ++i) length = std::hypot(length, last.to[i] - from[i]);
+  const Point& from = from_of_last();
+  const double whole = length(from, last.to);
   double most = std::min(space.path.velocity, limits_.velocity);
-  if (is_line && length > 0) {
+  if (is_line && whole > 0) {
     Point direction{};
-    for (std::size_t i = 0; i < axes_; ++i) direction[i] = (last.to[i] - from[i]) / length;
+    for (std::size_t i = 0; i < axes_; ++i) direction[i] = (last.to[i] - from[i]) / whole;
     most = std::min(most, velocity_along(direction, most, space));
   }
   if (!(last.commanded > most * (1 + profiles_detail::rounded_input))) return std::nullopt;
   return LoweredVelocity{last.commanded, most, is_line && !space.map};
+}
+
+std::optional<std::size_t> PathCommands::moves_only_follower() const {
+  if (all_.empty() || !std::holds_alternative<Line>(all_.back().what)) return std::nullopt;
+  for (std::size_t i = 0; i < axes_; ++i)
+    if (all_.back().to[i] != from_of_last()[i])
+      return i < measured() ? std::nullopt : std::optional(i);
+  return std::nullopt;
 }
 
 bool PathCommands::moves() const {
@@ -389,6 +439,7 @@ PathCommands PathCommands::from(std::int32_t number) const {
   const std::int32_t skipped = std::clamp(number, first_, last() + 1) - first_;
   PathCommands rest(axes_, skipped == 0 ? start_ : all_[static_cast<std::size_t>(skipped) - 1].to,
                     first_ + skipped, path_axes_);
+  rest.modulo_ = modulo_;
   rest.frame_ = frame_;
   rest.limits_ = limits_;
   rest.axis_limits_ = axis_limits_;
@@ -398,18 +449,13 @@ PathCommands PathCommands::from(std::int32_t number) const {
 }
 
 std::int32_t PathCommands::number_at(std::int32_t number, double u) const {
-  const auto distance = [&](const Point& a, const Point& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < axes_; ++i) sum += (b[i] - a[i]) * (b[i] - a[i]);
-    return std::sqrt(sum);
-  };
   const auto is_line = [&](std::int32_t k) {
     return k >= first_ && k <= last() &&
            std::holds_alternative<Line>(all_[static_cast<std::size_t>(k - first_)].what);
   };
   for (double end = 0; is_line(number) && is_line(number + 1); ++number) {
     const auto k = static_cast<std::size_t>(number - first_);
-    end += distance(k == 0 ? start_ : all_[k - 1].to, all_[k].to);
+    end += length(k == 0 ? start_ : all_[k - 1].to, all_[k].to);
     if (u < end) break;
   }
   return number;

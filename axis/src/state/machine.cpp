@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "jounce/path/point.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -222,6 +223,13 @@ double master_offset_of(const Follow& follow, std::span<const AxisImage> images)
   return what == Follow::What::setpoint ? images[index].tick.offset : 0;
 }
 
+/// The whole turns from a place on a path to the position of a modulo axis, u. Position limits count turns:
+/// an axis with such limits has no other place.
+double turns_between(double place, double position, const AxisConfig& config) {
+  if (config.modulo == 0 || config.limits.position_min || config.limits.position_max) return 0;
+  return std::round((position - place) / config.modulo) * config.modulo;
+}
+
 /// True for a group whose path time passes.
 bool moves(const Tick& group) {
   return group.job != 0 && group.rate != 0;
@@ -234,7 +242,8 @@ Machine::Machine(std::vector<MachineAxis> axes, std::size_t masters)
       masters_(masters),
       memberships_(axes_.size()),
       order_(Order(axes_, groups_of(axes_)).order),
-      moved_(axes_.size(), false) {
+      moved_(axes_.size(), false),
+      turns_(axes_.size(), 0.0) {
   for (std::size_t g = 0; g < axes_.size(); ++g)
     for (std::size_t k = 0; axes_[g].group && k < axes_[g].group->axes.size(); ++k)
       memberships_[axes_[g].group->axes[k]] = Membership{g, k};
@@ -292,7 +301,7 @@ void Machine::compensate(std::span<AxisImage> images) {
 
 /// The inputs of a group before its step: can its axes follow? In motion, they follow since the
 /// previous tick. At rest, they stand still. The first axis that is not in its place is named.
-void Machine::gather(std::size_t group, std::span<AxisImage> images) const {
+void Machine::gather(std::size_t group, std::span<AxisImage> images) {
   const std::span<const Jet> places = motion_[group].places();
   const AxisGroup& of = *axes_[group].group;
   const State expected = moved_[group] ? State::synchronized_motion : State::standstill;
@@ -303,7 +312,11 @@ void Machine::gather(std::size_t group, std::span<AxisImage> images) const {
   unsigned failing = 0;  // bit k: axis k
   for (std::size_t k = 0; k < of.axes.size(); ++k) {
     const AxisImage& axis = images[of.axes[k]];
-    const double place = places.size() == of.axes.size() ? places[k][0] : axis.tick.position;
+    const bool placed = places.size() == of.axes.size();
+    if (!moved_[group])
+      turns_[of.axes[k]] =
+          placed ? turns_between(places[k][0], axis.tick.position, axes_[of.axes[k]].config) : 0;
+    const double place = placed ? places[k][0] + turns_[of.axes[k]] : axis.tick.position;
     const bool lost_home = axes_[of.axes[k]].config.require_home && !axis.tick.homed;
     const bool fails = axis.tick.state != expected || axis.tick.waiting || lost_home;
     const bool away = !(std::abs(axis.tick.position - place) <= of.tolerance);
@@ -329,6 +342,7 @@ void Machine::lead(std::size_t axis, const Membership& in, std::span<AxisImage> 
     const bool rests = group.velocity == 0 && !group.frozen;
     inputs.peers = moving || !rests ? Peers::led : Peers::landing;
     if (moving || rests) inputs.master = motion_[in.group].parts()[in.place];
+    inputs.master[0] += turns_[axis];
     return;
   }
   const bool enabled = group.state != State::disabled && group.state != State::error_stop;

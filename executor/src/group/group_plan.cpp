@@ -32,6 +32,39 @@ void require_coordinates(std::span<const std::string> names, const ExecutorGroup
                        ", the coordinates of the group");
 }
 
+void require_coordinates(const LimitedProgram& sent, const ExecutorGroup& group) {
+  require_coordinates(sent.names, group);
+  const std::vector<std::string>& names = group.coordinates();
+  std::vector<std::string> units = group.coordinate_units();
+  units.insert(units.end(), group.units.begin(), group.units.end());  // the joints
+  const auto name = [&](std::size_t k) {
+    return k < names.size() ? names[k] : group.names[k - names.size()];
+  };
+  for (std::size_t k = 0; k < sent.units.size() && k < units.size(); ++k)
+    if (!sent.units[k].empty() && !units[k].empty() && sent.units[k] != units[k])
+      throw InputError(name(k) + ".unit", sent.units[k],
+                       "must be " + units[k] + ", the unit of the axis in the group");
+  const std::size_t path_axes = group.path_axes();
+  if (sent.units.empty() && sent.program.axes() > path_axes && path_axes < names.size() &&
+      !units[path_axes].empty() && units[path_axes] != units.front())
+    throw InputError(names[path_axes] + ".unit", units.front(),
+                     "must be " + units[path_axes] + ", the unit of the axis in the group");
+  require_followers(sent.program, group);
+  if (sent.program.axes() >= path_axes && sent.program.axes() < names.size())
+    throw InputError(
+        names[sent.program.axes()], "",
+        "is a follower of the group, but not an axis of the path: add its [[axis]] with "
+        "follower = true to the spec of the path");
+}
+
+void require_followers(const Program& program, const ExecutorGroup& group) {
+  const std::size_t path_axes = group.path_axes();
+  if (path_axes < group.coordinates().size() && program.path_axes() > path_axes)
+    throw InputError(group.coordinates()[path_axes], "",
+                     "is a follower of the group, but a path axis of the path: add follower = true "
+                     "to its [[axis]] in the spec of the path");
+}
+
 namespace {
 
 std::optional<double> lower(const std::optional<double>& a, const std::optional<double>& b) {
@@ -136,7 +169,8 @@ std::shared_ptr<const GroupProgram> fast_program(const Point& from, const Point&
                                                  const ExecutorGroup& group) {
   std::vector<Limits> limits;
   for (const AxisConfig& axis : group.configs) limits.push_back(axis.limits);
-  auto made = std::make_shared<const Plan>(direct_plan(from, axes_at(to, group), limits));
+  const std::size_t measured = group.kinematics ? 0 : group.path_axes();
+  auto made = std::make_shared<const Plan>(direct_plan(from, axes_at(to, group), limits, measured));
   return std::make_shared<const GroupProgram>(
       group_program(std::move(made), group.configs, group.names, group.units));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <new>
 #include <utility>
 
@@ -61,19 +62,27 @@ std::string option_of(std::string key) {
   return "--" + key;
 }
 
+/// The key of the library for a coordinate of the end of a command.
+std::string to_key(std::size_t axis) {
+  return "to[" + std::to_string(axis + 1) + "]";
+}
+
 /// The sentence of an error, with units. A coordinate, such as "to[1]", has the name of its axis.
-std::string reason_of(const InputError& plain, const std::vector<std::string>& axes,
-                      const std::string& unit) {
+std::string reason_of(const InputError& plain, const ExecutorGroup& group) {
+  const std::vector<std::string>& axes = group.coordinates();
+  const std::string& unit = unit_of(group);
+  const std::vector<std::string> units = group.coordinate_units();
   Document document;
+  for (std::size_t i = 0; i < axes.size(); ++i) document.units[to_key(i)] = units[i];
   constexpr std::array lengths{"center", "radius", "deviation", "corner_distance"};
   const bool is_length = std::find(lengths.begin(), lengths.end(), plain.key()) != lengths.end();
-  if (is_length || plain.key().starts_with("to[")) document.units[plain.key()] = unit;
+  if (is_length) document.units[plain.key()] = unit;
   const InputError error = document.located(plain);
   const auto sentence = [&](const std::string& name) {
     return name + (error.value().empty() ? "" : " = " + error.value()) + ": " + error.rule();
   };
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (error.key() == "to[" + std::to_string(i + 1) + "]") return sentence(axes[i]);
+    if (error.key() == to_key(i)) return sentence(axes[i]);
   if (const std::string option = option_of(error.key()); !option.empty()) return sentence(option);
   return error.key() + (error.value().empty() ? "" : " " + error.value()) + " " + error.rule();
 }
@@ -369,7 +378,7 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
     if (auto step = joined(group)) return step;
     return proceed(group);
   } catch (const InputError& error) {
-    return finish(Cause::no_value, reason_of(error, group_->coordinates(), unit_of(*group_)));
+    return finish(Cause::no_value, reason_of(error, *group_));
   }
 }
 
@@ -378,7 +387,7 @@ std::optional<GroupQueue::Step> GroupQueue::set_frame(const ClientCommand& comma
                                                       const Tick& group) {
   const std::size_t axes = group_->coordinates().size();
   if (const auto* const what = std::get_if<command::SetCoordinateTransform>(&command)) {
-    frame_ = frame_of(*what, axes, group_->kinematics ? group_->kinematics->path_axes : axes);
+    frame_ = frame_of(*what, axes, group_->path_axes());
     return finish(Cause::none);
   }
   const auto* const what = std::get_if<command::GroupSetPosition>(&command);
@@ -449,8 +458,11 @@ Cause GroupQueue::rests_because(const Tick& group) const {
 
 /// No commands yet, from this place.
 PathCommands GroupQueue::commands_from(const Point& place) const {
-  const std::size_t axes = group_->coordinates().size();
-  return {axes, place, 1, group_->kinematics ? group_->kinematics->path_axes : axes};
+  PathCommands commands(group_->coordinates().size(), place, 1, group_->path_axes());
+  std::vector<double> modulo;
+  for (const AxisConfig& axis : group_->configs) modulo.push_back(axis.modulo);
+  if (!group_->kinematics) commands.set_modulo(std::move(modulo));
+  return commands;
 }
 
 /// Appends the first waiting command. The answer to it names a velocity that the limits lower.
@@ -468,8 +480,14 @@ void GroupQueue::append(PathCommands& commands, const ExecutorGroup& group) {
                          end_of_range(end, group) + ": jog in another direction");
   }
   const auto lowered = is_fast(command) ? std::nullopt : commands.lowered_velocity(space);
+  const std::vector<std::string> units = group.coordinate_units();
+  const std::string& axis_unit = units[commands.moves_only_follower().value_or(0)];
+  const std::string unit = (axis_unit.empty() ? "u" : axis_unit) + "/s";
+  const double given = commands.commanded_velocity();
+  if (!lowered && axis_unit != units.front() && std::isfinite(given))
+    waiting_.front().request.note =
+        "only followers move, so the velocity is " + valued(given, unit);
   if (!lowered) return;
-  const std::string unit = (unit_of(group).empty() ? "u" : unit_of(group)) + "/s";
   waiting_.front().request.note =
       "the limits lower the velocity from " + six_digits(lowered->commanded) + " " + unit +
       (lowered->everywhere ? " to " : " to at most ") + six_digits(lowered->permitted) + " " + unit;
@@ -607,7 +625,7 @@ GroupQueue::Planned GroupQueue::planned(const Task& task, const ExecutorGroup& g
   } catch (const PlanCanceled&) {
     return {};
   } catch (const InputError& error) {
-    return {.reason = reason_of(error, group.coordinates(), unit_of(group))};
+    return {.reason = reason_of(error, group)};
   } catch (const std::bad_alloc&) {
     return {.reason = "the path does not fit into the memory of the executor"};
   }

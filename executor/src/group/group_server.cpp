@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "jounce/command/command_table.hpp"
 #include "jounce/executor/trace.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
@@ -109,6 +110,18 @@ void GroupServer::obey(const command::GroupSingleStep& what, const CommandReques
   if (reject_at_tick(requested)) return;
   queue_.single_step(what.on);
   answer(request, std::nullopt);
+}
+
+/// A group that waits for an acknowledgment is not held: another order continues it.
+void GroupServer::obey(const command::Resume& /*what*/, const CommandRequested& requested,
+                       const Request& request) {
+  if (queue_.rests_because(last_) != Cause::awaits_acknowledge)
+    return static_cast<void>(pass_on(requested, request));
+  const auto m_word = queue_.m_word();
+  decline(requested, Cause::awaits_acknowledge,
+          "the group is not held: it waits for an acknowledgment " +
+              (m_word ? "of M" + std::to_string(*m_word) : std::string("in single step")) +
+              ": send `jounce order " + options_.receiver.executor + " acknowledge`");
 }
 
 void GroupServer::obey(const command::Override& what, const CommandRequested& requested,

@@ -48,6 +48,7 @@ class GroupServer final : public MotionServer {
             const Request& request);
   void obey(const command::GroupSingleStep& what, const CommandRequested& requested,
             const Request& request);
+  void obey(const command::Resume& what, const CommandRequested& requested, const Request& request);
   void obey(const command::Override& what, const CommandRequested& requested,
             const Request& request);
   void obey(const command::GroupSetOverride& what, const CommandRequested& requested,

@@ -93,10 +93,14 @@ TickLog::TickLog(std::filesystem::path path, const Units& units, const LogColumn
     throw InputError("log", path_.string(),
                      "must be a regular file: the log gets this name when it is complete");
   }
+  const auto of_master = [&](const char* per) {
+    return units.x.empty() ? "" : " [" + units.x + per + "]";
+  };
   const std::string m = " [" + units.x;
   const std::string u = " [" + units.position;
-  file_ << "tick,time [s],state,master" << m << "],master_velocity" << m << "/s],position" << u
-        << "],velocity" << u << "/s],acceleration" << u
+  file_ << "tick,time [s],state";
+  if (more.master) file_ << ",master" << of_master("") << ",master_velocity" << of_master("/s");
+  file_ << ",position" << u << "],velocity" << u << "/s],acceleration" << u
         << "/s^2],job,fault,outputs,edges [s],held,homed";
   if (more.path) file_ << ",path_time [s]";
   if (more.probes) file_ << ",captures [s=" << units.position << "]";
@@ -125,9 +129,10 @@ TickLog::~TickLog() {
 void TickLog::add(const Tick& tick) {
   if (!truncated_.empty()) return;
   line_.clear();
-  join(line_, tick.tick, tick.time, name(tick.state), tick.master, tick.master_velocity,
-       tick.position, tick.velocity, tick.acceleration, tick.job, name(tick.fault), tick.switches,
-       tick.held ? 1 : 0, tick.homed ? 1 : 0);
+  join(line_, tick.tick, tick.time, name(tick.state));
+  if (more_.master) join(line_, "", tick.master, tick.master_velocity);
+  join(line_, "", tick.position, tick.velocity, tick.acceleration, tick.job, name(tick.fault),
+       tick.switches, tick.held ? 1 : 0, tick.homed ? 1 : 0);
   if (more_.path) join(line_, "", tick.path_time);
   if (more_.probes) join(line_, "", tick.probe);
   if (more_.profile) join(line_, "", tick.profile);

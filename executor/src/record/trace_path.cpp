@@ -53,8 +53,7 @@ std::unique_ptr<TracePath> trace_path(const GroupProgram& program, const Executo
   const Path& path = program.plan->drawn();
   const auto& names = group.coordinates();
   out->origin = origin;
-  const std::size_t with_unit = group.kinematics ? group.kinematics->path_axes : names.size();
-  out->coordinates = std::min({TracePath::most_names, with_unit, path.axes()});
+  out->coordinates = std::min({TracePath::most_names, group.path_axes(), path.axes()});
   for (std::size_t k = 0; k < out->coordinates; ++k)
     names[k].copy(out->names[k].data(), out->names[k].size() - 1);
   (group.kinematics ? group.kinematics->unit : group.unit)

@@ -80,7 +80,7 @@ MadeMovement movement_of(const ArmRequested& arm, std::uint64_t id, const Execut
   try {
     if (canceled) return {};
     LimitedProgram sent = program_of(arm.slave.table->columns().p);
-    require_coordinates(sent.names, group);
+    require_coordinates(sent, group);
     return movement_of(sent_program(std::move(sent), group, &canceled), id, group, single_step);
   } catch (const PlanCanceled&) {
     return {};

@@ -78,7 +78,8 @@ MotionServer::MotionServer(ExecutorOptions options, Receiver& receiver, MachineE
       cycle_(exchange.cycle),
       queues_(exchange_.rows, recorded_rows()),
       builder_(worker, options_.build_apart, options_.group) {
-  LogColumns more{.path = options_.group.has_value(),
+  LogColumns more{.master = !options_.group,
+                  .path = options_.group.has_value(),
                   .probes = options_.logs_probes,
                   .profile = options_.logs_profile,
                   .compensation = options_.axis.compensation.has_value()};

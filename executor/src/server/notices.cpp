@@ -2,11 +2,14 @@
 #include "executor/src/server/notices.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <initializer_list>
 
 #include "jounce/command/command_table.hpp"
 #include "jounce/command/refusal_text.hpp"
+#include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/stream/message/message.hpp"
 
@@ -219,11 +222,37 @@ std::string start_position_text(const Refusal& refusal, const Tick& now,
 
 /// The unit of the numbers of a refusal: that of the axis of the group that it names.
 std::string unit_of_axis(const Refusal& refusal, const ExecutorOptions& options) {
-  if (!options.group || !options.group->kinematics) return options.units.position;
+  if (!options.group || options.group->units.empty()) return options.units.position;
   const std::vector<std::string>& units = options.group->units;
   const bool names_axis = refusal.cause == Cause::axis_away && refusal.where >= 1 &&
                           refusal.where <= static_cast<double>(units.size());
   return names_axis ? units[static_cast<std::size_t>(refusal.where) - 1] : options.group->unit;
+}
+
+/// A place with so many digits that an axis that moves there is within the tolerance.
+std::string place_text(double place, double tolerance) {
+  constexpr int most_digits = 17;
+  std::array<char, 32> text{};
+  for (int digits = 6; digits < most_digits; ++digits) {
+    char* const end = std::to_chars(text.data(), text.data() + text.size(), place,
+                                    std::chars_format::general, digits)
+                          .ptr;
+    double read = 0;
+    std::from_chars(text.data(), end, read);
+    if (std::abs(read - place) <= tolerance / 10) return {text.data(), end};
+  }
+  return number(place);
+}
+
+/// Gives the place of an axis all digits that it needs, and adds the tolerance if the reply is long enough for it.
+void add_place(std::string& words, const Refusal& refusal, double tolerance,
+               const std::string& unit) {
+  const std::string rounded = " instead of " + six_digits(refusal.limit);
+  if (const std::size_t at = words.find(rounded); at != std::string::npos)
+    words.replace(at, rounded.size(), " instead of " + place_text(refusal.limit, tolerance));
+  const std::string more =
+      " The tolerance is " + six_digits(tolerance) + (unit.empty() ? "" : " " + unit) + ".";
+  if (words.size() + more.size() < wire::reason_bytes) words += more;
 }
 
 /// A cutter away from its home position, with the order that moves it there.
@@ -278,8 +307,7 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
   if (const std::size_t at = words.find(either); at != std::string::npos)
     words.replace(at, either.size(), options.group ? "The group " : "The axis ");
   if (refusal.cause == Cause::axis_away && options.group)
-    words += " The tolerance is " + six_digits(options.group->of.tolerance) +
-             (unit.empty() ? "" : " " + unit) + ".";
+    add_place(words, refusal, options.group->of.tolerance, unit);
   words = fitting({words, without_meaning(refusal.cause, words),
                    std::string(name(refusal.cause)) + ": " + meaning(refusal.cause)});
   const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;

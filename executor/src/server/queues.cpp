@@ -5,7 +5,9 @@
 #include <new>
 #include <utility>
 
+#include "jounce/profiles/digits_beside.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/stream/sender/row_sender.hpp"
 
 namespace jounce {
@@ -96,8 +98,9 @@ bool Queues::open(const QueueOpened& opened, std::uint64_t id, const AxisConfig&
                   Receiver& receiver) {
   const wire::Queue& queue = opened.queue;
   try {
-    open_.insert_or_assign(queue.queue,
-                           Open{.queue = queue, .made = QueueMovement(queue, id, config)});
+    open_.insert_or_assign(queue.queue, Open{.queue = queue,
+                                             .made = QueueMovement(queue, id, config),
+                                             .limits = spec_of(queue, config).limits});
     return true;
   } catch (const InputError& error) {
     receiver.refuse_queue(queue.queue, wire::Refusal::bad_queue, error.what());
@@ -114,6 +117,38 @@ void Queues::hand_over(HandedOver what) {
   last_.store(number_, std::memory_order_release);
 }
 
+std::string Queues::refusal_of(const Open& open, const SegmentRow& row, RowRule rule) {
+  const std::string reason = std::string(name(rule)) + ": " + explain(rule);
+  if (open.queue.axis != Domain::time || open.queue.mode != wire::QueueMode::dynamic) return reason;
+  const RowPeaks f = peaks(row, open.end, open.rate);
+  const RowLimits& most = open.limits;
+  const auto has = [&](double value, double limit, int order) {
+    const std::string& unit = open.queue.units.position;
+    const std::string per = order == 0 ? "" : order == 1 ? "/s" : "/s^" + std::to_string(order);
+    const auto with_unit = [&](const std::string& number) {
+      return number + (unit.empty() ? "" : " " + unit + per);
+    };
+    const std::string most_text = six_digits(limit);
+    return reason + " It has " + with_unit(digits_beside(value, most_text)) + "; the limit is " +
+           with_unit(most_text) + ".";
+  };
+  switch (rule) {
+    case RowRule::velocity:
+      return has(f.velocity, most.velocity, 1);
+    case RowRule::acceleration:
+      return has(f.acceleration, most.acceleration, 2);
+    case RowRule::jerk:
+      return has(f.jerk, most.jerk, 3);
+    case RowRule::velocity_step:
+      return has(f.velocity_step, most.velocity_step, 1);
+    case RowRule::position:
+      return f.position_max > most.position_max ? has(f.position_max, most.position_max, 0)
+                                                : has(f.position_min, most.position_min, 0);
+    default:
+      return reason;
+  }
+}
+
 void Queues::take(const RowsArrived& arrived, Receiver& receiver) {
   const auto found = open_.find(arrived.rows.queue);
   if (found == open_.end()) return;
@@ -125,9 +160,11 @@ void Queues::take(const RowsArrived& arrived, Receiver& receiver) {
     open.made.fifos().stamp(number_ + 1);
     if (const RowRule rule = open.made.fifos().push(bank, row); rule != RowRule::none) {
       receiver.refuse_row(open.queue.queue, arrived.rows.first_row + i,
-                          std::string(name(rule)) + ": " + explain(rule));
+                          refusal_of(open, row, rule));
       break;
     }
+    open.rate = rates(row, open.end, open.rate).end;
+    open.end = {row.x_end, row.p_end};
     ++open.pushed[static_cast<std::size_t>(bank)];
     taken.rows.push_back(row);
     if (taken.rows.size() < HandedOver::most_rows) continue;

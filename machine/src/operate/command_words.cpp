@@ -678,6 +678,7 @@ bool names_axes(const CommandWords& words) {
 }
 
 bool has_coordinates(const CommandWords& words) {
+  if (!text_of(words, axis_option).empty()) return true;
   for (const Form& form : forms_of(words.what))
     for (const Field& field : form.command->fields)
       if (form.form(field) == OptionForm::coordinates &&
@@ -685,6 +686,40 @@ bool has_coordinates(const CommandWords& words) {
         return true;
   return false;
 }
+
+namespace {
+
+/// The unit of the rates of a command of a group: that of the axis that it names, or of its first
+/// coordinate with a value if none of these has the unit of the path.
+Units units_of_rates(const CommandWords& words, const Form& form, Units units,
+                     const std::vector<std::string>& coordinate_units) {
+  const auto axis = csv_number(text_of(words, axis_option));
+  if (axis && *axis >= 1 && *axis <= static_cast<double>(coordinate_units.size())) {
+    units.position = coordinate_units[static_cast<std::size_t>(*axis) - 1];
+    return units;
+  }
+  const Fields& fields = form.command->fields;
+  const auto end = std::find_if(fields.begin(), fields.end(), [&](const Field& field) {
+    return form.form(field) == OptionForm::coordinates;
+  });
+  const CommandKind kind = form.command->kind;
+  const bool is_arc = kind == CommandKind::move_circular_absolute ||
+                      kind == CommandKind::move_circular_relative;  // it moves two path axes
+  if (end == fields.end() || is_arc || !is_path_kind(kind)) return units;
+  const std::string list = text_of(words, form.option(*end));
+  if (list.empty()) return units;
+  std::string first;
+  const std::vector<std::string_view> values = csv_cells(list);
+  for (std::size_t k = 0; k < values.size() && k < coordinate_units.size(); ++k) {
+    if (values[k].empty()) continue;
+    if (coordinate_units[k] == units.position) return units;
+    if (first.empty()) first = coordinate_units[k];
+  }
+  if (!first.empty()) units.position = first;
+  return units;
+}
+
+}  // namespace
 
 ClientCommand command_of(const CommandWords& given, const Units& units,
                          const std::vector<std::string>& axes,
@@ -694,11 +729,12 @@ ClientCommand command_of(const CommandWords& given, const Units& units,
   const Form form = form_of(words);
   const CommandKind kind = form.command->kind;
   CommandValues values = values_of(command_of(kind));
+  const Units rates = units_of_rates(words, form, units, coordinate_units);
   std::map<std::string, std::size_t> seen;  // fields of each option so far
   for (std::size_t i = 0; i < form.command->fields.size(); ++i) {
     const Field& field = form.command->fields[i];
     if (form.takes(field))
-      values[i] = value_of(words, form, field, seen[form.option(field)]++, values[i], units, axes,
+      values[i] = value_of(words, form, field, seen[form.option(field)]++, values[i], rates, axes,
                            coordinate_units);
     if (form.form(field) == OptionForm::coordinates)
       require_coordinates(dashed(form.option(field)), text_of(words, form.option(field)),

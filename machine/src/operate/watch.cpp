@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <set>
 #include <utility>
 #include <variant>
 
+#include "jounce/base/csv.hpp"
 #include "jounce/base/listed.hpp"
 #include "jounce/machine/outcome_text.hpp"
+#include "jounce/profiles/error.hpp"
+#include "jounce/stream/sender/operate.hpp"
 
 namespace jounce::dashboard {
 namespace {
@@ -167,6 +171,24 @@ std::string error_text(const CallOutcome& outcome, const std::string& executor, 
 
 void throw_missing(KeyedLink& link, const std::string& executor) {
   throw TransportError("no message from " + executor + ": " + senders_hint(link));
+}
+
+std::int64_t tick_at(const std::string& text, KeyedLink& link, const std::string& executor) {
+  if (text.empty()) return -1;
+  constexpr double most_seconds = 1e9;
+  constexpr double most_ticks = 1e15;
+  const bool from_now = text.front() == '+';
+  const auto number = csv_number(from_now ? text.substr(1) : text);
+  const bool good = number && *number >= 0 &&
+                    (from_now ? *number <= most_seconds
+                              : *number <= most_ticks && *number == std::floor(*number));
+  if (!good)
+    throw InputError("--at", text,
+                     "must be a tick, such as 120000, or + and seconds from now, such as +2.5");
+  if (!from_now) return static_cast<std::int64_t>(*number);
+  const auto tick = tick_after(link.transport(), executor, *number, link.key());
+  if (!tick) throw_missing(link, executor);
+  return *tick;
 }
 
 std::string missing_text(KeyedLink& link, const std::vector<std::string>& executors) {

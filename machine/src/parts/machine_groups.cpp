@@ -20,13 +20,13 @@
 namespace jounce::machine_detail {
 namespace {
 
-std::size_t index_of(const std::string& name, const MachineParts& parts) {
+std::size_t index_of(const std::string& key, const std::string& name, const MachineParts& parts) {
   std::vector<std::string> names;
   for (const ExecutorOptions& axis : parts.axes) names.push_back(axis.receiver.executor);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const std::string near = nearest(name, names);
-  throw InputError("axes", name,
+  throw InputError(key, name,
                    near.empty() ? "is not an axis of this machine, which has " + listed(names) +
                                       ": correct the name, or add its [[axis]]"
                                 : "is not an axis of this machine: did you mean " + near + "?");
@@ -57,14 +57,15 @@ std::vector<Input> path_of(const std::string& file, const ExecutorGroup& group) 
   return inputs;
 }
 
-void require_units(const Input& motion, const Units& group, const std::string& file) {
+void require_units(const Input& motion, const std::string& axis, const std::string& unit,
+                   const std::string& file) {
   const Units& units = motion.table.units;
   if (units.x != "s")
     throw InputError("program", file, "has the time unit " + units.x + ": use units.time = \"s\"");
-  if (!group.position.empty() && units.position != group.position)
+  if (!unit.empty() && units.position != unit)
     throw InputError("program", file,
-                     "has the unit " + units.position + ", but the axes of the group have " +
-                         group.position + ": use the same unit");
+                     "has the unit " + units.position + " for " + motion.axis + ", but the axis " +
+                         axis + " of the group has " + unit + ": use the same unit");
 }
 
 double tolerance_of(const std::string& text, const std::string& unit) {
@@ -92,15 +93,17 @@ std::shared_ptr<const SentProgram> sent_of(const Input& motion, const ExecutorGr
 }
 
 std::shared_ptr<const SentProgram> program_of(const MachineSpec::Group& spec,
-                                              const ExecutorGroup& group, const Units& units) {
+                                              const ExecutorGroup& group) {
   std::vector<Input> path = path_of(spec.program, group);
   std::vector<std::string> names;
   for (const Input& axis : path) {
-    if (!group.kinematics) require_units(axis, units, spec.program);
+    const std::size_t k = names.size();
+    if (!group.kinematics) require_units(axis, group.names[k], group.units[k], spec.program);
     names.push_back(axis.axis);
   }
   require_coordinates(names, group);
   try {
+    require_followers(std::get<PathSpec>(path.front().spec->subject).program, group);
     return sent_of(path.front(), group);
   } catch (const InputError& error) {
     throw InputError("program", spec.program,
@@ -143,19 +146,34 @@ GroupKinematics kinematics_of(const std::string& file, const ExecutorGroup& grou
 ExecutorGroup group_of(const MachineSpec::Group& spec, MachineParts& parts) {
   ExecutorGroup group;
   std::vector<std::string> units;
-  for (const std::string& name : spec.axes) {
-    const std::size_t index = index_of(name, parts);
+  const auto add = [&](const char* key, const std::string& name) {
+    const std::size_t index = index_of(key, name, parts);
     group.of.axes.push_back(index);
     group.names.push_back(name);
     group.configs.push_back(resolved(parts.axes[index].axis));
     units.push_back(parts.axes[index].units.position);
-    if (spec.kinematics.empty() &&
-        parts.axes[index].units.position != parts.axes[group.of.axes.front()].units.position)
+  };
+  for (const std::string& name : spec.axes) {
+    add("axes", name);
+    if (spec.kinematics.empty() && units.back() != units.front())
       throw InputError("axes", name,
-                       "has another unit than " + spec.axes.front() + ": use the same unit");
+                       "has the unit " + units.back() + ", but " + spec.axes.front() + " has " +
+                           units.front() + ": use the same unit, or move it to followers = [\"" +
+                           name + "\"]");
   }
   if (std::all_of(units.begin(), units.end(), [&](const auto& u) { return u == units.front(); }))
     group.unit = units.front();
+  for (const std::string& name : spec.followers) {
+    if (!spec.kinematics.empty())
+      throw InputError(
+          "followers", name,
+          "cannot be combined with kinematics: leave it out, and use follower = true in "
+          "the spec of the kinematics");
+    if (std::count(group.names.begin(), group.names.end(), name) > 0)
+      throw InputError("followers", name, "is already an axis of this group: name each axis once");
+    add("followers", name);
+    ++group.followers;
+  }
   group.units = units;
   if (!spec.kinematics.empty())
     group.kinematics = kinematics_of(spec.kinematics, group, units, parts);
@@ -200,7 +218,7 @@ ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& optio
                    .numbers = spec.m_words.value_or(std::vector<std::int32_t>{}),
                    .timeout = spec.m_word_timeout};
   if (!spec.program.empty()) {
-    group.sent = program_of(spec, group, made.units);
+    group.sent = program_of(spec, group);
     const Spec program = read_spec(spec.program);
     parts.add_files(program.document.all_files());
     made.compare = compare_of(program);

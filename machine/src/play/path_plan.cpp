@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -30,14 +31,19 @@ StreamPlan path_plan(const std::string& group, PathSpec path, const std::vector<
     refuse("override", "is a command for a group: `jounce order GROUP override`");
   const Units& units = axes.front().units;
   if (units.x != "s") throw InputError("units.time", units.x, "must be s for a group");
-  const std::size_t lengths = path.joints ? path.program.path_axes() : axes.size();
+  const std::size_t lengths = path.program.path_axes();
   LimitedProgram sent = limited_program(std::move(path));
   for (const NamedAxis& axis : axes) {
     if (sent.names.size() < lengths && axis.units.position != units.position)
       throw InputError(axis.name + ".unit", axis.units.position,
-                       "must be " + units.position + ": the axes of a group have the same unit");
+                       "must be " + units.position +
+                           ": the axes of a group that are no followers have the same unit");
     sent.names.push_back(axis.name);
+    sent.units.push_back(axis.units.position);
   }
+  if (std::all_of(sent.units.begin(), sent.units.end(),
+                  [&](const std::string& unit) { return unit == units.position; }))
+    sent.units.clear();
   Columns columns;
   columns.p = numbers_of(sent);
   sent.program = Program(1);  // its memory is free for the other column

@@ -16,15 +16,17 @@
 // number of characters of its name, these characters, velocity, acceleration and jerk; velocity,
 // acceleration, deceleration, jerk, normal and total acceleration of the path; then the commands,
 // each with its word. An omitted limit is -1. If the path is for a machine with joints, the version is
-// 2, and the number of joints and their names follow the limits of the path. Before the settings of the
-// first command with other limits of axes come the number of these axes and, for each, velocity,
-// acceleration and jerk.
+// 2, and the number of joints and their names follow the limits of the path. If the axes have several
+// units, the version is 3: the number of joints may then be 0, and the units of all axes and joints
+// follow. Before the settings of the first command with other limits of axes come the number of these
+// axes and, for each, velocity, acceleration and jerk.
 
 namespace jounce {
 namespace {
 
 constexpr double list_version = 1;
 constexpr double version_with_joints = 2;
+constexpr double version_with_units = 3;
 constexpr double omitted = -1;
 constexpr double most_characters = 64;  ///< for the name of an axis
 
@@ -125,11 +127,14 @@ class Reader {
     for (std::size_t i = 0; i < axes; ++i) point[i] = number();
     return point;
   }
-  std::string name() {
-    std::string name;
+  std::string name() { return text(' ', '~'); }
+  std::string unit() { return text(1, 255); }
+  /// Characters in this range.
+  std::string text(double low, double high) {
+    std::string all;
     for (std::int64_t left = whole(0, most_characters); left > 0; --left)
-      name.push_back(static_cast<char>(whole(' ', '~')));
-    return name;
+      all.push_back(static_cast<char>(whole(low, high)));
+    return all;
   }
   int line() { return static_cast<int>(whole(0, 1e9)); }
   [[noreturn]] void fail(const std::string& value, const std::string& rule) const {
@@ -236,7 +241,8 @@ std::vector<double> numbers_of(const LimitedProgram& all) {
   const std::size_t n = program.axes();
   Writer to;
   const std::size_t joints = all.names.size() > n ? all.names.size() - n : 0;
-  to.number(joints > 0 ? version_with_joints : list_version);
+  const bool with_units = !all.units.empty();
+  to.number(with_units ? version_with_units : joints > 0 ? version_with_joints : list_version);
   to.number(static_cast<double>(n));
   to.number(static_cast<double>(program.path_axes()));
   to.point(program.start(), n);
@@ -249,8 +255,10 @@ std::vector<double> numbers_of(const LimitedProgram& all) {
   for (const double limit : {path.velocity, path.acceleration, path.deceleration, path.jerk,
                              path.normal_acceleration, path.total_acceleration})
     to.limit(limit);
-  if (joints > 0) to.number(static_cast<double>(joints));
+  if (joints > 0 || with_units) to.number(static_cast<double>(joints));
   for (std::size_t k = n; k < n + joints; ++k) to.name(all.names[k]);
+  for (std::size_t k = 0; with_units && k < n + joints; ++k)
+    to.name(k < all.units.size() ? all.units[k] : "");
   std::optional<std::uint32_t> settings;  // settings of the command before
   std::vector<AxisRates> axes;            // limits of axes in these settings
   std::size_t written = 0;                // words that are in the list
@@ -283,8 +291,8 @@ std::vector<double> numbers_of(const LimitedProgram& all) {
 LimitedProgram program_of(std::span<const double> numbers) {
   Reader from(numbers);
   const double version = from.number();
-  if (version != list_version && version != version_with_joints)
-    from.fail(number(version), "must be 1 or 2, the version of the list");
+  if (version != list_version && version != version_with_joints && version != version_with_units)
+    from.fail(number(version), "must be 1, 2 or 3, the version of the list");
   const auto n = static_cast<std::size_t>(from.whole(1, max_axes));
   const auto path_axes = static_cast<std::size_t>(from.whole(1, static_cast<double>(n)));
   LimitedProgram all{.program = Program(n, from.point(n), path_axes), .limits = {}, .names = {}};
@@ -298,9 +306,11 @@ LimitedProgram program_of(std::span<const double> numbers) {
   for (double* limit : {&path.velocity, &path.acceleration, &path.deceleration, &path.jerk,
                         &path.normal_acceleration, &path.total_acceleration})
     *limit = from.limit_or_none();
-  if (version == version_with_joints)
-    for (std::int64_t left = from.whole(1, max_axes); left > 0; --left)
+  const bool with_units = version == version_with_units;
+  if (version == version_with_joints || with_units)
+    for (std::int64_t left = from.whole(with_units ? 0 : 1, max_axes); left > 0; --left)
       all.names.push_back(from.name());
+  while (with_units && all.units.size() < all.names.size()) all.units.push_back(from.unit());
   std::vector<AxisRates> axes;
   while (!from.ended()) {
     const auto word = static_cast<Word>(from.whole(0, words - 1));

@@ -12,6 +12,8 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/sequences/synchronize.hpp"
 
+#include "path/src/geometry/vector.hpp"
+
 namespace jounce {
 
 namespace {
@@ -121,17 +123,19 @@ std::vector<Trajectory> aborted(const Plan& plan, double t, const Point& to) {
   return trajectories(std::move(axes));
 }
 
-Plan direct_plan(const Point& from, const Point& to, const std::vector<Limits>& limits) {
+Plan direct_plan(const Point& from, const Point& to, const std::vector<Limits>& limits,
+                 std::size_t path_axes) {
   const std::vector<Trajectory> motions = direct(from, to, limits);
   const std::size_t n = motions.size();
-  double square = 0;
-  for (std::size_t k = 0; k < n; ++k) square += profiles_detail::square(to[k] - from[k]);
+  const std::size_t measured = path_axes == 0 ? n : path_axes;
+  double length = vec::distance(from, to, measured);
+  if (length == 0) length = vec::distance(from, to, n);
   std::vector<double> breaks;
   for (const Trajectory& motion : motions)
     breaks.insert(breaks.end(), motion.breaks().begin(), motion.breaks().end());
   std::sort(breaks.begin(), breaks.end());
   const double duration = breaks.back();
-  const double speed = std::sqrt(square) / duration;
+  const double speed = length / duration;
   std::vector<PathPiece> pieces;
   std::vector<double> numbers;
   double begin = 0;
@@ -162,7 +166,7 @@ Plan direct_plan(const Point& from, const Point& to, const std::vector<Limits>& 
   Plan::Given given;
   given.limits.axes = limits;
   given.settings.emplace_back();
-  given.path_axes = n;
+  given.path_axes = measured;
   return {Path(n, std::move(pieces), std::move(numbers)),
           TimingLaw({even}),
           {},

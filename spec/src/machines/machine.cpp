@@ -60,6 +60,7 @@ MachineSpec::Group read_group(TomlReader& reader, const std::filesystem::path& f
   group.axes = reader.texts("axes");
   if (group.axes.empty())
     reader.fail("axes", "", "is missing: add the names of its axes, such as axes = [\"x\", \"y\"]");
+  group.followers = reader.texts("followers");
   group.program = beside(folder, reader.optional_text("program").value_or(""));
   group.kinematics = beside(folder, reader.optional_text("kinematics").value_or(""));
   group.tolerance = reader.optional_quantity("tolerance");

@@ -30,6 +30,9 @@ TEST_F(GroupHandshake, AnMWordRestsUntilItIsAcknowledged) {
   EXPECT_EQ(reason(), Cause::awaits_acknowledge);
   site.advance(5s);
   EXPECT_EQ(site.last(y).position, 0) << "it waits";
+  EXPECT_THAT(refused(command::Resume{}),
+              HasSubstr("the group is not held: it waits for an acknowledgment of M6: send `jounce "
+                        "order plotter acknowledge`"));
   EXPECT_THAT(refused(command::GroupAcknowledge{.m_word = 5}), HasSubstr("no_handshake"));
   accepts(command::GroupAcknowledge{.m_word = 6});
   ends(2);

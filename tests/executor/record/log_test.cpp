@@ -58,6 +58,28 @@ TEST_F(TickLogTest, WritesShortestDoublesAndAppearsWhenClosed) {
             "13,0.013,error_stop,0,0,0,0,0,0,aborted,0,,0,0\n");
 }
 
+TEST_F(TickLogTest, HasNoUnitOfAnUnknownMasterAndNoColumnsForAGroup) {
+  {
+    TickLog log(folder / "run.csv", {.x = "", .position = "mm"});
+    log.close();
+    std::ifstream file(folder / "run.csv");
+    std::string head;
+    std::getline(file, head);
+    EXPECT_TRUE(head.starts_with("tick,time [s],state,master,master_velocity,position [mm],"))
+        << head;
+  }
+  TickLog log(folder / "run.csv", {.x = "", .position = "mm"}, {.master = false});
+  log.add({.tick = 7, .time = 0.007, .position = 2.5});
+  log.close();
+  std::ifstream file(folder / "run.csv");
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_EQ(text.str(),
+            "tick,time [s],state,position [mm],velocity [mm/s],acceleration [mm/s^2],job,fault,"
+            "outputs,edges [s],held,homed\n"
+            "7,0.007,disabled,2.5,0,0,0,none,0,,0,0\n");
+}
+
 TEST_F(TickLogTest, LeavesNothingBehindIfItIsNeverClosed) {
   { TickLog(folder / "run.csv", {.x = "deg", .position = "mm"}).add({}); }
   EXPECT_EQ(files(), 0U);

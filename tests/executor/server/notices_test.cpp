@@ -60,6 +60,20 @@ TEST(Notices, AnAxisOfAGroupWithJointsHasItsOwnUnit) {
               HasSubstr("a1 is at 3 deg instead of 5 deg."));
 }
 
+TEST(Notices, APlaceHasAllDigitsThatAMoveToItNeeds) {
+  ExecutorOptions options;
+  options.units = {"", "mm"};
+  options.group.emplace();
+  options.group->names = {"x", "c"};
+  options.group->units = {"mm", "deg"};
+  options.group->of.tolerance = 1e-6;
+  const Refusal away{
+      .cause = Cause::axis_away, .value = 424.557, .limit = 431.78125903267603, .where = 2};
+  EXPECT_THAT(refusal_text(away, {}, options, CommandKind::resume),
+              HasSubstr("c is at 424.557 deg instead of 431.781259 deg. The tolerance is 1e-6 "
+                        "deg."));
+}
+
 TEST(Notices, ReportTheNumbersOfAFault) {
   AxisConfig config{.following_error = 0.1, .following_time = 0.002};
   config.limits.position_min = -10;

@@ -86,7 +86,8 @@ struct AxisImage {
 /// its axes follow it: they begin to move, and come to rest, in the same tick as the group. An axis
 /// of an enabled group rejects motions of its own. A stop of an axis in motion stops the group. If
 /// an axis of an enabled group can no longer follow (a fault, an abort, a disable), the group stops
-/// on its path, with the fault `axis_fault`.
+/// on its path, with the fault `axis_fault`. A modulo axis without position limits begins where the path
+/// begins or whole turns away from it, and keeps this distance in the motion.
 ///
 /// **Compensation.** After all axes have been stepped, each correction is computed from the setpoints
 /// of its references in the same tick. So two axes may refer to each other.
@@ -128,7 +129,7 @@ class Machine {
     std::size_t group = 0;
     std::size_t place = 0;
   };
-  void gather(std::size_t group, std::span<AxisImage> images) const;
+  void gather(std::size_t group, std::span<AxisImage> images);
   void lead(std::size_t axis, const Membership& in, std::span<AxisImage> images) const;
   void announce_references(std::span<AxisImage> images) const;
   void compensate(std::span<AxisImage> images);
@@ -136,6 +137,7 @@ class Machine {
   std::vector<std::optional<Membership>> memberships_;  // one for each axis
   std::vector<std::size_t> order_;  // order of the steps: leaders and groups first
   std::vector<bool> moved_;         // true for a group that moved in the previous tick
+  std::vector<double> turns_;       // whole turns between each axis and the path of its group, u
 };
 
 }  // namespace jounce

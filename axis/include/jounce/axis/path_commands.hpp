@@ -70,7 +70,9 @@ struct LoweredVelocity {
 ///     commands.append(command::MoveLinearAbsolute{.to = {10, 5}});
 ///     const Plan motion = plan(commands.program(), limits);
 ///
-/// Units are those of the axes.
+/// Units are those of the axes. The axes after the path axes are followers: they move in proportion to
+/// the length, and have no value in an arc but its end. A command that moves only followers has the
+/// length of their motion.
 class PathCommands {
  public:
   /// `axes`: 1 to max_axes. `start`: where the first command begins. `first`: its number.
@@ -78,6 +80,9 @@ class PathCommands {
   PathCommands(std::size_t axes, const Point& start, std::int32_t first = 1,
                std::size_t path_axes = 0);
 
+  /// Sets the turns of rotary followers, u; 0 or beyond the last entry: a linear axis. An absolute
+  /// position of a rotary follower is reached on the shortest way.
+  void set_modulo(std::vector<double> modulo) { modulo_ = std::move(modulo); }
   /// Sets the frame of the commands that are appended from now on.
   void set_frame(const Frame& frame) { frame_ = frame; }
   /// Sets further limits for the commands that are appended from now on: along the path, and of the axes
@@ -127,6 +132,13 @@ class PathCommands {
   /// nullopt: it does not, or none was given. The limits of joints are not considered.
   [[nodiscard]] std::optional<LoweredVelocity> lowered_velocity(const GroupSpace& space) const;
 
+  /// The index of the first follower that the last command moves; nullopt: it moves path axes, or none.
+  [[nodiscard]] std::optional<std::size_t> moves_only_follower() const;
+  /// The velocity of the last command, u/s; PathSettings::none: none was given.
+  [[nodiscard]] double commanded_velocity() const {
+    return all_.empty() ? PathSettings::none : all_.back().commanded;
+  }
+
   /// The commands as a program.
   [[nodiscard]] Program program() const;
   /// The same commands, but the last one that moves begins at rest.
@@ -155,12 +167,18 @@ class PathCommands {
   /// End of the last command in the frame.
   [[nodiscard]] Point part() const;
   [[nodiscard]] Point machine(const Point& part) const;
+  /// The end of a command, without the rounding of the frame in axes that do not move.
+  [[nodiscard]] Point machine_end(const Point& part) const;
+  [[nodiscard]] std::size_t measured() const { return path_axes_ == 0 ? axes_ : path_axes_; }
+  [[nodiscard]] double length(const Point& from, const Point& to) const;
+  [[nodiscard]] const Point& from_of_last() const;
   [[nodiscard]] bool is_at(const Point& part) const;
   [[nodiscard]] Point target(const command::Coordinates& to, bool relative) const;
   void add_line(const command::Coordinates& to, bool relative, const PathSettings& settings);
   [[nodiscard]] PathSettings within_limits(PathSettings settings) const;
 
   std::size_t axes_, path_axes_;
+  std::vector<double> modulo_;
   Frame frame_;
   PathLimits limits_;
   std::vector<AxisRates> axis_limits_;

@@ -41,7 +41,8 @@ struct ExecutorGroup {
   AxisGroup of;                         ///< its axes in the machine
   std::vector<std::string> names;       ///< names of these axes
   std::vector<AxisConfig> configs;      ///< configurations of these axes
-  std::string unit = {};                ///< unit of these axes; "": not known, or several units
+  std::size_t followers = 0;            ///< number of followers: the last axes; without kinematics
+  std::string unit = {};                ///< unit of the path axes; "": not known, or several units
   std::vector<std::string> units = {};  ///< unit of each of these axes; none: not known
   std::shared_ptr<const SentProgram> sent = {};    ///< path that StartTable plays; null: none
   std::optional<GroupKinematics> kinematics = {};  ///< nullopt: commands address the axes
@@ -52,10 +53,15 @@ struct ExecutorGroup {
   [[nodiscard]] const std::vector<std::string>& coordinates() const {
     return kinematics ? kinematics->names : names;
   }
+  /// Number of the coordinates in which the length of a path is measured; the others are followers.
+  [[nodiscard]] std::size_t path_axes() const {
+    return kinematics ? kinematics->path_axes : names.size() - followers;
+  }
   /// Units of the coordinates of commands, one for each; "": not known.
   [[nodiscard]] std::vector<std::string> coordinate_units() const {
     if (kinematics && kinematics->units.size() == kinematics->names.size())
       return kinematics->units;
+    if (!kinematics && units.size() == names.size()) return units;
     return std::vector<std::string>(coordinates().size(), kinematics ? kinematics->unit : unit);
   }
 };

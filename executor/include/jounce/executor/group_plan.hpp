@@ -12,6 +12,7 @@
 #include "jounce/axis/path_commands.hpp"
 #include "jounce/executor/executor_options.hpp"
 #include "jounce/path/program.hpp"
+#include "jounce/path/program_numbers.hpp"
 
 /// Paths of a group, planned within the limits of its axes, or of its joints.
 namespace jounce {
@@ -27,6 +28,14 @@ std::shared_ptr<const GroupProgram> planned_program(const Program& program,
 /// Throws InputError "axes" if a program for these axes is not one for the coordinates of the group.
 /// A group without kinematics permits other names, as require_order() does.
 void require_coordinates(std::span<const std::string> names, const ExecutorGroup& group);
+
+/// Throws InputError if a program is not one for the coordinates of the group: by their names as
+/// require_coordinates(), by their units, and as require_followers().
+void require_coordinates(const LimitedProgram& program, const ExecutorGroup& group);
+
+/// Throws InputError, with the name of the axis, for a path axis of a program that is a follower of the
+/// group.
+void require_followers(const Program& program, const ExecutorGroup& group);
 
 /// Plans the motion of a group from the positions `from` of its axes to coordinates, in which each
 /// axis moves in its own shortest time (DirectMode::fast). Throws InputError if the coordinates are

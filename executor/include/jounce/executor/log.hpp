@@ -14,6 +14,7 @@ namespace jounce {
 
 /// Columns of a tick log in addition to those of every log.
 struct LogColumns {
+  bool master = true;                             ///< position and velocity of the master
   bool path = false;                              ///< time of the path of a group
   bool probes = false;                            ///< captures of the touch probes
   bool profile = false;                           ///< events of cams and follow tables

@@ -116,7 +116,13 @@ class Queues {
     wire::Queue queue;
     QueueMovement made;
     std::array<std::uint64_t, 2> pushed{};
+    RowLimits limits = {};  // for rows of a stream over time
+    RowStart end = {};      // end of its last row
+    double rate = 0;        // and the rate there, u/s
   };
+  /// The reason why a row is rejected, for a stream over time with its numbers.
+  [[nodiscard]] static std::string refusal_of(const Open& open, const SegmentRow& row,
+                                              RowRule rule);
   [[nodiscard]] const Open* find(std::uint32_t queue) const;
   [[nodiscard]] static wire::Progress progress(const Open& open, const Tick& last);
   [[nodiscard]] static std::uint64_t held(const Open& open, int bank);

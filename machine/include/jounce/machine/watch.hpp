@@ -125,6 +125,10 @@ std::string error_text(const CallOutcome& outcome, const std::string& executor, 
 /// Throws TransportError: no message arrives from this executor; with senders_hint().
 [[noreturn]] void throw_missing(KeyedLink& link, const std::string& executor);
 
+/// Returns the tick of an option --at: a tick such as 120000, or + and seconds from now, such as +2.5, by
+/// the status of the executor; -1: an empty text. Throws InputError "--at", and as throw_missing().
+std::int64_t tick_at(const std::string& text, KeyedLink& link, const std::string& executor);
+
 /// Waits up to 1 s and returns the error text of throw_missing() for the first of these executors
 /// that sends no status; "" if all of them send one.
 std::string missing_text(KeyedLink& link, const std::vector<std::string>& executors);

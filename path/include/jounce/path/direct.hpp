@@ -28,9 +28,11 @@ std::vector<Trajectory> direct(const Point& from, const Point& to,
                                DirectMode mode = DirectMode::fast);
 
 /// Plans a point-to-point move in which each axis takes its own shortest time (DirectMode::fast), as a
-/// Plan. Its path parameter grows evenly with time, from 0 to the distance of the axes; its source
-/// line is 1. Throws InputError like direct(), and "to" if no axis moves.
-Plan direct_plan(const Point& from, const Point& to, const std::vector<Limits>& limits);
+/// Plan. Its path parameter grows evenly with time, from 0 to the distance of the first `path_axes`
+/// axes (0: all), or to that of all axes if these do not move; its source line is 1. Throws InputError
+/// like direct(), and "to" if no axis moves.
+Plan direct_plan(const Point& from, const Point& to, const std::vector<Limits>& limits,
+                 std::size_t path_axes = 0);
 
 /// Follows a plan until time t (s), then leaves the plan in motion and moves to `to`. This is the
 /// buffer mode Aborting (PLCopen; BM_ABORT of HIMC). Returns one trajectory for each axis over the

@@ -35,6 +35,8 @@ struct LimitedProgram {
   /// the names of its joints follow.
   std::vector<std::string> names = {};
   std::vector<ProgramWord> words = {};  ///< in the order of the commands
+  /// Units of the axes, and of the joints, one for each name; none: that of the path for all.
+  std::vector<std::string> units = {};
 };
 
 /// Returns a program as a list of finite numbers, for a message or a file. program_of() returns the

@@ -46,6 +46,8 @@ struct MachineSpec {
   struct Group {
     std::string name = {};               ///< name for commands
     std::vector<std::string> axes = {};  ///< names of its axes
+    /// Names of its followers, which add nothing to the length of a path.
+    std::vector<std::string> followers = {};
     /// Spec of the path that `jounce order NAME start` plays; relative to the machine's file; "":
     /// none.
     std::string program = {};
