@@ -125,8 +125,9 @@ std::shared_ptr<const GroupProgram> planned_program(const Program& program,
       plan(program, group.kinematics ? of_tool(limits, *group.kinematics) : of_axes(limits, group),
            options));
   if (canceled != nullptr && *canceled) throw PlanCanceled();
-  return std::make_shared<const GroupProgram>(
-      group_program(std::move(path), group.configs, group.names, group.units));
+  GroupProgram made = group_program(path, group.configs, group.names, group.units);
+  if (group.along) made.length = std::make_shared<const PathLength>(*path);
+  return std::make_shared<const GroupProgram>(std::move(made));
 } catch (const InputError& error) {
   if (!group.kinematics) throw;
   throw in_unit_of_tool(error, group.kinematics->unit);

@@ -200,10 +200,11 @@ ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& optio
                    .numbers = spec.m_words.value_or(std::vector<std::int32_t>{}),
                    .timeout = spec.m_word_timeout};
   if (!spec.program.empty()) {
-    group.sent = program_of(spec, group, made.units);
     const Spec program = read_spec(spec.program);
     parts.add_files(program.document.all_files());
     made.compare = compare_of(program);
+    group.along = made.compare.list.has_value();
+    group.sent = program_of(spec, group, made.units);
   }
   if (made.compare.plane && group.kinematics)
     throw InputError("program", spec.program,

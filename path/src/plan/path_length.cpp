@@ -4,101 +4,112 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "jounce/profiles/curve/composed.hpp"
-#include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
 #include "path/src/corners/turn.hpp"
-#include "path/src/geometry/hull.hpp"
 #include "path/src/geometry/pieces.hpp"
-#include "path/src/timing/box.hpp"
 
-// Let g = |r'|^2, a polynomial of s from 0 to 1 on a piece or a part of it. The speed f = g^(1/2) is
-// replaced by the polynomial p of degree 10 with its values at the 11 Chebyshev nodes, and the length
-// by the integral of p. With M >= |f^(11)| / 11!,
+// Let g = |r'|^2, a polynomial, and f = g^(1/2) the speed. On a part of a piece, x from -1 to 1, f is
+// replaced by the polynomial p of degree 10 with its values at the 11 Chebyshev nodes, and the length by
+// the integral of p. If f is analytic and |f| <= M in the ellipse with the foci -1 and 1 and the half axes
+// (r + 1/r) / 2 and (r - 1/r) / 2, the Chebyshev coefficients of f are at most 2 M r^-k, and
 //
-//   (1)  |f - p| <= M |(s - s_0) ... (s - s_10)| <= M 2 / 4^11
+//   (1)  |f - p| <= 4 M r^-10 / (r - 1)
 //
-// Let m > 0 be a lower bound of g, and G_k bounds of its Taylor coefficients at any place. There,
+// (Trefethen, Approximation Theory and Approximation Practice, theorems 8.1 and 8.2). Let b_k be the
+// coefficients of g in x, and R = (r + 1/r) / 2, the greatest |x| in the ellipse. If
 //
-//   (2)  f(s + d) = g^(1/2) (1 + w)^(1/2),   |coefficient k of w| <= A_k = G_k / g,   k >= 1
+//   (2)  S = sum over k >= 1 of |b_k| R^k < b_0,
 //
-// The coefficients of (1 + w)^(1/2) are at most those of H = 1 - (1 - A)^(1/2), and
-//
-//   (3)  H = (A + H^2) / 2,   M = m^(1/2) H_11
-//
-// In (2), g^(1/2) times a product of j >= 1 factors G / g falls with g, so g may be replaced by m.
-// The piece is halved until (1) is below the tolerance. Near a place where the path stands (m = 0), a
-// part is so short that its whole length is below the tolerance.
+// g has no zero there, so f is analytic, and M^2 = b_0 + S. The piece is halved until (2) holds. Near a
+// place where the path stands (g = 0), a part is so short that its whole length is below the tolerance.
 
 namespace jounce {
 namespace {
 
-using profiles_detail::Majorant;
 using profiles_detail::rounded_root;
 
 constexpr std::size_t nodes = 11;
+constexpr double ellipse = 10;  ///< r of (1)
 /// Square of the length of a direction of path axes: 1, or 0 if only followers move.
 constexpr double least_direction = 0.5;
 
-/// The path axes of a piece in s from 0 to 1, or of a part of it: their first derivatives by q.
-struct Slopes {
-  std::array<Segment, max_axes> of{};
-  std::size_t axes = 0;
+/// g as a polynomial.
+struct SpeedSquared {
+  std::array<double, 2 * Segment::max_degree - 1> c{};
+  std::size_t count = 1;
 
-  [[nodiscard]] std::span<const Segment> all() const { return std::span(of).first(axes); }
-  [[nodiscard]] double speed(double s) const {
-    double square = 0;
-    for (const Segment& f : all()) square += value(f, s) * value(f, s);
-    return std::sqrt(square);
+  [[nodiscard]] double at(double x) const {
+    double g = 0;
+    for (std::size_t k = count; k-- > 0;) g = g * x + c[k];
+    return g;
+  }
+  /// The sum of |c_k| reach^k for k >= 1.
+  [[nodiscard]] double swing(double reach) const {
+    double sum = 0;
+    for (std::size_t k = count; k-- > 1;) sum = (sum + std::abs(c[k])) * reach;
+    return sum;
   }
 };
 
-Slopes slopes_of(std::span<const Segment> axes, double from, double to) {
-  Slopes slopes;
-  for (const Segment& f : axes) slopes.of[slopes.axes++] = derivative(part(f, from, to));
-  return slopes;
-}
-
-/// M of (3) for a lower bound m of g.
-double majorant_of(const Slopes& slopes, double m) {
-  Majorant A{};
-  for (const Segment& f : slopes.all()) {
-    const Majorant r = profiles_detail::majorant(f, 1);
-    for (std::size_t i = 0; i < r.size(); ++i)
-      for (std::size_t k = 0; i + k < r.size(); ++k) A[i + k] += r[i] * r[k] / m;
+SpeedSquared speed_squared(std::span<const Segment> axes) {
+  SpeedSquared g;
+  for (const Segment& axis : axes) {
+    const Segment f = derivative(axis);
+    const auto n = static_cast<std::size_t>(f.degree) + 1;
+    g.count = std::max(g.count, 2 * n - 1);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k < n; ++k) g.c[i + k] += f.c[i] * f.c[k];
   }
-  Majorant H{};
-  for (std::size_t n = 1; n <= nodes; ++n) {
-    H[n] = A[n] / 2;
-    for (std::size_t i = 1; i < n; ++i) H[n] += H[i] * H[n - i] / 2;
-  }
-  return std::sqrt(m) * H[nodes];
+  return g;
 }
 
-/// A bound of the error of the length over an extent in q.
-double error_of(const Slopes& slopes, double extent) {
-  const auto [low, high] = hull_of_products(slopes.all(), slopes.all());
-  const double whole = std::sqrt(std::max(0.0, high)) * extent;
-  if (!(low > 0)) return whole;
-  return std::min(whole, majorant_of(slopes, low) * std::ldexp(extent, 1 - 2 * int{nodes}));
+/// g as a polynomial of x on the part of this middle and half width.
+SpeedSquared about(SpeedSquared g, double middle, double half) {
+  for (std::size_t i = 0; i + 1 < g.count; ++i)
+    for (std::size_t k = g.count - 1; k-- > i;) g.c[k] += middle * g.c[k + 1];
+  double scale = 1;
+  for (std::size_t k = 1; k < g.count; ++k) g.c[k] *= scale *= half;
+  return g;
 }
 
-/// The coefficients of p: Newton's interpolation.
-std::array<double, nodes> interpolated(const Slopes& slopes) {
+/// A bound of the error of the length over an extent in q; nullopt if (2) does not hold and the part is longer than the
+/// tolerance.
+std::optional<double> error_of(const SpeedSquared& g, double extent, double tolerance) {
+  static const double share = 4 * std::pow(ellipse, 1 - int{nodes}) / (ellipse - 1);
+  const double swing = g.swing((ellipse + 1 / ellipse) / 2);
+  if (swing < g.c[0]) return share * std::sqrt(g.c[0] + swing) * extent;
+  const double whole = std::sqrt(std::max(0.0, g.c[0] + g.swing(1))) * extent;
+  return whole <= tolerance ? std::optional(whole) : std::nullopt;
+}
+
+/// The Chebyshev nodes from 0 to 1, and the inverse distances of node i and node i - k.
+struct Nodes {
   std::array<double, nodes> x{};
-  std::array<double, nodes> d{};
-  for (std::size_t i = 0; i < nodes; ++i) {
-    x[i] = (1 - std::cos((2 * static_cast<double>(i) + 1) * std::numbers::pi / (2 * nodes))) / 2;
-    d[i] = slopes.speed(x[i]);
+  std::array<std::array<double, nodes>, nodes> inverse{};
+
+  Nodes() {
+    for (std::size_t i = 0; i < nodes; ++i)
+      x[i] = (1 - std::cos((2 * static_cast<double>(i) + 1) * std::numbers::pi / (2 * nodes))) / 2;
+    for (std::size_t k = 1; k < nodes; ++k)
+      for (std::size_t i = k; i < nodes; ++i) inverse[k][i] = 1 / (x[i] - x[i - k]);
   }
+};
+
+/// The coefficients of p over s from 0 to 1: Newton's interpolation.
+std::array<double, nodes> interpolated(const SpeedSquared& g) {
+  static const Nodes at;
+  std::array<double, nodes> d{};
+  for (std::size_t i = 0; i < nodes; ++i) d[i] = std::sqrt(std::max(0.0, g.at(2 * at.x[i] - 1)));
   for (std::size_t k = 1; k < nodes; ++k)
-    for (std::size_t i = nodes - 1; i >= k; --i) d[i] = (d[i] - d[i - 1]) / (x[i] - x[i - k]);
+    for (std::size_t i = nodes - 1; i >= k; --i) d[i] = (d[i] - d[i - 1]) * at.inverse[k][i];
   std::array<double, nodes> p{};
   for (std::size_t k = nodes; k-- > 0;) {  // p = p (s - x_k) + d_k
-    for (std::size_t i = nodes - 1; i > 0; --i) p[i] = p[i - 1] - x[k] * p[i];
-    p[0] = d[k] - x[k] * p[0];
+    for (std::size_t i = nodes - 1; i > 0; --i) p[i] = p[i - 1] - at.x[k] * p[i];
+    p[0] = d[k] - at.x[k] * p[0];
   }
   return p;
 }
@@ -158,17 +169,18 @@ void PathLength::add_plain(double extent) {
 }
 
 void PathLength::add_curved(std::span<const Segment> axes, double extent, double tolerance) {
+  const SpeedSquared whole = speed_squared(axes);
   // Halves from the left: places are multiples of a power of 1/2, without rounding.
   double step = 1;
   for (double from = 0; from < 1;) {
-    const Slopes slopes = slopes_of(axes, from, from + step);
-    const double error = error_of(slopes, step * extent);
-    if (error > tolerance) {
+    const SpeedSquared g = about(whole, from + step / 2, step / 2);
+    const auto error = error_of(g, step * extent, tolerance);
+    if (!error) {
       step /= 2;
       continue;
     }
-    add_polynomial(interpolated(slopes), step * extent);
-    error_ += error;
+    add_polynomial(interpolated(g), step * extent);
+    error_ += *error;
     from += step;
     while (step < 1 && std::fmod(from, 2 * step) == 0) step *= 2;
   }

@@ -20,8 +20,9 @@ namespace jounce {
 ///     length.whole();                                  // u
 ///     length.at(motion.law().at(t).position).length;   // from the start of the path to time t
 ///
-/// The length is the integral of |r'|, r the position of the path axes: of polynomials whose error
-/// is bounded. A command that moves only followers keeps q. The length does not refer to the plan.
+/// The length is the integral of |r'|, r the position of the path axes. |r'| is replaced by
+/// polynomials with a proven error, at most 1e-10 of the length of corners and curves. A command that
+/// moves only followers keeps q. The length does not refer to the plan.
 class PathLength {
  public:
   /// Takes time and memory in proportion to the number of corners and curves.
