@@ -87,8 +87,7 @@ std::shared_ptr<const SentProgram> sent_of(const Input& motion, const ExecutorGr
         "is not possible for a program with M words that wait: leave it out, or change "
         "m_words of the [[group]]");
   if (waits || group.kinematics) return sent_program(std::move(program), group);
-  return sent_program(std::move(program),
-                      group_program(motion.plan, group.configs, group.names, group.units));
+  return sent_program(std::move(program), checked_program(motion.plan, group));
 }
 
 std::shared_ptr<const SentProgram> program_of(const MachineSpec::Group& spec,
