@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/design/output_events.hpp"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,6 +72,39 @@ TEST(OutputEvents, TheLengthAlongAPathIsCompared) {
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_NEAR(events.all[2 * k].position, 50 + 100.0 * static_cast<double>(k), 1e-9);
     EXPECT_NEAR(events.all[2 * k].time, 0.6 + 1.2 * static_cast<double>(k), 1e-9);
+  }
+}
+
+// Without a jerk limit, the corner is a parabola: over the 10 mm of the sides that it replaces, it is as long as
+// 10 (1/2 + asinh(1) / 8^(1/2)) mm. Its middle is as far from the first side as the end of that side is from it.
+TEST(OutputEvents, ARoundedCornerCountsItsOwnLength) {
+  const double corner = 10 * (0.5 + std::asinh(1.0) / std::sqrt(8.0));
+  const std::string text =
+      "jounce = 1\nkind = \"path\"\nname = \"corner\"\nunits = { position = \"mm\", time = \"s\" "
+      "}\n"
+      "[path]\nvelocity = 200\ncorner = { distance = 5 }\n"
+      "[[axis]]\nname = \"x\"\nlimits = { velocity = 200, acceleration = 1000 }\n"
+      "[[axis]]\nname = \"y\"\nlimits = { velocity = 200, acceleration = 1000 }\n"
+      "[[command]]\ntype = \"line\"\nto = [50, 0]\n[[command]]\ntype = \"line\"\nto = [50, 50]\n"
+      "[compare]\naxis = \"path\"\nmode = \"fifo_time\"\npulse = \"1 us\"\npoint = [{ position = "
+      "45 }, "
+      "{ position = " +
+      number(45 + corner / 2) + " }, { position = " + number(45 + corner) +
+      " }, { position = " + number(85 + corner) + " }]\n";
+  const std::vector<Input> axes = inputs_of(parse_spec(text, "p.toml"), "p.toml");
+  const OutputEvents events = output_events(axes);
+  ASSERT_EQ(events.all.size(), 8U);
+  const double places[4][2] = {{45, 0}, {NAN, NAN}, {50, 5}, {50, 45}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double px = std::get<Trajectory>(*axes[0].curve).at(events.all[2 * k].time).position;
+    const double py = std::get<Trajectory>(*axes[1].curve).at(events.all[2 * k].time).position;
+    if (k == 1) {
+      EXPECT_NEAR(py, 50 - px, 1e-9);
+      EXPECT_GT(py, 1);
+      continue;
+    }
+    EXPECT_NEAR(px, places[k][0], 1e-9) << k;
+    EXPECT_NEAR(py, places[k][1], 1e-9) << k;
   }
 }
 

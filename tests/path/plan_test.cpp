@@ -313,6 +313,28 @@ TEST(TimingLaw, FindsTheIntervalOfAnyInstant) {
 // ---- limits of axes in commands ---------------------------------------------------------------
 
 /// On one axis, the limits of the axis are those along the path.
+TEST(Plan, AShortArcBesideAVerySlowCornerIsPlanned) {
+  // The ramp from a thousandth of the greatest velocity to that of the corner was longer than the arc.
+  Program p(3, {-125.17003830427943, 0, 92.246339404483294});
+  p.set({.corner = Corner::curvature, .value = 1.1613432246680893});
+  p.line({-115.6246176471863, 6.6536793767969096, 86.755908662962355}, 1);
+  p.arc(arc_through(p.position(), {-115.29779496738867, 5.7900311018657744, 86.427754140501193},
+                    {-114.9583342361762, 4.9426055656462005, 86.071351040120419}, 3),
+        2);
+  p.set(
+      {.velocity = 0.018184728631076633, .corner = Corner::curvature, .value = 1.1613432246680893});
+  p.arc(arc_through(p.position(), {-114.93300563981795, 4.8327073408505203, 86.031129229910036},
+                    {-114.94296671109255, 4.7165363732495207, 86.003888911097121}, 3),
+        3);
+  const GroupLimits limits{.axes = {{.velocity = 147, .acceleration = 288, .jerk = 1.2e7},
+                                    {.velocity = 656, .acceleration = 133, .jerk = 8.4e6},
+                                    {.velocity = 4579, .acceleration = 620, .jerk = 378}}};
+  const Plan made = plan(p, limits);
+  const PlanAxes axes = to_axes(made);
+  path_tests::expect_whole(made, axes, p);
+  EXPECT_LE(path_tests::worst_ratio(axes, limits), 1 + 1e-12);
+}
+
 TEST(Plan, TheJerkOfRampsOf10MicrosecondsOnAnArcKeepsItsLimit) {
   // The table of such a ramp exceeded the limit of the jerk by 1.6e-5 of it.
   Program p(2, {-31.456381813969376, -48.999632396641367});

@@ -54,6 +54,27 @@ std::string command(const std::string& keys) {
   return "[path]\nvelocity = 100\n[[command]]\n" + keys + "\n";
 }
 
+TEST(PathSpecFile, PlacesOfArcsNeedNoNumberForAFollower) {
+  const auto numbers = [](const std::string& place) {
+    const PathSpec path = read(place);
+    return std::vector<double>(path.program.arcs()[0].center.begin(),
+                               path.program.arcs()[0].center.begin() + 2);
+  };
+  const auto arc = [](const std::string& keys) { return command("type = \"arc\"\n" + keys); };
+  const std::string about = "rotation = \"counterclockwise\"\nto = [0, 20, 90]\ncenter = ";
+  EXPECT_EQ(numbers(arc(about + "[0, 10]")), numbers(arc(about + "[0, 10, 7]")));
+  EXPECT_EQ(numbers(arc("to = [0, 20, 90]\nvia = [10, 10]")),
+            numbers(arc("to = [0, 20, 90]\nvia = [10, 10, 7]")));
+  EXPECT_THAT(complaint(arc(about + "[0]")),
+              HasSubstr("must be a list of 3 numbers, one for each axis; the followers may be left "
+                        "out"));
+  EXPECT_THAT(complaint(arc("via = [10, 10]\nto = [0, 20]")),
+              HasSubstr("to = [0, 20]: must be a list of 3 numbers, one for each axis"));
+  const PathSpec started = read(
+      "[path]\nvelocity = 100\nstart = [5, 6]\n[[command]]\ntype = \"line\"\nto = [1, 2, 3]\n");
+  EXPECT_EQ(started.program.start(), (Point{5, 6, 0}));
+}
+
 TEST(PathSpecFile, ReadsAnOverride) {
   const PathSpec path = read(command("type = \"line\"\nto = [1, 2, 3]") +
                              "[[override]]\ntime = \"200 ms\"\nfactor = 0.5\n"

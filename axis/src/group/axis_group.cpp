@@ -101,6 +101,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Extend& what) {
   hand_back(path_.path());
   path_.take_over(*movement, now_.tick, what.shift);
   path_outputs_.continue_as(*movement, what.shift);
+  if (compares_way_) path_way_.continue_as(*movement, what.shift);
   return std::nullopt;
 }
 

@@ -59,6 +59,14 @@ std::span<const PathSwitch> GroupPath::switches(double from, double to) const no
   return first < end ? std::span(first, end) : std::span<const PathSwitch>();
 }
 
+PathPlace GroupPath::along(double time) const noexcept {
+  const double end = program_.plan->duration();
+  const Motion q = program_.plan->law().at(std::clamp(time, 0.0, end));
+  if (!program_.length) return {q.position, q.velocity};
+  const auto [length, slope] = program_.length->at(q.position);
+  return {length, slope * q.velocity};
+}
+
 double GroupPath::highest_rate() const noexcept {
   double rate = 2;
   for (const GroupAxis& axis : program_.axes)

@@ -261,7 +261,10 @@ double MotionAxis::Impl::followed_ratio() const {
 void MotionAxis::Impl::begin_pending(const Moment& at) {
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
   if (const auto refusal = against_axes()) return drop(*refusal);
-  if (is_group()) now_.position = 0;  // the length along its path
+  if (is_group()) {  // the length along its path
+    now_.position = 0;
+    path_way_.reset();
+  }
   const bool live = armed_.is_live();
   Cause no = Cause::none;
   const auto state = state_at(at, no);

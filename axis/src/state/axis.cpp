@@ -23,7 +23,8 @@ MotionAxis::Impl::Impl(const AxisConfig& config, const AxisSwitches& switches,
       move_(config_.period),
       above_(config_),
       plane_axes_(compare.plane_axes),
-      outputs_(switches, compare) {
+      outputs_(switches, compare),
+      compares_way_(compare.list.has_value()) {
   if (config_.registration) registration_.emplace(*config_.registration);
   if (config_.compensation) compensation_.emplace(*config_.compensation, config_.modulo);
   now_.position = config_.position;
@@ -270,7 +271,10 @@ void MotionAxis::Impl::give_out(const Setpoint& next) {
   const auto& [p, v, a, j] = next.slave;
   path_.put_out(now_.tick);
   keep_parts();
-  if (is_group() && on_path()) path_outputs_.pass(*path_.path(), path_.time(now_.tick), dt());
+  if (is_group() && on_path()) {
+    path_outputs_.pass(*path_.path(), path_.time(now_.tick), dt());
+    if (compares_way_) path_way_.pass(*path_.path(), path_.time(now_.tick));
+  }
   now_.master = next.master;
   now_.master_velocity = next.master_velocity;
   now_.position = p;
@@ -281,6 +285,8 @@ void MotionAxis::Impl::give_out(const Setpoint& next) {
 void MotionAxis::Impl::operate_outputs() {
   OutputPlaces places;
   places.commanded = {now_.position, now_.velocity};
+  if (is_group() && compares_way_)
+    places.way = {path_way_.length(), on_path() ? path_way_.velocity() : 0};
   places.actual = {now_.actual_position, inputs_.feedback.velocity};
   if (has_master_) places.master = {now_.master, now_.master_velocity};
   for (std::size_t k = 0; k < plane_axes_.size() && plane_axes_[k] < part_count_; ++k)

@@ -14,6 +14,7 @@
 #include "axis/src/follow/live_player.hpp"
 #include "axis/src/group/group_state.hpp"
 #include "axis/src/group/path_outputs.hpp"
+#include "axis/src/group/path_way.hpp"
 #include "axis/src/homing/homing.hpp"
 #include "axis/src/motion/armed_motion.hpp"
 #include "axis/src/motion/move_goal.hpp"
@@ -281,6 +282,8 @@ class MotionAxis::Impl {
   std::array<std::size_t, 2> plane_axes_;
   Outputs outputs_;
   PathOutputs path_outputs_;  // outputs of the path of a group
+  PathWay path_way_;          // its length, for the position compare
+  bool compares_way_ = false;
   Tick now_;
 };
 

@@ -53,7 +53,8 @@ void Outputs::step(const OutputPlaces& places, double dt) {
       switch_step_.edge[i] = {now.edge[i].time, now.edge[i].output, now.edge[i].on};
   }
   if (compare_) {
-    const auto [position, velocity] = place_of(compare_of_, places, dt);
+    const auto [position, velocity] =
+        std::isnan(places.way.position) ? place_of(compare_of_, places, dt) : places.way;
     compare_step_ = compare_->step(position, velocity, dt);
   }
   last_actual_ = places.actual.position;

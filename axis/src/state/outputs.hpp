@@ -22,7 +22,9 @@ struct OutputPlaces {
     double velocity = std::numeric_limits<double>::quiet_NaN();  ///< NaN: unknown
   };
   Place commanded;  ///< setpoint: u, u/s
-  Place master;     ///< live master: m, m/s
+  /// For a group: length along its path and velocity of the tool, for its position compare: u, u/s.
+  Place way;
+  Place master;  ///< live master: m, m/s
   /// Position that the drive reports: u, u/s; a NaN velocity is computed from successive positions.
   Place actual;
   /// Setpoints of the two axes of AxisCompare::plane: u, u/s.

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/design/path_text.hpp"
+#include "jounce/path/path_length.hpp"
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
@@ -99,7 +100,7 @@ OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
       throw spec.document.located(InputError("compare.axis", "\"path\"",
                                              "is not possible for lines that overlap in time: they "
                                              "have no length along the path. Name an axis"));
-    add(axes.front().plan->law().curve());
+    add(length_over_time(*axes.front().plan).curve);
     return events;
   }
   events.position = axis->labels.units.position;

@@ -7,6 +7,7 @@
 
 #include "jounce/design/path_text.hpp"
 #include "jounce/design/version.hpp"
+#include "jounce/path/path_length.hpp"
 
 namespace jounce {
 namespace {
@@ -77,7 +78,8 @@ std::string to_json(const FileDifference& difference) {
   if (has_two_paths(difference)) {
     const auto& [before, after] = difference.axes.front();
     document["path"] = {{"durations", {before.plan->duration(), after.plan->duration()}},
-                        {"lengths", {before.plan->path().length(), after.plan->path().length()}}};
+                        {"lengths", Json::array({PathLength(*before.plan).whole(),
+                                                 PathLength(*after.plan).whole()})}};
   }
   return document.dump();
 }

@@ -6,6 +6,7 @@
 #include "jounce/design/path_text.hpp"
 #include "jounce/path/along.hpp"
 #include "jounce/path/command_times.hpp"
+#include "jounce/path/path_length.hpp"
 
 namespace jounce {
 namespace {
@@ -56,8 +57,10 @@ std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan,
   const std::vector<CommandStart> starts = command_starts(path.program, plan, commands);
   std::vector<EventPlace> places;
   std::vector<Motion> axes(plan.path().axes());
+  const PathLength length(plan);
   for (std::size_t k = 0; k < events.size(); ++k) {
-    EventPlace place{.event = events[k], .where = starts[k].where, .time = starts[k].time};
+    EventPlace place{
+        .event = events[k], .where = length.at(starts[k].where).length, .time = starts[k].time};
     plan.at(place.time, axes);
     for (std::size_t i = 0; i < axes.size(); ++i) place.position[i] = axes[i].position;
     places.push_back(std::move(place));
@@ -79,11 +82,12 @@ PathSummary summary_of(const Spec& spec, const Plan& played) {
   const bool overridden = !path.override_steps.empty();
   const Plan plan =
       overridden ? jounce::plan(path.program, path.limits, {.joints = path.joints}) : played;
+  const PathLength length(plan);
   PathSummary summary{.duration = plan.duration(),
                       .played = overridden ? std::optional(played.duration()) : std::nullopt,
                       .stop_duration = plan.stop_duration(),
                       .lower_bound = lower_bound(plan),
-                      .length = plan.path().length(),
+                      .length = length.whole(),
                       .cost = {},
                       .corners = plan.corners(),
                       .events = {},
@@ -91,6 +95,8 @@ PathSummary summary_of(const Spec& spec, const Plan& played) {
                       .fit = plan.given().fit};
   summary.cost = cost_of(plan, summary.corners);
   name_dwells(path.program, plan, summary.cost);
+  for (SpeedLoss& loss : summary.cost.losses) loss.where = length.at(loss.where).length;
+  for (CornerRecord& corner : summary.corners) corner.where = length.at(corner.where).length;
   summary.events = places_of(path, played, path.events);
   return summary;
 }

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
+#include "jounce/path/path_length.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
@@ -232,14 +233,15 @@ std::string path_json(const Spec& spec, const PathSummary& s) {
 std::string path_difference(const Spec& spec, const Plan& before, const Plan& after) {
   const Along units = units_along(spec);
   const double faster = before.duration() - after.duration();
-  if (faster == 0 && after.path().length() == before.path().length())
+  const double now = PathLength(after).whole();
+  const double then = PathLength(before).whole();
+  if (faster == 0 && now == then)
     return fmt::format("path: {} {} and {} {} long, as before\n", rounded(after.duration()),
-                       units.time, rounded(after.path().length()), units.length);
+                       units.time, rounded(now), units.length);
   return fmt::format("path: {} {} instead of {} {}: {} {} {}; {} {} long instead of {} {}\n",
                      rounded(after.duration()), units.time, rounded(before.duration()), units.time,
                      rounded(std::abs(faster)), units.time, faster >= 0 ? "less" : "more",
-                     rounded(after.path().length()), units.length, rounded(before.path().length()),
-                     units.length);
+                     rounded(now), units.length, rounded(then), units.length);
 }
 
 std::string path_bound(const Spec& spec, const Plan& plan) {

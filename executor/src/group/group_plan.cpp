@@ -148,6 +148,12 @@ InputError in_unit_of_tool(const InputError& error, const std::string& unit) {
 
 }  // namespace
 
+GroupProgram checked_program(std::shared_ptr<const Plan> plan, const ExecutorGroup& group) {
+  GroupProgram made = group_program(std::move(plan), group.configs, group.names, group.units);
+  if (group.along) made.length = std::make_shared<const PathLength>(*made.plan);
+  return made;
+}
+
 std::shared_ptr<const GroupProgram> planned_program(const Program& program,
                                                     const GroupLimits& limits,
                                                     const ExecutorGroup& group,
@@ -158,8 +164,7 @@ std::shared_ptr<const GroupProgram> planned_program(const Program& program,
       plan(program, group.kinematics ? of_tool(limits, *group.kinematics) : of_axes(limits, group),
            options));
   if (canceled != nullptr && *canceled) throw PlanCanceled();
-  return std::make_shared<const GroupProgram>(
-      group_program(std::move(path), group.configs, group.names, group.units));
+  return std::make_shared<const GroupProgram>(checked_program(std::move(path), group));
 } catch (const InputError& error) {
   if (!group.kinematics) throw;
   throw in_unit_of_tool(error, group.kinematics->unit);
@@ -171,8 +176,7 @@ std::shared_ptr<const GroupProgram> fast_program(const Point& from, const Point&
   for (const AxisConfig& axis : group.configs) limits.push_back(axis.limits);
   const std::size_t measured = group.kinematics ? 0 : group.path_axes();
   auto made = std::make_shared<const Plan>(direct_plan(from, axes_at(to, group), limits, measured));
-  return std::make_shared<const GroupProgram>(
-      group_program(std::move(made), group.configs, group.names, group.units));
+  return std::make_shared<const GroupProgram>(checked_program(std::move(made), group));
 }
 
 GroupSpace space_of(const ExecutorGroup& group) {

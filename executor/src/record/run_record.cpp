@@ -25,7 +25,9 @@ std::vector<RecordedAxis> recorded_axes(const std::vector<ExecutorOptions>& axes
                    .name = axis.receiver.executor,
                    .units = axis.units,
                    .config = resolved(axis.axis),
-                   .switches = !recordable(axis.compare) || axis.compare.plane.has_value(),
+                   // A record has no path of a group, only its timing law.
+                   .switches = !recordable(axis.compare) || axis.compare.plane.has_value() ||
+                               (axis.group && axis.compare.list),
                    .outputs = axis.switches,
                    .compare = axis.compare});
   return all;

@@ -88,8 +88,7 @@ std::shared_ptr<const SentProgram> sent_of(const Input& motion, const ExecutorGr
         "is not possible for a program with M words that wait: leave it out, or change "
         "m_words of the [[group]]");
   if (waits || group.kinematics) return sent_program(std::move(program), group);
-  return sent_program(std::move(program),
-                      group_program(motion.plan, group.configs, group.names, group.units));
+  return sent_program(std::move(program), checked_program(motion.plan, group));
 }
 
 std::shared_ptr<const SentProgram> program_of(const MachineSpec::Group& spec,
@@ -218,10 +217,11 @@ ExecutorOptions made(const MachineSpec::Group& spec, const MachineOptions& optio
                    .numbers = spec.m_words.value_or(std::vector<std::int32_t>{}),
                    .timeout = spec.m_word_timeout};
   if (!spec.program.empty()) {
-    group.sent = program_of(spec, group);
     const Spec program = read_spec(spec.program);
     parts.add_files(program.document.all_files());
     made.compare = compare_of(program);
+    group.along = made.compare.list.has_value();
+    group.sent = program_of(spec, group);
   }
   if (made.compare.plane && group.kinematics)
     throw InputError("program", spec.program,

@@ -195,6 +195,7 @@ class ArcSearch {
       if (way_.length / v > shortest_) break;
       for (const double j : jerks(v)) consider(v, j);
     }
+    if (shortest_ == PathSettings::none) consider_slow_ends();
     for (const double step : {0.1, 0.05, 0.025, 0.0125, 0.006, 0.003, 0.0015})
       for (int round = 0; round < 2; ++round)
         for (const double faster : {1 - step, 1.0, 1 + step}) {
@@ -316,6 +317,16 @@ class ArcSearch {
     best_v_ = v;
     best_j_ = jerk;
     best_ = box;
+  }
+
+  /// A short part of an arc next to a very slow corner: the velocity at its slower end needs no ramp there.
+  void consider_slow_ends() {
+    const double slow =
+        rests() == 0 ? std::min(way_.entry, way_.exit) : std::max(way_.entry, way_.exit);
+    for (const double share : {1.0, 0.5, 0.2, 0.1}) {
+      const double v = share * std::min(slow, fastest_);
+      for (const double j : jerks(v)) consider(v, j);
+    }
   }
 
   /// The steps from one velocity up to v; empty if there is no solution.

@@ -81,7 +81,7 @@ Arc read_arc_about(TomlReader& command, const PathAxes& axes, const Point& from,
                    const Point* origin) {
   command.describe("an arc with center");
   const Plane plane = read_plane(command, axes);
-  const Point center = read_position(command, "center", axes, base(origin));
+  const Point center = read_position(command, "center", axes, base(origin), Followers::optional);
   if (const auto angle = command.optional_number("angle", "deg")) {
     command.refuse_here("to", "cannot be combined with angle: leave one of the two out");
     return arc_by_angle(from, center, *angle, from, plane);
@@ -104,7 +104,7 @@ Arc read_arc(TomlReader& command, const PathAxes& axes, const Point& from, const
   if (command.has("via")) {
     command.describe("an arc with via");
     for (const char* key : {"center", "radius"}) command.refuse_here(key, one_definition);
-    const Point via = read_position(command, "via", axes, base(origin));
+    const Point via = read_position(command, "via", axes, base(origin), Followers::optional);
     const Point to = read_end(command, axes, from, origin);
     return arc_through(from, via, to, axes.path_axes, read_turns(command));
   }
@@ -131,7 +131,7 @@ void read_dwell(TomlReader& command, const PathAxes& axes, Program& program) {
 PathCurve read_ellipse(TomlReader& command, const PathAxes& axes, const Point& from,
                        const Point* origin) {
   const Plane plane = read_plane(command, axes);
-  const Point center = read_position(command, "center", axes, base(origin));
+  const Point center = read_position(command, "center", axes, base(origin), Followers::optional);
   const Point to = read_end(command, axes, from, origin);
   const double major = command.optional_number("major", "deg").value_or(0);
   const double ratio = command.number("ratio", "1");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,8 +32,11 @@ struct PathAxes {
   }
 };
 
-/// Reads key = [a, b, ...]: one number for each axis, counted from `origin`. Required.
-Point read_position(TomlReader& reader, const char* key, const PathAxes& axes, const Point& origin);
+enum class Followers : std::uint8_t { required, optional };
+/// Reads key = [a, b, ...]: one number for each axis, counted from `origin`. Required. Optional
+/// followers that are left out are at `origin`.
+Point read_position(TomlReader& reader, const char* key, const PathAxes& axes, const Point& origin,
+                    Followers followers = Followers::required);
 
 /// Reads `to`. For rotary axes, the absolute positions are moved by whole periods to the positions
 /// nearest to the start.

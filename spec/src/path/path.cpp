@@ -133,14 +133,18 @@ std::vector<FactorRequest> read_override(TomlReader& top, const PathAxes& axes) 
 
 }  // namespace
 
-Point read_position(TomlReader& reader, const char* key, const PathAxes& axes,
-                    const Point& origin) {
+Point read_position(TomlReader& reader, const char* key, const PathAxes& axes, const Point& origin,
+                    Followers followers) {
   if (!reader.has(key)) reader.refuse_misspelt(key);
   if (!reader.has(key))
     reader.fail(key, "",
                 std::string("is missing: add ") + key + " = [NUMBER, ...], one for each axis");
-  Point p{};
-  const std::vector<double> given = reader.numbers(key, axes.position_units, ", one for each axis");
+  Point p = origin;
+  const bool short_list = followers == Followers::optional && axes.path_axes < axes.size();
+  const std::vector<double> given = reader.numbers(
+      key, axes.position_units,
+      short_list ? ", one for each axis; the followers may be left out" : ", one for each axis",
+      short_list ? axes.path_axes : axes.size());
   for (std::size_t i = 0; i < given.size(); ++i) p[i] = origin[i] + given[i];
   return p;
 }
@@ -193,7 +197,8 @@ PathSpec read_path(TomlReader& top, Spec& spec) {
   if (top.has("points") && table.has("start"))
     table.fail("start", "",
                "does not apply to a path of points, which starts at the first one: leave it out");
-  if (table.has("start")) machine.start = read_position(table, "start", axes, {});
+  if (table.has("start"))
+    machine.start = read_position(table, "start", axes, {}, Followers::optional);
   for (const AxisPart& part : spec.axes) {
     path.limits.axes.push_back(part.limits);
     machine.axes.push_back({part.name, part.units.position, part.limits.position_min,

@@ -458,16 +458,18 @@ bool TomlReader::holds_tables(const char* key) {
 }
 
 std::vector<double> TomlReader::numbers(const char* key, std::span<const std::string> units,
-                                        const std::string& each) {
+                                        const std::string& each, std::size_t least) {
   const toml::node* node = find(key);
   if (node == nullptr) return {};
   if (!units.empty()) document_->units.emplace(path(key), units.front());
   return or_else(key, std::vector<double>(units.size(), 1.0), [&] {
     const toml::array* array = node->as_array();
-    if (array == nullptr || array->size() != units.size())
+    if (array == nullptr ||
+        (array->size() != units.size() && (least == 0 || array->size() != least)))
       fail(key, shown(*node), "must be a list of " + counted(units.size(), "number") + each);
     std::vector<double> all;
-    for (const std::string& unit : units) all.push_back(element(key, *array, all.size(), unit));
+    for (const std::string& unit : units.first(array->size()))
+      all.push_back(element(key, *array, all.size(), unit));
     return all;
   });
 }

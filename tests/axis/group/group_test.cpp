@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A group of the machine: its states, its path, and its axes.
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "jounce/path/path_length.hpp"
 
 #include "axis/group/group_rig.hpp"
 #include "support/errors.hpp"
@@ -53,6 +56,44 @@ TEST(Group, PlaysItsPlanToTheLastBit) {
   }
   EXPECT_EQ(rig.at(x).position, 0);
   EXPECT_EQ(rig.at(y).position, 0);
+}
+
+/// Pulses at equal lengths along rounded corners: at the instants of the planned motion, and as many after a hold.
+TEST(Group, ComparesTheLengthOfTheToolsPath) {
+  Program corners(2);
+  corners.set({.velocity = 190, .corner = Corner::distance, .value = 5});
+  corners.line({30, 0}, 1);
+  corners.line({30, 30}, 2);
+  corners.line({5, 40}, 3);
+  const PositionCompare list{
+      .mode = CompareMode::linear, .points = evenly(0.5, 1, 86), .pulse = 1e-5};
+  for (const bool holds : {false, true}) {
+    Plotter rig(limits(200, 2000, 1e5), corners);
+    std::vector<MachineAxis> axes = Plotter::axes_of(limits(200, 2000, 1e5));
+    axes[group].compare.list = list;
+    rig.machine = Machine(axes);
+    GroupProgram program = rig.program;
+    program.length = std::make_shared<const PathLength>(*rig.plan);
+    GroupPath path(9, program);
+    rig.enable();
+    rig.send(group, command::Arm{&path});
+    rig.send(group, command::Start{});
+    const std::int64_t begin = rig.tick;
+    std::vector<double> times;
+    for (; rig.at(group).job != 0; rig.step()) {
+      for (const OutputEdge& edge : rig.at(group).compare.edges())
+        if (edge.on) times.push_back(static_cast<double>(rig.tick - 1 - begin) / 1000 + edge.time);
+      if (holds && rig.tick == begin + 300) rig.images[group].command = {command::Hold{}};
+      if (holds && rig.tick == begin + 600) rig.images[group].command = {command::Resume{}};
+    }
+    const std::vector<CompareEvent> wanted =
+        compared(list, length_over_time(*rig.plan).curve).events;
+    ASSERT_GT(wanted.size(), 80U);
+    ASSERT_LT(wanted.size(), 86U) << "the corners are shorter than their sides";
+    ASSERT_EQ(times.size(), wanted.size());
+    if (holds) continue;
+    for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(times[k], wanted[k].time, 1e-7) << k;
+  }
 }
 
 /// Against samples of the plan. The lines have 40, 150, 20 and 10 mm/s.

@@ -14,7 +14,8 @@
 namespace jounce {
 
 /// The path of a group as a movement. The group plays it like a table over time: its setpoint is the
-/// length along the path, and parts() are the setpoints of its axes.
+/// path parameter q (path.hpp), and parts() are the setpoints of its axes. along() is the length along
+/// the path of the tool if the program has it (GroupProgram::length), otherwise q.
 ///
 ///     MotionAxis group(group_config(configs));
 ///     GroupPath path(1, program);
@@ -48,6 +49,7 @@ class GroupPath final : public Movement {
   }
   [[nodiscard]] std::span<const PathSwitch> switches(double from,
                                                      double to) const noexcept override;
+  [[nodiscard]] PathPlace along(double time) const noexcept override;
   [[nodiscard]] double highest_rate() const noexcept override;
   [[nodiscard]] double rate_slope(double highest) const noexcept override;
 

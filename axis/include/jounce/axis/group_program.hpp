@@ -9,6 +9,7 @@
 
 #include "jounce/axis/axis_config.hpp"
 #include "jounce/axis/movement.hpp"
+#include "jounce/path/path_length.hpp"
 #include "jounce/path/plan.hpp"
 
 namespace jounce {
@@ -43,7 +44,9 @@ struct GroupProgram {
   /// unless the program was read from a record.
   std::vector<ProgramPart> parts = {};
   std::vector<PathSwitch> switches = {};  ///< outputs that it switches, in ascending order of time
-  std::vector<PathMWord> m_words = {};    ///< M words that it passes, in ascending order of time
+  /// Length along the path of the tool, for a position compare; null: q.
+  std::shared_ptr<const PathLength> length = {};
+  std::vector<PathMWord> m_words = {};  ///< M words that it passes, in ascending order of time
 };
 
 /// Returns the last part that begins at this length along the path, or before it.

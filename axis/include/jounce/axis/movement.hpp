@@ -81,6 +81,12 @@ struct PathSwitch {
   bool on = false;  ///< true: the output goes on
 };
 
+/// The place on the path of a group.
+struct PathPlace {
+  double length = 0;    ///< u, along the path of the tool from the start of the path
+  double velocity = 0;  ///< u/s, at rate 1
+};
+
 /// A motion that an axis plays. It is made and checked outside the cyclic thread; the cyclic thread
 /// steps it:
 ///
@@ -197,6 +203,8 @@ class Movement {
                                                              double /*to*/) const noexcept {
     return {};
   }
+  /// For the path of a group: its place at a path time, s.
+  [[nodiscard]] virtual PathPlace along(double /*time*/) const noexcept { return {}; }
   /// For the path of a group: the greatest rate, from 1 to 2, that its axes permit.
   [[nodiscard]] virtual double highest_rate() const noexcept { return 2; }
   /// For the path of a group: the greatest slope of the rate, 1/s, that its axes permit for rates

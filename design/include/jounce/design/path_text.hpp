@@ -16,7 +16,7 @@ namespace jounce {
 /// Place of a G-code word that moves no axis, such as M3.
 struct EventPlace {
   GcodeEvent event;
-  double where = 0;  ///< distance along the path at this place
+  double where = 0;  ///< length along the path at this place
   double time = 0;   ///< s, time at which the axes have reached the place and the preceding dwells
                      ///< have ended
   Point position{};  ///< position of the axes
@@ -29,8 +29,9 @@ struct PathSummary {
   std::optional<double> played = {};  ///< duration with [[override]], if the spec has it
   double stop_duration = 0;           ///< duration with a stop at each corner
   double lower_bound = 0;  ///< proven lower bound of the duration, without a limit of jerk
-  double length = 0;       ///< length of the path, corners included
-  PathCost cost;           ///< time lost against full speed
+  double length = 0;       ///< length of the path, with its rounded corners
+  /// time lost against full speed; its places, and those of the corners, are lengths along the path
+  PathCost cost;
   /// one for each junction of two commands that has a corner or a note (CornerRecord::note)
   std::vector<CornerRecord> corners;
   std::vector<EventPlace> events;  ///< places of the words of a G-code program

@@ -48,6 +48,7 @@ struct ExecutorGroup {
   std::optional<GroupKinematics> kinematics = {};  ///< nullopt: commands address the axes
   MWordHandshake m_words = {};                     ///< M words of programs that wait
   PlanWindow window = {};                          ///< windows of the plans of a long program
+  bool along = false;  ///< true: position compare along the path (ExecutorOptions::compare)
 
   /// Names of the coordinates of commands: the axes of the tool, or of the group.
   [[nodiscard]] const std::vector<std::string>& coordinates() const {

@@ -17,6 +17,10 @@
 /// Paths of a group, planned within the limits of its axes, or of its joints.
 namespace jounce {
 
+/// Checks a plan against the limits of the axes of the group (group_program()), and adds what the group
+/// needs to play it. Throws InputError like group_program().
+GroupProgram checked_program(std::shared_ptr<const Plan> plan, const ExecutorGroup& group);
+
 /// Plans a program, and checks the plan against the limits of the axes of the group. `limits`: limits
 /// of the sender for the coordinates of the program and for its path; they are lowered to the limits
 /// of the group. Throws InputError like plan() and group_program(), and PlanCanceled.

@@ -169,9 +169,10 @@ class TomlReader {
   /// True if the key contains tables: [[key]] or key = [{...}, ...].
   bool holds_tables(const char* key);
   /// Returns the numbers of key = [a, b, ...], one for each unit; empty if the key is missing.
-  /// `each`: end of the error for another count, such as ", one for each axis".
+  /// `each`: end of the error for another count, such as ", one for each axis". `least`: another count
+  /// that is possible; the list then ends there.
   std::vector<double> numbers(const char* key, std::span<const std::string> units,
-                              const std::string& each = "");
+                              const std::string& each = "", std::size_t least = 0);
   /// Returns the numbers of key = [a, b, ...], in `unit`.
   std::vector<double> number_list(const char* key, const std::string& unit);
   std::vector<std::string> texts(const char* key);  ///< the texts of key = ["a", "b", ...]
