@@ -267,8 +267,8 @@ constexpr std::array entries{
           "Check the wiring of the switch, or give a greater distance (--distance, or distance in "
           "[homing])."},
     Entry{Cause::not_homed, "not_homed", "The axis is not homed, and the command requires it.",
-          "Home the axis: `jounce order NAME home`. A move by a distance (--by) is permitted "
-          "before the homing."},
+          "Enable the axis and home it: `jounce order NAME home`. A move by a distance (--by) is "
+          "permitted before the homing."},
     Entry{Cause::no_such_method, "no_such_method", "The homing method does not exist.",
           "Choose one of the methods of CiA 402: 1 to 14, 17 to 30, 33, 34, 35 or 37 (see "
           "docs/executor/homing.md)."},
@@ -385,9 +385,9 @@ constexpr std::array entries{
           "disable-compensation`."},
     Entry{Cause::compensation_inactive, "compensation_inactive",
           "The compensation of the axis is not active.", "No disable-compensation is needed."},
-    Entry{Cause::enabled, "enabled",
-          "The command needs a disabled axis, and the axis is enabled (HIMC error 0x83aa006e).",
-          "Disable the axis, send the command, and enable the axis again."},
+    Entry{Cause::enabled, "enabled", "The command needs a disabled axis, and the axis is enabled.",
+          "If the axis is not homed, home it. Then disable it, send the command, and enable it "
+          "again."},
 };
 
 /// The remedy of a cause for one kind of order.

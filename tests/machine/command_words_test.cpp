@@ -380,7 +380,8 @@ TEST(CommandWords, ATouchProbeHasItsInputEdgeAndWindow) {
   EXPECT_EQ(probe("index", {}).input, index_input);
   EXPECT_EQ(test::rule_of([&] { probe("", {}); }),
             "is missing: give the trigger input, 1 to 4, home or index");
-  EXPECT_EQ(test::rule_of([&] { probe("7", {}); }), "must be 1 to 4, home or index");
+  EXPECT_EQ(test::rule_of([&] { probe("7", {}); }),
+            "must be a trigger input: 1 to 4, home or index");
   EXPECT_EQ(test::key_of([&] { probe("1", {{"edge", "up"}}); }), "--edge");
   EXPECT_EQ(test::key_of([&] { probe("1", {{"count", "-1"}}); }), "--count");
   EXPECT_EQ(test::key_of([&] { probe("1", {{"velocity", "5"}}); }), "--velocity");

@@ -545,10 +545,9 @@ TEST(Reduced, ReportsHowManyKnotsItsDwellsNeed) {
             std::string::npos)
       << text;
   const std::string both = refusal(up_and_down(), {.tolerance = 1, .most = 3});
-  EXPECT_NE(
-      both.find("table within the tolerance: the table keeps the dwell or straight line of the "
-                "motion exactly"),
-      std::string::npos)
+  EXPECT_NE(both.find("table within the tolerance: both ends of the dwell or straight line of the "
+                      "motion need a knot"),
+            std::string::npos)
       << both;
   for (const std::size_t few : {0, 1})
     EXPECT_THAT(refusal(up_and_down(), {.rule = Interpolation::linear, .most = few}),

@@ -176,11 +176,12 @@ std::string inverse_json(const Input& input) {
   return document.dump();
 }
 
-std::string places_text(const Input& input, const std::vector<MasterPlace>& places) {
+std::string places_text(const Input& input, const std::string& slave,
+                        const std::vector<MasterPlace>& places) {
   if (places.empty()) {
     const Range travel = extrema(cam_in(input), 0);
-    return fmt::format("{}: the slave does not reach this position: it moves from {} to {} {}\n",
-                       input.name, rounded(travel.min.value), rounded(travel.max.value),
+    return fmt::format("{}: --slave = {}: the slave does not reach it: it moves from {} to {} {}\n",
+                       input.name, slave, rounded(travel.min.value), rounded(travel.max.value),
                        input.labels.units.position);
   }
   std::string text;
@@ -208,7 +209,7 @@ InverseAnswer inverse_answer(const Input& input, const std::string& slave, const
                              const InverseTexts& texts) {
   if (!slave.empty()) {
     const auto places = places_of_slave(input, slave);
-    return {places_text(input, places), places_json(places), !places.empty()};
+    return {places_text(input, slave, places), places_json(places), !places.empty()};
   }
   if (table.empty()) return {inverse_text(input), inverse_json(input)};
   Input made = inverse_of(input, texts);

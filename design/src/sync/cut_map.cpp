@@ -105,7 +105,10 @@ std::string to_csv(const CutMap& map) {
     text += fmt::format("# shortest at {} {}: {} {}\n", rounded(map.running), map.speed_unit(),
                         number(*map.shortest), m);
   if (map.cuts.turns_back < map.speeds.back().length)
-    text += fmt::format("# reversal: {}\n", needs_dwell);
+    text += fmt::format(
+        "# reversal: above {} {}, the knife would reverse between two cuts: add dwell = true to "
+        "[knife]\n",
+        number(map.cuts.turns_back), m);
   for (const LimitChange& change : map.changes)
     text += fmt::format("# from {} {}: {}\n", number(change.length), m, limit_word(change.after));
   text += fmt::format("cut_length [{}],line_speed [{}],cuts [1/min],limit\n", m, map.speed_unit());

@@ -158,8 +158,8 @@ std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
   if (options.follow.what == Follow::What::nothing)
     return "the axis has no live master: add follow = { axis = \"NAME\" } to its [[axis]] in the "
            "machine spec, or [follow] to its own spec, and start the executor again";
-  return "the master of the axis sends no valid position: start its program, or correct its unit; "
-         "`jounce monitor " +
+  return "the master of the axis sends no valid position: if it is an axis, enable it; otherwise "
+         "start its program, or correct its unit. `jounce monitor " +
          options.receiver.executor + "` shows the master";
 }
 

@@ -283,7 +283,7 @@ double input_of(const std::string& text) {
   if (!input || *input != std::floor(*input) || *input < 1 || *input > 4)
     throw InputError(value_word, text,
                      text.empty() ? "is missing: give the trigger input, 1 to 4, home or index"
-                                  : "must be 1 to 4, home or index");
+                                  : "must be a trigger input: 1 to 4, home or index");
   return *input;
 }
 
@@ -341,16 +341,17 @@ std::size_t coordinates(const Form& form, const std::string& option) {
       fields.begin(), fields.end(), [&](const Field& f) { return form.option(f) == option; }));
 }
 
-InputError value_missing(const std::string& word, const Field& field, OptionForm form,
-                         const std::string& unit) {
+/// The error for an order without a value, or without the option `name`, such as "--to".
+InputError value_missing(const std::string& word, const std::string& name, const Field& field,
+                         OptionForm form, const std::string& unit) {
   if (word == "combine")
     return {word, "", "VALUE is missing: give two ratios, such as combine 3:2 --second 1:2"};
   const bool is_ratio = form == OptionForm::ratio;
   const bool is_whole = form == OptionForm::whole;
   return {word, "",
-          "VALUE is missing: give " +
+          name + " is missing: give " +
               (is_ratio ? "a ratio" : (is_whole ? "an " : "a ") + std::string(field.name)) +
-              ", such as " +
+              ", such as " + (name == value_word ? "" : name + " ") +
               (is_ratio                     ? "3:2"
                : form == OptionForm::factor ? "50%"
                : is_whole                   ? "6"
@@ -392,9 +393,9 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
   const FieldRange& range = about.range ? *about.range : field.range;
   const bool is_input = about.form == OptionForm::trigger_input;
   if (option == value_word && text.empty() && !is_input)
-    throw value_missing(words.what, field, about.form, unit);
+    throw value_missing(words.what, value_word, field, about.form, unit);
   if (text.empty() && is_required(field, about.form))
-    throw InputError(name, "", "is missing: " + words.what + " needs it");
+    throw value_missing(words.what, name, field, about.form, unit);
   switch (about.form) {
     case OptionForm::flag:
       return flag_of(words, option) ? 1 : 0;

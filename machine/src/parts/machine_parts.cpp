@@ -238,8 +238,9 @@ Follow resolved(const Read& axis, const FollowWhom& whom, const std::string& tab
            meant(name, leaders, ": name one of its axes, or add that axis to the machine"));
   if (!of_master && name == axis.spec.name) refuse("is this axis itself: name another axis");
   if (!unit.empty() && unit != leader->unit)
-    refuse("has the unit " + leader->unit + ", but units.master of this axis is " + unit +
-           ": use the same unit");
+    refuse("has the unit " + leader->unit + ", but the axis " + axis.spec.name +
+           " has units.master = \"" + unit + "\" in its own spec: write \"" + leader->unit +
+           "\" there, or follow something in " + unit);
   Follow follow = leader->follow;
   if (whom.actual) follow.what = Follow::What::actual;
   return follow;

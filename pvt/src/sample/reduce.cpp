@@ -317,9 +317,9 @@ class Reduction {
   [[nodiscard]] std::string lines() const {
     const std::size_t n = stretches_.size();
     if (n == 0) return "";
-    return n == 1 ? ": the table keeps the dwell or straight line of the motion exactly"
-                  : ": the table keeps the " + std::to_string(n) +
-                        " dwells and straight lines of the motion exactly";
+    return n == 1 ? ": both ends of the dwell or straight line of the motion need a knot"
+                  : ": both ends of each of the " + std::to_string(n) +
+                        " dwells and straight lines of the motion need a knot";
   }
 
   [[noreturn]] void refuse(const Attempt& failed) const {

@@ -291,6 +291,10 @@ CamSpec read_cam(TomlReader& top, const Units& of, Spec& spec) {
     s.name = segment.optional_text("name").value_or("");
     s.form = read_form(segment);
     refuse_alias(segment, "law");
+    if (!segment.has("law"))
+      segment.fail("law", "",
+                   "is missing: add law = \"quintic\" (between any two knots), \"modified_sine\" "
+                   "(from rest to rest), \"dwell\", or another law of `jounce laws`");
     s.law = all_laws()[segment.choice("law", law_names())].law;
     s.control = read_control(segment, s.law, of);
     const auto file = read_cam_points(segment, s.law, of);

@@ -112,11 +112,13 @@ SyncSpec read_gear(TomlReader gear, const Units& units) {
       spec = read_for_ever(gear, units);
       break;
     case 1:
-      gear.refuse_here("master_period", "needs engage = \"at_once\": leave it out");
+      gear.refuse_here("master_period",
+                       "applies to engage = \"at_once\" only: leave master_period out");
       spec = read_course(gear, units);
       break;
     default:
-      gear.refuse_here("master_period", "needs engage = \"at_once\": leave it out");
+      gear.refuse_here("master_period",
+                       "applies to engage = \"at_once\" only: leave master_period out");
       spec = read_in_pos(gear, units);
   }
   gear.finish();

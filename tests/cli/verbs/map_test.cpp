@@ -35,7 +35,8 @@ TEST_F(MapVerb, ShowsWhereAKnifeWithoutADwellReverses) {
   write("knife.toml", knife);
   const Result map = run("map knife.toml --from 5 --to 25 --steps 3");
   EXPECT_EQ(map.status, 0) << map.err;
-  EXPECT_THAT(map.out, HasSubstr("# reversal: reverses: needs dwell\n"));
+  EXPECT_THAT(map.out,
+              HasSubstr("the knife would reverse between two cuts: add dwell = true to [knife]\n"));
   EXPECT_THAT(map.out, HasSubstr("# from 19.8967534727"));
   EXPECT_THAT(map.out, HasSubstr("\n25,,,reversal\n"));
   EXPECT_EQ(run("map knife.toml -o map.svg").status, 0);

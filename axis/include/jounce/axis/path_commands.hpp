@@ -92,7 +92,7 @@ class PathCommands {
     limits_ = limits;
     axis_limits_ = std::move(axes);
   }
-  /// True if these are the further limits of all commands.
+  /// True if every command was appended with exactly these limits (set_limits()).
   [[nodiscard]] bool has_limits(const PathLimits& limits, std::span<const AxisRates> axes) const {
     return !limits_vary_ && limits == limits_ && std::ranges::equal(axes, axis_limits_);
   }
@@ -143,13 +143,14 @@ class PathCommands {
   [[nodiscard]] Program program() const;
   /// The same commands, but the last one that moves begins at rest.
   [[nodiscard]] PathCommands stopping() const;
-  /// The same commands, each at most as fast as in their plan. With further commands, the group
-  /// then does not brake at the end, but keeps its velocity.
+  /// The same commands, each at most as fast as in `plan`. Commands that are appended later then
+  /// continue at the velocity of the plan; the group does not accelerate first.
   [[nodiscard]] PathCommands slowed(const Plan& plan) const;
   /// The commands from this number on.
   [[nodiscard]] PathCommands from(std::int32_t number) const;
-  /// Number of the command at the distance `u` from the start of a piece of the plan, whose source
-  /// line is `number`: the planner joins lines in the same direction.
+  /// Returns the number of the command at the distance `u` from the start of a piece of the plan. A
+  /// piece may have several commands, because the planner joins lines in the same direction;
+  /// `number` is that of the first one.
   [[nodiscard]] std::int32_t number_at(std::int32_t number, double u) const;
 
  private:

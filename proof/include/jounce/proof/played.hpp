@@ -38,7 +38,7 @@ struct DesignedMotion {
 /// The reference of a motion. Times are in s from its start.
 struct Designed {
   DesignedMotion over_time;
-  /// A cam over its master, for an axis that followed a live master; without a table: none.
+  /// A cam over its master, for an axis that followed a live master; empty for another axis.
   DesignedMotion over_master{};
   double tolerance = 0;  ///< permitted deviation of the table from the curve, u
   double duration = 0;   ///< duration of the motion, s
@@ -72,9 +72,8 @@ struct Played {
 /// Compares every tick with the design: over time, or, if the positions do not agree, over the
 /// master of the log. The axis may have engaged at the position of the cam, or with master and slave
 /// counted from its first tick. Requires at least one tick, and a table over time in `designed`. The
-/// permitted rounding is `most_roundings` units in the last place of the greatest position, plus as
-/// many of the distance that the fastest tick would travel during the time of the log. (A position
-/// is computed from a time, so the rounding of the time shifts the position.)
+/// permitted rounding is most_roundings eps (greatest position + greatest velocity * time of the log).
+/// A position is computed from a time, so the rounding of the time shifts the position.
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed);
 /// Number of units in the last place that compare_played() permits.
 inline constexpr double most_roundings = 32;

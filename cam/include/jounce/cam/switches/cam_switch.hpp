@@ -86,8 +86,8 @@ struct SwitchTrack {
   bool inverted = false;        ///< true: the output is inverted
   /// Bit of the track in EnableMask. The output of a disabled track is off, even if inverted.
   bool enabled = true;
-  /// The output while it cannot be computed yet: before the first position, and in a range of one
-  /// direction until the axis has moved.
+  /// The output while it cannot be computed yet: before the first position, and in the range of a
+  /// switch that acts in one direction until the axis has moved.
   bool initial = false;
 };
 
