@@ -102,8 +102,8 @@ TEST(Composed, AShortSegmentFarFromTheOriginEndsAtItsOwnEnd) {
 }
 
 TEST(Composed, AShortRampOnAnArcIsExactToItsOwnRounding) {
-  // A ramp of 10 us covers 1e-10 of an arc with coordinates of 50: by differences of its ends, rounding of the positions
-  // changed the jerk by 1e-4 of it.
+  // A ramp of 10 us covers 1e-10 of an arc with coordinates of 50: by differences of its ends,
+  // rounding of the positions changed the jerk by 1e-4 of it.
   const double radius = 50;
   const double length = 2;
   Segment f = line(length, 0, 0);
