@@ -33,13 +33,13 @@ bool is_late(StreamError error) {
          error == StreamError::command_timeout;
 }
 
-/// The reason in words. The remedies for a rejection by the axis are commands of the program jounce:
-/// they are not for a Python program.
+/// The reason in words, without the remedies of an axis: they are commands of the program jounce.
 std::string words_of(const CallOutcome& outcome, const std::string& axis) {
   constexpr std::string_view who = "axis: ";
-  if (outcome.refusal == wire::Refusal::axis && outcome.reason.starts_with(who))
-    return outcome.reason.substr(who.size());
-  return with_arguments(reason_text(outcome, axis));
+  if (outcome.refusal != wire::Refusal::axis || !outcome.reason.starts_with(who))
+    return with_arguments(reason_text(outcome, axis));
+  const std::string reason = outcome.reason.substr(who.size());
+  return reason.substr(0, reason.find(": send `jounce "));
 }
 
 void require_ok(const CallOutcome& outcome, const std::string& axis) {

@@ -22,7 +22,8 @@ struct MotionState {
 
 /// Returns the state of a motion, such as the start of the next move:
 ///
-///     const MoveResult next = move_to(state_of(move.at(0.25)), {.position = 80}, bounds);
+///     const Bounds axis = within(2, 10, 100);
+///     const MoveResult next = move_to(state_of(move.at(0.25)), {.position = 80}, axis);
 constexpr MotionState state_of(const Motion& motion) noexcept {
   return {motion.position, motion.velocity, motion.acceleration};
 }
