@@ -129,6 +129,9 @@ function(jounce_module name)
   list(TRANSFORM used PREPEND jounce::)
   target_link_libraries(jounce_${name} PUBLIC ${used} ${MODULE_LINKS} PRIVATE ${MODULE_PRIVATE_LINKS})
 
+  if(NOT JOUNCE_INSTALL)
+    return()
+  endif()
   install(TARGETS jounce_${name} EXPORT jounceTargets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}

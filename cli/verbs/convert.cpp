@@ -39,7 +39,7 @@ Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
                     .periodic = options.periodic,
                     .format = form.format};
   if (options.target.any())
-    wanted.target = target_of(options.target, input.table.table.axis(), wanted.rule,
+    wanted.target = target_of(options.target, input.table.table.axis(), *wanted.rule,
                               input.labels.units, option_of);
   return wanted;
 }

@@ -55,7 +55,7 @@ Exported exported_table(const std::string& path, const std::string& text,
   Conversion wanted{.rule = rule_for(to, rule, "", input.table.table), .format = to.format};
   if (request.target.any())
     wanted.target =
-        target_of(request.target, input.table.table.axis(), wanted.rule, input.labels.units);
+        target_of(request.target, input.table.table.axis(), *wanted.rule, input.labels.units);
   const Converted made = converted(input, wanted);
   if (to.format == nullptr) require_units(made.file);
   return {form_text(to, made.file), ending_of(to),

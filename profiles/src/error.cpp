@@ -142,4 +142,10 @@ void require_not_negative(const char* key, double value) {
   if (value < 0) throw InputError(key, value, "must not be negative");
 }
 
+void require_size(const char* key, std::size_t size, std::size_t expected) {
+  if (size != expected)
+    throw InputError(key, std::to_string(size) + " entries",
+                     "must have " + std::to_string(expected));
+}
+
 }  // namespace jounce

@@ -12,13 +12,13 @@ u is the unit of the axis, m that of its master. Arrays are broadcast by the rul
 InputError; broken limits are findings in a Report.
 """
 from . import _jounce
-from ._errors import AxisError, InputError, MoveError
+from ._errors import AxisError, AxisTimeout, InputError, MoveError
 from ._jounce import *  # noqa: F403
 from ._jounce import __version__
 from ._values import Motion, State, Transfer
 
-for _class in (AxisError, InputError, MoveError, Motion, State, Transfer):
+for _class in (AxisError, AxisTimeout, InputError, MoveError, Motion, State, Transfer):
     _class.__module__ = "jounce"
 
-__all__ = ["__version__", "AxisError", "InputError", "MoveError", "Motion", "State", "Transfer"]
+__all__ = ["__version__", "AxisError", "AxisTimeout", "InputError", "MoveError", "Motion", "State", "Transfer"]
 __all__ += [name for name in vars(_jounce) if not name.startswith("_")]

@@ -54,3 +54,7 @@ class AxisError(RuntimeError):
 
     def __reduce__(self) -> tuple[object, ...]:
         return type(self), (str(self), self.error, self.refusal, self.cause)
+
+
+class AxisTimeout(AxisError, TimeoutError):
+    """An executor did not answer in time, or an axis did not reach its state in time."""

@@ -176,6 +176,18 @@ void bind_algebra(py::class_<Curve<Over>>& c) {
           "__add__", [](const C& f, const C& g) { return sum(f, g); }, "other"_a,
           "Returns the sum of two curves over the same interval.")
       .def(
+          "__sub__", [](const C& f, const C& g) { return sum(f, scaled(g, -1)); }, "other"_a,
+          "Returns the difference of two curves over the same interval.")
+      .def(
+          "__mul__", [](const C& f, double factor) { return scaled(f, factor); }, "factor"_a,
+          "Returns the curve with its value multiplied by the factor.")
+      .def(
+          "__rmul__", [](const C& f, double factor) { return scaled(f, factor); }, "factor"_a,
+          "Returns the curve with its value multiplied by the factor.")
+      .def(
+          "__neg__", [](const C& f) { return scaled(f, -1); },
+          "Returns the curve with its value multiplied by -1.")
+      .def(
           "moving_average", [](const C& f, double window) { return moving_average(f, window); },
           "window"_a,
           R"(Returns the exact moving average over a window (s or m): a smoother motion, longer by the window.

@@ -107,6 +107,20 @@ void bind_figures(py::module_& m) {
       });
 }
 
+/// The text of a spec, from which another process makes the design again.
+py::tuple design_state(const Design& design) {
+  const bool is_own = design.input.spec && design.input.spec->document.name == design.path;
+  if (!is_own)
+    throw py::type_error("cannot pickle this Design: load " + design.path +
+                         " in the other process, or pickle its table, curve or report");
+  return py::make_tuple(design.input.spec->document.text, design.path, design.input.axis);
+}
+
+Design design_of_state(const py::tuple& state) {
+  return parse_one(state[0].cast<std::string>(), state[1].cast<std::string>(),
+                   state[2].cast<std::string>());
+}
+
 void bind_design(py::module_& m) {
   const auto release = py::call_guard<py::gil_scoped_release>();
   py::class_<Design>(
@@ -177,6 +191,8 @@ table.)")
       .def_property_readonly(
           "master", [](const Design& d) { return master_of(d.input); },
           "Motion of the cam's master over seconds. Raises InputError if there is no [master].")
+      .def(py::pickle([](const Design& d) { return design_state(d); },
+                      [](const py::tuple& state) { return design_of_state(state); }))
       .def("__repr__", [](const Design& d) {
         return shown("Design",
                      {{"name", "'" + d.input.name + "'"}, {"kind", "'" + kind_of(d) + "'"}});

@@ -3,10 +3,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <optional>
+#include <string>
+#include <type_traits>
 
 #include <pybind11/stl.h>
 
+#include "jounce/io/table_file.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 #include "jounce/profiles/moves/explain.hpp"
 #include "jounce/profiles/moves/fourth_order.hpp"
@@ -66,9 +70,11 @@ const char* word(MoveStatus status) {
     case MoveStatus::blocked:
       return "blocked";
     case MoveStatus::not_straight:
+      return "not_straight";
+    case MoveStatus::wrong_size:
       break;
   }
-  return "not_straight";
+  return "wrong_size";
 }
 
 void raise_move_error(MoveStatus status, const std::string& text) {
@@ -129,22 +135,8 @@ BoundsColumns made_bounds(const Column& velocity, const Column& acceleration, co
   return bounds;
 }
 
-/// The magnitude of two bounds, for limits: nothing if there is none.
-std::optional<double> magnitude(double low, double high, const char* key) {
-  if (low != -high)
-    throw InputError(key, low, "must be minus the maximum: limits of a check have one magnitude");
-  return std::isfinite(high) ? std::optional(high) : std::nullopt;
-}
-
-Limits limits_of(const BoundsColumns& columns) {
-  const Bounds b = columns.one();
-  const auto finite = [](double x) { return std::isfinite(x) ? std::optional(x) : std::nullopt; };
-  const Limits limits{finite(b.position_min), finite(b.position_max),
-                      magnitude(b.velocity_min, b.velocity_max, "velocity_min"),
-                      magnitude(b.acceleration_min, b.acceleration_max, "acceleration_min"),
-                      magnitude(b.jerk_min, b.jerk_max, "jerk_min")};
-  require_valid(limits);
-  return limits;
+Limits limits_of_one(const BoundsColumns& columns) {
+  return limits_of(columns.one());
 }
 
 std::string column_text(const Column& column) {
@@ -220,10 +212,13 @@ rate that is not greater than 0, for a minimum that is not less than 0, and for 
       .def_readonly("position_min", &BoundsColumns::position_min, "Least position, u.")
       .def_readonly("position_max", &BoundsColumns::position_max, "Greatest position, u.")
       .def_property_readonly(
-          "limits", limits_of,
+          "limits", limits_of_one,
           "The same bounds as Limits for a check. Raises InputError for bounds that are not equal "
           "in both directions, and for arrays.")
       .def("__eq__", same_bounds, "other"_a, "True if all members are equal.")
+      .def(
+          "__hash__", [](const BoundsColumns& b) { return py::hash(bounds_state(b)); },
+          "Returns the hash of the members. Raises TypeError for arrays.")
       .def(py::pickle([](const BoundsColumns& b) { return bounds_state(b); },
                       [](const py::tuple& state) { return bounds_of_state(state); }))
       .def("__repr__", bounds_text);
@@ -348,6 +343,24 @@ u, u/s, u/s^2, u/s^3, u/s^4 (jounce: the derivative of the jerk). Raises InputEr
 
 }  // namespace
 
+/// The bytes of a move, to the last bit, for processes with the same version of Jounce.
+py::tuple move_state(const Profile& move) {
+  static_assert(std::is_trivially_copyable_v<Profile>);
+  std::string bytes(sizeof move, '\0');
+  std::memcpy(bytes.data(), &move, sizeof move);
+  return py::make_tuple(made_by(), py::bytes(bytes));
+}
+
+Profile move_of_state(const py::tuple& state) {
+  const auto version = state[0].cast<std::string>();
+  const auto bytes = state[1].cast<std::string>();
+  Profile move;
+  if (version != made_by() || bytes.size() != sizeof move)
+    throw InputError("pickle", version, "must be a move of this version, " + made_by());
+  std::memcpy(&move, bytes.data(), sizeof move);
+  return move;
+}
+
 void bind_move(py::module_& m) {
   py::class_<Profile>(m, "Move", R"(A move of one axis over time, with constant jerk in each phase.
 
@@ -390,6 +403,8 @@ holds its last position.)")
             return NamedReport{check(move.curve(), limits)};
           },
           "limits"_a, "Compares the exact extrema with the limits, and returns a Report.")
+      .def(py::pickle([](const Profile& move) { return move_state(move); },
+                      [](const py::tuple& state) { return move_of_state(state); }))
       .def("__repr__", [](const Profile& move) {
         return shown("Move", {{"duration", shown(move.duration())},
                               {"start", shown(move.start().position)},

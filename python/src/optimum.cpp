@@ -104,6 +104,19 @@ void bind_optimum(py::module_& m) {
           "Writes the optimized spec. Raises InputError if the result is not usable, or if the "
           "path is "
           "that of the input.")
+      .def(py::pickle(
+          [](const Improvement& o) {
+            return py::make_tuple(o.best.text, o.best.json, o.best.spec, o.text, o.json, o.broken,
+                                  o.name);
+          },
+          [](const py::tuple& s) {
+            const auto text = [&](std::size_t i) { return s[i].cast<std::string>(); };
+            return Improvement{{text(0), text(1), s[2].cast<std::optional<std::string>>()},
+                               text(3),
+                               text(4),
+                               text(5),
+                               text(6)};
+          }))
       .def("__str__", [](const Improvement& o) { return o.text; })
       .def("__repr__", [](const Improvement& o) {
         return shown("Optimum",

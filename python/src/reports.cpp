@@ -122,6 +122,48 @@ void bind_ranges(py::module_& m) {
       });
 }
 
+py::tuple finding_state(const Finding& f) {
+  return py::make_tuple(f.rule.text(), f.axis, f.quantity, f.where, f.value, f.limit, f.margin,
+                        f.broken, f.segment, f.advice, f.unit, f.where_unit,
+                        static_cast<int>(f.severity), f.has_limit);
+}
+
+Finding finding_of_state(const py::tuple& s) {
+  Finding f;
+  f.rule = Rule(s[0].cast<std::string>());
+  f.axis = s[1].cast<std::string>();
+  f.quantity = s[2].cast<std::string>();
+  f.where = s[3].cast<double>();
+  f.value = s[4].cast<double>();
+  f.limit = s[5].cast<double>();
+  f.margin = s[6].cast<double>();
+  f.broken = s[7].cast<bool>();
+  f.segment = s[8].cast<std::optional<std::size_t>>();
+  f.advice = s[9].cast<std::string>();
+  f.unit = s[10].cast<std::string>();
+  f.where_unit = s[11].cast<std::string>();
+  f.severity = static_cast<Severity>(s[12].cast<int>());
+  f.has_limit = s[13].cast<bool>();
+  return f;
+}
+
+py::tuple report_state(const NamedReport& r) {
+  py::list findings;
+  for (const Finding& f : r.report.findings) findings.append(finding_state(f));
+  return py::make_tuple(findings, r.labels.units.x, r.labels.units.position, r.labels.over_master,
+                        r.labels.segments);
+}
+
+NamedReport report_of_state(const py::tuple& s) {
+  NamedReport r;
+  for (const py::handle f : s[0])
+    r.report.findings.push_back(finding_of_state(f.cast<py::tuple>()));
+  r.labels = {{s[1].cast<std::string>(), s[2].cast<std::string>()},
+              s[3].cast<bool>(),
+              s[4].cast<std::vector<std::string>>()};
+  return r;
+}
+
 void bind_findings(py::module_& m) {
   py::class_<NamedFinding>(
       m, "Finding", "One result of a check: a quantity at its worst place, against its limit.")
@@ -169,6 +211,14 @@ void bind_findings(py::module_& m) {
                     "Number and name in the spec; may be empty.")
       .def_property_readonly(
           "advice", [](const NamedFinding& f) { return f.finding.advice; }, "Remedy; may be empty.")
+      .def(py::pickle(
+          [](const NamedFinding& f) {
+            return py::make_tuple(finding_state(f.finding), f.segment_name, f.unit, f.text);
+          },
+          [](const py::tuple& s) {
+            return NamedFinding{finding_of_state(s[0].cast<py::tuple>()), s[1].cast<std::string>(),
+                                s[2].cast<std::string>(), s[3].cast<std::string>()};
+          }))
       .def("__str__", [](const NamedFinding& f) { return f.text; })
       .def("__repr__", [](const NamedFinding& f) {
         return "Finding('" + f.finding.rule.text() + "': " + f.text + ")";
@@ -194,6 +244,8 @@ A check raises no exception for a broken limit. A report is true if no finding i
       .def_property_readonly(
           "warnings", [](const NamedReport& r) { return r.report.warnings(); },
           "Number of warnings.")
+      .def(py::pickle([](const NamedReport& r) { return report_state(r); },
+                      [](const py::tuple& s) { return report_of_state(s); }))
       .def("__len__", [](const NamedReport& r) { return r.report.findings.size(); })
       .def("__iter__", [](const NamedReport& r) { return py::iter(py::cast(r.findings())); })
       .def(

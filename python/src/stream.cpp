@@ -2,6 +2,7 @@
 // Commands and tables for an axis of an executor.
 #include <mutex>
 #include <optional>
+#include <string_view>
 
 #include <pybind11/stl.h>
 
@@ -26,12 +27,27 @@ using namespace py::literals;
 
 namespace {
 
+/// True if the time of a call has passed.
+bool is_late(StreamError error) {
+  return error == StreamError::out_of_time || error == StreamError::no_answer ||
+         error == StreamError::command_timeout;
+}
+
+/// The reason in words, without the remedies of an axis: they are commands of the program jounce.
+std::string words_of(const CallOutcome& outcome, const std::string& axis) {
+  constexpr std::string_view who = "axis: ";
+  if (outcome.refusal != wire::Refusal::axis || !outcome.reason.starts_with(who))
+    return with_arguments(reason_text(outcome, axis));
+  const std::string reason = outcome.reason.substr(who.size());
+  return reason.substr(0, reason.find(": send `jounce "));
+}
+
 void require_ok(const CallOutcome& outcome, const std::string& axis) {
   if (outcome.ok()) return;
-  const std::string text =
-      axis + ": " + name(outcome.error) + ": " + with_arguments(reason_text(outcome, axis));
+  const std::string text = axis + ": " + name(outcome.error) + ": " + words_of(outcome, axis);
   const bool refused = outcome.refusal != wire::Refusal::none;
-  const py::object error = from_package("_errors", "AxisError")(
+  const char* const type = is_late(outcome.error) ? "AxisTimeout" : "AxisError";
+  const py::object error = from_package("_errors", type)(
       text, name(outcome.error), refused ? wire::name(outcome.refusal) : "", outcome.cause);
   PyErr_SetObject(py::type::handle_of(error).ptr(), error.ptr());
   throw py::error_already_set();
@@ -68,7 +84,7 @@ class AxisClient {
     const auto message = [&] {
       const py::gil_scoped_release release;
       const std::lock_guard lock(mutex_);
-      return next_status(*status_link_, axis_, nanos(timeout), steady_now, key_);
+      return next_status(*status_link_, axis_, nanos(timeout), key_);
     }();
     if (!message) require_ok({StreamError::no_answer, {}, 0, "no status has arrived"}, axis_);
     return std::get<wire::Status>(message->body);
@@ -82,7 +98,7 @@ class AxisClient {
       const auto state = [&] {
         const py::gil_scoped_release release;
         const std::lock_guard lock(mutex_);
-        client_->beat(std::min<Nanos>(500ms, end - steady_now()));
+        static_cast<void>(client_->beat(std::min<Nanos>(500ms, end - steady_now())));
         return await_rest(*status_link_, axis_, std::min<Nanos>(100ms, end - steady_now()), key_);
       }();
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -114,7 +130,7 @@ class AxisClient {
     const StreamOutcome outcome = [&] {
       const py::gil_scoped_release release;
       const std::lock_guard lock(mutex_);
-      client_->release();  // the stream has a session of its own
+      static_cast<void>(client_->release());  // the stream has a session of its own
       const auto link = open_transport(url_);
       return stream_tables(*link, plan, options);
     }();
@@ -315,7 +331,8 @@ void bind_stream(py::module_& m) {
         axis.wait_for_rest()
         axis.stream("cam.toml")
 
-A call returns when the axis has accepted the command, and raises AxisError if the axis rejects it or does not answer.
+A call returns when the axis has accepted the command, and raises AxisError if the axis rejects it, or AxisTimeout if
+no answer arrives.
 Every call releases the GIL. Several threads may use a client: one call at a time.)");
   c.def(
        py::init<std::string, std::string, const std::string&, double>(), "axis"_a, py::kw_only(),
@@ -329,7 +346,7 @@ needs no network. key: file with the key of the executor. patience: greatest dur
       .def("__exit__",
            [](AxisClient& self, const py::args&) {
              self.call([](Client& k) {
-               k.release();  // without an answer, the session ends by itself
+               static_cast<void>(k.release());  // without an answer, the session ends by itself
                return CallOutcome{};
              });
            })
@@ -339,7 +356,7 @@ needs no network. key: file with the key of the executor. patience: greatest dur
           "wait_for_rest", &AxisClient::wait_for_rest, "timeout"_a = 60.0,
           R"(Waits until the axis is at rest, and returns its state: "standstill", "disabled" or "error_stop".
 
-Keeps the session alive. Raises AxisError after `timeout` s. Ctrl-C raises KeyboardInterrupt; the motion continues.)")
+Keeps the session alive. Raises AxisTimeout after `timeout` s. Ctrl-C raises KeyboardInterrupt; the motion continues.)")
       .def(
           "stream", &AxisClient::stream, "source"_a, py::kw_only(), "master"_a = py::none(),
           "live"_a = false, "wait"_a = true, "timeout"_a = 60.0, "progress"_a = py::none(),

@@ -376,7 +376,7 @@ struct Written {
 
 Written written(const Target345& target) {
   const ExchangeFormat& format = *exchange_format_named(target.format);
-  Conversion wanted{.rule = rule_of(format), .format = &format};
+  Conversion wanted{.format = &format};
   if (target.p_count > 0)
     wanted.target = Target{.x_step = target.x_count, .p_step = target.p_count};
   if (target.tolerance > 0) wanted.target->tolerance = target.tolerance;

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <memory>
 #include <numbers>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "jounce/cam/design/design.hpp"

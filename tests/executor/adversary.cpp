@@ -620,7 +620,7 @@ class Episode {
     const wire::StopMode mode = abort ? wire::StopMode::abort : wire::StopMode::stop;
     const bool operators = random_.below(2) == 0;
     const std::string& name = drawn_.axes[axis].receiver.executor;
-    const bool done = operators ? operator_stop(site_.link, name, mode, 100ms, site_.clock)
+    const bool done = operators ? operator_stop(site_.link, name, mode, 100ms, {}, site_.clock)
                                 : client.stop(mode).ok();
     if (done)
       note(axis, {.what = Accepted::What::stops, .aborts = abort}, sent,
@@ -635,7 +635,7 @@ class Episode {
     if (order.kind == CommandKind::override_) order.value[0] = random_.uniform(-0.1, 2.1);
     const std::int64_t sent = tick(axis);
     const wire::Reply reply = operator_command(site_.link, drawn_.axes[axis].receiver.executor,
-                                               order, {}, 100ms, site_.clock);
+                                               order, 100ms, {}, site_.clock);
     if (reply.outcome == wire::Outcome::accepted)
       note(axis, accepted(order, drawn_.axes[axis].axis.homing), sent, words_of(order, axis));
   }

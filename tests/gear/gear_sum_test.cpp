@@ -98,5 +98,13 @@ TEST(GearSum, RejectsWhatHasNoCommonDenominator) {
   EXPECT_THROW(GearSum::of(large), InputError);
 }
 
+TEST(GearSum, RejectsAWrongNumberOfMasters) {
+  const std::array gears{Gear::ratio(1, 2), Gear::ratio(1, 2)};
+  const GearSum sum = GearSum::of(gears);
+  Gear::State state;
+  EXPECT_THROW((void)sum.slave(std::array<std::int64_t, 1>{1}), InputError);
+  EXPECT_THROW((void)sum.advance(state, std::array<std::int64_t, 3>{1, 1, 1}), InputError);
+}
+
 }  // namespace
 }  // namespace jounce::gear_sum_test

@@ -25,6 +25,13 @@ logged g++ -std=c++20 "$2/main.cpp" -o "$scratch/alone" $(words jounce-profiles)
 logged g++ -std=c++20 "$scratch/build/sources/use_base.cpp" -o "$scratch/base" $(words jounce-base)
 "$scratch/base"
 
+# The installed examples are found by CMake, and compile without a warning.
+logged cmake -G Ninja -S "$scratch/prefix/share/doc/libjounce-dev/examples" -B "$scratch/examples" \
+  -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_NO_SYSTEM_FROM_IMPORTED=ON \
+  -DCMAKE_CXX_FLAGS="-std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
+logged cmake --build "$scratch/examples" --target first_move --target 24_gears
+"$scratch/examples/first_move" > /dev/null
+
 # Each module has all libraries of its .pc file.
 echo 'int main() {}' | logged g++ -x c++ -c - -o "$scratch/empty.o"
 for file in "$folder"/jounce-*.pc; do

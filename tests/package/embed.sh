@@ -19,3 +19,7 @@ grep -q '^JOUNCE_LEVELS:BOOL=OFF$' "$scratch/build/CMakeCache.txt"
 logged cmake --build "$scratch/build" --target first_move
 sed -n 's|^// > ||p' "$1/examples/library/01_move.cpp" > "$scratch/wanted"
 "$scratch/build/first_move" | diff "$scratch/wanted" -
+
+# The installation of a program that contains Jounce does not contain Jounce.
+logged cmake --install "$scratch/build" --prefix "$scratch/prefix"
+if [ -n "$(find "$scratch/prefix" -type f 2> /dev/null)" ]; then echo "Jounce is installed"; exit 1; fi

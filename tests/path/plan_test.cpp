@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -402,6 +403,18 @@ TEST(Plan, LimitsOfAxesInCommandsAreChecked) {
   p.set({.velocity = 10, .axes = std::vector<AxisRates>(3, {.velocity = 5})});
   p.line({10, 0}, 7);
   EXPECT_THROW(plan(p, usual(2)), InputError) << "three axes";
+}
+
+TEST(Plan, WritesTheMotionOfEachAxis) {
+  const Plan made = plan(square(Corner::stop, 0), usual(2));
+  std::vector<Motion> out(3);
+  PlanCursor cursor(made);
+  for (const std::size_t n : {1U, 3U}) {
+    EXPECT_THROW(made.at(0.1, std::span(out).first(n)), InputError);
+    EXPECT_THROW(cursor.at(0.1, std::span(out).first(n)), InputError);
+  }
+  std::vector<Jet> jets(1);
+  EXPECT_THROW(made.path().jets(0, 0, jets), InputError);
 }
 
 }  // namespace

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "jounce/profiles/error.hpp"
 #include "jounce/pvt/cursor.hpp"
 #include "jounce/pvt/table.hpp"
 
@@ -237,6 +239,20 @@ TEST(Block, IsWithinFourUlpOfLongDouble) {
     }
   }
   RecordProperty("worst_ulp", std::to_string(worst));
+}
+
+TEST(Block, SamplesIntoSpansOfTheSameSize) {
+  Random random(8);
+  const Table table = random_table(random, Interpolation::cubic_hermite, Extrapolation::hold);
+  const std::vector<double> x{table.start(), table.end()};
+  std::vector<double> p(2), v(2), a(2), one(1);
+  EXPECT_THROW(table.sample(x, one, v, a), InputError);
+  EXPECT_THROW(table.sample(x, p, one, a), InputError);
+  EXPECT_THROW(table.sample(x, p, v, one), InputError);
+  EXPECT_THROW(table.sample(Grid{table.start(), 0.1}, p, one, a), InputError);
+  EXPECT_THROW(table.sample(Grid{table.start(), 0.1}, p, v, one), InputError);
+  table.sample(x, p, v, a);
+  EXPECT_EQ(p[0], table.jet(x[0])[0]);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -255,6 +256,17 @@ TEST(Compensated, RejectsReferencesOfAnotherLength) {
   const Compensation c(line_of_five());
   EXPECT_THROW(compensated(move(0, 100), c, {{move(0, 50)}}, 1e-9), InputError);
   EXPECT_THROW(compensated(move(0, 100), c, {}, 1e-9), InputError);
+}
+
+TEST(Compensation, RejectsAWrongNumberOfReferences) {
+  const Compensation flat(plate());
+  const std::vector<double> places(4, 0.0);
+  const std::vector<Jet> jets(4);
+  for (const std::size_t n : {1U, 3U, 4U}) {
+    EXPECT_THROW((void)flat.at(std::span(places).first(n)), InputError);
+    EXPECT_THROW((void)flat.at(std::span(jets).first(n)), InputError);
+    EXPECT_THROW((void)flat.cell(std::span(places).first(n)), InputError);
+  }
 }
 
 }  // namespace

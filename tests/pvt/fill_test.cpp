@@ -6,6 +6,7 @@
 #include <fstream>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -539,6 +540,17 @@ TEST(Fill, NamesTheRejectedValue) {
   EXPECT_NE(complaint(spec).find("a table that wraps is closed"), std::string::npos);
   for (const Filling filling : all_fillings) EXPECT_EQ(filling_named(name(filling)), filling);
   EXPECT_EQ(filling_named("smooth"), std::nullopt);
+}
+
+TEST(SplineVelocities, RejectSpansOfDifferentSizes) {
+  const std::vector<double> x{0, 1, 2};
+  const std::vector<double> p{0, 1};
+  std::vector<double> v(3);
+  EXPECT_THROW(spline_velocities(x, p, Filling::natural, v), InputError);
+  EXPECT_THROW(spline_velocities(x, x, Filling::natural, std::span(v).first(2)), InputError);
+  EXPECT_THROW(spline_velocities(std::span(x).first(1), std::span(x).first(1), Filling::natural,
+                                 std::span(v).first(1)),
+               InputError);
 }
 
 }  // namespace

@@ -71,6 +71,8 @@ class Algebra(unittest.TestCase):
         t = np.linspace(0, f.end, 50)
         np.testing.assert_allclose(f.reversed()(t), f(f.end - t), atol=1e-12)
         np.testing.assert_allclose(f.scaled(2, 3)(3 * t), 2 * f(t), atol=1e-12)
+        for product, wanted in ((2 * f, 2 * f(t)), (f * 2, 2 * f(t)), (-f, -f(t)), (3 * f - f, 2 * f(t))):
+            np.testing.assert_allclose(product(t), wanted, atol=1e-12)
         np.testing.assert_allclose(f.shifted(1, 2)(t + 1), f(t) + 2, atol=1e-12)
         np.testing.assert_allclose((f + f.reversed())(t), f(t) + f(f.end - t), atol=1e-12)
         both = jounce.Trajectory.concatenated([f, f.reversed()])

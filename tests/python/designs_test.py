@@ -253,6 +253,33 @@ class Values(unittest.TestCase):
         self.assertEqual(pickle.loads(pickle.dumps(bounds)), bounds)
         self.assertNotEqual(jounce.Bounds([2, 4], 10, 100, position_max=5), bounds)
         self.assertNotEqual(jounce.Bounds(2, 10, 100, position_max=5), bounds)
+        self.assertEqual(hash(jounce.Bounds(2, 10)), hash(jounce.Bounds(2, 10)))
+        self.assertNotEqual(hash(jounce.Bounds(2, 10)), hash(jounce.Bounds(3, 10)))
+        with self.assertRaises(TypeError):
+            hash(bounds)
+
+    def test_results_pass_to_another_process(self) -> None:
+        cam = rise_and_return()
+        report = cam.check(jounce.Limits(velocity=0.01, acceleration=5))
+        copied = pickle.loads(pickle.dumps(report))
+        self.assertEqual((str(copied), repr(copied), len(copied)), (str(report), repr(report), len(report)))
+        self.assertFalse(copied)
+        self.assertEqual([repr(f) for f in pickle.loads(pickle.dumps(report.findings))], [repr(f) for f in report.findings])
+        move = jounce.move_to(1, 40, jounce.Bounds(200, 2000, 50000))
+        other = pickle.loads(pickle.dumps(move))
+        self.assertEqual((other.duration, other.start, other.end, other.phases),
+                         (move.duration, move.start, move.end, move.phases))
+        self.assertEqual(other.at(0.1), move.at(0.1))
+        text = """jounce = 1
+kind = "move"
+units = { position = "mm" }
+move = { profile = "trapezoid", to = 300, velocity = 200, acceleration = 1000 }
+"""
+        design = jounce.parse(text, "made.toml")
+        same = pickle.loads(pickle.dumps(design))
+        self.assertEqual((same.text, same.path, same.curve), (design.text, design.path, design.curve))
+        with self.assertRaisesRegex(TypeError, "load .* in the other process"):
+            pickle.dumps(jounce.parse(design.table.text(), "made.csv"))
 
     def test_a_table_keeps_its_error(self) -> None:
         table = rise_and_return().table(tolerance=0.01)
@@ -267,6 +294,8 @@ class LongWork(unittest.TestCase):
         seen: list[tuple[float, str]] = []
         best = jounce.optimize(CAM, progress=lambda done, step: seen.append((done, step)))
         self.assertTrue(best.ok)
+        copied = pickle.loads(pickle.dumps(best))
+        self.assertEqual((str(copied), copied.data, copied.spec, copied.ok), (str(best), best.data, best.spec, True))
         self.assertTrue(best.design.check())
         self.assertAlmostEqual(abs(best.design.curve.extrema(2).peak.value), best.data["objectives"][0]["reached"], delta=1e-9)
         self.assertLess(best.data["objectives"][0]["reached"], 0.0709)

@@ -2,6 +2,7 @@
 """A client of an executor, which runs in a process of its own behind sockets in a folder."""
 import os
 import pathlib
+import pickle
 import subprocess
 import tempfile
 import unittest
@@ -54,8 +55,13 @@ class Stream(unittest.TestCase):
             self.assertAlmostEqual(axis.status().position, 40, delta=1e-9)
             self.assertEqual(axis.status().finished, 2)
             self.assertTrue(stages)
-            with self.assertRaises(jounce.AxisError):  # a table that begins elsewhere would be a step
+            with self.assertRaises(jounce.AxisError) as caught:  # a table that begins elsewhere would be a step
                 axis.stream(table)
+            self.assertNotIn("jounce order", str(caught.exception))
+            self.assertIn("start_position: ", str(caught.exception))
+            with self.assertRaises(jounce.InputError) as wrong:
+                axis.stream(jounce.move_to(40, 50, jounce.Bounds(200, 2000, 50000)).curve.table())
+            self.assertIn("the table has no unit", str(wrong.exception))
             with self.assertRaises(jounce.InputError):
                 axis.move_absolute(float("nan"))
             self.assertTrue(np.isfinite(axis.status().position))
@@ -63,12 +69,15 @@ class Stream(unittest.TestCase):
     def test_a_wait_ends_at_its_timeout(self) -> None:
         # The patience of the client is longer than the time limit of this test.
         axis = jounce.Client("absent", url=self.url, patience=500)
-        with self.assertRaises(jounce.AxisError) as caught:
+        with self.assertRaises(TimeoutError) as caught:
             axis.wait_for_rest(0.2)
+        self.assertIsInstance(caught.exception, jounce.AxisTimeout)
         self.assertEqual(caught.exception.error, "out_of_time")
+        copied = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual((type(copied), str(copied), copied.error), (jounce.AxisTimeout, str(caught.exception), "out_of_time"))
 
     def test_no_answer(self) -> None:
-        with self.assertRaises(jounce.AxisError) as caught:
+        with self.assertRaises(TimeoutError) as caught:
             jounce.Client("absent", url=self.url, patience=0.3).enable()
         self.assertEqual(caught.exception.error, "no_answer")
         with self.assertRaises(jounce.InputError):

@@ -106,7 +106,8 @@ CallOutcome give(Transport& link, const PageCommand& command, const std::optiona
   const std::string& axis = command.axis;
   const Word* const word = word_of(command.what);
   if (word == nullptr)
-    return outcome_of(operator_command(link, axis, wire::Stop{.mode = wire::StopMode::stop}, key),
+    return outcome_of(operator_command(link, axis, wire::Stop{.mode = wire::StopMode::stop},
+                                       std::chrono::seconds(2), key),
                       axis);
   return send_command(link, axis, command_of(word->kind, values_of(command, *word)), -1, key);
 }

@@ -2,7 +2,6 @@
 #include "jounce/axis/machine.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -253,7 +252,8 @@ Machine::Machine(std::vector<MachineAxis> axes, std::size_t masters)
 }
 
 void Machine::step(std::int64_t tick, std::span<AxisImage> images, std::span<const Jet> masters) {
-  assert(images.size() == axes_.size() && masters.size() == masters_);
+  require_size("images", images.size(), axes_.size());
+  require_size("masters", masters.size(), masters_);
   // Before the first axis is stepped: if one begins, all begin.
   for (std::size_t i = 0; i < images.size(); ++i)
     images[i].inputs.peers = is_incomplete(i, images) ? Peers::missing : Peers::ready;

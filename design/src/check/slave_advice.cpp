@@ -68,11 +68,6 @@ std::optional<Between> between(const Cam& cam, const Labels& labels, std::size_t
   return Between{x1 - x0, cam.jet(x0, Side::right)[0], cam.jet(x1, Side::left)[0], *before, *after};
 }
 
-Bounds bounds_of(const Limits& limits) {
-  return within(limits.velocity.value_or(Bounds::none), limits.acceleration.value_or(Bounds::none),
-                limits.jerk.value_or(Bounds::none));
-}
-
 /// The least limit of the derivative of this order with which the segment is possible, within the
 /// other limits; infinite if the other limits prevent it.
 double least_peak(const Between& part, Limits limits, std::size_t order, double speed) {

@@ -83,8 +83,8 @@ Sampled with_knots(const Input& input, const Conversion& wanted) try {
           const TableLimits all = limits_of(input);
           return reduced(curve, *target, all.limits, all.ramped);
         }
-        return wanted.intervals > 0 ? sample(curve, wanted.rule, wanted.intervals)
-                                    : sample(curve, wanted.rule, input.table.table.columns().x);
+        return wanted.intervals > 0 ? sample(curve, *wanted.rule, wanted.intervals)
+                                    : sample(curve, *wanted.rule, input.table.table.columns().x);
       },
       *input.curve);
 } catch (const InputError& error) {
@@ -93,7 +93,10 @@ Sampled with_knots(const Input& input, const Conversion& wanted) try {
 
 }  // namespace design_detail
 
-Converted converted(const Input& input, const Conversion& wanted) {
+Converted converted(const Input& input, const Conversion& conversion) {
+  Conversion wanted = conversion;
+  if (!wanted.rule)
+    wanted.rule = wanted.format ? rule_of(*wanted.format) : Interpolation::cubic_hermite;
   if (wanted.format != nullptr) return design_detail::for_controller(input, wanted);
   Converted result{input.table, input.error};
   if (wanted.target && wanted.intervals > 0)

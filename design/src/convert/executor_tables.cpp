@@ -5,6 +5,7 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/design/reference.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 
@@ -18,6 +19,8 @@ ExecutorTables executor_tables(const Input& input) {
     return {input.table,
             TableFile{std::move(master.table), {"s", units.x}, input.table.provenance}};
   }
+  if (units.x.empty())
+    throw InputError("x_unit", "", "is missing: the table has no unit of time, such as s");
   return {TableFile{stretched(input.table.table, conversion(units.x, "s")),
                     {"s", units.position},
                     input.table.provenance},

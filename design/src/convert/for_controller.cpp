@@ -97,7 +97,7 @@ class ForController {
                                        wanted.units.position);
     steps_ = steps();
     target_ = wanted.target.value_or(Target{});
-    target_.rule = wanted.rule;
+    target_.rule = *wanted.rule;
     target_.quadratic = format_.join == KnotJoin::quadratic;
     target_.x_step = steps_.x;
     if (format_.p != Numbers::of_unit) target_.p_step = target_.v_step = 0;
@@ -347,14 +347,14 @@ class ForController {
                            " steps of the controller");
     return std::visit(
         [&](const auto& curve) {
-          Sampled made = sample(curve, wanted_.rule, n);
+          Sampled made = sample(curve, *wanted_.rule, n);
           if (target_.p_step == 0 && target_.v_step == 0) return made;
           Columns columns = made.table.columns();
           for (auto& [column, step] :
                {std::pair{&columns.p, target_.p_step}, {&columns.v, target_.v_step}})
             for (double& value : *column)
               if (step > 0) value = step * std::round(value / step);
-          return certified(curve, wanted_.rule, std::move(columns));
+          return certified(curve, *wanted_.rule, std::move(columns));
         },
         *input_.curve);
   }

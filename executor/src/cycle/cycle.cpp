@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "jounce/executor/recorder.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 namespace {
@@ -46,8 +47,9 @@ Cycle::Cycle(Machine& machine, Pacer& pacer, MachineExchange& exchange, CycleOpt
       sights_(machine.masters()),
       masters_(machine.masters()),
       start_(pacer.now()) {
-  assert(exchange.axes.size() == machine.size() && exchange.masters.size() == machine.masters());
-  assert(options_.masters.size() == machine.masters());
+  require_size("exchange.axes", exchange.axes.size(), machine.size());
+  require_size("exchange.masters", exchange.masters.size(), machine.masters());
+  require_size("options.masters", options_.masters.size(), machine.masters());
   exchange.cycle.start.store(start_, std::memory_order_release);
   options_.drives.resize(machine.size());
 }

@@ -40,7 +40,9 @@ GroupProgram rest_at(const Point& axes, double duration, std::int32_t line,
   const double time = std::max(duration, seconds(group.configs.front().period));
   std::vector<double> numbers(axes.begin(), axes.begin() + static_cast<std::ptrdiff_t>(n));
   numbers.resize(2 * n);  // a line without a step
-  Plan::Given given{.limits = {}, .settings = {PathSettings{}}, .path_axes = n - group.followers};
+  Plan::Given given;
+  given.settings.resize(1);
+  given.path_axes = n - group.followers;
   for (const AxisConfig& config : group.configs) given.limits.axes.push_back(config.limits);
   auto plan = std::make_shared<const Plan>(
       Path(n, {PathPiece{.length = resting_length, .line = line}}, std::move(numbers)),

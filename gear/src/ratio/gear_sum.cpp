@@ -24,7 +24,7 @@ namespace {
 using gear_detail::Wide;
 
 Wide dot(std::span<const std::int64_t> numerators, std::span<const std::int64_t> counts) {
-  assert(numerators.size() == counts.size());
+  require_size("masters", counts.size(), numerators.size());
   Wide sum = 0;
   for (std::size_t i = 0; i < numerators.size(); ++i) sum += Wide{numerators[i]} * counts[i];
   return sum;

@@ -18,7 +18,7 @@ std::string send(Transport& link, const std::string& axis, Action action,
   if (action == Action::hold) body = wire::message_of(command::Hold{});
   if (action == Action::resume) body = wire::message_of(command::Resume{});
   const wire::Reply reply =
-      operator_command(link, axis, std::move(body), key, std::chrono::seconds(1));
+      operator_command(link, axis, std::move(body), std::chrono::seconds(1), key);
   if (reply.outcome == wire::Outcome::accepted) return fmt::format("{}: {} accepted", axis, word);
   if (reply.outcome == wire::Outcome::pending) return fmt::format("{}: {}: no answer", axis, word);
   return fmt::format(

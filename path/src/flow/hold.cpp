@@ -52,8 +52,8 @@ Plan halted(const Plan& plan, double t) {
   double v = here.v1;
   const Motion now = motion_in(here, into);
   if (!here.single_phase && !is_corner(here)) {
-    const MoveResult stopping = stop({now.position, now.velocity, now.acceleration},
-                                     within(Bounds::none, here.deceleration, here.jerk));
+    const MoveResult stopping =
+        stop(state_of(now), within(Bounds::none, here.deceleration, here.jerk));
     if (stopping && stopping.profile.end().position <= here.length) {
       held.until(here, into);
       Motion m = now;

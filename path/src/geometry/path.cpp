@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "jounce/profiles/detail/evaluate.hpp"
+#include "jounce/profiles/error.hpp"
 
 #include "path/src/corners/turn.hpp"
 #include "path/src/geometry/pieces.hpp"
@@ -55,7 +56,7 @@ double Path::length() const {
 }
 
 void Path::jets(std::size_t piece, double u, std::span<Jet> out) const {
-  assert(out.size() == axes_);
+  require_size("out", out.size(), axes_);
   const PathPiece& p = pieces_[piece];
   const double* data = numbers_.data() + p.data;
   const double s = u / p.length;

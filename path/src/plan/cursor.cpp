@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cassert>
 #include <limits>
 
 #include "jounce/path/plan.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/error.hpp"
 
 #include "path/src/timing/stretch.hpp"
 
@@ -56,7 +56,7 @@ bool is_at_end(const Path& path, const TimingLaw& law, const LawInterval& interv
 }  // namespace
 
 void Plan::at(double t, std::span<Motion> out) const {
-  assert(out.size() == path_.axes());
+  require_size("out", out.size(), path_.axes());
   const LawInterval& interval = law_.stretches()[law_.stretch_at(t)];
   const Motion q = motion_in(interval, t - interval.time);
   const auto pieces = path_.pieces();
@@ -97,7 +97,7 @@ bool PlanCursor::is_in_piece(double q, std::size_t piece) const {
 
 void PlanCursor::at(double t, std::span<Motion> out) {
   const Path& path = plan_->path();
-  assert(out.size() == path.axes());
+  require_size("out", out.size(), path.axes());
   if (!(t >= from_ && t < to_)) seek(t);
   const LawInterval& interval = plan_->law().stretches()[interval_];
   const Motion q = motion_of(std::span(phases_).first(count_), t - interval.time);

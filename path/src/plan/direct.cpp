@@ -21,15 +21,6 @@ namespace {
 using profiles_detail::rounded_root;
 using profiles_detail::rounded_value;
 
-Bounds bounds_of(const Limits& limits) {
-  Bounds bounds =
-      within(limits.velocity.value_or(Bounds::none), limits.acceleration.value_or(Bounds::none),
-             limits.jerk.value_or(Bounds::none));
-  bounds.position_min = limits.position_min.value_or(-Bounds::none);
-  bounds.position_max = limits.position_max.value_or(Bounds::none);
-  return bounds;
-}
-
 /// Appends the common motion of all axes to the segments of each axis; an axis without a distance
 /// waits.
 void append_moves(std::span<const AxisMove> moves, Sync sync,
@@ -115,7 +106,7 @@ std::vector<Trajectory> aborted(const Plan& plan, double t, const Point& to) {
     require_finite(("to[" + std::to_string(i + 1) + "]").c_str(), to[i]);
     const Motion now = planned.curves[i].at(t, Side::left);
     axes[i] = until(planned.curves[i], t);
-    moves[i].from = {now.position, now.velocity, now.acceleration};
+    moves[i].from = state_of(now);
     moves[i].to.position = to[i];
     moves[i].bounds = bounds_of(plan.given().limits.axes[i]);
   }

@@ -106,7 +106,7 @@ double Curve<Over>::advance() const {
 
 template <class Over>
 void Curve<Over>::sample(std::span<const double> x, std::span<Point> out) const {
-  assert(x.size() == out.size());
+  require_size("out", out.size(), x.size());
   std::size_t k = 0;  // segment of the previous query
   for (std::size_t i = 0; i < x.size(); ++i) {
     const bool near = x[i] >= breaks_[k] && x[i] < breaks_[k + 1];

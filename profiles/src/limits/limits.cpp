@@ -10,6 +10,7 @@
 #include "jounce/profiles/detail/limit_check.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/moves/move.hpp"
 
 namespace jounce {
 namespace {
@@ -21,8 +22,8 @@ using profiles_detail::rounded_value;
 /// Share of a segment: a smooth peak that is so close to its end has the value of the end.
 constexpr double beside_end = 1e-6;
 
-std::vector<Bound> bounds_of(const Limits& limits, const std::array<const char*, 4>& names,
-                             double stroke) {
+std::vector<Bound> signed_limits(const Limits& limits, const std::array<const char*, 4>& names,
+                                 double stroke) {
   std::vector<Bound> bounds;
   const bool both = limits.position_min && limits.position_max;
   const double travel = both ? *limits.position_max - *limits.position_min : stroke;
@@ -115,6 +116,31 @@ bool is_told(const std::optional<Finding>& before, const Extremum& worst, double
 
 }  // namespace
 
+Bounds bounds_of(const Limits& limits) {
+  Bounds bounds =
+      within(limits.velocity.value_or(Bounds::none), limits.acceleration.value_or(Bounds::none),
+             limits.jerk.value_or(Bounds::none));
+  bounds.position_min = limits.position_min.value_or(-Bounds::none);
+  bounds.position_max = limits.position_max.value_or(Bounds::none);
+  return bounds;
+}
+
+Limits limits_of(const Bounds& bounds) {
+  const auto finite = [](double x) { return std::isfinite(x) ? std::optional(x) : std::nullopt; };
+  const auto magnitude = [&](double min, double max, const char* key) {
+    if (min != -max)
+      throw InputError(key, min, "must be minus the maximum: limits of a check have one magnitude");
+    return finite(max);
+  };
+  const Limits limits{
+      finite(bounds.position_min), finite(bounds.position_max),
+      magnitude(bounds.velocity_min, bounds.velocity_max, "velocity_min"),
+      magnitude(bounds.acceleration_min, bounds.acceleration_max, "acceleration_min"),
+      magnitude(bounds.jerk_min, bounds.jerk_max, "jerk_min")};
+  require_valid(limits);
+  return limits;
+}
+
 void require_valid(const Limits& limits) {
   if (limits.position_min) require_finite("position_min", *limits.position_min);
   if (limits.position_max) require_finite("position_max", *limits.position_max);
@@ -161,7 +187,7 @@ double room_of(const Bound& bound, const Range& range) {
 
 LimitCheck::LimitCheck(const Limits& limits, const std::array<const char*, 4>& names, double stroke)
     : names_(names),
-      bounds_(bounds_of(limits, names, stroke)),
+      bounds_(signed_limits(limits, names, stroke)),
       closest_(bounds_.size()),
       broken_(bounds_.size()) {}
 

@@ -2,7 +2,6 @@
 #include "jounce/profiles/moves/batch.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -60,8 +59,15 @@ profiles_detail::Way<double> answer(const Block& b, std::size_t i) {
   return sound(b, i) ? one_by_one(b, i) : profiles_detail::Way<double>{none, none};
 }
 
-[[maybe_unused]] bool fits(std::span<const double> column, std::size_t size, bool optional) {
+bool fits(std::span<const double> column, std::size_t size, bool optional) {
   return column.size() == size || column.size() == 1 || (optional && column.empty());
+}
+
+bool fits(const MoveColumns& moves, std::size_t size, std::size_t peaks) {
+  return fits(moves.distance, size, false) && fits(moves.velocity, size, false) &&
+         fits(moves.acceleration, size, false) && fits(moves.jerk, size, false) &&
+         fits(moves.entry, size, true) && fits(moves.exit, size, true) &&
+         (peaks == 0 || peaks == size);
 }
 
 }  // namespace
@@ -69,10 +75,11 @@ profiles_detail::Way<double> answer(const Block& b, std::size_t i) {
 void minimum_durations(const MoveColumns& moves, std::span<double> durations,
                        std::span<double> peak) noexcept {
   const std::size_t size = durations.size();
-  assert(fits(moves.distance, size, false) && fits(moves.velocity, size, false) &&
-         fits(moves.acceleration, size, false) && fits(moves.jerk, size, false));
-  assert(fits(moves.entry, size, true) && fits(moves.exit, size, true));
-  assert(peak.empty() || peak.size() == size);
+  if (!fits(moves, size, peak.size())) {
+    std::ranges::fill(durations, std::numeric_limits<double>::quiet_NaN());
+    std::ranges::fill(peak, std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   static const profiles_detail::Kernels& best = best_kernels();
   const auto solve = moves.entry.empty() && moves.exit.empty() ? best.rests : best.ways;
   Block block;

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
+
+#include "jounce/profiles/error.hpp"
 
 #include "profiles/src/solver/both.hpp"
 #include "profiles/src/solver/brake.hpp"
@@ -180,8 +183,29 @@ const char* explain(MoveStatus status) noexcept {
     case MoveStatus::not_straight:
       return "the velocities and accelerations of start and target are not along the line between "
              "them, or an axis would exceed its velocity limit on this line";
+    case MoveStatus::wrong_size:
+      return "the span of profiles must have one entry for each axis";
   }
   return "";
+}
+
+namespace {
+
+/// Makes the result of a solver, which may leave the motion that breaks a position limit in it.
+MoveResult& settled(MoveResult& move, const MotionState& from) {
+  if (!move) move.profile = Profile({from.position, 0, 0}, 3);
+  return move;
+}
+
+}  // namespace
+
+const Profile& MoveResult::value() const& {
+  if (!*this) throw InputError("move", "", explain(status));
+  return profile;
+}
+
+Profile MoveResult::value() && {
+  return std::as_const(*this).value();
 }
 
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept {
@@ -202,7 +226,7 @@ MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds&
   MoveResult move;
   if (form == Form::any) move.status = profiles_detail::status_of(from, to, bounds);
   if (move) move.status = profiles_detail::Solver(from, to, bounds).shortest(move.profile);
-  return move;
+  return settled(move, from);
 }
 
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds,
@@ -210,7 +234,7 @@ MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds&
   MoveResult move;
   move.status = !std::isfinite(duration) ? MoveStatus::not_finite
                                          : profiles_detail::status_of(from, to, bounds);
-  if (!move) return move;
+  if (!move) return settled(move, from);
   const profiles_detail::Solver solver(from, to, bounds);
   const double minimum = solver.minimum();
   if (duration < minimum * (1 - forgiven))
@@ -224,7 +248,7 @@ MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds&
     for (double more = 0; move.status == MoveStatus::blocked && more < forgiven;
          more = 4 * more + 0x1p-52)
       move.status = solver.lasting(duration * (1 + more), move.profile);
-  return move;
+  return settled(move, from);
 }
 
 Durations durations(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept {
@@ -239,7 +263,7 @@ MoveResult move_velocity(const MotionState& from, double velocity, const Bounds&
   move.status = profiles_detail::status_of(from, {from.position, velocity, acceleration}, bounds);
   if (move)
     move.status = profiles_detail::to_velocity(from, velocity, acceleration, bounds, move.profile);
-  return move;
+  return settled(move, from);
 }
 
 bool Durations::allows(double duration) const noexcept {

@@ -78,7 +78,7 @@ Profile Profile::scaled(double factor, const MotionState& start,
 
 Profile Profile::after(double t) const noexcept {
   const Motion now = at(t);
-  Profile f({now.position, now.velocity, now.acceleration}, order_);
+  Profile f(state_of(now), order_);
   f.level_ = level_;
   f.end_ = end_;
   for (std::size_t i = 0; i < count_; ++i) {

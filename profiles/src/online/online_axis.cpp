@@ -307,7 +307,7 @@ bool OnlineAxis::runs_out(double dt) const noexcept {
       !limits_position(bounds_))
     return false;
   const Motion next = at(elapsed_ + dt);
-  const MotionState start{next.position, next.velocity, next.acceleration};
+  const MotionState start = state_of(next);
   AxisMove m{start, {}, in_force_, MoveGoal::velocity};
   Profile plan;
   return AxisTask(m).shortest(plan) == MoveStatus::position_limit;

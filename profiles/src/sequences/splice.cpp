@@ -98,7 +98,7 @@ MotionState state_at(const Trajectory& f, double t) {
   require_not_before(f, t);
   if (t < f.end() && !same_time(f, t, f.end())) {
     const Motion now = f.at(t);
-    return {now.position, now.velocity, now.acceleration};
+    return state_of(now);
   }
   return beyond(f, std::max(t, f.end()));
 }

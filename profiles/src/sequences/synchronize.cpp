@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <new>
 
@@ -392,7 +391,7 @@ Synchronized in_phase(std::span<const AxisMove> axes, std::span<Profile> out,
 
 Synchronized synchronize(std::span<const AxisMove> axes, Sync sync, std::span<Profile> out,
                          double minimum_duration, double grid) noexcept {
-  assert(axes.size() == out.size());
+  if (axes.size() != out.size()) return {MoveStatus::wrong_size, 0, 0};
   if (!std::isfinite(minimum_duration) || !std::isfinite(grid))
     return {MoveStatus::not_finite, 0, 0};
   if (axes.empty()) return {};

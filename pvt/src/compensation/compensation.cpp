@@ -2,7 +2,6 @@
 #include "jounce/pvt/compensation.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -130,7 +129,7 @@ Compensation::Compensation(const CompensationSpec& spec)
 }
 
 Compensation::Cell Compensation::cell(std::span<const double> references) const {
-  assert(references.size() == axes_.size());
+  require_size("references", references.size(), axes_.size());
   Cell cell;
   cell.order = rule_ == GridRule::linear ? 2 : 4;
   std::array<Spot, most_references> spots{};
@@ -191,6 +190,7 @@ double Compensation::at(std::span<const double> references) const {
 }
 
 Jet Compensation::at(std::span<const Jet> references) const {
+  require_size("references", references.size(), axes_.size());
   std::array<double, most_references> places{};
   for (std::size_t j = 0; j < references.size(); ++j) places[j] = references[j][0];
   const Cell here = cell(std::span(places).first(references.size()));

@@ -400,7 +400,11 @@ Filled filled(const FillSpec& spec) {
 
 void spline_velocities(std::span<const double> x, std::span<const double> p, Filling ends,
                        std::span<double> v) {
-  assert(ends <= Filling::not_a_knot && x.size() >= 2);
+  assert(ends <= Filling::not_a_knot);
+  if (x.size() < 2)
+    throw InputError("x", std::to_string(x.size()) + " entries", "must have at least 2");
+  require_size("p", p.size(), x.size());
+  require_size("v", v.size(), x.size());
   if (ends == Filling::periodic) return pvt_detail::c2_periodic_velocities(x, p, v);
   if (ends == Filling::not_a_knot && x.size() == 3) return parabola(x, p, v);
   pvt_detail::c2_velocities(x, p, open_end(x, p, ends, true), open_end(x, p, ends, false), v);

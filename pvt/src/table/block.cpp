@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "jounce/profiles/error.hpp"
 #include "jounce/pvt/table.hpp"
 
 #include "pvt/src/table/sample_kernel.hpp"
@@ -57,8 +58,10 @@ const pvt_detail::SampleKernels& pvt_detail::sample_kernels() {
 }
 
 void Table::sample(std::span<const double> x, std::span<double> p, std::span<double> v,
-                   std::span<double> a) const noexcept {
-  assert(p.size() == x.size() && v.size() == x.size() && a.size() == x.size());
+                   std::span<double> a) const {
+  require_size("p", p.size(), x.size());
+  require_size("v", v.size(), x.size());
+  require_size("a", a.size(), x.size());
   const pvt_detail::Listed at{x.data()};
   const Samples out{p.data(), v.data(), a.data()};
   const pvt_detail::SampleKernels& kernels = pvt_detail::sample_kernels();
@@ -67,8 +70,10 @@ void Table::sample(std::span<const double> x, std::span<double> p, std::span<dou
 }
 
 void Table::sample(const Grid& grid, std::span<double> p, std::span<double> v,
-                   std::span<double> a) const noexcept {
-  assert(grid.step > 0 && v.size() == p.size() && a.size() == p.size());
+                   std::span<double> a) const {
+  assert(grid.step > 0);
+  require_size("v", v.size(), p.size());
+  require_size("a", a.size(), p.size());
   sample_block(*this, pvt_detail::Uniform{grid.start, grid.step}, p.size(),
                {p.data(), v.data(), a.data()}, pvt_detail::sample_kernels().uniform);
 }

@@ -2,6 +2,7 @@
 #include "jounce/stream/sender/client.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "jounce/command/command_table.hpp"
@@ -30,10 +31,22 @@ Client::Client(Transport& link, std::string executor, ClientOptions options, Clo
     : link_(link),
       executor_(std::move(executor)),
       options_(std::move(options)),
-      clock_(std::move(clock)) {
+      clock_(std::move(clock)),
+      exceptions_(std::uncaught_exceptions()) {
   if (!wire::is_executor_name(executor_))
     throw InputError("executor", executor_, wire::executor_name_rule);
   link_.subscribe(wire::channel(executor_, wire::Lane::reply), 64);
+}
+
+Client::~Client() {
+  if (session_ == 0 || std::uncaught_exceptions() > exceptions_) return;
+  constexpr Nanos patience = std::chrono::milliseconds(200);
+  options_.patience = std::min(options_.patience, patience);
+  try {
+    static_cast<void>(release());
+  } catch (const std::exception&) {
+    // The link has failed: the session times out.
+  }
 }
 
 /// Sends one command under the next number, repeated until its outcome.

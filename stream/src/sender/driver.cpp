@@ -100,7 +100,7 @@ RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options,
 }
 
 wire::Reply operator_command(Transport& link, const std::string& executor, wire::Body body,
-                             const std::optional<wire::Key>& key, Nanos patience,
+                             Nanos patience, const std::optional<wire::Key>& key,
                              const Clock& clock) {
   link.subscribe(wire::channel(executor, wire::Lane::reply), queue_capacity);
   wire::Message message{executor, 0, {}};
@@ -112,15 +112,16 @@ wire::Reply operator_command(Transport& link, const std::string& executor, wire:
 }
 
 bool operator_stop(Transport& link, const std::string& executor, wire::StopMode mode,
-                   Nanos patience, const Clock& clock, const std::optional<wire::Key>& key) {
+                   Nanos patience, const std::optional<wire::Key>& key, const Clock& clock) {
   const wire::Reply reply =
-      operator_command(link, executor, wire::Stop{.mode = mode}, key, patience, clock);
+      operator_command(link, executor, wire::Stop{.mode = mode}, patience, key, clock);
   return reply.outcome == wire::Outcome::accepted;
 }
 
 std::optional<wire::Message> next_status(Transport& link, const std::string& executor,
-                                         Nanos timeout, const Clock& clock,
-                                         const std::optional<wire::Key>& key) {
+                                         Nanos timeout, const std::optional<wire::Key>& key,
+                                         const Clock& clock) {
+  link.subscribe(wire::channel(executor, wire::Lane::status), 1);
   Rejects rejects;
   drain(link, Nanos{}, key, rejects, [](const wire::Message& /*old*/) {});
   const Nanos end = clock() + timeout;

@@ -36,7 +36,7 @@ bool is_at_rest(State state) {
 std::optional<wire::Status> next_status_of(Transport& link, const std::string& executor,
                                            Nanos timeout, const std::optional<wire::Key>& key,
                                            const Clock& clock) {
-  auto message = next_status(link, executor, timeout, clock, key);
+  auto message = next_status(link, executor, timeout, key, clock);
   if (!message) return std::nullopt;
   return std::get<wire::Status>(std::move(message->body));
 }
@@ -46,7 +46,6 @@ std::optional<wire::Status> next_status_of(Transport& link, const std::string& e
 std::optional<wire::Status> present_status(Transport& link, const std::string& executor,
                                            Nanos timeout, const std::optional<wire::Key>& key,
                                            const Clock& clock) {
-  link.subscribe(wire::channel(executor, wire::Lane::status), 1);
   return next_status_of(link, executor, timeout, key, clock);
 }
 
@@ -95,11 +94,11 @@ CallOutcome first_command(Client& client, const ClientCommand& command, std::int
 }  // namespace
 
 CallOutcome send_command(Transport& link, const std::string& executor, const ClientCommand& command,
-                         std::int64_t at, const std::optional<wire::Key>& key) {
+                         std::int64_t at, const std::optional<wire::Key>& key, const Clock& clock) {
   if (is_operators(kind_of(command)))
-    return outcome_of(operator_command(link, executor, wire::message_of(command, at), key),
-                      executor);
-  Client client(link, executor, {.key = key});
+    return outcome_of(
+        operator_command(link, executor, wire::message_of(command, at), 2s, key, clock), executor);
+  Client client(link, executor, {.key = key}, clock);
   CallOutcome outcome = first_command(client, command, at);
   static_cast<void>(client.release());
   return outcome;
@@ -144,8 +143,7 @@ std::optional<CallOutcome> early_end(const wire::Status& status) {
                      std::string("the jog has ended: ") + name(why) + ": " + meaning(why)};
 }
 
-/// Keeps the session of a hold-to-run jog that the axis has accepted. Requires a link like
-/// await_rest().
+/// Keeps the session of a hold-to-run jog that the axis has accepted.
 CallOutcome keep_jogging(Transport& link, const std::string& executor, Client& client,
                          const ExecuteOptions& options, const Clock& clock) {
   if (options.held) options.held();
@@ -175,8 +173,7 @@ CallOutcome execute_command(Transport& link, const std::string& executor,
                             const Clock& clock) {
   const bool homes = std::holds_alternative<command::Home>(command);
   if (!homes && !holds_to_run(command))
-    return send_command(link, executor, command, options.at, options.key);
-  link.subscribe(wire::channel(executor, wire::Lane::status), 1);
+    return send_command(link, executor, command, options.at, options.key, clock);
   Client client(link, executor, {.key = options.key}, clock);
   CallOutcome outcome = first_command(client, command, options.at);
   const auto cancelled = [&] { return options.cancelled && options.cancelled(); };
@@ -189,8 +186,7 @@ CallOutcome execute_command(Transport& link, const std::string& executor,
 
 StopResult stop_axis(Transport& link, const std::string& executor, wire::StopMode mode,
                      Nanos patience, const std::optional<wire::Key>& key, const Clock& clock) {
-  link.subscribe(wire::channel(executor, wire::Lane::status), 1);
-  if (!operator_stop(link, executor, mode, 2s, clock, key)) return {};
+  if (!operator_stop(link, executor, mode, 2s, key, clock)) return {};
   return {true, await_rest(link, executor, patience, key, clock)};
 }
 

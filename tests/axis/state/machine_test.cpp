@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/axis/live_gear.hpp"
+#include "jounce/profiles/error.hpp"
 
 #include "axis/tables.hpp"
 #include "support/errors.hpp"
@@ -349,6 +351,21 @@ TEST(Machine, RejectsAnInvalidMachine) {
   EXPECT_EQ(refused({axis("a", {.what = What::actual, .index = 1}),
                      axis("b", {.what = What::actual, .index = 0})}),
             "");
+}
+
+TEST(Machine, RejectsAWrongNumberOfImages) {
+  Machine machine({axis("a"), axis("b")}, 1);
+  std::vector<AxisImage> images(3);
+  const std::vector<Jet> masters(2);
+  const auto step = [&](std::size_t axes, std::size_t leads) {
+    machine.step(0, std::span(images).first(axes), std::span(masters).first(leads));
+  };
+  EXPECT_THROW(step(1, 1), InputError);
+  EXPECT_THROW(step(3, 1), InputError);
+  EXPECT_THROW(step(2, 0), InputError);
+  EXPECT_THROW(step(2, 2), InputError);
+  step(2, 1);
+  EXPECT_EQ(images[0].tick.tick, 0);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(SeveralAxes, EachHasItsOwnSessionsAndStopsAlone) {
   ASSERT_TRUE(site.play_on("feeder", there_and_back(0, 10, 1, Extrapolation::wrap)).ok());
   ASSERT_TRUE(site.play_on("knife", there_and_back(0, 5, 1, Extrapolation::wrap)).ok());
   site.advance(300ms);
-  EXPECT_TRUE(operator_stop(site.link, "knife", wire::StopMode::stop, 2s, site.clock));
+  EXPECT_TRUE(operator_stop(site.link, "knife", wire::StopMode::stop, 2s, {}, site.clock));
   site.advance(1s);
   EXPECT_EQ(site.last(1).stopped, 1U);
   EXPECT_EQ(site.last(1).state, State::standstill);
@@ -57,7 +57,7 @@ TEST(SeveralAxes, AnOperatorsOverrideReachesTheAxisThatIsNamed) {
   Two site;
   ASSERT_TRUE(site.play_on("feeder", there_and_back(0, 10, 1, Extrapolation::wrap)).ok());
   const wire::Reply reply = operator_command(
-      site.link, "feeder", wire::Command{.kind = CommandKind::override_, .value = {0.5}}, {}, 2s,
+      site.link, "feeder", wire::Command{.kind = CommandKind::override_, .value = {0.5}}, 2s, {},
       site.clock);
   EXPECT_EQ(reply.outcome, wire::Outcome::accepted) << reply.reason;
   site.advance(200ms);
@@ -70,7 +70,7 @@ TEST(SeveralAxes, TheAnswerToAnOverrideNamesTheHighestFactor) {
   ASSERT_TRUE(site.play_on("feeder", trapezoid_table(400, 800, 1e4, 1e4)).ok());
   site.advance(100ms);
   const wire::Reply reply = operator_command(
-      site.link, "feeder", wire::Command{.kind = CommandKind::override_, .value = {2}}, {}, 2s,
+      site.link, "feeder", wire::Command{.kind = CommandKind::override_, .value = {2}}, 2s, {},
       site.clock);
   EXPECT_EQ(reply.outcome, wire::Outcome::accepted);
   EXPECT_EQ(reply.reason, "the limits permit at most 125 % of the speed of the present motion")

@@ -157,7 +157,7 @@ TEST(GroupStart, NoneMovesWhereOneWasStoppedBeforeTheStart) {
       MemoryTransport operators{site.network};
       site.start_and_die([&](const wire::Message& message) {
         if (message.executor == "x") {
-          EXPECT_TRUE(operator_stop(operators, stopped, mode, 2s, site.clock));
+          EXPECT_TRUE(operator_stop(operators, stopped, mode, 2s, {}, site.clock));
           site.advance(50ms);
         }
         return true;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -130,33 +131,34 @@ class Recorded : public Site {
   /// The master moves.
   void feed() {
     Client client(link, "feeder", {.patience = 300ms}, clock);
-    client.reset();
-    client.enable();
-    client.command(command::MoveRelative{.distance = random_.uniform(-40, 40),
-                                         .dynamics = {.velocity = random_.uniform(20, 400)}});
-    client.release();
+    std::ignore = client.reset();
+    std::ignore = client.enable();
+    std::ignore = client.command(command::MoveRelative{
+        .distance = random_.uniform(-40, 40), .dynamics = {.velocity = random_.uniform(20, 400)}});
+    std::ignore = client.release();
     advance(std::chrono::milliseconds(random_.below(300)));
   }
 
   bool gear(const std::string& name) {
     Client client(link, name, {.patience = 300ms}, clock);
-    client.reset();
-    client.enable();
+    std::ignore = client.reset();
+    std::ignore = client.enable();
     const bool ok = client
                         .command(command::GearIn{.numerator = 1 + random_.below(3),
                                                  .denominator = 1 + random_.below(3)})
                         .ok();
     if (random_.below(3) == 0)
-      client.command(command::GearInPos{.numerator = 1,
-                                        .denominator = 1 + random_.below(2),
-                                        .master_sync_position = random_.uniform(-10, 10),
-                                        .slave_sync_position = random_.uniform(-10, 10),
-                                        .master_start_distance = random_.uniform(1, 5)});
-    client.release();
+      std::ignore =
+          client.command(command::GearInPos{.numerator = 1,
+                                            .denominator = 1 + random_.below(2),
+                                            .master_sync_position = random_.uniform(-10, 10),
+                                            .slave_sync_position = random_.uniform(-10, 10),
+                                            .master_start_distance = random_.uniform(1, 5)});
+    std::ignore = client.release();
     feed();
-    if (random_.below(2) == 0) client.gear_out();
-    client.command(command::Halt{});
-    client.release();
+    if (random_.below(2) == 0) std::ignore = client.gear_out();
+    std::ignore = client.command(command::Halt{});
+    std::ignore = client.release();
     return ok;
   }
 
@@ -201,16 +203,16 @@ class Recorded : public Site {
 
   void orders(const std::string& name) {
     Client client(link, name, {.patience = 300ms}, clock);
-    client.reset();
-    client.enable();
+    std::ignore = client.reset();
+    std::ignore = client.enable();
     const int how_many = 1 + random_.below(5);
     for (int i = 0; i < how_many; ++i) {
       count("order", order(client).ok());
       advance(std::chrono::milliseconds(random_.below(60)));
     }
-    client.command(command::Override{1});
-    client.command(command::Halt{});
-    client.release();
+    std::ignore = client.command(command::Override{1});
+    std::ignore = client.command(command::Halt{});
+    std::ignore = client.release();
   }
 
   CallOutcome order(Client& client) {

@@ -175,7 +175,7 @@ TEST(Dispatcher, AnOperatorsStopEndsTheMotionOnItsPath) {
   Site site({feeder()});
   ASSERT_TRUE(site.play(*trapezoid_table(500, 100, 1000, 1000)).ok());
   site.advance(500ms);
-  EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::stop, 2s, site.clock));
+  EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::stop, 2s, {}, site.clock));
   site.advance(1s);
   EXPECT_EQ(site.last().state, State::standstill);
   EXPECT_EQ(site.last().stopped, 1U);
@@ -189,7 +189,7 @@ TEST(Dispatcher, AnAbortIsAFaultThatTheNextSessionResets) {
   Site site({options});
   ASSERT_TRUE(site.play(*trapezoid_table(500, 100, 1000, 1000)).ok());
   site.advance(500ms);
-  EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::abort, 2s, site.clock));
+  EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::abort, 2s, {}, site.clock));
   EXPECT_EQ(site.last().fault, Cause::aborted);
   EXPECT_THAT(notices, ::testing::Contains(HasSubstr("fault at tick ")));
   EXPECT_THAT(notices, ::testing::Contains(HasSubstr(": aborted: ")));

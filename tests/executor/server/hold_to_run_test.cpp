@@ -72,7 +72,7 @@ TEST(HoldToRun, AnOperatorsStopIsConfirmedAndStaysAStop) {
   ASSERT_TRUE(
       site.client.command(command::MoveVelocity{.velocity = 100, .hold_to_run = true}).ok());
   site.advance(50ms);
-  EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::stop, 1s, site.clock));
+  EXPECT_TRUE(operator_stop(site.link, "feeder", wire::StopMode::stop, 1s, {}, site.clock));
   site.advance(100ms);
   EXPECT_EQ(site.last().state, State::standstill);
   EXPECT_EQ(site.last().reason, Cause::stopped);

@@ -166,7 +166,7 @@ TEST(OrderedHoming, StopsByAnOperatorAndBySilence) {
   Slide stopped(slide(-50));
   ASSERT_TRUE(stopped.client.command(command::Home{}).ok());
   stopped.advance(300ms);
-  ASSERT_TRUE(operator_stop(stopped.link, "slide", wire::StopMode::stop, 2s, stopped.clock));
+  ASSERT_TRUE(operator_stop(stopped.link, "slide", wire::StopMode::stop, 2s, {}, stopped.clock));
   stopped.advance(500ms);
   EXPECT_EQ(stopped.last().reason, Cause::stopped);
   EXPECT_EQ(stopped.last().state, State::standstill);
@@ -221,7 +221,7 @@ TEST(OrderedHoming, ARejectedTableNeitherNamesThePositionNorClearsAFault) {
   EXPECT_NE(site.play(table).reason.find("not_homed"), std::string::npos);
   EXPECT_EQ(site.last().position, 0);
   EXPECT_EQ(site.last().offset, 0);
-  ASSERT_TRUE(operator_stop(site.link, "slide", wire::StopMode::abort, 2s, site.clock));
+  ASSERT_TRUE(operator_stop(site.link, "slide", wire::StopMode::abort, 2s, {}, site.clock));
   EXPECT_NE(site.play(table).reason.find("not_homed"), std::string::npos);
   EXPECT_EQ(site.last().fault, Cause::aborted);
   EXPECT_EQ(site.last().offset, 0);

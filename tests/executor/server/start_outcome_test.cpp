@@ -130,7 +130,7 @@ TEST(StartOutcome, AStopByAnotherOperatorEndsTheStreamAndTheStart) {
   bool stopped = false;
   options.cancelled = [&] {
     if (!stopped && site.clock() > stops)
-      stopped = operator_stop(other, "slave", wire::StopMode::stop, 1s, site.clock);
+      stopped = operator_stop(other, "slave", wire::StopMode::stop, 1s, {}, site.clock);
     return false;
   };
   const StreamOutcome outcome =
@@ -293,7 +293,7 @@ TEST(Group, TheExecutorStopsTheOthersItself) {
           if (ended[i] == 0 && site.last(i).state != State::discrete_motion)
             ended[i] = site.last(i).tick;
       };
-      ASSERT_TRUE(operator_stop(site.link, first, mode, 2s, site.clock));
+      ASSERT_TRUE(operator_stop(site.link, first, mode, 2s, {}, site.clock));
       site.advance(500ms);
       EXPECT_GT(ended[0], 0);
       EXPECT_LE(std::abs(ended[0] - ended[1]), 1);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -165,6 +166,17 @@ TEST(Curve, WrapsAsTheLibraryDividesToTheBit) {
 
 TEST(Curve, RejectsAnOriginThatSwallowsItsLength) {
   EXPECT_THROW(shifted(Trajectory({line(5.7, 0, 1)}), 1e17), InputError);
+}
+
+TEST(Curve, SamplesIntoASpanOfTheSameSize) {
+  const Trajectory f({line(5.7, 0, 1)});
+  const std::vector<double> x{0, 1, 2};
+  std::vector<Motion> out(4, Motion{-777, 0, 0, 0});
+  EXPECT_THROW(f.sample(x, std::span(out).first(2)), InputError);
+  EXPECT_THROW(f.sample(x, out), InputError);
+  EXPECT_EQ(out[0].position, -777);
+  f.sample(x, std::span(out).first(3));
+  EXPECT_EQ(out[3].position, -777);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
 
 namespace jounce::limits_test {
@@ -96,6 +97,34 @@ TEST(CheckContinuity, IncludesTheWrap) {
   const Trajectory ramp({line(1, 0, 1)}, 0, Extrapolation::wrap);
   EXPECT_FALSE(check_continuity(ramp, 0).ok());
   EXPECT_TRUE(check_continuity(with(ramp, Extrapolation::hold), 0).ok());
+}
+
+TEST(Limits, AreBoundsAndBoundsAreLimits) {
+  const Limits limits{.position_min = -1, .velocity = 2, .jerk = 100};
+  const Bounds bounds = bounds_of(limits);
+  EXPECT_EQ(bounds.position_min, -1);
+  EXPECT_EQ(bounds.position_max, Bounds::none);
+  EXPECT_EQ(bounds.velocity_min, -2);
+  EXPECT_EQ(bounds.velocity_max, 2);
+  EXPECT_EQ(bounds.acceleration_max, Bounds::none);
+  EXPECT_EQ(bounds.jerk_min, -100);
+  const Limits back = limits_of(bounds);
+  EXPECT_EQ(back.position_min, limits.position_min);
+  EXPECT_EQ(back.position_max, limits.position_max);
+  EXPECT_EQ(back.velocity, limits.velocity);
+  EXPECT_EQ(back.acceleration, limits.acceleration);
+  EXPECT_EQ(back.jerk, limits.jerk);
+  EXPECT_EQ(bounds_of({}), Bounds{});
+
+  Bounds uneven = within(2, 10);
+  uneven.acceleration_min = -5;
+  try {
+    (void)limits_of(uneven);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.key(), "acceleration_min");
+  }
+  EXPECT_THROW((void)limits_of(within(-2)), InputError);
 }
 
 }  // namespace

@@ -195,5 +195,21 @@ TEST(Batch, DirectRampIsNotMissedByRounding) {
   }
 }
 
+TEST(Batch, ColumnsOfAWrongSizeGiveNoDuration) {
+  const std::vector<double> three{1, 2, 3};
+  const std::vector<double> two{1, 2};
+  const std::vector<double> one{1};
+  std::vector<double> durations(3), peak(3), small(2);
+  minimum_durations({.distance = three, .velocity = two, .acceleration = one, .jerk = one},
+                    durations, peak);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(std::isnan(durations[i]) && std::isnan(peak[i]));
+  minimum_durations({.distance = three, .velocity = one, .acceleration = one, .jerk = one},
+                    durations, small);
+  for (const double t : durations) EXPECT_TRUE(std::isnan(t));
+  minimum_durations({.distance = three, .velocity = one, .acceleration = one, .jerk = one},
+                    durations, peak);
+  for (const double t : durations) EXPECT_GT(t, 0);
+}
+
 }  // namespace
 }  // namespace jounce::batch_test

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -307,7 +308,7 @@ TEST(Move, ReportsErrors) {
               MoveStatus::invalid_bounds);
   EXPECT_EQ(move_to({}, {1, 5, 0}, within(2)).status, MoveStatus::target_outside);
   EXPECT_EQ(move_to({}, {1, 0, 3}, within(2, 2)).status, MoveStatus::target_outside);
-  for (int s = 0; s <= static_cast<int>(MoveStatus::not_straight); ++s)
+  for (int s = 0; s <= static_cast<int>(MoveStatus::wrong_size); ++s)
     EXPECT_STRNE(explain(static_cast<MoveStatus>(s)), "");
 }
 
@@ -338,6 +339,53 @@ TEST(Move, CruisesWithoutAccelerationWhateverTheRatioOfTheJerks) {
 
 TEST(Profile, TakesNoMoreRoomThanPromised) {
   EXPECT_LE(sizeof(Profile), 195U);
+}
+
+TEST(Move, WithoutAMoveTheProfileRestsAtTheStart) {
+  Bounds wall = within(1, 10, 100);
+  wall.position_max = 200;
+  const MotionState start{100, 0.5, 0};
+  const MotionState beside{199.999, 1, 0};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::pair<MoveResult, MotionState> refused[] = {
+      {move_to(start, {300}, wall), start},       {move_to(start, {300}, wall, 500), start},
+      {move_to(start, {110}, wall, 0.1), start},  {move_to(start, {110}, within(0, 1, 1)), start},
+      {move_to(start, {110, 2, 0}, wall), start}, {move_to(start, {nan}, wall), start},
+      {move_velocity(beside, 0.5, wall), beside}, {stop(beside, wall), beside},
+      {move_velocity(start, 2, wall), start}};
+  for (const auto& [move, from] : refused) {
+    SCOPED_TRACE(explain(move.status));
+    EXPECT_FALSE(move);
+    EXPECT_EQ(move.profile.phases(), 0U);
+    for (const double t : {-1.0, 0.0, 1.0, 1e3}) {
+      const Motion now = move.profile.at(t);
+      EXPECT_EQ(now.position, from.position);
+      EXPECT_EQ(now.velocity, 0);
+      EXPECT_EQ(now.acceleration, 0);
+    }
+  }
+}
+
+TEST(Move, AValueIsAMoveOrAnError) {
+  const Bounds b = within(10, 20);
+  EXPECT_EQ(move_to({}, {.position = 50}, b).value().curve().end(),
+            move_to({}, {.position = 50}, b).profile.duration());
+  const MoveResult none = move_to({}, {1, 5, 0}, within(2));
+  try {
+    (void)none.value();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.rule(), explain(MoveStatus::target_outside));
+  }
+}
+
+TEST(Move, BeginsInTheStateOfAMotion) {
+  const Profile f = move_to({}, {.position = 50}, within(10, 20, 100)).value();
+  const Motion now = f.at(1.25);
+  const MotionState state = state_of(now);
+  EXPECT_EQ(state.position, now.position);
+  EXPECT_EQ(state.velocity, now.velocity);
+  EXPECT_EQ(state.acceleration, now.acceleration);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -220,6 +221,16 @@ TEST(Synchronize, NamesTheAxisThatCannot) {
     EXPECT_EQ(s.status, MoveStatus::target_outside);
     EXPECT_EQ(s.axis, 1U);
   }
+}
+
+TEST(Synchronize, RejectsAWrongNumberOfProfiles) {
+  std::vector<AxisMove> axes{{{}, {1, 0, 0}, within(1, 1, 1)}, {{}, {9, 0, 0}, within(1, 1, 1)}};
+  std::vector<Profile> out(3, Profile({7, 0, 0}, 3));
+  for (const Sync sync : {Sync::none, Sync::time, Sync::phase, Sync::phase_or_time})
+    for (const std::size_t size : {0U, 1U, 3U}) {
+      EXPECT_EQ(synchronize(axes, sync, std::span(out).first(size)).status, MoveStatus::wrong_size);
+      for (const Profile& profile : out) EXPECT_EQ(profile.start().position, 7);
+    }
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/stream/sender/client.hpp"
 
+#include <stdexcept>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -132,7 +134,7 @@ TEST(Key, IsNeededForEveryCommand) {
     const CallOutcome outcome = stranger.enable();
     EXPECT_EQ(outcome.error, StreamError::no_answer);
     EXPECT_FALSE(
-        operator_stop(world.link, "feeder", wire::StopMode::abort, 1s, world.clock, wrong));
+        operator_stop(world.link, "feeder", wire::StopMode::abort, 1s, wrong, world.clock));
   }
   EXPECT_EQ(world.executor->log.size(), obeyed);
   EXPECT_GT(world.executor->pump.rejects()[wire::Reject::not_authentic], 100U);
@@ -148,7 +150,7 @@ TEST(Key, AWholeTableArrives) {
 
 TEST(Key, AnOperatorsStopIsObeyedOnce) {
   World world(keyed());
-  EXPECT_TRUE(operator_stop(world.link, "feeder", wire::StopMode::stop, 1s, world.clock, key));
+  EXPECT_TRUE(operator_stop(world.link, "feeder", wire::StopMode::stop, 1s, key, world.clock));
   EXPECT_THAT(world.executor->log, ElementsAre("stop 0"));
 }
 
@@ -172,7 +174,7 @@ TEST(Key, NothingThatWasRecordedHasAnyEffectAgain) {
     ASSERT_TRUE(client.enable().ok());
     ASSERT_TRUE(client.command(command::MoveRelative{.distance = 100}).ok());
     const auto held = operator_command(
-        world.link, "feeder", wire::Command{.kind = CommandKind::hold}, used, 1s, world.clock);
+        world.link, "feeder", wire::Command{.kind = CommandKind::hold}, 1s, used, world.clock);
     ASSERT_EQ(held.outcome, wire::Outcome::accepted);
     ASSERT_TRUE(client.release().ok());
     std::vector<Packet> recorded;
@@ -254,6 +256,31 @@ TEST(Key, AMessageIsNotItsOwnAnswer) {
     world.pass(1ms);
   }
   EXPECT_EQ(world.executor->log.size(), obeyed);
+}
+
+TEST(Client, ReleasesItsSessionAtItsEnd) {
+  World world;
+  std::string session;
+  {
+    Client client(world.link, "feeder", {}, world.clock);
+    ASSERT_TRUE(client.enable().ok());
+    session = std::to_string(client.session());
+  }
+  EXPECT_THAT(world.executor->log, ElementsAre("enable " + session, "released " + session));
+  Client next(world.link, "feeder", {}, world.clock);
+  EXPECT_TRUE(next.disable().ok()) << "the axis is free";
+}
+
+TEST(Client, DoesNotReleaseItsSessionForAnException) {
+  World world;
+  try {
+    Client client(world.link, "feeder", {}, world.clock);
+    ASSERT_TRUE(client.enable().ok());
+    throw std::runtime_error("of the caller");
+  } catch (const std::runtime_error&) {
+  }
+  ASSERT_EQ(world.executor->log.size(), 1U);
+  EXPECT_THAT(world.executor->log[0], testing::StartsWith("enable "));
 }
 
 }  // namespace

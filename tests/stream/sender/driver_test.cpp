@@ -78,14 +78,13 @@ TEST(Driver, PublishesTheStatus) {
 
 TEST(Driver, ReadsTheNewestStatus) {
   World world;
-  world.link.subscribe("JOUNCE2.feeder.status", 1);
-  EXPECT_FALSE(next_status(world.link, "feeder", 50ms, world.clock).has_value());
+  EXPECT_FALSE(next_status(world.link, "feeder", 50ms, {}, world.clock).has_value());
   EXPECT_EQ(world.now, 50ms);
   std::int64_t tick = 0;
   const auto publish = [&] { world.executor->pump.publish({.tick = ++tick}); };
   for (int i = 0; i < 5; ++i) publish();
   world.each_turn = publish;
-  const auto message = next_status(world.link, "feeder", 50ms, world.clock);
+  const auto message = next_status(world.link, "feeder", 50ms, {}, world.clock);
   ASSERT_TRUE(message.has_value());
   EXPECT_EQ(std::get<wire::Status>(message->body).tick, 6) << "1 had waited; 2 to 5 did not fit";
 }
@@ -102,21 +101,21 @@ TEST(Driver, AnOperatorStopsAnyStreamer) {
       streamer.receive(*answer, world.now);
   }
   ASSERT_EQ(world.executor->pump.receiver().session(), 1);
-  EXPECT_TRUE(operator_stop(world.link, "feeder", wire::StopMode::abort, 1s, world.clock));
+  EXPECT_TRUE(operator_stop(world.link, "feeder", wire::StopMode::abort, 1s, {}, world.clock));
   EXPECT_THAT(world.executor->log, ElementsAre("abort 0", "operator 1"));
 }
 
 TEST(Driver, AnOperatorsStopGetsThroughABadLink) {
   World world;
   LossyTransport bad(world.link, {.seed = 3, .lost = 0.5, .corrupted = 0.2}, world.clock);
-  EXPECT_TRUE(operator_stop(bad, "feeder", wire::StopMode::stop, 2s, world.clock));
+  EXPECT_TRUE(operator_stop(bad, "feeder", wire::StopMode::stop, 2s, {}, world.clock));
   EXPECT_THAT(world.executor->log, ElementsAre("stop 0")) << "once";
 }
 
 TEST(Driver, AStopWithoutAnAnswerIsReported) {
   World world;
   world.shut_down();
-  EXPECT_FALSE(operator_stop(world.link, "feeder", wire::StopMode::stop, 1s, world.clock));
+  EXPECT_FALSE(operator_stop(world.link, "feeder", wire::StopMode::stop, 1s, {}, world.clock));
   EXPECT_LT(world.now, 1100ms);
 }
 

@@ -71,7 +71,7 @@ TEST(Operate, AHoldToRunJogReportsTheStopOfAnotherOperator) {
            [&] {
              if (++asked == 2) {
                EXPECT_TRUE(operator_stop(world.link, "feeder", wire::StopMode::stop,
-                                         std::chrono::seconds(1), world.clock));
+                                         std::chrono::seconds(1), {}, world.clock));
              }
              return asked > 20;
            }},

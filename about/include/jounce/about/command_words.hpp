@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jounce/about/program.hpp"
+#include "jounce/profiles/error.hpp"
 
 /// Functions for the words of a command line. They run before its parser, or in addition to it.
 namespace jounce {

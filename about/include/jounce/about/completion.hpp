@@ -10,13 +10,13 @@ namespace jounce {
 
 /// A word that can stand at the cursor.
 struct Candidate {
-  std::string word, help;
+  std::string word = {}, help = {};
   bool operator==(const Candidate&) const = default;
 };
 
 /// The candidates for a word.
 struct Completion {
-  std::vector<Candidate> candidates;
+  std::vector<Candidate> candidates = {};
   bool files = false;  ///< file names can also stand at the cursor
 };
 

@@ -17,7 +17,7 @@ namespace jounce {
 /// An axis of a group: its configuration, with the defaults filled in, and the greatest magnitudes
 /// of its motion on the path. u is the unit of the axis.
 struct GroupAxis {
-  AxisConfig config;
+  AxisConfig config = {};
   Peaks peaks = {};
 };
 
@@ -36,8 +36,8 @@ struct PathMWord {
 
 /// A planned path that was checked against the limits of the axes of a group.
 struct GroupProgram {
-  std::shared_ptr<const Plan> plan;  ///< over s, in the units of the axes
-  std::vector<GroupAxis> axes;       ///< in the order of the axes of the plan
+  std::shared_ptr<const Plan> plan = {};  ///< over s, in the units of the axes
+  std::vector<GroupAxis> axes = {};       ///< in the order of the axes of the plan
   /// Place of the first axis of the group among the axes of the plan; not 0 if they are joints.
   std::size_t first = 0;
   /// The whole program, then the parts from those rests after which a magnitude is lower. Not empty,

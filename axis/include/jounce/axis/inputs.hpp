@@ -28,10 +28,10 @@ struct Sensor {
 /// The position sensors of a machine. CiA 402: objects 60FDh (states) and 60BAh (latched
 /// positions).
 struct Sensors {
-  Sensor home;      ///< home switch
-  Sensor negative;  ///< negative limit switch
-  Sensor positive;  ///< positive limit switch
-  Sensor index;     ///< index mark of the encoder
+  Sensor home = {};      ///< home switch
+  Sensor negative = {};  ///< negative limit switch
+  Sensor positive = {};  ///< positive limit switch
+  Sensor index = {};     ///< index mark of the encoder
 };
 
 /// A change at a trigger input of a drive, as the drive reports it.

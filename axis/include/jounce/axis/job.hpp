@@ -78,7 +78,7 @@ class Job final : public Movement {
   /// The peak in the interval that requires the greatest limit, and this limit: without the rounding
   /// of knots, as pvt_detail::KnotRounding counts it.
   struct Required {
-    Extremum peak;
+    Extremum peak = {};
     double limit = 0;
   };
   /// The limits that the job requires for velocity, acceleration and jerk, u/s, u/s^2, u/s^3.

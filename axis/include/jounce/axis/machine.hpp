@@ -36,8 +36,8 @@ struct AxisGroup {
 
 /// One axis of a machine, or one group. It stays the same while the machine runs.
 struct MachineAxis {
-  std::string name;            ///< name of the axis in messages
-  AxisConfig config;           ///< configuration
+  std::string name = {};       ///< name of the axis in messages
+  AxisConfig config = {};      ///< configuration
   AxisSwitches switches = {};  ///< cam switches
   Follow follow = {};          ///< live master
   AxisCompare compare = {};    ///< position compare
@@ -96,7 +96,8 @@ struct AxisImage {
 /// m/s^2, m/s^3. NaN: lost. If an axis is a master, m is the unit of that axis. The jerk of an
 /// axis's setpoint counts as 0; the acceleration and jerk of an actual position count as 0.
 ///
-/// step() does not allocate, free, lock, log or throw.
+/// step() does not allocate, free, lock or log. It throws InputError only for a wrong number of images
+/// or masters, before it changes anything.
 class Machine {
  public:
   static constexpr std::size_t most_axes = 64;  ///< greatest number of axes

@@ -28,8 +28,8 @@ namespace jounce {
 
 /// The coordinates that the commands of a group can reach.
 struct GroupSpace {
-  std::vector<Limits> limits;  ///< limits and ranges of the coordinates
-  PathLimits path = {};        ///< along the path
+  std::vector<Limits> limits = {};  ///< limits and ranges of the coordinates
+  PathLimits path = {};             ///< along the path
   /// From the coordinates to the joints; null: the coordinates are the axes.
   std::shared_ptr<const AxisMap> map = {};
   std::vector<Limits> joints = {};  ///< limits and ranges of the joints
@@ -159,9 +159,9 @@ class PathCommands {
     double duration = 0;
   };
   struct One {
-    PathSettings settings;
-    std::variant<Line, Arc, Wait> what;
-    Point to;
+    PathSettings settings = {};
+    std::variant<Line, Arc, Wait> what = {};
+    Point to = {};
     double commanded = PathSettings::none;  // velocity of the command, u/s
   };
   [[nodiscard]] bool framed() const { return frame_ != Frame{}; }

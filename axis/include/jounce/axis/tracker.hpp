@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "jounce/profiles/curve/jet.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 

@@ -19,10 +19,10 @@ struct Document {
     int column = 0;
   };
 
-  std::string name;                     ///< name of the file, as the user gave it
-  std::string text;                     ///< the whole text
-  Sha256 hash{};                        ///< SHA-256 of the text
-  std::map<std::string, Place> places;  ///< place of each key, by its full name ("move.to")
+  std::string name = {};                     ///< name of the file, as the user gave it
+  std::string text = {};                     ///< the whole text
+  Sha256 hash{};                             ///< SHA-256 of the text
+  std::map<std::string, Place> places = {};  ///< place of each key, by its full name ("move.to")
   /// Unit of each number that was read and whose text has no unit, by key.
   std::map<std::string, std::string> units = {};
   std::map<std::string, std::string> given = {};  ///< unit of each number whose text has a unit
@@ -34,8 +34,8 @@ struct Document {
 
   /// A number that the text gives under another key, in another unit.
   struct Given {
-    std::string key;    ///< key in the text
-    double factor = 1;  ///< factor to the number in the text
+    std::string key = {};  ///< key in the text
+    double factor = 1;     ///< factor to the number in the text
   };
   /// Numbers under another key, by the key that an error uses: a derivative by the master that the
   /// text gives over time.

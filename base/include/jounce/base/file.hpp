@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 
 /// Selects what read_file() does with a zip archive, such as a workbook (.xlsx).
@@ -36,8 +38,8 @@ void require_other_file(const std::string& input, const std::string& output,
 
 /// A file to be written.
 struct Output {
-  std::string path;   ///< path of the file; "-" is standard output
-  std::string bytes;  ///< the whole content
+  std::string path = {};   ///< path of the file; "-" is standard output
+  std::string bytes = {};  ///< the whole content
 };
 
 /// Writes all files or none: writes them under temporary names in their folders, then renames them.

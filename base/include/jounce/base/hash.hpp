@@ -15,9 +15,9 @@ namespace jounce {
 
 /// Units of the columns of a table, as the spec writes them: "deg", "pulse", "s", "mm", ...
 struct Units {
-  std::string x;  ///< unit of the first column x: time or master position
+  std::string x = {};  ///< unit of the first column x: time or master position
   /// Unit of the position; its derivatives have the units position/x, position/x^2.
-  std::string position;
+  std::string position = {};
 };
 
 /// A SHA-256 hash.

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 
 /// Units of measure as people write them: "mm", "deg", "pulse/s", "kg cm^2", "1/s", "N m s/rad".

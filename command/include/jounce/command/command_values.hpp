@@ -22,9 +22,9 @@ CommandValues values_of(const ClientCommand& command);
 
 /// A field of a command that other fields of the same command forbid.
 struct FieldConflict {
-  std::size_t field = 0;               ///< number of the field among those of the command
-  std::string rule;                    ///< rule that it breaks: "cannot be combined with position"
-  std::optional<std::size_t> missing;  ///< number of the field without which it has no effect
+  std::size_t field = 0;  ///< number of the field among those of the command
+  std::string rule = {};  ///< rule that it breaks: "cannot be combined with position"
+  std::optional<std::size_t> missing = {};  ///< number of the field without which it has no effect
 };
 
 /// Returns the name of a field for a message.

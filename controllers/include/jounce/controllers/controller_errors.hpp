@@ -4,6 +4,8 @@
 #include <span>
 #include <string>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 
 /// An error about a cam or a gear that a controller reports, and its equivalent in Jounce.

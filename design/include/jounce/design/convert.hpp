@@ -14,7 +14,9 @@ namespace jounce {
 
 /// Requirements for a converted table.
 struct Conversion {
-  Interpolation rule = Interpolation::cubic_hermite;  ///< interpolation of the result
+  /// Interpolation of the result; nullopt: the one of the format (rule_of() in
+  /// controllers/exchange/exchange_format.hpp), and cubic_hermite without a format.
+  std::optional<Interpolation> rule = {};
   /// Requirements for new knots; the result has as few knots as possible. The rule of the target is
   /// `rule` above.
   std::optional<Target> target = {};
@@ -30,7 +32,7 @@ struct Converted {
   /// Error in the units of the input. If the knots and the rule are unchanged, and the controller
   /// does not join the knots by a spline, it is the error of the input: for a spec, the error of
   /// its table; for a table, nullopt.
-  std::optional<SampleError> error;
+  std::optional<SampleError> error = {};
   /// Greatest permitted error of the position, in the unit of the input, for the format of a
   /// controller, and for knots that get another rule or equal intervals: the tolerance of the
   /// target; if it has none, a ten-thousandth of the stroke, but at least one count.

@@ -21,10 +21,10 @@ struct CutLengths {
   /// Returns the greatest line speed for a length, and the limit that determines it. If the cut is
   /// impossible, the speed is 0, and the limit is "length", "reversal" or, for a shear, the limit
   /// that no speed satisfies.
-  std::function<CutSpeed(double length, const CutLimits&)> fastest;
+  std::function<CutSpeed(double length, const CutLimits&)> fastest = {};
   /// Returns the shortest cut that is possible at a speed; nullopt if no cut is possible. For a
   /// knife, only cuts up to the synchronous length are considered.
-  std::function<std::optional<double>(double speed, const CutLimits&)> shortest;
+  std::function<std::optional<double>(double speed, const CutLimits&)> shortest = {};
   /// A length with a special meaning.
   struct Mark {
     double length = 0;      ///< master unit

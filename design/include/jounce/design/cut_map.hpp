@@ -13,17 +13,17 @@ namespace jounce {
 
 /// The fastest line of a knife or a shear for each cut length, with the limit that determines it.
 struct CutMap {
-  Spec spec;
-  CutLengths cuts;
-  CutLimits limits;
-  std::vector<CutSpeed> speeds;  ///< in ascending order of the length
+  Spec spec = {};
+  CutLengths cuts = {};
+  CutLimits limits = {};
+  std::vector<CutSpeed> speeds = {};  ///< in ascending order of the length
   /// Lengths at which another limit begins to determine the speed.
-  std::vector<LimitChange> changes;
+  std::vector<LimitChange> changes = {};
   /// Speed of the line: the lower of the speed of [master] and the greatest speed of the line;
   /// without [master], the greatest speed.
   double running = 0;
   /// Shortest cut at the speed `running`, master unit; nullopt if no cut is possible.
-  std::optional<double> shortest;
+  std::optional<double> shortest = {};
   double per_minute = 60;  ///< factor that converts cuts per unit of time to cuts per minute
 
   /// Unit of a line speed, such as "mm/s".

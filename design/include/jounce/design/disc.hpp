@@ -26,16 +26,16 @@ std::string extremes_text(const Spec& spec, const Disc& disc);
 
 /// Drawing of a disc in mm, for a cam at master 0.
 struct DiscDrawing {
-  std::string name;
-  Contour profile;
-  Contour pitch;                     ///< pitch curve; empty if the roller has radius 0
-  Contour cutter;                    ///< path of the cutter's center; empty without a cutter
-  double tolerance = 0;              ///< mm, greatest distance of contours from their curves
-  double base_radius = 0;            ///< mm
-  std::optional<double> hub_radius;  ///< mm
-  double roller_radius = 0;          ///< mm
-  Place roller;                      ///< center of the roller at the cam's start
-  std::optional<Place> pivot;        ///< pivot of the arm, for an oscillating follower
+  std::string name = {};
+  Contour profile = {};
+  Contour pitch = {};                     ///< pitch curve; empty if the roller has radius 0
+  Contour cutter = {};                    ///< path of the cutter's center; empty without a cutter
+  double tolerance = 0;                   ///< mm, greatest distance of contours from their curves
+  double base_radius = 0;                 ///< mm
+  std::optional<double> hub_radius = {};  ///< mm
+  double roller_radius = 0;               ///< mm
+  Place roller = {};                      ///< center of the roller at the cam's start
+  std::optional<Place> pivot = {};        ///< pivot of the arm, for an oscillating follower
 };
 /// Returns the drawing of a disc.
 DiscDrawing drawing_of(const Spec& spec, const Disc& disc);

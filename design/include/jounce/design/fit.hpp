@@ -12,8 +12,8 @@ namespace jounce {
 /// Options for reading and fitting measured points. A text is a number with or without a unit; "":
 /// not given.
 struct FitOptions {
-  std::string
-      tolerance;  ///< greatest distance from a point; "": the column `tolerance` of the file
+  std::string tolerance =
+      {};  ///< greatest distance from a point; "": the column `tolerance` of the file
   /// the cam repeats after this travel of the master; "": it does not repeat
   std::string period = {};
   std::string master_unit = {};    ///< unit of the master, if the file does not state it
@@ -24,16 +24,16 @@ struct FitOptions {
 
 /// A cam through the points of a file.
 struct FittedCam {
-  std::string source;      ///< name of the file
-  Units units;             ///< units of the points
-  std::size_t points = 0;  ///< number of points in the file
-  double tolerance = 0;    ///< the greatest tolerance of a point, unit of the slave
-  std::string text;        ///< the spec
-  CamFit fit;              ///< the cam, as the text describes it
+  std::string source = {};  ///< name of the file
+  Units units = {};         ///< units of the points
+  std::size_t points = 0;   ///< number of points in the file
+  double tolerance = 0;     ///< the greatest tolerance of a point, unit of the slave
+  std::string text = {};    ///< the spec
+  CamFit fit = {};          ///< the cam, as the text describes it
   /// Greatest distance of the cam from the motion between the points. This motion is the straight
   /// lines between the points or, for a table with velocities, the motion of the table. Exact, not
   /// sampled.
-  SampleError between;
+  SampleError between = {};
   bool curved = false;  ///< true: `between` is the distance from a table with velocities
 
   /// False if the cam leaves the tolerance of a point, or the tolerance between the points of a

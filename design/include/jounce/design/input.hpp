@@ -17,10 +17,10 @@ namespace jounce {
 
 /// The comparison of a finished table with its spec (set_against() in jounce/design/against.hpp).
 struct AgainstSpec {
-  std::string spec;      ///< path of the spec
-  SampleError error;     ///< deviation of the table from the curve of the spec
-  double tolerance = 0;  ///< greatest permitted deviation of the position
-  double digits = 0;     ///< share of a number that the rounding in the file may change
+  std::string spec = {};   ///< path of the spec
+  SampleError error = {};  ///< deviation of the table from the curve of the spec
+  double tolerance = 0;    ///< greatest permitted deviation of the position
+  double digits = 0;       ///< share of a number that the rounding in the file may change
   std::vector<std::string> broken = {};  ///< limits and continuity that the spec breaks, too
   bool limits_only = false;              ///< true: only the limits of the spec apply, not its curve
 };
@@ -28,15 +28,15 @@ struct AgainstSpec {
 /// The input of a verb such as `jounce check`: one axis of a spec with its curve and table, or a
 /// table from a file.
 struct Input {
-  std::optional<Spec> spec;  ///< the spec; nullopt for a table
-  LazyCurve curve;           ///< the exact curve; for a table from a file, the curve of this table
-  TableFile table;           ///< the table with its units
+  std::optional<Spec> spec = {};  ///< the spec; nullopt for a table
+  LazyCurve curve;  ///< the exact curve; for a table from a file, the curve of this table
+  TableFile table;  ///< the table with its units
   /// error of the table against the curve; nullopt if `curve` is the curve of the table
-  std::optional<SampleError> error;
-  Limits limits;              ///< limits of the spec; no limits for a table
-  Labels labels;              ///< names and units for reports
-  std::string name;           ///< name of the spec with the name of the axis, or name of the file
-  std::string axis;           ///< name of the axis if there are several; otherwise ""
+  std::optional<SampleError> error = {};
+  Limits limits = {};         ///< limits of the spec; no limits for a table
+  Labels labels = {};         ///< names and units for reports
+  std::string name = {};      ///< name of the spec with the name of the axis, or name of the file
+  std::string axis = {};      ///< name of the axis if there are several; otherwise ""
   TableOptions options = {};  ///< options with which the table was made
   std::optional<DriveSpec> drive = {};  ///< [drive] of the spec
   /// residual vibration of each mode that an operator of [[then]] suppresses

@@ -23,7 +23,7 @@ struct InverseTexts {
 
 /// A place at which the slave has a given position.
 struct MasterPlace {
-  MasterSpan master;         ///< the position of the master, or a range of a dwell
+  MasterSpan master = {};    ///< the position of the master, or a range of a dwell
   std::string segment = {};  ///< name of the segment
 };
 
@@ -40,7 +40,7 @@ Input inverse_of(const Input& input, const InverseTexts& texts);
 
 /// The answer of `jounce inverse`.
 struct InverseAnswer {
-  std::string text, json;
+  std::string text = {}, json = {};
   bool found = true;  ///< false: the slave is never at the given position
   std::optional<TableFile> table = {};
 };

@@ -12,9 +12,9 @@ namespace jounce {
 
 /// A key figure of a design.
 struct KeyFigure {
-  std::string name;                  ///< "peak torque", ...
+  std::string name = {};             ///< "peak torque", ...
   double value = 0;                  ///< in `unit`
-  std::string unit;                  ///< "" for a pure number
+  std::string unit = {};             ///< "" for a pure number
   std::optional<double> limit = {};  ///< upper limit, if the spec has one
 };
 
@@ -50,10 +50,10 @@ struct KeyFigure {
 /// the axis is the prefix of each figure ("x peak velocity"), but the spec has only one "duration"
 /// and one "margin".
 struct Assessment {
-  std::vector<KeyFigure> figures;  ///< requested figures; by default all, in the order above
+  std::vector<KeyFigure> figures = {};  ///< requested figures; by default all, in the order above
   /// The findings on every limit in the spec: from check and, if the drive was simulated, from the
   /// drive.
-  Report report;
+  Report report = {};
   /// Margins of each segment; only from assess_by_segment(). The rules are the rules of `report`,
   /// followed by the name of the axis. Limits of a cam's slave over time have the rule
   /// "limit/master_velocity".

@@ -11,9 +11,9 @@ namespace jounce {
 
 /// A figure of the motor that moves a cam's slave.
 struct LoadFigure {
-  std::string name;                  ///< "peak torque", ...
+  std::string name = {};             ///< "peak torque", ...
   double value = 0;                  ///< magnitude, in `unit`
-  std::string unit;                  ///< "N m" or "W"
+  std::string unit = {};             ///< "N m" or "W"
   std::optional<double> where = {};  ///< master position of a peak
 };
 

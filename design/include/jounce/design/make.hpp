@@ -18,7 +18,7 @@ namespace jounce {
 /// Predicted residual vibration of a mode at the end of the motion, in the unit of the position. A
 /// spec has one for each mode that an operator of [[then]] or [polydyne] suppresses.
 struct Residual {
-  Mode mode;          ///< the mode, frequency in Hz
+  Mode mode = {};     ///< the mode, frequency in Hz
   double before = 0;  ///< vibration of the motion without operators and [polydyne]
   double after = 0;   ///< vibration of the finished motion
 };
@@ -26,10 +26,10 @@ struct Residual {
 /// The result of a spec for one axis: the exact curve, and the table for a controller with the
 /// error of the table.
 struct Made {
-  AxisPart part;    ///< the axis
-  LazyCurve curve;  ///< the exact curve
+  AxisPart part = {};  ///< the axis
+  LazyCurve curve;     ///< the exact curve
   /// Name of each segment of the curve, for reports; empty: segments have numbers from 1.
-  std::vector<std::string> segments;
+  std::vector<std::string> segments = {};
   Sampled sampled;                       ///< the table and its error
   std::vector<Residual> residuals = {};  ///< one for each mode of an operator or of [polydyne]
   std::vector<SyncZone> zones = {};      ///< sync zones of the slave, if its generator reports them

@@ -10,9 +10,9 @@ namespace jounce {
 
 /// A change of one output during the motion of a spec.
 struct OutputEvent {
-  double time = 0;     ///< time of the change
-  std::string output;  ///< "compare", "output 16", "track 1", "line 12", "M3"
-  bool on = false;     ///< true: the output goes on
+  double time = 0;          ///< time of the change
+  std::string output = {};  ///< "compare", "output 16", "track 1", "line 12", "M3"
+  bool on = false;          ///< true: the output goes on
   /// Position at this time: of the axis to which the output belongs; for a compare in a plane, of
   /// its first axis; for [[switch]] with `of` = "master", of the master; for a path, the length
   /// along it.
@@ -21,12 +21,12 @@ struct OutputEvent {
 
 /// The changes of all outputs of a spec during its motion.
 struct OutputEvents {
-  std::vector<OutputEvent> all;  ///< in order of time
-  std::string time, position;    ///< units of time and position
+  std::vector<OutputEvent> all = {};     ///< in order of time
+  std::string time = {}, position = {};  ///< units of time and position
   /// For [compare]: a broken finding for each point that does not fire, and a broken finding if the
   /// compare hardware is too slow.
-  Report report;
-  Labels labels;  ///< names and units for the report
+  Report report = {};
+  Labels labels = {};  ///< names and units for the report
 };
 
 /// Returns the edges of the outputs of a spec, at exact times. With [compare], these are the edges

@@ -42,8 +42,8 @@ struct SpeedLoss {
 /// at which one of its axes reaches its limit of velocity. **A loss** belongs to a local minimum of
 /// the speed. It extends from the local maximum before the minimum to the local maximum after it.
 struct PathCost {
-  double at_full_speed = 0;       ///< s, duration at full speed
-  std::vector<SpeedLoss> losses;  ///< in the order of the path
+  double at_full_speed = 0;            ///< s, duration at full speed
+  std::vector<SpeedLoss> losses = {};  ///< in the order of the path
 
   /// Returns the sum of the losses with this cause, s.
   [[nodiscard]] double of(LossCause cause) const;

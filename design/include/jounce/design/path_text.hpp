@@ -15,7 +15,7 @@ namespace jounce {
 
 /// Place of a G-code word that moves no axis, such as M3.
 struct EventPlace {
-  GcodeEvent event;
+  GcodeEvent event = {};
   double where = 0;  ///< length along the path at this place
   double time = 0;   ///< s, time at which the axes have reached the place and the preceding dwells
                      ///< have ended
@@ -31,11 +31,11 @@ struct PathSummary {
   double lower_bound = 0;  ///< proven lower bound of the duration, without a limit of jerk
   double length = 0;       ///< length of the path, with its rounded corners
   /// time lost against full speed; its places, and those of the corners, are lengths along the path
-  PathCost cost;
+  PathCost cost = {};
   /// one for each junction of two commands that has a corner or a note (CornerRecord::note)
-  std::vector<CornerRecord> corners;
-  std::vector<EventPlace> events;  ///< places of the words of a G-code program
-  Report along;                    ///< result of path_report()
+  std::vector<CornerRecord> corners = {};
+  std::vector<EventPlace> events = {};  ///< places of the words of a G-code program
+  Report along = {};                    ///< result of path_report()
   /// if the program is planned in the joints of a robot: greatest distance between the planned
   /// motion and the exact kinematics
   std::optional<MapFit> fit = {};

@@ -11,11 +11,12 @@ namespace jounce {
 
 /// The peak of a derivative of an axis, or another figure, in a given and an optimized spec.
 struct PeakChange {
-  std::string name;  ///< "geo_jerk"; with several axes "x jerk"
-  std::string unit;
-  std::optional<double> given;  ///< peak in the given spec; nullopt if no curve can be made from it
-  double optimized = 0;         ///< peak in the optimized spec
-  std::optional<double> limit;  ///< limit, if the spec has one
+  std::string name = {};  ///< "geo_jerk"; with several axes "x jerk"
+  std::string unit = {};
+  std::optional<double> given =
+      {};                ///< peak in the given spec; nullopt if no curve can be made from it
+  double optimized = 0;  ///< peak in the optimized spec
+  std::optional<double> limit = {};  ///< limit, if the spec has one
 };
 
 /// Returns the peaks of all derivatives of all axes, before and after an optimization. They show

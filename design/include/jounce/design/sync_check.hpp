@@ -15,10 +15,10 @@ Report check_sync(const Spec& spec);
 
 /// A figure of a synchronous slave for a report.
 struct SyncFigure {
-  std::string name;     ///< name, such as "longest cut"
-  double value = 0;     ///< in `unit`
-  std::string unit;     ///< unit of the value
-  std::string meaning;  ///< explanation, such as "without a stop"; may be empty
+  std::string name = {};     ///< name, such as "longest cut"
+  double value = 0;          ///< in `unit`
+  std::string unit = {};     ///< unit of the value
+  std::string meaning = {};  ///< explanation, such as "without a stop"; may be empty
 };
 /// Returns the figures of a synchronous slave.
 std::vector<SyncFigure> sync_figures(const Spec& spec);

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 
 /// CiA 402 (IEC 61800-7-201 and -301) in the mode cyclic synchronous position, as functions of

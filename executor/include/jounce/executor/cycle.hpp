@@ -70,8 +70,8 @@ struct CycleStatus {
   std::atomic<std::int64_t> start{not_started};  ///< time of tick 0 by the clock of the Pacer, ns
   std::atomic<std::uint64_t> alive{0};  ///< heartbeat: the communication thread increments it
   std::atomic<std::int64_t> late{0};    ///< number of cycles that began a period or more too late
-  Histogram lateness;                   ///< time from the instant of each tick to the wake-up
-  Histogram computing;                  ///< time from each wake-up to the output of the setpoints
+  Histogram lateness = {};              ///< time from the instant of each tick to the wake-up
+  Histogram computing = {};             ///< time from each wake-up to the output of the setpoints
 };
 
 /// The exchange of a whole machine between its two threads.
@@ -133,7 +133,8 @@ struct CycleOptions {
 /// once() does not allocate, lock, log or wait for another thread.
 class Cycle {
  public:
-  /// All arguments must outlive the cycle, and have as many axes and masters as the machine.
+  /// All arguments must outlive the cycle. Throws InputError unless they have as many axes and masters
+  /// as the machine.
   Cycle(Machine& machine, Pacer& pacer, MachineExchange& exchange, CycleOptions options = {});
 
   /// Waits for the next tick and computes it. Call in a loop.

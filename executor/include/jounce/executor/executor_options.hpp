@@ -29,21 +29,21 @@ struct GroupKinematics {
   std::size_t path_axes = 0;  ///< number of path axes among them; the others are followers
   /// From the axes of the tool to the joints, with the lower of the limits of the kinematics and of
   /// the axes of the group.
-  JointSpace joints;
-  GroupLimits limits;     ///< limits of the axes of the tool, and of its path
-  std::string unit = {};  ///< unit of the path axes; "": not known
+  JointSpace joints = {};
+  GroupLimits limits = {};  ///< limits of the axes of the tool, and of its path
+  std::string unit = {};    ///< unit of the path axes; "": not known
   /// Units of the axes of the tool; none: not known.
   std::vector<std::string> units = {};
 };
 
 /// A group of an executor (docs/executor/groups.md).
 struct ExecutorGroup {
-  AxisGroup of;                         ///< its axes in the machine
-  std::vector<std::string> names;       ///< names of these axes
-  std::vector<AxisConfig> configs;      ///< configurations of these axes
-  std::size_t followers = 0;            ///< number of followers: the last axes; without kinematics
-  std::string unit = {};                ///< unit of the path axes; "": not known, or several units
-  std::vector<std::string> units = {};  ///< unit of each of these axes; none: not known
+  AxisGroup of = {};                     ///< its axes in the machine
+  std::vector<std::string> names = {};   ///< names of these axes
+  std::vector<AxisConfig> configs = {};  ///< configurations of these axes
+  std::size_t followers = 0;             ///< number of followers: the last axes; without kinematics
+  std::string unit = {};                 ///< unit of the path axes; "": not known, or several units
+  std::vector<std::string> units = {};   ///< unit of each of these axes; none: not known
   std::shared_ptr<const SentProgram> sent = {};    ///< path that StartTable plays; null: none
   std::optional<GroupKinematics> kinematics = {};  ///< nullopt: commands address the axes
   MWordHandshake m_words = {};                     ///< M words of programs that wait
@@ -69,15 +69,15 @@ struct ExecutorGroup {
 
 /// The cutter of an axis (docs/gear/cuts.md).
 struct ExecutorCutter {
-  std::shared_ptr<const CutTask> task;  ///< the cutter and its list
-  StoredTable numbers;                  ///< numbers_of() the task in the column p, for the record
+  std::shared_ptr<const CutTask> task = {};  ///< the cutter and its list
+  StoredTable numbers = {};  ///< numbers_of() the task in the column p, for the record
 };
 /// Makes a cutter. Throws InputError like the constructor of CutTask. `units`: those of the axis.
 ExecutorCutter executor_cutter(const CutJob& job, const Units& units);
 
 /// Options of one axis, or of one group, of an executor.
 struct ExecutorOptions {
-  AxisConfig axis;                           ///< configuration
+  AxisConfig axis = {};                      ///< configuration
   AxisSwitches switches = {};                ///< cam switches
   AxisCompare compare = {};                  ///< position compare
   Follow follow = {};                        ///< live master of the axis

@@ -19,9 +19,9 @@ namespace jounce {
 /// A master of a machine, in the options of an executor. Follow::index is an index into the list of
 /// masters.
 struct MachineMaster {
-  std::string name;                ///< name of the master, and of the channel of an ExternalMaster
-  std::string unit;                ///< unit of the position
-  std::shared_ptr<Master> source;  ///< computes the position
+  std::string name = {};  ///< name of the master, and of the channel of an ExternalMaster
+  std::string unit = {};  ///< unit of the position
+  std::shared_ptr<Master> source = {};  ///< computes the position
 };
 
 /// The part of the communication thread that serves the masters. It receives the samples of
@@ -65,7 +65,7 @@ class MasterServer {
 
  private:
   struct One {
-    MachineMaster master;
+    MachineMaster master = {};
     std::optional<MasterIntake> intake = {};  // for an external master
     MasterReading last = {};
     bool was_there = false;

@@ -113,7 +113,7 @@ class Queues {
 
  private:
   struct Open {
-    wire::Queue queue;
+    wire::Queue queue = {};
     QueueMovement made;
     std::array<std::uint64_t, 2> pushed{};
     RowLimits limits = {};  // for rows of a stream over time

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 
 /// Requests of a thread to the operating system for real-time execution.

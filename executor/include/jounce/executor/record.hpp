@@ -225,9 +225,9 @@ std::optional<RecordEvent> decoded(std::string_view channel, std::string_view by
 
 /// A field in which a recorded and a replayed tick differ, even by the last bit.
 struct TickDifference {
-  std::string field;    ///< name of the field as in cycle_t: "position", "state", ...
-  double recorded = 0;  ///< value in the record
-  double replayed = 0;  ///< value of the replay
+  std::string field = {};  ///< name of the field as in cycle_t: "position", "state", ...
+  double recorded = 0;     ///< value in the record
+  double replayed = 0;     ///< value of the replay
 };
 /// Returns the first difference, in the order of the fields of cycle_t; nullopt if the ticks are
 /// identical. If `switches` is true, also compares the outputs and the instants of their edges.

@@ -113,8 +113,8 @@ class Recorder {
  private:
   /// The last encoded cycles of one axis, or sights of one master.
   struct Box {
-    std::vector<std::string> kept;
-    std::vector<std::int64_t> microseconds;
+    std::vector<std::string> kept = {};
+    std::vector<std::int64_t> microseconds = {};
     std::size_t count = 0;
     Cause fault = Cause::none;
   };

@@ -41,7 +41,7 @@ struct RunOptions {
 
 /// Result of one axis.
 struct AxisSummary {
-  std::string name;            ///< name of the axis
+  std::string name = {};       ///< name of the axis
   std::uint64_t finished = 0;  ///< number of motions that reached their end
   std::uint64_t stopped = 0;   ///< number of motions that a stop brought to rest
   Cause fault = Cause::none;   ///< fault that is latched at the end
@@ -52,15 +52,15 @@ struct AxisSummary {
 
 /// Result of run_executor().
 struct ExecutorSummary {
-  std::vector<AxisSummary> axes;  ///< result of each axis
-  CycleCounts cycle;              ///< timing statistics of the cycle
-  Histogram::Counts lateness{};   ///< lateness of the wake-ups
-  Histogram::Counts computing{};  ///< duration of the computations
-  std::string realtime;           ///< result of make_realtime(); "" without a request
-  std::string record_trouble;     ///< reason why the record is incomplete; "": it is complete
-  std::int64_t record_lost = 0;   ///< number of cycles that are missing in the record
+  std::vector<AxisSummary> axes = {};  ///< result of each axis
+  CycleCounts cycle = {};              ///< timing statistics of the cycle
+  Histogram::Counts lateness{};        ///< lateness of the wake-ups
+  Histogram::Counts computing{};       ///< duration of the computations
+  std::string realtime = {};           ///< result of make_realtime(); "" without a request
+  std::string record_trouble = {};     ///< reason why the record is incomplete; "": it is complete
+  std::int64_t record_lost = 0;        ///< number of cycles that are missing in the record
   /// Name that another executor owns, which is why this executor ended; "": none.
-  std::string lost_name;
+  std::string lost_name = {};
 
   /// True if an axis has a latched fault at the end.
   [[nodiscard]] bool has_fault() const {

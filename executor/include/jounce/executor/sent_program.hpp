@@ -57,7 +57,7 @@ struct SentStage {
 
 /// A program that was sent as a whole, divided at the M words that wait.
 struct SentProgram {
-  LimitedProgram sent;
+  LimitedProgram sent = {};
   std::vector<SentStage> stages = {};  ///< at least one; the first has no M word
   PlanWindow window = {};              ///< windows of its plans
 

@@ -29,8 +29,8 @@ struct CutList {
 
 /// A cutter with its list.
 struct CutListSpec {
-  CutMachine machine;
-  CutList list;
+  CutMachine machine = {};
+  CutList list = {};
 };
 
 /// Throws InputError, for the key "lengths", "first" or "waste", if the cutter cannot make a piece

@@ -11,8 +11,8 @@ namespace jounce {
 
 /// A cutter with its list, and its line: everything from which a CutTask is made.
 struct CutJob {
-  CutListSpec spec;
-  CutLine line;
+  CutListSpec spec = {};
+  CutLine line = {};
 };
 
 /// Returns the job as finite numbers, for a record of a run.

@@ -74,8 +74,8 @@ class Cutter {
 
   /// Segments with the names of the parts of the motion; the last value is exact.
   struct Parts {
-    std::vector<Segment> segments;
-    std::vector<std::string> names;
+    std::vector<Segment> segments = {};
+    std::vector<std::string> names = {};
   };
   /// Appends a motion to `to`, with `offset` (u) added to its positions. A piece that does not link
   /// consists of a retreat, a rest and an approach.

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 
 /// An exact electronic gear: slave counts = master counts * numerator / denominator, rounded down.

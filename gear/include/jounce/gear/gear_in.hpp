@@ -48,7 +48,7 @@ struct GearedIn {
   double slave = 0;   ///< y0, u, slave position at the trigger
   /// k x0', u/s: velocity at the end of the ramp, if the master's velocity is constant.
   double velocity = 0;
-  Profile ramp;  ///< the ramp to this velocity, from position 0 at time 0
+  Profile ramp = {};  ///< the ramp to this velocity, from position 0 at time 0
 };
 
 /// Triggers the gear at time t (s), for a slave in the given state and a master at [x, x', x'',

@@ -99,7 +99,7 @@ struct EngageWindow {
   double rho = 0;                  ///< k D / h of the spec; infinite if h is 0
   bool exists = false;             ///< true if such start distances exist: rho > 0, and h is not 0
   double least = 0, greatest = 0;  ///< m, magnitudes of the start distances
-  std::string advice;  ///< "a start distance of 6666.67 to 10000 instead of 4000 ...", or ""
+  std::string advice = {};  ///< "a start distance of 6666.67 to 10000 instead of 4000 ...", or ""
 };
 /// Returns the window for a spec, with advice on its start distance. Throws InputError like
 /// gear_in_pos().
@@ -122,7 +122,7 @@ struct GearInPosState {
 
 /// Result of one cycle.
 struct GearInPosStep {
-  GearInPosState state;                          ///< for the next cycle
+  GearInPosState state = {};                     ///< for the next cycle
   Jet slave{};                                   ///< setpoint of the slave: u, u/s, u/s^2, u/s^3
   bool start_sync = false;                       ///< StartSync: true if the engagement has begun
   bool in_sync = false;                          ///< InSync: true if the slave is in step

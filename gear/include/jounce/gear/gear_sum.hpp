@@ -28,7 +28,8 @@ class GearSum {
   /// denominator D for which D and the sum of |ratio| * D are below 2^63.
   static GearSum of(std::span<const Gear> gears);
 
-  /// Returns the slave count for one count of each master, in the order of the gears.
+  /// Returns the slave count for one count of each master, in the order of the gears. Throws
+  /// InputError for a wrong number of masters, as does advance().
   [[nodiscard]] std::int64_t slave(std::span<const std::int64_t> masters) const;
 
   /// Returns the slave increment for one increment of each master. `state` carries the remainder of

@@ -25,11 +25,11 @@ namespace jounce {
 /// between a curve and its arcs, measured at two places of each arc, is at most 1e-7 of the size of
 /// the curve.
 struct Outline {
-  std::string document;  ///< name of the file
-  std::string unit;      ///< unit of the coordinates, such as mm; "" if the file does not state it
+  std::string document = {};  ///< name of the file
+  std::string unit = {};  ///< unit of the coordinates, such as mm; "" if the file does not state it
   /// True: the piece of the last vertex leads to the first. False: the last vertex is the end.
   bool closed = false;
-  Contour pieces;  ///< the curve; `master` of the vertices is 0
+  Contour pieces = {};  ///< the curve; `master` of the vertices is 0
 };
 
 /// True if a path names a drawing, by its ending: "plate.dxf", "plate.svg#cam".

@@ -17,8 +17,8 @@ namespace jounce {
 struct GcodeMachine {
   /// One axis of the machine.
   struct Axis {
-    std::string name;  ///< one of X Y Z A B C U V W, in upper or lower case
-    std::string unit;  ///< unit of its positions in the resulting Program
+    std::string name = {};  ///< one of X Y Z A B C U V W, in upper or lower case
+    std::string unit = {};  ///< unit of its positions in the resulting Program
     /// Position limits for the ends of lines and arcs; nullopt: none.
     std::optional<double> position_min = {}, position_max = {};
     /// Length of a turn. > 0: a rotary axis, which takes the shorter way to an absolute position.
@@ -26,7 +26,7 @@ struct GcodeMachine {
     double modulo = 0;
   };
 
-  std::vector<Axis> axes;  ///< axes, in the order of the resulting Program
+  std::vector<Axis> axes = {};  ///< axes, in the order of the resulting Program
   /// Number of axes, from the first one, in which the length of the path is measured; 0: all.
   std::size_t path_axes = 0;
   Point start{};  ///< position before the program
@@ -42,7 +42,7 @@ struct GcodeMachine {
 
 /// A word of the program that moves no axis: M, H, S or T.
 struct GcodeEvent {
-  std::string word;         ///< the word: "M8", "H3"
+  std::string word = {};    ///< the word: "M8", "H3"
   int line = 0;             ///< line of the word in the G-code
   std::size_t command = 0;  ///< number of commands of the program before it
   double number = 0;        ///< number after the letter
@@ -50,8 +50,8 @@ struct GcodeEvent {
 
 /// Result of parse_gcode().
 struct GcodeProgram {
-  Program program;                 ///< the commands of the path
-  std::vector<GcodeEvent> events;  ///< the words that move no axis, in their order
+  Program program;                      ///< the commands of the path
+  std::vector<GcodeEvent> events = {};  ///< the words that move no axis, in their order
 };
 
 /// True if the text begins like G-code: with `%`, a comment in parentheses, or a word such as G21

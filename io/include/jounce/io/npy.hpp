@@ -20,7 +20,7 @@ enum class NpyType { whole /**< 64 bits */, real /**< double */ };
 
 /// A field of the rows.
 struct NpyField {
-  std::string name;              ///< name of the field
+  std::string name = {};         ///< name of the field
   NpyType type = NpyType::real;  ///< type of its values
 };
 

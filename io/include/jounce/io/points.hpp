@@ -13,8 +13,8 @@ namespace jounce {
 
 /// One column of points, with the name and the unit from the header.
 struct PointColumn {
-  std::string name;                 ///< lower case: "time", "position", "geo_velocity", "type"
-  std::string unit;                 ///< "" if the header has no unit
+  std::string name = {};            ///< lower case: "time", "position", "geo_velocity", "type"
+  std::string unit = {};            ///< "" if the header has no unit
   std::vector<double> values = {};  ///< numbers of the column
   /// Cells of a column of words, such as "type"; `values` is then empty.
   std::vector<std::string> words = {};
@@ -52,10 +52,10 @@ struct PointColumn {
 /// `type`), decimal commas together with points, and a file without points; in a workbook also a
 /// date, an error value, and a formula without a stored value.
 struct Points {
-  std::string document;              ///< name of the file
-  std::vector<PointColumn> columns;  ///< the columns, in the order of the file
-  std::uint32_t header = 1;          ///< line of the header in the file
-  std::vector<std::uint32_t> lines;  ///< for each point, its line in the file
+  std::string document = {};              ///< name of the file
+  std::vector<PointColumn> columns = {};  ///< the columns, in the order of the file
+  std::uint32_t header = 1;               ///< line of the header in the file
+  std::vector<std::uint32_t> lines = {};  ///< for each point, its line in the file
 
   /// Number of points.
   [[nodiscard]] std::size_t size() const { return lines.size(); }

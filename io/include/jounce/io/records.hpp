@@ -10,8 +10,8 @@ namespace jounce {
 
 /// Units of velocity and acceleration in records whose header has no units.
 struct RecordUnits {
-  std::string velocity;      ///< "pulse/s"
-  std::string acceleration;  ///< "pulse/s^2"
+  std::string velocity = {};      ///< "pulse/s"
+  std::string acceleration = {};  ///< "pulse/s^2"
 };
 
 /// Reads the records of LS_3AxisMoveSequence and LS_4AxisMoveSequence (PMC600 manual 8.1.6, tables

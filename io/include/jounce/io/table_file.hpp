@@ -11,16 +11,16 @@ namespace jounce {
 
 /// Origin of a table. It is not part of the table's identity (content_hash()).
 struct Provenance {
-  std::string spec;         ///< name of the spec file; may be empty
-  std::string spec_sha256;  ///< SHA-256 of the spec's text, hexadecimal; may be empty
-  std::string made_by;      ///< program and version: "jounce 0.1.0"
+  std::string spec = {};         ///< name of the spec file; may be empty
+  std::string spec_sha256 = {};  ///< SHA-256 of the spec's text, hexadecimal; may be empty
+  std::string made_by = {};      ///< program and version: "jounce 0.1.0"
 };
 
 /// A table with its units and its origin, as in a file.
 struct TableFile {
-  Table table;            ///< the table
-  Units units;            ///< units of its columns
-  Provenance provenance;  ///< its origin
+  Table table;                 ///< the table
+  Units units = {};            ///< units of its columns
+  Provenance provenance = {};  ///< its origin
 };
 
 /// Returns the name and version of this program: "jounce 0.1.0".

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 
 /// The saved user table of a HIWIN HIMC controller (HMPL manual, chapter 11): numbers under the

@@ -57,7 +57,7 @@ class AcceptedVersions {
 struct FileChange {
   enum class What { same, changed, added, removed, renamed, wrong };
   What what = What::same;   ///< kind of the difference; wrong: the file cannot be read
-  std::string file;         ///< path of the file; "" if it was removed
+  std::string file = {};    ///< path of the file; "" if it was removed
   std::string before = {};  ///< name of the accepted version; "" if the file was added
   std::vector<Comparison> comparisons = {};  ///< comparison of each axis
   std::vector<Tolerance> tolerances = {};    ///< tolerance of each comparison

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 
 /// Returns the text of a file in the newest commit of its git repository (HEAD). Throws InputError

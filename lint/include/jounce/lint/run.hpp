@@ -23,7 +23,7 @@ struct LintOptions {
 
 /// The files of a run with their diagnostics, and their changes from the accepted versions.
 struct LintedFiles {
-  RunResult result;
+  RunResult result = {};
   std::vector<FileChange> changes = {};
 };
 

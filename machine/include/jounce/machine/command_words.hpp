@@ -20,7 +20,7 @@ namespace jounce {
 
 /// The words after the name of the executor.
 struct CommandWords {
-  std::string what;        ///< the command: "move"
+  std::string what = {};   ///< the command: "move"
   std::string value = {};  ///< value of the command; "": not given
   /// Options with a value, by their name without dashes; "": not given.
   std::map<std::string, std::string> options = {};
@@ -53,8 +53,8 @@ enum class OptionForm : std::uint8_t {
 
 /// An option of `jounce order`, which is a field of one or more commands.
 struct CommandOption {
-  std::string name;                       ///< name without dashes
-  std::string help;                       ///< help text
+  std::string name = {};                  ///< name without dashes
+  std::string help = {};                  ///< help text
   OptionForm form = OptionForm::number;   ///< form in which its text gives the value
   Quantity quantity = Quantity::none;     ///< physical quantity
   std::vector<std::string> choices = {};  ///< permitted words; empty: a number or a list

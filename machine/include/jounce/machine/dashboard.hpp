@@ -23,7 +23,7 @@ enum class Tone { plain, faint, strong, rests, moves, waits, wrong, chosen };
 
 /// A text with one tone.
 struct Span {
-  std::string text;
+  std::string text = {};
   Tone tone = Tone::plain;
 };
 /// A row of the screen.

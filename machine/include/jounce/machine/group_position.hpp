@@ -4,18 +4,20 @@
 #include <string>
 #include <vector>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 
 /// A position that was converted between the coordinates of a group and its joints
 /// (SMC_GroupConvertPosition).
 struct ConvertedPosition {
   struct Part {
-    std::string name;  ///< name of a joint, or of a coordinate
+    std::string name = {};  ///< name of a joint, or of a coordinate
     double position = 0;
-    std::string unit;
+    std::string unit = {};
     std::string broken = {};  ///< the limit that the position exceeds; empty: none
   };
-  std::vector<Part> parts;  ///< all joints, or all coordinates
+  std::vector<Part> parts = {};  ///< all joints, or all coordinates
 
   /// True if no part exceeds a limit.
   [[nodiscard]] bool inside() const;

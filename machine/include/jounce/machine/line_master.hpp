@@ -15,11 +15,11 @@
 namespace jounce {
 
 struct LineMaster {
-  std::string name;    ///< name of the master
-  TableFile motion;    ///< table over time, in s; see line_motion()
-  double rate = 1000;  ///< samples per second, > 0
-  double before = 1;   ///< time at rest at the first point before the motion, s
-  double after = 1;    ///< time at rest at the last point after the motion, s
+  std::string name = {};  ///< name of the master
+  TableFile motion;       ///< table over time, in s; see line_motion()
+  double rate = 1000;     ///< samples per second, > 0
+  double before = 1;      ///< time at rest at the first point before the motion, s
+  double after = 1;       ///< time at rest at the last point after the motion, s
   /// Duration of the transmission, including `before`, s. nullopt: the sum of `before`, the table
   /// and `after`; if the table repeats, the transmission has no end.
   std::optional<double> seconds = {};

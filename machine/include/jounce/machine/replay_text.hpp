@@ -56,7 +56,7 @@ struct ReplayFileOptions {
 
 /// The replay of a record, and the ticks of one axis that were kept.
 struct ReplayedFile {
-  Replay replay;
+  Replay replay = {};
   RecordedAxis axis = {};  ///< axis of the ticks; set only if ticks are kept or a CSV file is
                            ///< written
   std::deque<Tick> ticks = {};

@@ -28,7 +28,7 @@ struct Watched {
   /// masters.)
   static constexpr std::size_t most_masters = 64;
 
-  std::string name;  ///< name of the axis
+  std::string name = {};  ///< name of the axis
   /// The newest status; nullopt: no message yet.
   std::optional<wire::Status> status = std::nullopt;
   Nanos received{};                              ///< time at which the status arrived

@@ -81,11 +81,12 @@ void require_valid(const CamShapeProblem& problem);
 
 /// Result of one run.
 struct CamRunOutcome {
-  std::vector<std::size_t> segments;  ///< indices of the segments of the run, in the order of the
-                                      ///< master
+  std::vector<std::size_t> segments =
+      {};  ///< indices of the segments of the run, in the order of the
+           ///< master
   /// The result for the last entry of `minimize`. Its figures are the figures of all entries,
   /// followed by the figures of the ceilings.
-  ShapeOutcome shape;
+  ShapeOutcome shape = {};
 };
 
 /// Result of optimize_cam_shapes(). In the cam `best`, segments with the law `hermite` replace the

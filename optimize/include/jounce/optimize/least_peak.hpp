@@ -8,8 +8,8 @@ namespace jounce {
 /// A cam whose omitted derivatives have the values with the least max |geo_acceleration|. u is the
 /// unit of the slave, m the unit of the master.
 struct LeastPeak {
-  CamSpec cam;      ///< the cam, with all derivatives
-  double peak = 0;  ///< max |geo_acceleration| of the cam, u/m^2, exact
+  CamSpec cam = {};  ///< the cam, with all derivatives
+  double peak = 0;   ///< max |geo_acceleration| of the cam, u/m^2, exact
   /// Proven lower bound: no choice of the omitted values has a lower peak, u/m^2.
   double bound = 0;
   int solutions = 0;  ///< number of linear systems that were solved

@@ -80,9 +80,9 @@ const char* name(OptimizeStatus status);
 
 /// A figure that is minimized or limited: its values before and after the optimization.
 struct FigureResult {
-  std::string name;    ///< name with its kind: "peak geo_jerk"
-  double given = 0;    ///< value of the given curve
-  double reached = 0;  ///< value of the result
+  std::string name = {};  ///< name with its kind: "peak geo_jerk"
+  double given = 0;       ///< value of the given curve
+  double reached = 0;     ///< value of the result
   /// Proven lower bound: no result that satisfies the constraints has a lower value, even if this
   /// figure alone is minimized. nullopt: no bound is known.
   std::optional<double> bound = {};

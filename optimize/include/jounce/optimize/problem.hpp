@@ -20,11 +20,11 @@ struct Bound {
 /// The values at one knot that may change. A value without bounds stays as in the given cam. u is
 /// the unit of the slave, m the unit of the master.
 struct FreeKnot {
-  std::size_t knot = 0;                   ///< 0: start of the cam; i: end of its i-th segment
-  std::optional<Bound> master;            ///< bounds of the master position, m
-  std::optional<Bound> slave;             ///< bounds of the slave position, u
-  std::optional<Bound> geo_velocity;      ///< bounds, u/m
-  std::optional<Bound> geo_acceleration;  ///< bounds, u/m^2
+  std::size_t knot = 0;                        ///< 0: start of the cam; i: end of its i-th segment
+  std::optional<Bound> master = {};            ///< bounds of the master position, m
+  std::optional<Bound> slave = {};             ///< bounds of the slave position, u
+  std::optional<Bound> geo_velocity = {};      ///< bounds, u/m
+  std::optional<Bound> geo_acceleration = {};  ///< bounds, u/m^2
 };
 
 /// Figures to minimize, over the whole cam, with respect to the master (u/m^2, u/m^3).
@@ -67,11 +67,11 @@ double value_of(Objective objective, const Cam& cam);
 ///
 /// A cam with a law through points cannot be optimized.
 struct CamProblem {
-  CamSpec cam;                 ///< the given cam
-  std::vector<FreeKnot> free;  ///< the free knots
-  Limits limits;  ///< limits of the derivatives with respect to the master, over the whole cam
-  std::vector<Objective> minimize;  ///< objectives, the most important first, no duplicates
-  RampedLimits ramped = {};         ///< additional limits
+  CamSpec cam = {};                 ///< the given cam
+  std::vector<FreeKnot> free = {};  ///< the free knots
+  Limits limits = {};  ///< limits of the derivatives with respect to the master, over the whole cam
+  std::vector<Objective> minimize = {};  ///< objectives, the most important first, no duplicates
+  RampedLimits ramped = {};              ///< additional limits
   /// Defaults: 8 starts, of which the given cam is the first, and 50000 evaluations.
   OptimizeOptions options = {};
 };

@@ -19,7 +19,7 @@ namespace jounce {
 /// by[5] f^(5) + constant. For example, the torque of a load J a + B v + K s + F is {"torque", {K,
 /// B w, J w^2}, F}, if the master turns at w.
 struct LinearQuantity {
-  std::string name;            ///< name for the user: "geo_acceleration", "torque"
+  std::string name = {};       ///< name for the user: "geo_acceleration", "torque"
   std::array<double, 6> by{};  ///< factors of f, f', ..., f^(5)
   double constant = 0;         ///< constant term
 };
@@ -32,13 +32,13 @@ LinearQuantity derivative_of_shape(int order);
 
 /// Peak max |q| over all x, not only at samples.
 struct PeakOf {
-  LinearQuantity quantity;
+  LinearQuantity quantity = {};
 };
 
 /// Rms value: root of (integral of q^2 / length). The rms value of the torque determines the heat
 /// in a motor.
 struct RmsOf {
-  LinearQuantity quantity;
+  LinearQuantity quantity = {};
 };
 
 /// Residual vibration: the amplitude, u (unit of the shape), with which a vibration mode oscillates
@@ -53,8 +53,8 @@ struct ResidualOf {
 
 /// Peak power max |force * velocity| over all x, not only at samples. Not convex.
 struct PowerOf {
-  LinearQuantity force;
-  LinearQuantity velocity;
+  LinearQuantity force = {};
+  LinearQuantity velocity = {};
 };
 
 /// The torque of a load that the shape f moves, for a torque that is not a linear function of f:
@@ -77,18 +77,18 @@ struct LoadTorque {
 /// Peak torque max |T| over all x, not only at samples. Where f' changes its sign, T counts on both
 /// sides.
 struct TorqueOf {
-  LoadTorque load;
+  LoadTorque load = {};
 };
 
 /// Rms torque: root of (integral of T^2 / length). It determines the heat in a motor.
 struct RmsTorqueOf {
-  LoadTorque load;
+  LoadTorque load = {};
 };
 
 /// Energy: the integral over x of the input power T f' where it is positive, minus the share
 /// `recovered` of the power where it is negative.
 struct EnergyOf {
-  LoadTorque load;
+  LoadTorque load = {};
   double recovered = 0;  ///< 0 (braking resistor) to 1 (drive without losses)
 };
 
@@ -97,17 +97,17 @@ struct EnergyOf {
 /// list, not the values between them. Throws InputError for a function that is not affine, a result
 /// that is not finite, or a list of varying length.
 struct ResponseOf {
-  std::string name;  ///< name for the user
+  std::string name = {};  ///< name for the user
   /// Computes the list; its length must not vary.
-  std::function<std::vector<double>(const Trajectory& shape)> of;
+  std::function<std::vector<double>(const Trajectory& shape)> of = {};
 };
 
 /// Rms value of a list y like the list of ResponseOf: root of the mean of y^2. Example: the rms
 /// torque of a drive.
 struct RmsResponseOf {
-  std::string name;  ///< name for the user
+  std::string name = {};  ///< name for the user
   /// Computes the list; its length must not vary.
-  std::function<std::vector<double>(const Trajectory& shape)> of;
+  std::function<std::vector<double>(const Trajectory& shape)> of = {};
 };
 
 /// Any figure. PowerOf, TorqueOf, RmsTorqueOf and EnergyOf are not convex, see
@@ -140,7 +140,7 @@ struct Edge {
 /// to be passed within a tolerance (from == to); an interval in step (value with lower == upper,
 /// which is satisfied exactly).
 struct Corridor {
-  LinearQuantity quantity;         ///< the quantity
+  LinearQuantity quantity = {};    ///< the quantity
   double from = 0;                 ///< start of the range, x
   double to = 0;                   ///< end of the range, x
   std::optional<Edge> lower = {};  ///< nullopt: no lower bound
@@ -149,13 +149,13 @@ struct Corridor {
 
 /// A figure that must not exceed a value.
 struct Ceiling {
-  ShapeFigure figure;
+  ShapeFigure figure = {};
   double at_most = 0;  ///< the greatest permitted value
 };
 
 /// A figure in a weighted sum.
 struct WeightedFigure {
-  ShapeFigure figure;
+  ShapeFigure figure = {};
   /// The weight, > 0. The sum adds weight * (value of the figure) / (value of the
   /// figure for the given shape).
   double weight = 1;

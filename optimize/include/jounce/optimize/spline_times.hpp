@@ -42,7 +42,7 @@ enum class TimeObjective {
 /// objectives, no duration.
 struct SplineTimesSpec {
   /// Points, u: at least two, each with one position for each joint.
-  std::vector<std::vector<double>> points;
+  std::vector<std::vector<double>> points = {};
   /// Limits of each joint, required for `shortest`. The result is checked against them for all
   /// objectives.
   std::vector<Limits> limits = {};
@@ -53,9 +53,9 @@ struct SplineTimesSpec {
 
 /// The times of a spline, and the motions of its joints.
 struct SplineTimes {
-  double duration = 0;             ///< whole duration, s
-  std::vector<double> intervals;   ///< times between the knots, s
-  std::vector<Trajectory> joints;  ///< motion of each joint; constant before and after
+  double duration = 0;                  ///< whole duration, s
+  std::vector<double> intervals = {};   ///< times between the knots, s
+  std::vector<Trajectory> joints = {};  ///< motion of each joint; constant before and after
 };
 
 /// Result of spline_times(). `value` is in s, u/s^3 or u^2/s^5, depending on the objective. The

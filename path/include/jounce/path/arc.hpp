@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "jounce/path/point.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 

@@ -35,7 +35,7 @@ class AxesByStretch {
   /// The law on one piece: its phases, the last one cut at the end of the piece.
   struct Cut {
     std::size_t piece = 0;
-    std::vector<Segment> law;  ///< position on the piece, from 0 to its length
+    std::vector<Segment> law = {};  ///< position on the piece, from 0 to its length
   };
 
  private:

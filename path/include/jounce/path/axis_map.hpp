@@ -23,8 +23,8 @@ enum class MapState : std::uint8_t {
 
 /// A linear map from the axes to the joints: joint = matrix * point + offset.
 struct LinearMap {
-  std::vector<Point> rows;     ///< rows of the matrix, one for each joint
-  std::vector<double> offset;  ///< one for each joint; empty: 0
+  std::vector<Point> rows = {};     ///< rows of the matrix, one for each joint
+  std::vector<double> offset = {};  ///< one for each joint; empty: 0
 };
 
 /// Proven bounds for one joint over a part of a path; s in [0, 1] is the position in this part.
@@ -114,7 +114,7 @@ enum class Elbow : std::uint8_t {
 /// Axes of the tool: X, Y; Z if `with_z`; with three arms also C, the direction of the last arm in
 /// deg. Joints: one for each arm, then Z.
 struct ScaraSpec {
-  std::vector<double> arms;          ///< lengths of two or three arms, > 0
+  std::vector<double> arms = {};     ///< lengths of two or three arms, > 0
   Elbow elbow = Elbow::right;        ///< dElbowRight
   std::vector<double> offsets = {};  ///< deg, value of each joint when its arm is at the angle 0;
                                      ///< empty: 0
@@ -152,8 +152,8 @@ std::shared_ptr<const AxisMap> linear_delta_map(const LinearDeltaSpec& spec);
 
 /// Joints of a plan.
 struct JointSpace {
-  std::shared_ptr<const AxisMap> map;  ///< from the axes of the program to the joints
-  std::vector<Limits> limits;          ///< limits of the joints, one for each joint
+  std::shared_ptr<const AxisMap> map = {};  ///< from the axes of the program to the joints
+  std::vector<Limits> limits = {};          ///< limits of the joints, one for each joint
   /// Greatest distance of the fitted joints from the map, in their unit, > 0.
   double tolerance = 1e-9;
 };

@@ -27,8 +27,8 @@ struct PathLimits {
 /// uses the exact extrema of the planned curves. Exception: plan() checks position limits only at
 /// the end points of commands. To check positions between them, call check() on the planned axes.
 struct GroupLimits {
-  std::vector<Limits> axes;  ///< one for each axis
-  PathLimits path = {};      ///< limits along the path
+  std::vector<Limits> axes = {};  ///< one for each axis
+  PathLimits path = {};           ///< limits along the path
 };
 
 /// Factors and ancillary limits of the PMC600 (manual 7.2.4): a second set of limits, which a program

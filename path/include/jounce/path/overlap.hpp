@@ -32,11 +32,11 @@ struct OverlapRecord {
 
 /// Result of overlapped().
 struct Overlapped {
-  std::vector<Trajectory> axes;        ///< one for each axis; exact, of degree 3
-  double duration = 0;                 ///< s
-  double stop_duration = 0;            ///< s, duration of the same motion with a stop at each
-                                       ///< corner
-  std::vector<OverlapRecord> corners;  ///< one for each corner
+  std::vector<Trajectory> axes = {};        ///< one for each axis; exact, of degree 3
+  double duration = 0;                      ///< s
+  double stop_duration = 0;                 ///< s, duration of the same motion with a stop at each
+                                            ///< corner
+  std::vector<OverlapRecord> corners = {};  ///< one for each corner
 };
 
 /// Plans lines that overlap in time: each line begins before the previous one ends, and the axes

@@ -63,8 +63,8 @@ class Path {
   }
 
   /// Writes the position and three derivatives with respect to q of every axis to `out`, at the
-  /// distance u in q from the start of a piece, 0 to its length. `out` has one entry for each axis
-  /// (asserted).
+  /// distance u in q from the start of a piece, 0 to its length. `out` has one entry for each axis;
+  /// otherwise the function throws InputError.
   void jets(std::size_t piece, double u, std::span<Jet> out) const;
   /// Returns the point at the distance u in q from the start of a piece, 0 to its length.
   [[nodiscard]] Point point(std::size_t piece, double u) const;

@@ -79,7 +79,7 @@ struct CornerRecord {
   double velocity = 0;   ///< u/s, velocity along q at the middle
   JunctionNote note = JunctionNote::none;
   /// The note as a sentence without units; empty if the result is as requested.
-  std::string text;
+  std::string text = {};
 };
 
 /// Returns the note of a corner as a sentence with its numbers; lengths are in `length_unit`. Empty
@@ -106,10 +106,10 @@ class Plan {
  public:
   /// Data from which the plan was made.
   struct Given {
-    GroupLimits limits;                  ///< limits of the axes, then of the joints
-    std::vector<PathSettings> settings;  ///< settings of the commands
-    std::size_t path_axes = 0;           ///< number of path axes
-    std::optional<Path> drawn = {};      ///< set only if drawn() differs from path()
+    GroupLimits limits = {};                  ///< limits of the axes, then of the joints
+    std::vector<PathSettings> settings = {};  ///< settings of the commands
+    std::size_t path_axes = 0;                ///< number of path axes
+    std::optional<Path> drawn = {};           ///< set only if drawn() differs from path()
     /// for joints of the machine: distance of the planned joints from the map
     std::optional<MapFit> fit = {};
   };
@@ -136,8 +136,8 @@ class Plan {
   [[nodiscard]] const Given& given() const { return given_; }
 
   /// Writes the motion of every axis at time t (s) in [0, duration()] to `out`, which has one entry
-  /// for each axis. At a step, writes the value after the step. Does not allocate. For many
-  /// instants use PlanCursor.
+  /// for each axis; otherwise the function throws InputError. At a step, writes the value after the
+  /// step. Does not allocate. For many instants use PlanCursor.
   void at(double t, std::span<Motion> out) const;
 
  private:
@@ -158,7 +158,8 @@ class PlanCursor {
  public:
   /// `plan` must outlive the cursor.
   explicit PlanCursor(const Plan& plan) : plan_(&plan) {}
-  void at(double t, std::span<Motion> out);  ///< motion of every axis at time t, s
+  /// Writes the motion of every axis at time t, s, like Plan::at().
+  void at(double t, std::span<Motion> out);
 
  private:
   void seek(double t);
@@ -181,9 +182,9 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
 
 /// The axes of a plan over time.
 struct PlanAxes {
-  std::vector<Trajectory> curves;  ///< one for each axis
+  std::vector<Trajectory> curves = {};  ///< one for each axis
   /// For each axis, a bound of the error of its fit: u, u/s, u/s^2, u/s^3; 0: exact.
-  std::vector<Jet> error;
+  std::vector<Jet> error = {};
 };
 
 /// Returns the axes of a plan over time, from 0 s. The result is exact on lines, on corners (degree

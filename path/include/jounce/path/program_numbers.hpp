@@ -30,7 +30,7 @@ struct ProgramWord {
 /// A program and the limits within which it is planned.
 struct LimitedProgram {
   Program program{1};
-  GroupLimits limits;  ///< velocity, acceleration and jerk of the axes; limits of the path
+  GroupLimits limits = {};  ///< velocity, acceleration and jerk of the axes; limits of the path
   /// Names of the axes, printable characters; or empty texts. If the path is for a machine with joints,
   /// the names of its joints follow.
   std::vector<std::string> names = {};

@@ -25,12 +25,12 @@ namespace jounce {
 /// pieces to the requested shape. `speed_error` bounds the difference between the parameter and arc
 /// length; the timing law is slower by this share, so the motion never exceeds the feed.
 struct PathCurve {
-  std::size_t axes = 0;           ///< number of axes
-  std::vector<Segment> segments;  ///< for each piece, one segment for each axis
-  Point from{}, to{};             ///< start and end
-  double length = 0;              ///< length in q
-  double deviation = 0;           ///< bound, unit of length
-  double speed_error = 0;         ///< bound, relative
+  std::size_t axes = 0;                ///< number of axes
+  std::vector<Segment> segments = {};  ///< for each piece, one segment for each axis
+  Point from{}, to{};                  ///< start and end
+  double length = 0;                   ///< length in q
+  double deviation = 0;                ///< bound, unit of length
+  double speed_error = 0;              ///< bound, relative
 };
 
 /// Directions of a spline at its ends.

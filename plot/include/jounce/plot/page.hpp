@@ -31,9 +31,9 @@ struct DataTable {
     double to = 0;
   };
   struct Row {
-    std::vector<std::string> cells;   ///< one for each column; missing cells are empty
-    bool broken = false;              ///< true: the row shows a broken limit
-    std::optional<Place> place = {};  ///< place in the chart that the script shows for this row
+    std::vector<std::string> cells = {};  ///< one for each column; missing cells are empty
+    bool broken = false;                  ///< true: the row shows a broken limit
+    std::optional<Place> place = {};      ///< place in the chart that the script shows for this row
   };
 
   std::string caption{};               ///< text below the table

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "jounce/plot/figure.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 

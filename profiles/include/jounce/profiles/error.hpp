@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <exception>
 #include <string>
 
@@ -52,5 +53,7 @@ class InputError : public std::exception {
 void require_finite(const char* key, double value);
 void require_positive(const char* key, double value);
 void require_not_negative(const char* key, double value);
+/// Throws InputError unless a span has the expected number of entries.
+void require_size(const char* key, std::size_t size, std::size_t expected);
 
 }  // namespace jounce

@@ -4,12 +4,13 @@
 #include <string>
 
 #include "jounce/plot/figure.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 
 /// The picture of a file that `jounce plot` draws.
 struct FigureRequest {
-  std::string file;          ///< spec, table, or G-code program with `machine`
+  std::string file = {};     ///< spec, table, or G-code program with `machine`
   std::string axis = {};     ///< name of one axis; "": all
   std::string machine = {};  ///< spec of kind "path" for a G-code program
   std::string over = {};     ///< "master", "time", or "": as the file describes it

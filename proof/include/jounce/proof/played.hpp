@@ -31,13 +31,13 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
 
 /// A motion as a function of time or of its master.
 struct DesignedMotion {
-  std::function<Motion(double)> table;    ///< the interpolated table
-  std::function<double(double)> curve{};  ///< the exact curve, u; empty: there is only a table
+  std::function<Motion(double)> table = {};  ///< the interpolated table
+  std::function<double(double)> curve{};     ///< the exact curve, u; empty: there is only a table
 };
 
 /// The reference of a motion. Times are in s from its start.
 struct Designed {
-  DesignedMotion over_time;
+  DesignedMotion over_time = {};
   /// A cam over its master, for an axis that followed a live master; empty for another axis.
   DesignedMotion over_master{};
   double tolerance = 0;  ///< permitted deviation of the table from the curve, u
@@ -66,7 +66,7 @@ struct Played {
   /// - "played/complete": broken if the log ends before the motion; not with a live master.
   /// - "played/fault": a fault ended the motion; only with a live master, whose motion has no end of
   ///   its own.
-  Report report;
+  Report report = {};
 };
 
 /// Compares every tick with the design: over time, or, if the positions do not agree, over the

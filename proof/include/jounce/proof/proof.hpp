@@ -21,11 +21,11 @@ namespace jounce {
 ///     const Proof proof = prove(input);
 ///     if (!proof.report.ok()) print(full_text(proof.report, input.labels));
 struct Proof {
-  Witness curve;                     ///< integration of the exact curve
-  Witness table;                     ///< integration of the table, interpolated as in the executor
-  std::optional<DriveResult> drive;  ///< result of the drive, if the spec has a [drive]
-  std::optional<Played> played;      ///< comparison with a tick log, if one was given
-  Report report;                     ///< all findings, with their units, sorted
+  Witness curve = {};  ///< integration of the exact curve
+  Witness table = {};  ///< integration of the table, interpolated as in the executor
+  std::optional<DriveResult> drive = {};  ///< result of the drive, if the spec has a [drive]
+  std::optional<Played> played = {};      ///< comparison with a tick log, if one was given
+  Report report = {};                     ///< all findings, with their units, sorted
   /// Result of [drive.tolerances], if the spec has them.
   std::optional<ToleranceResult> tolerances = {};
   /// Result of the follower, if the spec has a [follower].

@@ -17,8 +17,8 @@ struct ReportOptions {
 
 /// The page of `jounce report`, and all findings on the page.
 struct ReportPage {
-  Page page;        ///< the page
-  Report findings;  ///< findings of the exact check, then findings of the proof
+  Page page = {};        ///< the page
+  Report findings = {};  ///< findings of the exact check, then findings of the proof
 };
 
 /// Returns the page: the curve (if `before` is given, over its pale curve), the extrema of each

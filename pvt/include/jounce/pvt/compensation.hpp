@@ -58,7 +58,8 @@ struct CompensationSpec {
 /// of slope; check() reports these steps. The cubic rule avoids them, except at the edges of the
 /// grid.
 ///
-/// at() and cell() do not allocate or throw. The constructor throws InputError, with keys that count from 1
+/// at() and cell() do not allocate, and throw InputError only for a wrong number of references. The
+/// constructor throws InputError, with keys that count from 1
 /// ("values[3]"), in these cases: no or more than three references; an interval that is not
 /// positive; fewer than two points; a number of values that differs from the number of grid points;
 /// a value that is not finite, or whose magnitude is above `most`; the cubic rule with three

@@ -60,8 +60,8 @@ std::optional<Filling> filling_named(std::string_view name);
 /// within_limits without limits; and for invalid limits.
 struct FillSpec {
   Domain axis = Domain::time;                 ///< meaning of x: time or master position
-  std::vector<double> x;                      ///< strictly ascending
-  std::vector<double> p;                      ///< one for each knot
+  std::vector<double> x = {};                 ///< strictly ascending
+  std::vector<double> p = {};                 ///< one for each knot
   std::vector<std::optional<double>> v = {};  ///< one for each knot, or empty: no velocity is given
   /// Accelerations, like `v`; only with Interpolation::quintic_hermite.
   std::vector<std::optional<double>> a = {};
@@ -78,7 +78,7 @@ struct Filled {
   /// (broken): no velocities bring the piece within the limits; the advice gives the time that the
   /// piece needs. "fill/monotone", "fill/convex" (warnings): the piece does not have the shape of
   /// the data, because of given velocities or of the neighboring pieces.
-  Report report;
+  Report report = {};
 };
 
 /// Fills in the velocities and accelerations that the table omits; the time is proportional to the
@@ -104,8 +104,8 @@ Filled filled(const FillSpec& spec);
 
 /// Computes the velocities of the C2 cubic spline through the knots if no velocity is given. Use it
 /// for data that need no report. `ends` is natural, clamped (at rest), periodic or not_a_knot.
-/// Requires spans of equal size >= 2, and an x that ascends strictly (not checked). The result is
-/// the same on every computer.
+/// Throws InputError if the spans differ in size, or for fewer than two knots. Requires an x that
+/// ascends strictly (not checked). The result is the same on every computer.
 void spline_velocities(std::span<const double> x, std::span<const double> p, Filling ends,
                        std::span<double> v);
 

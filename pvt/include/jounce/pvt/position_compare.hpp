@@ -74,9 +74,9 @@ struct OutputEdge {
 
 /// Result of compared().
 struct Compared {
-  std::vector<CompareEvent> events;  ///< in order of time
+  std::vector<CompareEvent> events = {};  ///< in order of time
   /// The output is off at first; the last pulse may end after the motion.
-  std::vector<OutputEdge> edges;
+  std::vector<OutputEdge> edges = {};
 };
 
 /// Returns the points that fire during a known motion. Crossings are exact roots, not samples:

@@ -31,7 +31,7 @@ const char* name(Binding binding);
 /// A table and its error.
 struct Sampled {
   Table table;
-  SampleError error;  ///< certified: the exact maximum of the difference, not a sampled one
+  SampleError error = {};  ///< certified: the exact maximum of the difference, not a sampled one
   std::optional<Binding> binding = {};  ///< for a table of reduced() only
 };
 

@@ -209,14 +209,14 @@ class SegmentFifos {
  private:
   /// A row in a FIFO.
   struct Slot {
-    SegmentRow row;
+    SegmentRow row = {};
     double rate = 0;  // end rate of the previous row, when it was played last
     std::uint64_t stamp = 0;
     std::array<double, 4> peaks{};  // peaks of the rows up to this one
     Reach reach{};                  // range of positions of the rows of this FIFO up to this one
   };
   struct Fifo {
-    std::vector<Slot> slots;
+    std::vector<Slot> slots = {};
     std::atomic<std::size_t> size{0};
   };
   struct Origin {
@@ -225,7 +225,7 @@ class SegmentFifos {
   };
   /// End of the last pushed row, and the rate there (NaN: not yet known).
   struct Tail {
-    RowStart end;
+    RowStart end = {};
     double rate = SegmentRow::open;
   };
 

@@ -31,10 +31,10 @@ struct Grid {
 /// The columns of a table, each with one entry for each knot. v and a are empty unless the rule
 /// needs them. u is the unit of the position.
 struct Columns {
-  std::vector<double> x;  ///< s or m: time or position of the master, strictly ascending
-  std::vector<double> p;  ///< u, position
-  std::vector<double> v;  ///< dp/dx, u/s or u/m
-  std::vector<double> a;  ///< d2p/dx2, u/s^2 or u/m^2
+  std::vector<double> x = {};  ///< s or m: time or position of the master, strictly ascending
+  std::vector<double> p = {};  ///< u, position
+  std::vector<double> v = {};  ///< dp/dx, u/s or u/m
+  std::vector<double> a = {};  ///< d2p/dx2, u/s^2 or u/m^2
 };
 
 /// A table: knots in columns, and the interpolation rule between them. Controllers and the executor
@@ -45,7 +45,8 @@ struct Columns {
 ///     Cam exact = table.curve<OverMaster>();     // the same polynomials, for exact checks
 ///     table.sample({.start = 0, .step = 0.001}, p, v, a);        // into columns p, v and a
 ///
-/// A table is immutable: copies share their knots.
+/// A table is immutable: copies share their knots. A table that was moved from is empty: assign to it
+/// or destroy it, but call no other member.
 ///
 /// Evaluation (pvt/src/table/piece.hpp) gives the same result on every processor. The curve() of
 /// the table agrees to rounding. As in a Curve, an interval includes its start but not its end. The
@@ -77,12 +78,13 @@ class Table {
 
   /// Writes the position and two derivatives at every x[i] to p[i], v[i], a[i]. The results equal
   /// the results of jet() bit for bit on every processor; if x ascends, the function is many times
-  /// as fast. Requires spans of equal size (asserted). Does not allocate or throw.
+  /// as fast. Throws InputError if the spans differ in size. Does not allocate.
   void sample(std::span<const double> x, std::span<double> p, std::span<double> v,
-              std::span<double> a) const noexcept;
-  /// Writes the values at the instants of a grid. The size of p, v and a is the number of instants.
+              std::span<double> a) const;
+  /// Writes the values at the instants of a grid, whose step is > 0. The size of p, v and a is the
+  /// number of instants. Throws InputError if they differ in size.
   void sample(const Grid& grid, std::span<double> p, std::span<double> v,
-              std::span<double> a) const noexcept;
+              std::span<double> a) const;
 
   /// Returns the index of the interval that contains x, from 0. Before the start: the first
   /// interval; at or after the end: the last one.
@@ -100,8 +102,8 @@ class Table {
 
  private:
   struct Knots {
-    Columns columns;
-    BreakIndex index;
+    Columns columns = {};
+    BreakIndex index = {};
   };
 
   [[nodiscard]] Jet at_end_or_outside(double x, Side side) const;

@@ -16,9 +16,9 @@ namespace jounce {
 /// One of two versions of a curve, with its properties. The curve may come from a spec, from a
 /// table, or from a program.
 struct Version {
-  std::string name;                     ///< name of the version, such as its file
+  std::string name = {};                ///< name of the version, such as its file
   std::variant<Cam, Trajectory> curve;  ///< the curve
-  Labels labels;                        ///< its units and the names of its segments
+  Labels labels = {};                   ///< its units and the names of its segments
   std::vector<double> knots = {};       ///< places of the knots; empty: the breaks of the curve
   /// A name for each knot, such as "end of 2 in step"; may be empty.
   std::vector<std::string> knot_names = {};
@@ -47,23 +47,23 @@ std::optional<double> permitted(const Change& change, std::size_t order,
 /// A property in which two versions differ: "periodic", "unit of position", "limit geo_velocity".
 /// An empty text means that the version does not have the property.
 struct Remark {
-  std::string what;    ///< name of the property
-  std::string before;  ///< value in the earlier version
-  std::string after;   ///< value in the later version
+  std::string what = {};    ///< name of the property
+  std::string before = {};  ///< value in the earlier version
+  std::string after = {};   ///< value in the later version
 };
 
 /// The differences between two versions. Numbers are in the units of `after`.
 struct Comparison {
-  std::string before;  ///< name of the earlier version
-  std::string after;   ///< name of the later version
-  Labels labels;       ///< units and segments of the later version
-  Changes changes;     ///< differences of the curves
+  std::string before = {};  ///< name of the earlier version
+  std::string after = {};   ///< name of the later version
+  Labels labels = {};       ///< units and segments of the later version
+  Changes changes = {};     ///< differences of the curves
   /// For position, velocity, acceleration, jerk: true if the tolerance is exceeded.
   std::array<bool, 4> beyond{};
-  std::vector<KnotChange> knots;               ///< changes of the knots: shown, but not judged
-  std::vector<std::string> knot_names_before;  ///< names of the earlier knots
-  std::vector<std::string> knot_names_after;   ///< names of the later knots
-  std::vector<Remark> remarks;  ///< differences of interval, units, policy outside and limits
+  std::vector<KnotChange> knots = {};               ///< changes of the knots: shown, but not judged
+  std::vector<std::string> knot_names_before = {};  ///< names of the earlier knots
+  std::vector<std::string> knot_names_after = {};   ///< names of the later knots
+  std::vector<Remark> remarks = {};  ///< differences of interval, units, policy outside and limits
 
   /// True if no difference exceeds the tolerance, and there are no remarks.
   [[nodiscard]] bool equal() const;

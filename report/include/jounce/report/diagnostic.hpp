@@ -33,10 +33,10 @@ struct FilePlace {
 /// One statement about a file, with its place, for CI systems and editors: a finding of a check, an
 /// error in the input, or a difference from an accepted version.
 struct Diagnostic {
-  std::string rule;  ///< "limit/geo_velocity", "input/key"; `jounce explain RULE` prints its
-                     ///< meaning
+  std::string rule = {};  ///< "limit/geo_velocity", "input/key"; `jounce explain RULE` prints its
+                          ///< meaning
   Level level = Level::note;   ///< severity
-  FilePlace place;             ///< the place to which the statement refers
+  FilePlace place = {};        ///< the place to which the statement refers
   FilePlace limit_place = {};  ///< the key that sets the limit; an empty file: no such key
   std::string key = {};        ///< key at the place: "segment[2]", "limits.velocity"
   std::string axis = {};       ///< name of the axis, or of the part that was checked; may be empty
@@ -54,7 +54,7 @@ struct Diagnostic {
 
 /// The statements about one file, the worst first.
 struct FileResult {
-  std::string file;       ///< path of the file
+  std::string file = {};  ///< path of the file
   std::string kind = {};  ///< "cam", "table", "machine", ...; empty if the file could not be read
   std::vector<Diagnostic> diagnostics = {};  ///< the statements
 
@@ -66,8 +66,8 @@ struct FileResult {
 
 /// The result of `jounce check` or `jounce validate` for many files.
 struct RunResult {
-  std::string verb;               ///< "check"
-  std::vector<FileResult> files;  ///< result of each file
+  std::string verb = {};               ///< "check"
+  std::vector<FileResult> files = {};  ///< result of each file
   /// Number of files for controllers in the folders of the run, which it does not examine.
   std::size_t skipped = 0;
 

@@ -4,18 +4,20 @@
 #include <string>
 #include <vector>
 
+#include "jounce/profiles/error.hpp"
+
 /// A catalog of the messages of programs: faults, rejections, rules. `jounce explain` shows all of
 /// them.
 namespace jounce {
 
 /// A message that a program can print, or an error of a controller.
 struct Message {
-  std::string group;        ///< heading of its group: "Faults of an axis"
-  std::string code;         ///< number; may be empty
-  std::string name;         ///< "following_error"; may be empty
-  std::string meaning;      ///< one sentence: what happened
-  std::string remedy;       ///< remedy; for an error of a controller, the equivalent in Jounce
-  bool is_foreign = false;  ///< true for an error of a controller
+  std::string group = {};    ///< heading of its group: "Faults of an axis"
+  std::string code = {};     ///< number; may be empty
+  std::string name = {};     ///< "following_error"; may be empty
+  std::string meaning = {};  ///< one sentence: what happened
+  std::string remedy = {};   ///< remedy; for an error of a controller, the equivalent in Jounce
+  bool is_foreign = false;   ///< true for an error of a controller
 };
 
 /// Returns the messages with this number or name. If no message has it, throws InputError (key

@@ -17,9 +17,10 @@ namespace jounce {
 
 /// Units and names for the numbers of a report.
 struct Labels {
-  Units units;               ///< units of the time or master position (x) and of the position
+  Units units = {};          ///< units of the time or master position (x) and of the position
   bool over_master = false;  ///< true: over a master; false: over time
-  std::vector<std::string> segments;  ///< one for each piece of the curve: "2 sync"; may be empty
+  std::vector<std::string> segments =
+      {};  ///< one for each piece of the curve: "2 sync"; may be empty
 
   /// Returns the unit of "position", "geo_velocity", "acceleration", ...; "" for an unknown
   /// quantity.
@@ -35,9 +36,9 @@ struct Labels {
 
 /// Adjacent pieces of a curve that have the same name: the pieces of one law.
 struct SegmentGroup {
-  std::string label;      ///< name; a range for combined groups: "1 to 5000"
-  std::size_t first = 0;  ///< index of the first piece
-  std::size_t last = 0;   ///< index of the last piece
+  std::string label = {};  ///< name; a range for combined groups: "1 to 5000"
+  std::size_t first = 0;   ///< index of the first piece
+  std::size_t last = 0;    ///< index of the last piece
 };
 /// Returns the groups of a curve with this number of pieces. If there are more than `most` groups,
 /// neighbors are combined as evenly as possible.

@@ -11,8 +11,8 @@ namespace jounce {
 
 /// A cam as a drawing shows it.
 struct DrawnCam {
-  Points points;                 ///< columns `master` and `slave`, with their units
-  std::optional<DiscPart> disc;  ///< for a plate: its follower and its base radius
+  Points points = {};                 ///< columns `master` and `slave`, with their units
+  std::optional<DiscPart> disc = {};  ///< for a plate: its follower and its base radius
 };
 
 /// Reads a cam from a drawing (drawing.hpp). A closed curve is a plate: the points are the motion

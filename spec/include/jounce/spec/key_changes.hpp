@@ -11,10 +11,10 @@ namespace jounce {
 
 /// A key whose value differs between two specs.
 struct KeyChange {
-  std::string key;     ///< full name: "limits.slave.velocity", "segment[2].law"
-  std::string before;  ///< value with its unit in the earlier spec; "": no such key
-  std::string after;   ///< value with its unit in the later spec; "": no such key
-  bool limit = false;  ///< true for a key of a table `limits`, and for one named `..._limit`
+  std::string key = {};     ///< full name: "limits.slave.velocity", "segment[2].law"
+  std::string before = {};  ///< value with its unit in the earlier spec; "": no such key
+  std::string after = {};   ///< value with its unit in the later spec; "": no such key
+  bool limit = false;       ///< true for a key of a table `limits`, and for one named `..._limit`
   Document::Place place = {};  ///< place of the key, or of its table, in the later spec
 };
 

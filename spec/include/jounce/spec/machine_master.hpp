@@ -57,8 +57,8 @@ struct MachineMasterSpec {
     Limits limits = {};  ///< velocity and acceleration of the axis; jerk if it is given
   };
 
-  std::string name;                                 ///< name in the file and in the network
-  std::string unit;                                 ///< unit u of its position
+  std::string name = {};                            ///< name in the file and in the network
+  std::string unit = {};                            ///< unit u of its position
   std::variant<External, Encoder, FromTable> what;  ///< source of its position
   std::string key = {};                             ///< full key for messages: "master.line"
 };

@@ -60,8 +60,8 @@ struct MachineSpec {
     double m_word_timeout = 0;  ///< greatest time of this wait, s; 0: no limit
     std::string key = {};       ///< full key for messages: "group[1]"
   };
-  Document document;
-  std::vector<Axis> axes;
+  Document document = {};
+  std::vector<Axis> axes = {};
   std::vector<Group> groups = {};
   std::vector<MachineMasterSpec> masters = {};
   /// s, 0.01 to 3600; 0: not supervised; nullopt: as set for `jounce run`.

@@ -29,54 +29,55 @@ namespace jounce {
 
 /// profile = "point_to_point": a move by move_to(); with `period`, on a modulo axis.
 struct PointToPointSpec {
-  MotionState from, to;
-  Bounds bounds;
-  std::optional<double> duration;             ///< required duration; omitted: the shortest
-  std::optional<double> period;               ///< period of a modulo axis
+  MotionState from = {}, to = {};
+  Bounds bounds = {};
+  std::optional<double> duration = {};        ///< required duration; omitted: the shortest
+  std::optional<double> period = {};          ///< period of a modulo axis
   Direction direction = Direction::shortest;  ///< for a modulo axis only
 };
 
 /// profile = "velocity": a change of velocity by move_velocity().
 struct VelocitySpec {
-  MotionState from;
+  MotionState from = {};
   double velocity = 0;      ///< velocity at the end
   double acceleration = 0;  ///< acceleration at the end
-  Bounds bounds;
+  Bounds bounds = {};
 };
 
 /// profile = "himc": a move of HIWIN HIMC.
 struct HimcMoveSpec {
   double from = 0, to = 0;  ///< start and target
-  himc::AxisProfile axis;
+  himc::AxisProfile axis = {};
 };
 
 /// profile = "himc_velocity": a velocity command of HIWIN HIMC.
 struct HimcVelocitySpec {
-  MotionState from;
+  MotionState from = {};
   int direction = 1;  ///< 1 or -1
-  himc::AxisProfile axis;
+  himc::AxisProfile axis = {};
 };
 
 /// profile = "googol_move_velocity": a velocity command of Googol.
 struct GoogolVelocitySpec {
-  MotionState from;
-  googol::MoveVelocity move;
+  MotionState from = {};
+  googol::MoveVelocity move = {};
 };
 
 /// profile = "googol_jog": a jog of Googol.
 struct GoogolJogSpec {
   double from = 0;
-  std::vector<googol::JogVelocity> velocities;  ///< the commanded velocities, in order
-  googol::Jog parameters;
+  std::vector<googol::JogVelocity> velocities = {};  ///< the commanded velocities, in order
+  googol::Jog parameters = {};
 };
 
 /// profile = "agito": a move of Agito, single or repetitive (PTP).
 struct AgitoSpec {
   double from = 0;
-  agito::Target target;
-  agito::Settings settings;
-  std::optional<int> strokes;  ///< number of strokes of a repetitive motion; omitted: a single move
-  double rpt_wait = 0;         ///< ms, rest between two strokes (RptWait)
+  agito::Target target = {};
+  agito::Settings settings = {};
+  std::optional<int> strokes =
+      {};               ///< number of strokes of a repetitive motion; omitted: a single move
+  double rpt_wait = 0;  ///< ms, rest between two strokes (RptWait)
 };
 
 /// profile = "agito_quasi_sine": a repetitive move of Agito that resembles a sine.
@@ -90,8 +91,8 @@ struct AgitoSineSpec {
 
 /// profile = "agito_jog": a jog of Agito.
 struct AgitoJogSpec {
-  MotionState from;
-  agito::Settings settings;
+  MotionState from = {};
+  agito::Settings settings = {};
 };
 
 /// profile = "pmc600": a move of the PMC600.
@@ -114,15 +115,15 @@ struct Pmc600InchSpec {
   double distance = 0;  ///< signed
   Dynamics dynamics = {};
   /// Time at which the button is released; omitted: the button is held until the end.
-  std::optional<double> released;
+  std::optional<double> released = {};
 };
 
 /// profile = "pmc600_jog": MC_Jog of the PMC600.
 struct Pmc600JogSpec {
   double from = 0;
-  std::vector<pmc600::JogInput> inputs;  ///< the inputs, in order
+  std::vector<pmc600::JogInput> inputs = {};  ///< the inputs, in order
   Dynamics dynamics = {};
-  std::optional<double> max_velocity;  ///< limit of the velocity; omitted: none
+  std::optional<double> max_velocity = {};  ///< limit of the velocity; omitted: none
 };
 
 /// A spec of kind "move"; the alternative depends on `profile`.
@@ -136,11 +137,12 @@ using MoveSpec =
 /// A spec of kind "axes": several axes in one motion, from one state to another, or through points.
 struct AxesSpec {
   Sync sync = Sync::time;
-  double duration = 0;         ///< least duration; 0: as short as possible
-  std::vector<AxisMove> axes;  ///< bounds and goals of the axes; for a motion through points, only
-                               ///< the bounds are used
+  double duration = 0;  ///< least duration; 0: as short as possible
+  std::vector<AxisMove> axes =
+      {};  ///< bounds and goals of the axes; for a motion through points, only
+           ///< the bounds are used
   /// Positions of all axes at each point; `sync` is then not used.
-  std::vector<std::vector<double>> points;
+  std::vector<std::vector<double>> points = {};
   ViaSpec via = {};  ///< further options of a motion through points
   /// True: a spline through the points with the best times, instead of via().
   bool shortest_times = false;
@@ -172,8 +174,8 @@ struct ChangeSpec {
 /// A correction of one axis that depends on the positions of one or more axes. If the spec has
 /// several axes, the members name them.
 struct CompensateSpec {
-  CompensationSpec table;  ///< grid and values of the correction
-  std::string axis = {};   ///< the corrected axis; "": the only axis
+  CompensationSpec table = {};  ///< grid and values of the correction
+  std::string axis = {};        ///< the corrected axis; "": the only axis
   /// One name for each axis of the grid; "": the corrected axis itself.
   std::vector<std::string> references = {};
   std::optional<double> tolerance = {};  ///< tolerance of a fit, if the result does not fit exact

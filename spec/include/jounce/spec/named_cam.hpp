@@ -14,7 +14,7 @@ struct NamedCam {
   Cam cam;
   /// The name of each segment in reports, such as "2 return": all pieces of one law have the same
   /// name. A segment that was made from another has the name of this other segment.
-  std::vector<std::string> names;
+  std::vector<std::string> names = {};
   /// Bounds of the errors of the position (u, unit of the slave) and of geo_velocity (u/m, m: unit
   /// of the master) that operators with a tolerance cause.
   double error = 0, velocity_error = 0;

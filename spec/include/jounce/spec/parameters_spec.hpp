@@ -14,9 +14,9 @@ namespace jounce {
 
 /// A number of the spec that may change.
 struct SpecParameter {
-  std::string key;  ///< full key, as in error messages: "segment[2].end.master"
+  std::string key = {};  ///< full key, as in error messages: "segment[2].end.master"
   /// unit of the bounds: the unit of the number in the spec; "1" for a pure number
-  std::string unit;
+  std::string unit = {};
   double lower = 0;  ///< least permitted value
   double upper = 0;  ///< greatest permitted value
 };
@@ -25,7 +25,7 @@ struct SpecParameter {
 /// as written ("400", "40 cm"), because the unit of the figure is known only when the design
 /// exists.
 struct FigureBound {
-  std::string figure;  ///< name of the key figure
+  std::string figure = {};  ///< name of the key figure
   std::optional<std::string> at_least = {};
   std::optional<std::string> at_most = {};
 };

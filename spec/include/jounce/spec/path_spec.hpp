@@ -18,13 +18,13 @@ namespace jounce {
 
 /// A spec of kind "path": several axes along lines and arcs. Numbers are in the spec's units.
 struct PathSpec {
-  Program program{1};  ///< commands of the path
-  GroupLimits limits;  ///< [limits] of the axes and [path.limits]
+  Program program{1};       ///< commands of the path
+  GroupLimits limits = {};  ///< [limits] of the axes and [path.limits]
   /// The joints of the machine: [kinematics]. In Spec::axes, they follow the axes of the program.
   std::optional<JointSpace> joints = {};
-  std::string source;  ///< name of the document to which the source lines of commands refer
-  std::vector<GcodeEvent> events;  ///< G-code words that move no axis
-  GcodeMachine machine;            ///< settings for a G-code program that is given separately
+  std::string source = {};  ///< name of the document to which the source lines of commands refer
+  std::vector<GcodeEvent> events = {};  ///< G-code words that move no axis
+  GcodeMachine machine = {};            ///< settings for a G-code program that is given separately
   /// Changes of the override during the motion: [[override]].
   std::vector<FactorRequest> override_steps = {};
   /// Options for lines that overlap in time, instead of rounded corners; omitted: rounded corners.

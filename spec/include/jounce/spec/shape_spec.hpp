@@ -40,7 +40,7 @@ struct LoadSpec {
   /// Share of braking energy that is recovered: 0 a braking resistor, 1 a drive without losses.
   double recovered = 0;
   /// W/(N m)^2: resistance / (torque constant)^2; omitted: no heat.
-  std::optional<double> winding_loss;
+  std::optional<double> winding_loss = {};
   // Limits of the motor, [load.limits]; `jounce check` checks them. Omitted: no limit.
   std::optional<double> peak_torque = {};  ///< N m
   std::optional<double> rms_torque = {};   ///< N m, over the cam
@@ -66,9 +66,9 @@ EnergyOf energy_of(const LoadSpec& load, double speed, const std::string& unit);
 
 /// A figure of [optimize], and how it is printed.
 struct ShapeFigureSpec {
-  std::string name;      ///< name in the spec, such as "motor heating"
-  std::string unit;      ///< unit of the printed number
-  ShapeFigure figure;    ///< the figure that is computed
+  std::string name = {};    ///< name in the spec, such as "motor heating"
+  std::string unit = {};    ///< unit of the printed number
+  ShapeFigure figure = {};  ///< the figure that is computed
   double factor = 1;     ///< the printed number is factor * value; with `squared`, factor * value^2
   bool squared = false;  ///< true: the value is squared
   bool times_length = false;  ///< true: the printed number is multiplied by the length of the run

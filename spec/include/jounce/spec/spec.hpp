@@ -38,11 +38,11 @@ namespace jounce {
 struct TableOptions {
   /// Interpolation rule. Omitted: quintic_hermite; for a motion whose acceleration steps, and for a
   /// spec of knots, cubic_hermite; for a table over time whose velocity steps, linear.
-  std::optional<Interpolation> rule;
+  std::optional<Interpolation> rule = {};
   /// Greatest position error, in the unit of the position; if it and `intervals` are omitted: 1e-9
   /// of the stroke (table over time with rule linear: 1e-6).
-  std::optional<double> tolerance;
-  std::optional<std::size_t> intervals;  ///< number of equal intervals, instead of a tolerance
+  std::optional<double> tolerance = {};
+  std::optional<std::size_t> intervals = {};  ///< number of equal intervals, instead of a tolerance
   /// For knots = "fewest": further requirements. Rule and tolerance are the members above.
   std::optional<Target> target = {};
 };
@@ -52,27 +52,27 @@ struct MasterSpec {
   double velocity = 0;  ///< master unit / time unit
   double distance = 0;  ///< master unit
   /// Master unit / time unit^2; omitted: the (virtual) master starts at full speed.
-  std::optional<double> acceleration;
+  std::optional<double> acceleration = {};
 };
 
 /// Quantities of a cam that `jounce optimize` may change, and its objectives: the keys `free` of
 /// the knots, and section [optimize].
 struct OptimizeSpec {
-  std::vector<FreeKnot> free;  ///< knots with free values
+  std::vector<FreeKnot> free = {};  ///< knots with free values
   /// Objectives, the most important first.
   std::vector<Objective> minimize{Objective::peak_acceleration};
-  std::optional<std::size_t> seed;     ///< seed of the random starts
-  std::optional<std::size_t> starts;   ///< number of starts of the search
-  std::optional<double> tolerance;     ///< relative tolerance of the objective
-  std::optional<double> seconds = {};  ///< s, greatest duration of the search
+  std::optional<std::size_t> seed = {};    ///< seed of the random starts
+  std::optional<std::size_t> starts = {};  ///< number of starts of the search
+  std::optional<double> tolerance = {};    ///< relative tolerance of the objective
+  std::optional<double> seconds = {};      ///< s, greatest duration of the search
   /// Free shapes of segments. If the spec has any, `minimize` above is not used.
   ShapeSpec shape = {};
 };
 
 /// The servo axis that `jounce validate` simulates with the table: [drive] and [drive.limits].
 struct DriveSpec {
-  Drive drive;
-  DriveLimits limits;
+  Drive drive = {};
+  DriveLimits limits = {};
   double settle = 0.2;    ///< s, standstill after the end of the motion
   bool periodic = false;  ///< true: the motion repeats endlessly, and the steady state is simulated
   std::vector<Interval> sync = {};               ///< [[drive.sync]]: s, intervals of the motion
@@ -88,18 +88,19 @@ struct DriveSpec {
 /// The cam follower that `jounce validate` simulates with the lift: [follower] and
 /// [follower.limits].
 struct FollowerSpec {
-  SpringFollower follower;
-  FollowerLimits limits;
+  SpringFollower follower = {};
+  FollowerLimits limits = {};
   double settle = 0;  ///< s, standstill after the end of the motion
 };
 
 /// The plate of a disc cam: [disc] and [disc.limits].
 struct DiscPart {
-  DiscSpec geometry;
-  DiscLimits limits;
-  double tolerance = 0;              ///< tolerance of the contour, in `length`
-  std::optional<double> hub_radius;  ///< radius of a circle in the drawing
-  std::string length;  ///< unit of all lengths: the slave's unit or, if the slave is an angle, mm
+  DiscSpec geometry = {};
+  DiscLimits limits = {};
+  double tolerance = 0;                   ///< tolerance of the contour, in `length`
+  std::optional<double> hub_radius = {};  ///< radius of a circle in the drawing
+  std::string length =
+      {};  ///< unit of all lengths: the slave's unit or, if the slave is an angle, mm
 };
 
 /// The configuration of an axis for `jounce run`, in addition to its [limits] over time.
@@ -153,11 +154,11 @@ struct DriveAlone {};
 
 /// The data of one axis of a spec. A spec of a single axis has one AxisPart, without a name.
 struct AxisPart {
-  std::string name;    ///< name of the axis
-  Units units;         ///< units of the axis
-  TableOptions table;  ///< conversion of its curve to a table
-  Limits limits;       ///< limits; for a cam, per master unit
-  std::optional<DriveSpec> drive;
+  std::string name = {};    ///< name of the axis
+  Units units = {};         ///< units of the axis
+  TableOptions table = {};  ///< conversion of its curve to a table
+  Limits limits = {};       ///< limits; for a cam, per master unit
+  std::optional<DriveSpec> drive = {};
 };
 
 /// An output that fires during the motion of one axis: [compare] and [compare.device].
@@ -166,8 +167,8 @@ struct CompareSpec {
                           ///< lengths along the path
   /// For kind "axis": setpoint (`position`) or actual position.
   SwitchesOf of = SwitchesOf::position;
-  PositionCompare compare;  ///< points and mode
-  CompareDevice device;     ///< in the spec's unit of time
+  PositionCompare compare = {};  ///< points and mode
+  CompareDevice device = {};     ///< in the spec's unit of time
   /// Modes "zone" and "zone_equal": position compare in a plane of two axes.
   std::optional<PlaneCompare> plane = {};
   std::array<std::string, 2> plane_axes = {};  ///< names of these two axes

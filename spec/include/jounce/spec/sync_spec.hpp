@@ -30,13 +30,13 @@ struct GearSpec {
 /// kind = "gear" with engage = "position": MC_GearInPos. (With engage = "distance" the spec is a
 /// GearCourse.)
 struct GearInPosPart {
-  GearInPosSpec gear;
+  GearInPosSpec gear = {};
   double master_start = 0, master_end = 0;  ///< m, interval of the cam
 };
 
 /// kind = "follow": the tables of a controller, or a plan from which the tables are made.
 struct FollowPart {
-  std::variant<FollowSpec, FollowPlan> slave;
+  std::variant<FollowSpec, FollowPlan> slave = {};
   FollowStart start = {};  ///< start event
   int direction = 0;       ///< direction of the master that moves the slave: 1, -1; 0: both
 };

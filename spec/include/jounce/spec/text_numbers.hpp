@@ -14,10 +14,10 @@ namespace jounce {
 
 /// A number in the text of a spec.
 struct TextNumber {
-  std::string key;   ///< full key, such as "knot[3].time" or "command[2].to[1]"
-  double value = 0;  ///< in `unit`
-  std::string unit;  ///< unit in which the spec reads it
-  int line = 0;      ///< line in the text, from 1
+  std::string key = {};   ///< full key, such as "knot[3].time" or "command[2].to[1]"
+  double value = 0;       ///< in `unit`
+  std::string unit = {};  ///< unit in which the spec reads it
+  int line = 0;           ///< line in the text, from 1
 };
 
 /// Returns the numbers of a document that parse_spec() has read, in the order of the text.
@@ -25,8 +25,8 @@ std::vector<TextNumber> numbers_of(const Document& document);
 
 /// Another value of a number; nullopt removes it.
 struct NumberChange {
-  std::string key;
-  std::optional<double> value;
+  std::string key = {};
+  std::optional<double> value = {};
 };
 
 /// Returns the text with other values of these numbers. A number keeps the unit that the text gives

@@ -17,7 +17,7 @@ namespace jounce {
 
 /// A PT table: for a Googol iDEABOX, or independent of a controller.
 struct PtSpec {
-  std::vector<PtPoint> points;
+  std::vector<PtPoint> points = {};
   std::size_t loops = 1;      ///< number of passes; 0: endless
   double start_velocity = 0;  ///< initial velocity of a first point of type `continue`
   Extrapolation outside = Extrapolation::hold;  ///< policy outside the table
@@ -27,7 +27,7 @@ struct PtSpec {
 /// A table of the PMC600: MC_PositionProfile, MC_VelocityProfile or MC_AccelerationProfile.
 struct ProfileTableSpec {
   enum class Quantity { position, velocity, acceleration } quantity = Quantity::position;
-  pmc600::ProfileTable table;
+  pmc600::ProfileTable table = {};
   /// Motion between the points of a position table.
   pmc600::PositionRule rule = pmc600::PositionRule::cubic;
   Extrapolation outside = Extrapolation::hold;  ///< policy outside the table

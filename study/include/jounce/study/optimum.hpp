@@ -11,8 +11,9 @@ namespace jounce {
 
 /// The optimum of a spec, as text and as a new spec.
 struct SpecOptimum {
-  std::string text;  ///< text for people: status, figures with their bounds, active limits
-  std::string json;  ///< the contents of `text` as a JSON object, with all digits of each number
+  std::string text = {};  ///< text for people: status, figures with their bounds, active limits
+  std::string json =
+      {};  ///< the contents of `text` as a JSON object, with all digits of each number
   /// The text of the spec with the best values, otherwise unchanged; nullopt if the best result
   /// breaks a limit.
   std::optional<std::string> spec = {};

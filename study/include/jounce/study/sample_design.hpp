@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce {
 
 /// Distribution of the samples of a Monte Carlo analysis over the ranges of its random parameters.

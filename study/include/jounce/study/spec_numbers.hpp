@@ -32,7 +32,7 @@ class SpecNumbers {
 
   /// A new value for a number.
   struct Change {
-    std::string key;   ///< key of the number
+    std::string key = {};  ///< key of the number
     double value = 0;  ///< finite, in the unit that the number has in the file ("12.5 mm/s": mm/s)
   };
 

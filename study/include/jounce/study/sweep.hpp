@@ -20,8 +20,9 @@ enum class Verdict {
 
 /// Result of one case of a sweep.
 struct SweepRow {
-  std::size_t number = 0;       ///< number of the case, from 0
-  std::vector<double> figures;  ///< one for each of SweepSpec::given; NaN if the case is impossible
+  std::size_t number = 0;  ///< number of the case, from 0
+  std::vector<double> figures =
+      {};  ///< one for each of SweepSpec::given; NaN if the case is impossible
   Verdict verdict = Verdict::impossible;  ///< verdict on the case
   /// Empty for `within`; otherwise the limit that is broken most, or the reason why the case is
   /// impossible.
@@ -66,10 +67,11 @@ struct SweepOptions {
 
 /// Result of a sweep.
 struct SweepResult {
-  std::vector<SweepRow> rows;  ///< by number of the case; all cases unless the sweep was stopped
-  std::size_t resumed = 0;     ///< number of rows that came from the journal
-  std::size_t evaluated = 0;   ///< number of rows that were computed
-  bool complete = false;       ///< true if all cases are present
+  std::vector<SweepRow> rows =
+      {};                     ///< by number of the case; all cases unless the sweep was stopped
+  std::size_t resumed = 0;    ///< number of rows that came from the journal
+  std::size_t evaluated = 0;  ///< number of rows that were computed
+  bool complete = false;      ///< true if all cases are present
 };
 
 /// Runs a sweep. The rows depend neither on the number of processes nor on the order of the cases.

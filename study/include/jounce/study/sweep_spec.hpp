@@ -16,7 +16,7 @@ namespace jounce {
 
 /// The values of a listed parameter, from a list or from a grid of equal steps.
 struct Values {
-  std::vector<double> all;
+  std::vector<double> all = {};
 };
 
 /// A random parameter with a uniform distribution from `from` to `to`.
@@ -32,9 +32,10 @@ struct NormalSpread {
 
 /// A number of the spec that varies, in the unit that the spec has at that place.
 struct SweepParameter {
-  std::string key;   ///< key of the number, see SpecNumbers
-  std::string unit;  ///< unit of the number in the spec; "" if it has none
-  std::variant<Values, UniformSpread, NormalSpread> how;  ///< values or distribution of the number
+  std::string key = {};   ///< key of the number, see SpecNumbers
+  std::string unit = {};  ///< unit of the number in the spec; "" if it has none
+  std::variant<Values, UniformSpread, NormalSpread> how =
+      {};  ///< values or distribution of the number
 
   /// True if the parameter is random.
   [[nodiscard]] bool random() const { return !std::holds_alternative<Values>(how); }
@@ -42,14 +43,14 @@ struct SweepParameter {
 
 /// A figure to be minimized or maximized, for the Pareto front.
 struct SweepObjective {
-  std::string figure;     ///< name of the figure
-  bool greatest = false;  ///< true: maximize it
+  std::string figure = {};  ///< name of the figure
+  bool greatest = false;    ///< true: maximize it
 };
 
 /// A figure that must not exceed a value, in the unit of the figure.
 struct SweepLimit {
-  std::string figure;  ///< name of the figure
-  double at_most = 0;  ///< greatest permitted value
+  std::string figure = {};  ///< name of the figure
+  double at_most = 0;       ///< greatest permitted value
 };
 
 /// A sweep file: the numbers of a spec that vary, their values, and the figures that are computed.
@@ -80,22 +81,22 @@ struct SweepLimit {
 struct SweepSpec {
   static constexpr std::size_t most_cases = 10'000'000;  ///< greatest number of cases
 
-  Document document;                       ///< the sweep file
-  std::string name;                        ///< name of the sweep
-  SpecNumbers base;                        ///< the given spec
-  std::vector<SweepParameter> parameters;  ///< the numbers that vary
-  std::size_t samples = 1;                 ///< number of samples; 1 if no parameter is random
-  std::uint64_t seed = 1;                  ///< seed of the random numbers
-  SampleDesign design = {};                ///< distribution of the samples
+  Document document = {};                       ///< the sweep file
+  std::string name = {};                        ///< name of the sweep
+  SpecNumbers base;                             ///< the given spec
+  std::vector<SweepParameter> parameters = {};  ///< the numbers that vary
+  std::size_t samples = 1;                      ///< number of samples; 1 if no parameter is random
+  std::uint64_t seed = 1;                       ///< seed of the random numbers
+  SampleDesign design = {};                     ///< distribution of the samples
   bool optima = false;  ///< true: each case is first optimized by the [optimize] of the spec
   /// Number of the values that the optimizer chooses in each case (`optima`). They are the last
   /// entries of `given`.
   std::size_t chosen = 0;
   /// The figures that are computed, with their values for the given spec.
-  std::vector<KeyFigure> given;
-  bool given_ok = false;                   ///< true if the given spec is within all limits
-  std::vector<SweepObjective> objectives;  ///< objectives of the Pareto front
-  std::vector<SweepLimit> limits;          ///< limits in addition to the limits of the spec
+  std::vector<KeyFigure> given = {};
+  bool given_ok = false;                        ///< true if the given spec is within all limits
+  std::vector<SweepObjective> objectives = {};  ///< objectives of the Pareto front
+  std::vector<SweepLimit> limits = {};          ///< limits in addition to the limits of the spec
 
   /// True if at least one parameter is random.
   [[nodiscard]] bool random() const;

@@ -13,7 +13,7 @@ namespace jounce {
 
 /// Distribution of a figure over all possible cases.
 struct FigureSpread {
-  KeyFigure given;                   ///< name, unit, and the value for the given spec
+  KeyFigure given = {};              ///< name, unit, and the value for the given spec
   std::optional<double> limit = {};  ///< upper limit in the sweep or in the spec; nullopt: none
   double least = 0;                  ///< least value
   double median = 0;                 ///< median
@@ -39,11 +39,11 @@ Share share_of(std::size_t hits, std::size_t n);
 
 /// Summary of the rows of a sweep.
 struct SweepSummary {
-  std::size_t cases = 0;              ///< number of rows
-  std::size_t within = 0;             ///< number of rows within all limits
-  std::size_t broken = 0;             ///< number of rows that break a limit
-  std::size_t impossible = 0;         ///< number of rows without a motion
-  std::vector<FigureSpread> figures;  ///< one for each figure; empty if no case is possible
+  std::size_t cases = 0;                   ///< number of rows
+  std::size_t within = 0;                  ///< number of rows within all limits
+  std::size_t broken = 0;                  ///< number of rows that break a limit
+  std::size_t impossible = 0;              ///< number of rows without a motion
+  std::vector<FigureSpread> figures = {};  ///< one for each figure; empty if no case is possible
   /// Share of the rows that are within all limits; nullopt if no parameter is random. Its interval
   /// is valid only for independent samples (SweepSpec::independent()).
   std::optional<Share> yield = {};
@@ -51,7 +51,7 @@ struct SweepSummary {
   std::optional<std::size_t> worst = {};
   /// Indices of the rows in the Pareto front: among the rows within all limits, in ascending order
   /// of the figure of the first objective. Empty without objectives.
-  std::vector<std::size_t> front;
+  std::vector<std::size_t> front = {};
 };
 
 /// Returns the summary of the rows.

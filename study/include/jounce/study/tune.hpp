@@ -10,8 +10,8 @@ namespace jounce {
 
 /// A number that was chosen, in the unit that it has in the file.
 struct TunedNumber {
-  std::string key;        ///< key in the spec
-  std::string unit;       ///< unit in the file; "1" for a pure number
+  std::string key = {};   ///< key in the spec
+  std::string unit = {};  ///< unit in the file; "1" for a pure number
   double given = 0;       ///< value in the given spec
   double reached = 0;     ///< chosen value
   double lower = 0;       ///< lower bound
@@ -21,8 +21,8 @@ struct TunedNumber {
 
 /// A figure that is optimized, or that must stay within bounds.
 struct TunedFigure {
-  std::string name;  ///< name of the figure
-  std::string unit;  ///< its unit
+  std::string name = {};  ///< name of the figure
+  std::string unit = {};  ///< its unit
   /// Value for the given spec; nullopt if the given spec has no motion.
   std::optional<double> given = {};
   double reached = 0;                   ///< value for the chosen numbers
@@ -32,13 +32,13 @@ struct TunedFigure {
 
 /// Result of tune().
 struct TuneOutcome {
-  SearchOutcome search;              ///< result of the search
-  std::vector<TunedNumber> numbers;  ///< the chosen numbers, in the order of the spec
+  SearchOutcome search = {};              ///< result of the search
+  std::vector<TunedNumber> numbers = {};  ///< the chosen numbers, in the order of the spec
   /// The objective, followed by the required figures; empty if no choice is possible.
-  std::vector<TunedFigure> figures;
-  std::vector<std::string> active;  ///< the limits that are reached or broken, as sentences
-  Report report;                    ///< findings of the best choice, for every limit in the spec
-  std::string text;                 ///< text of the spec with the best numbers, otherwise unchanged
+  std::vector<TunedFigure> figures = {};
+  std::vector<std::string> active = {};  ///< the limits that are reached or broken, as sentences
+  Report report = {};     ///< findings of the best choice, for every limit in the spec
+  std::string text = {};  ///< text of the spec with the best numbers, otherwise unchanged
 
   /// True if the best choice satisfies all limits.
   [[nodiscard]] bool usable() const { return search.usable(); }

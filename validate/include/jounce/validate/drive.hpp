@@ -108,8 +108,8 @@ enum class NumberRule { any, not_negative, positive, share /**< in (0, 1] */ };
 
 /// A number of a drive, with the name by which specs, tolerances and identification refer to it.
 struct DriveNumber {
-  std::string key;          ///< "motor.inertia", "mass[1].stiffness", "motor.friction.coulomb"
-  std::string unit;         ///< "kg m^2", "u/rev", or "1" for a pure number
+  std::string key = {};     ///< "motor.inertia", "mass[1].stiffness", "motor.friction.coulomb"
+  std::string unit = {};    ///< "kg m^2", "u/rev", or "1" for a pure number
   double* value = nullptr;  ///< points into the drive, which must outlive this object
   NumberRule rule = NumberRule::any;  ///< permitted values
 };
@@ -223,16 +223,16 @@ struct DriveEnergy {
 /// Result of drive_through(). Unit u: the unit of the reference. The *end* is the end of the
 /// reference.
 struct DriveResult {
-  Integration integration;         ///< statistics of the integration
-  Peak torque;                     ///< peak torque of the motor, N m
+  Integration integration = {};    ///< statistics of the integration
+  Peak torque = {};                ///< peak torque of the motor, N m
   double rms_torque = 0;           ///< rms torque, N m, over the reference without the standstill
-  Peak current;                    ///< peak current, A; 0 without a torque_constant
+  Peak current = {};               ///< peak current, A; 0 without a torque_constant
   double rms_current = 0;          ///< rms current, A
-  Peak velocity;                   ///< peak speed of the motor, rad/s
-  Peak following_error;            ///< greatest following error (reference - motor), u
+  Peak velocity = {};              ///< peak speed of the motor, rad/s
+  Peak following_error = {};       ///< greatest following error (reference - motor), u
   double end_following_error = 0;  ///< following error at the end, u
-  Peak sync_following_error;       ///< greatest following error within DriveOptions::sync, u
-  Peak residual;                   ///< greatest deviation load - reference after the end, u
+  Peak sync_following_error = {};  ///< greatest following error within DriveOptions::sync, u
+  Peak residual = {};              ///< greatest deviation load - reference after the end, u
   double residual_frequency = 0;   ///< frequency of the load's vibration after the end, Hz; 0: none
   /// Time from the end until the load stays within the band, s; nullopt: no band is given, or the
   /// load did not settle.
@@ -241,14 +241,14 @@ struct DriveResult {
   /// zeros of the solver's dense output. A period shorter than half a step is detected by the
   /// vertex of a parabola.
   std::vector<Interval> beyond_following_error = {};
-  Peak swing;  ///< greatest deviation of the pendulum from the load, u
+  Peak swing = {};  ///< greatest deviation of the pendulum from the load, u
   /// Greatest thermal load h of the winding, which is cold at the start: h' = ((T /
   /// rated_torque)^2 - h) / thermal_time. 1 is the limit.
-  Peak i2t;
-  DriveEnergy energy;                  ///< work and loss
-  long impacts = 0;                    ///< number of impacts in connections with backlash
-  std::vector<Saturation> saturation;  ///< periods at the torque limit
-  std::vector<DriveSample> samples;    ///< samples, if requested
+  Peak i2t = {};
+  DriveEnergy energy = {};                  ///< work and loss
+  long impacts = 0;                         ///< number of impacts in connections with backlash
+  std::vector<Saturation> saturation = {};  ///< periods at the torque limit
+  std::vector<DriveSample> samples = {};    ///< samples, if requested
   /// Findings:
   /// - "drive/torque", "drive/rms_torque", "drive/current", "drive/velocity",
   ///   "drive/following_error", "drive/end_following_error", "drive/sync_following_error",
@@ -261,7 +261,7 @@ struct DriveResult {
   ///   finding;
   /// - "drive/integration": if the integration failed. Then a limit that was not exceeded before
   ///   the failure has no finding.
-  Report report;
+  Report report = {};
 };
 
 /// Moves a drive along a reference over time, from rest at its start, then holds the end position

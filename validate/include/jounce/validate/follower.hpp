@@ -73,17 +73,17 @@ struct FollowerSample {
 
 /// Result of follow(). Unit u: the unit of the lift.
 struct FollowerResult {
-  Integration integration;  ///< statistics of the integration
-  Peak least_force;         ///< least contact force, N; 0 if the contact was lost
-  Peak greatest_force;      ///< greatest contact force, N
+  Integration integration = {};  ///< statistics of the integration
+  Peak least_force = {};         ///< least contact force, N; 0 if the contact was lost
+  Peak greatest_force = {};      ///< greatest contact force, N
   /// Greatest deviation of the mass from its rest position after the end of the lift, u.
-  Peak residual;
-  std::vector<Flight> flights;          ///< periods without contact
-  std::vector<FollowerSample> samples;  ///< samples, if requested
+  Peak residual = {};
+  std::vector<Flight> flights = {};          ///< periods without contact
+  std::vector<FollowerSample> samples = {};  ///< samples, if requested
   /// Findings: "follower/contact" always (the least force and its limit; broken if the force is
   /// less than the limit, or if the contact was lost); "follower/force", "follower/impact",
   /// "follower/residual" for each given limit; "follower/integration" if the integration failed.
-  Report report;
+  Report report = {};
 };
 
 /// Moves a follower by a rotating cam. `lift` is the lift of the cam over time, usually a Followed.

@@ -15,8 +15,8 @@ namespace jounce {
 /// A recorded run of a drive. Each list has one entry for each sample. Unit u: the unit of the
 /// drive's position.
 struct Recording {
-  std::vector<double> time;           ///< time, s, ascending
-  std::vector<double> command;        ///< commanded position, u
+  std::vector<double> time = {};      ///< time, s, ascending
+  std::vector<double> command = {};   ///< commanded position, u
   std::vector<double> position = {};  ///< position of the motor's encoder, u; empty: not recorded
   std::vector<double> velocity = {};  ///< velocity of the motor, u/s; empty: not recorded
   std::vector<double> torque = {};    ///< torque of the motor, N m; empty: not recorded
@@ -33,30 +33,30 @@ Trajectory commanded_motion(const Recording& recording);
 
 /// A drive, and the choice of its numbers that are fitted.
 struct IdentifySpec {
-  Drive drive;                   ///< start of the fit; the numbers that are not fitted are assumed
-                                 ///< to be correct
-  std::vector<std::string> fit;  ///< keys of numbers(): "motor.inertia", "mass[1].stiffness"
-  int max_iterations = 50;       ///< greatest number of iterations, >= 1
-  double tolerance = 1e-8;       ///< relative tolerance of each integration, 1e-12 to 1e-3
+  Drive drive = {};  ///< start of the fit; the numbers that are not fitted are assumed
+                     ///< to be correct
+  std::vector<std::string> fit = {};  ///< keys of numbers(): "motor.inertia", "mass[1].stiffness"
+  int max_iterations = 50;            ///< greatest number of iterations, >= 1
+  double tolerance = 1e-8;            ///< relative tolerance of each integration, 1e-12 to 1e-3
 };
 
 /// A number that was fitted. In 95 of 100 recordings its interval contains the true number, if the
 /// model is right and the noise of different samples is independent.
 struct FittedNumber {
-  std::string key;   ///< key in numbers()
-  std::string unit;  ///< unit; "1" for a pure number
-  double start = 0;  ///< value at the start of the fit
-  double value = 0;  ///< fitted value
-  double low = 0;    ///< lower end of the interval
-  double high = 0;   ///< upper end of the interval
+  std::string key = {};   ///< key in numbers()
+  std::string unit = {};  ///< unit; "1" for a pure number
+  double start = 0;       ///< value at the start of the fit
+  double value = 0;       ///< fitted value
+  double low = 0;         ///< lower end of the interval
+  double high = 0;        ///< upper end of the interval
 };
 
 /// Two numbers whose effects in the recording are hardly separable: the estimates depend on each
 /// other.
 struct Entangled {
-  std::string first;       ///< key of the first number
-  std::string second;      ///< key of the second number
-  double correlation = 0;  ///< correlation between the logarithms of the two estimates, -1 to 1
+  std::string first = {};   ///< key of the first number
+  std::string second = {};  ///< key of the second number
+  double correlation = 0;   ///< correlation between the logarithms of the two estimates, -1 to 1
 };
 
 /// A statistic and its limit. If the model is right, the statistic exceeds the limit in one of a
@@ -72,9 +72,9 @@ struct ResidualTest {
 /// of the model. It is not tested if it is below the resolution of the recording or the error of
 /// the integration.
 struct Explained {
-  std::string quantity;  ///< "position", "velocity", "torque", "load"
-  double before = 0;     ///< rms of the residuals at the start of the fit
-  double after = 0;      ///< rms of the residuals after the fit: the noise, if the model is right
+  std::string quantity = {};  ///< "position", "velocity", "torque", "load"
+  double before = 0;          ///< rms of the residuals at the start of the fit
+  double after = 0;  ///< rms of the residuals after the fit: the noise, if the model is right
   /// Correlation of successive residuals; about 0 if the model is right.
   double autocorrelation = 0;
   ResidualTest white = {};  ///< test of whiteness: Q of Ljung and Box
@@ -98,15 +98,16 @@ struct Identification {
     cancelled,         ///< stopped by the progress function
     failed,            ///< the model cannot be integrated at the start of the fit
   };
-  Status status = Status::failed;     ///< status
-  std::string reason;                 ///< reason for the status, one sentence
-  Drive drive;                        ///< the drive with the fitted numbers
-  std::vector<FittedNumber> numbers;  ///< the fitted numbers
-  std::vector<Entangled> entangled;   ///< pairs with a correlation above 0.95, the strongest first
-  std::vector<Explained> explained;   ///< quality of the fit of each recorded quantity
+  Status status = Status::failed;          ///< status
+  std::string reason = {};                 ///< reason for the status, one sentence
+  Drive drive = {};                        ///< the drive with the fitted numbers
+  std::vector<FittedNumber> numbers = {};  ///< the fitted numbers
+  std::vector<Entangled> entangled =
+      {};  ///< pairs with a correlation above 0.95, the strongest first
+  std::vector<Explained> explained = {};  ///< quality of the fit of each recorded quantity
   /// Sentences for the user, for example on residuals that are not white, or on an unchanged
   /// feed-forward.
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = {};
   int iterations = 0;  ///< number of iterations
 
   /// True if there are fitted numbers.

@@ -19,9 +19,9 @@ struct Integration {
   Ended ended = Ended::complete;  ///< status at the end
   /// Time or master position that was reached; the end of the interval if complete.
   double reached = 0;
-  long steps = 0;      ///< number of steps
-  long restarts = 0;   ///< number of restarts of the solver, at a jump or an event
-  std::string reason;  ///< reason why the integration is not complete; "" if it is complete
+  long steps = 0;           ///< number of steps
+  long restarts = 0;        ///< number of restarts of the solver, at a jump or an event
+  std::string reason = {};  ///< reason why the integration is not complete; "" if it is complete
 
   /// True if the integration is complete.
   [[nodiscard]] bool ok() const { return ended == Ended::complete; }

@@ -32,9 +32,9 @@ struct DriveMode {
 
 /// Exact response of a linear drive to a reference. Unit u: the unit of the reference.
 struct ExactRun {
-  std::vector<DriveSample> samples;  ///< at the requested times
-  double rms_torque = 0;             ///< rms torque over the reference, N m
-  double end_following_error = 0;    ///< following error at the end of the reference, u
+  std::vector<DriveSample> samples = {};  ///< at the requested times
+  double rms_torque = 0;                  ///< rms torque over the reference, N m
+  double end_following_error = 0;         ///< following error at the end of the reference, u
 };
 
 /// Solves a linear drive along a reference without numerical integration. Like drive_through(), it

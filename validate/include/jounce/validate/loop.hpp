@@ -25,21 +25,22 @@ struct LoopPole {
 
 /// Stability of the loop of a drive, with its margins.
 struct LoopStability {
-  bool stable = true;           ///< true if no pole grows
-  std::vector<LoopPole> poles;  ///< one pole of each conjugate pair; the pole that grows most is
-                                ///< the first
+  bool stable = true;  ///< true if no pole grows
+  std::vector<LoopPole> poles =
+      {};  ///< one pole of each conjugate pair; the pole that grows most is
+           ///< the first
   /// Gain margin: the factor (in dB) by which the gain can rise (positive) or fall (negative) until
   /// the loop becomes unstable; of the two, the one of smaller magnitude. For an unstable loop it
   /// is always negative: the distance to the nearest factor at which a pole crosses the stability
   /// limit. nullopt: no factor makes a pole cross.
-  std::optional<LoopMargin> gain;
+  std::optional<LoopMargin> gain = {};
   /// Phase margin: the additional lag (or lead) at |L| = 1 until the loop becomes unstable;
   /// negative for an unstable loop. nullopt: |L| is not 1 at any frequency that was examined.
-  std::optional<LoopMargin> phase;
+  std::optional<LoopMargin> phase = {};
   /// For an unstable loop: the nearest velocity gain, N m s/rad, at which the loop becomes stable,
   /// when the gain of the drive is lowered or raised to it. nullopt: the loop is stable, or no such
   /// gain was found.
-  std::optional<double> velocity_gain;
+  std::optional<double> velocity_gain = {};
 };
 
 /// Computes the poles and margins of the position loop and the velocity loop together. The loop is
@@ -71,8 +72,8 @@ bool is_stable(const std::vector<LoopPole>& poles);
 
 /// A point of the frequency response of the open loop.
 struct LoopPoint {
-  double frequency = 0;        ///< Hz
-  std::complex<double> value;  ///< value of L
+  double frequency = 0;             ///< Hz
+  std::complex<double> value = {};  ///< value of L
 };
 
 /// Returns L at the frequencies at which margins are searched, ascending. Throws InputError like

@@ -16,7 +16,7 @@ namespace jounce {
 
 /// A number of a drive that is known only within a tolerance.
 struct NumberTolerance {
-  std::string key;   ///< key in numbers(): "mass[1].stiffness"
+  std::string key = {};  ///< key in numbers(): "mass[1].stiffness"
   double share = 0;  ///< tolerance in both directions, as a share of the value, >= 0: 0.1 is +-10 %
   /// Additional tolerance in both directions, in the unit of the number, >= 0.
   double absolute = 0;
@@ -40,16 +40,16 @@ struct ToleranceSpec {
     corners,
     monte_carlo,  ///< `cases` random draws of all numbers
   };
-  std::vector<NumberTolerance> numbers;  ///< the numbers
-  Method method = Method::corners;       ///< choice of the cases
-  std::size_t cases = 1000;              ///< number of cases, 1 to 10 000 000
-  std::uint64_t seed = 1;                ///< seed of the random numbers
+  std::vector<NumberTolerance> numbers = {};  ///< the numbers
+  Method method = Method::corners;            ///< choice of the cases
+  std::size_t cases = 1000;                   ///< number of cases, 1 to 10 000 000
+  std::uint64_t seed = 1;                     ///< seed of the random numbers
 };
 
 /// One case: the numbers, and the value of a figure for them.
 struct ToleranceCase {
-  double value = 0;                                     ///< value of the figure
-  std::vector<std::pair<std::string, double>> numbers;  ///< keys and values of the numbers
+  double value = 0;                                          ///< value of the figure
+  std::vector<std::pair<std::string, double>> numbers = {};  ///< keys and values of the numbers
 };
 
 /// Distribution of a figure, as a magnitude, over all cases.
@@ -57,30 +57,30 @@ struct ToleranceSpread {
   /// "torque", "rms_torque", "following_error", "residual", "driving_energy"; "i2t" if the motor
   /// has a thermal_time; "settling_time" if a settling_band is given. (A case that does not settle
   /// counts with the whole standstill as its time, and exceeds the limit.)
-  std::string figure;
-  std::string unit;    ///< "N m", "s", "1", or "u" for the unit of the reference
-  double nominal = 0;  ///< value for the nominal numbers; NaN if that run failed
-  double least = 0;    ///< least value
-  double mean = 0;     ///< mean
+  std::string figure = {};
+  std::string unit = {};  ///< "N m", "s", "1", or "u" for the unit of the reference
+  double nominal = 0;     ///< value for the nominal numbers; NaN if that run failed
+  double least = 0;       ///< least value
+  double mean = 0;        ///< mean
   /// Standard deviation over the cases. With corners, it is not a statistic of real machines.
   double deviation = 0;
-  double most_of_all = 0;  ///< 99 % quantile of the cases
-  ToleranceCase worst;     ///< the case with the greatest value
-  std::size_t beyond = 0;  ///< number of cases that exceed the limit; 0 without a limit
+  double most_of_all = 0;    ///< 99 % quantile of the cases
+  ToleranceCase worst = {};  ///< the case with the greatest value
+  std::size_t beyond = 0;    ///< number of cases that exceed the limit; 0 without a limit
 };
 
 /// Result of over_tolerances().
 struct ToleranceResult {
-  std::size_t cases = 0;                 ///< number of cases, without the nominal one
-  bool all_corners = false;              ///< true if all combinations of ends were computed
-  std::size_t saturated = 0;             ///< number of cases whose torque reached its limit
-  std::size_t failed = 0;                ///< number of cases whose integration failed
-  std::size_t unstable = 0;              ///< number of cases whose loop is unstable (loop.hpp)
-  std::vector<ToleranceSpread> figures;  ///< the figures
+  std::size_t cases = 0;                      ///< number of cases, without the nominal one
+  bool all_corners = false;                   ///< true if all combinations of ends were computed
+  std::size_t saturated = 0;                  ///< number of cases whose torque reached its limit
+  std::size_t failed = 0;                     ///< number of cases whose integration failed
+  std::size_t unstable = 0;                   ///< number of cases whose loop is unstable (loop.hpp)
+  std::vector<ToleranceSpread> figures = {};  ///< the figures
   /// Findings: "tolerance/torque", "tolerance/following_error", ...: the worst case, for each given
   /// limit; "tolerance/integration" if a case failed; "tolerance/stability" if the loop of a case
   /// is unstable. If the value is in the unit of the position, Finding::unit is empty.
-  Report report;
+  Report report = {};
 };
 
 /// Calls body(0) to body(count - 1), each once. The calls may be in any order and in any number of

@@ -31,13 +31,13 @@ struct Disagreement {
 
 /// Result of witness().
 struct Witness {
-  Integration integration;    ///< statistics of the integration
-  Disagreement position;      ///< difference of the position
-  Disagreement velocity;      ///< difference of the velocity
-  Disagreement acceleration;  ///< difference of the acceleration
+  Integration integration = {};    ///< statistics of the integration
+  Disagreement position = {};      ///< difference of the position
+  Disagreement velocity = {};      ///< difference of the velocity
+  Disagreement acceleration = {};  ///< difference of the acceleration
   /// Findings "witness/position", "witness/velocity", "witness/acceleration", and
   /// "witness/integration" if the integration failed.
-  Report report;
+  Report report = {};
 };
 
 /// Verifies a signal by an independent integration: an ODE solver integrates the jerk of the signal

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce::web {
 
 /// A request to a server, for a command or a reading of its site.

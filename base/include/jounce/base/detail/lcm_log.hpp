@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "jounce/profiles/error.hpp"
+
 namespace jounce::base_detail {
 
 /// An event of an LCM log file (LCM's eventlog.c). All numbers are big-endian. Order of the fields:

@@ -88,8 +88,9 @@ class Inverse {
 
 /// All branches of a cam's inverse, and a report on why there is not exactly one.
 struct Inversion {
-  std::vector<CamRun> runs;       ///< rises, dwells and falls of the cam (runs.hpp)
-  std::vector<Inverse> branches;  ///< in the order of the master; none if the slave never moves
+  std::vector<CamRun> runs = {};  ///< rises, dwells and falls of the cam (runs.hpp)
+  std::vector<Inverse> branches =
+      {};  ///< in the order of the master; none if the slave never moves
   /// ok() if the cam is strictly monotone; the single branch is then its inverse. Otherwise the
   /// report has findings in the order of the master: one for each interval on which the slave is at
   /// rest (`inverse/dwell`), moves against its first direction (`inverse/reversal`), or jumps
@@ -97,7 +98,7 @@ struct Inversion {
   /// interval, `limit` the slave position at its start, `value` the slave position at its end; for
   /// a dwell or a reversal, `advice` names the master positions at the start and at the end of the
   /// interval.
-  Report report;
+  Report report = {};
 
   /// Returns the branch that contains this master position (also in a dwell inside the branch);
   /// null if no branch contains it.

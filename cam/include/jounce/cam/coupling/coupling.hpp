@@ -144,9 +144,9 @@ class Coupling {
 /// The state of a coupling. engage() creates it; step() returns the next state
 /// (coupling_cycle.hpp). It is small, and copies are independent.
 struct Engaged {
-  Placement placement;    ///< placement of the cam since the engagement
-  Correction correction;  ///< present correction
-  double time = 0;        ///< s, time of the last cycle
+  Placement placement = {};    ///< placement of the cam since the engagement
+  Correction correction = {};  ///< present correction
+  double time = 0;             ///< s, time of the last cycle
   Jet master{};  ///< position of the master at that time, and its derivatives with respect to time
   bool lost = false;  ///< true while the master is NaN; the slave is then at rest
 };

@@ -13,8 +13,8 @@ namespace jounce {
 /// A slave after its release (PMC600 manual 6.2, MC_CamOut): it continues at its velocity. u is the
 /// slave's unit.
 struct Released {
-  double t = 0;     ///< s, time of the release
-  Profile profile;  ///< motion from the release on, until the acceleration is zero
+  double t = 0;          ///< s, time of the release
+  Profile profile = {};  ///< motion from the release on, until the acceleration is zero
 };
 
 /// Releases a slave at time t (s): it continues at its velocity. `slave` is its position and

@@ -27,13 +27,13 @@ struct Characteristics {
   double stroke = 0;  ///< h, u, signed
   double length = 0;  ///< b, m
 
-  Coefficient cv;        ///< Cv, max |f'|: velocity, and factor of the static torque
-  Coefficient ca;        ///< Ca, max f'': acceleration in the direction of the stroke
-  Coefficient ca_star;   ///< max -f'': acceleration against the direction of the stroke
-  Coefficient cj;        ///< Cj, max |f'''|
-  double cj_inside = 0;  ///< max |f'''| between steps; always finite
-  Coefficient cm;        ///< Cm, max |f' f''|: factor of the dynamic torque
-  double rms = 0;        ///< square root of the mean of f''^2
+  Coefficient cv = {};       ///< Cv, max |f'|: velocity, and factor of the static torque
+  Coefficient ca = {};       ///< Ca, max f'': acceleration in the direction of the stroke
+  Coefficient ca_star = {};  ///< max -f'': acceleration against the direction of the stroke
+  Coefficient cj = {};       ///< Cj, max |f'''|
+  double cj_inside = 0;      ///< max |f'''| between steps; always finite
+  Coefficient cm = {};       ///< Cm, max |f' f''|: factor of the dynamic torque
+  double rms = 0;            ///< square root of the mean of f''^2
 
   /// The greater of ca and ca_star: max |f''|.
   [[nodiscard]] double peak_acceleration() const {

@@ -49,7 +49,7 @@ struct ControlShape {
 /// One segment: its law and the knot at its end. It begins at the end of the previous segment.
 struct CamSegment {
   Law law = Law::quintic;
-  CamKnot end;
+  CamKnot end = {};
   std::string name = {};  ///< name in reports; may be empty
   LawForm form = {};      ///< shape parameters of the law
   /// Points, for polynomial, cubic_spline, quintic_spline and hermite; masters ascend.
@@ -59,8 +59,8 @@ struct CamSegment {
 
 /// A cam as an engineer specifies it: a start knot and a list of segments.
 struct CamSpec {
-  CamKnot start;
-  std::vector<CamSegment> segments;
+  CamKnot start = {};
+  std::vector<CamSegment> segments = {};
   /// True: periodic, with the last knot equal to the first. False: the cam holds its end values.
   bool periodic = false;
   /// Period of a rotary slave, u, for a periodic cam. The cam then ends a whole number of turns
@@ -75,7 +75,7 @@ struct CamSpec {
 struct CamDesign {
   Cam cam;
   /// For each segment of the cam: index of its segment in the spec (a law may need several).
-  std::vector<std::size_t> origin;
+  std::vector<std::size_t> origin = {};
 };
 
 /// Returns all knots of the spec, start included, with every derivative filled in. Each value comes

@@ -64,9 +64,9 @@ struct Place {
 
 /// The geometry at one position of the master; positions and directions in the frame of the cam.
 struct DiscPoint {
-  Place center;   ///< center of the roller, on the pitch curve
-  Place contact;  ///< contact point on the profile
-  Place normal;   ///< unit normal of pitch curve and profile, outwards
+  Place center = {};   ///< center of the roller, on the pitch curve
+  Place contact = {};  ///< contact point on the profile
+  Place normal = {};   ///< unit normal of pitch curve and profile, outwards
   /// rad; positive if the side force on the follower has the direction of the cam's rotation, as on
   /// the rise. The follower jams beyond pi/2.
   double pressure_angle = 0;
@@ -110,8 +110,8 @@ class Disc {
 /// enclosure (interval arithmetic, second order) excludes a greater value. It brackets a peak only
 /// if the enclosure of the second derivative excludes zero.
 struct DiscExtremes {
-  Range pressure_angle;   ///< rad: the maximum occurs on the rise, the minimum on the return
-  Range pitch_curvature;  ///< 1/u: max is the most convex, min the most concave
+  Range pressure_angle = {};   ///< rad: the maximum occurs on the rise, the minimum on the return
+  Range pitch_curvature = {};  ///< 1/u: max is the most convex, min the most concave
   /// Bound of the error of the extrema, as a share of the peak; at most 1e-12 unless the cam is
   /// degenerate.
   double error = 0;

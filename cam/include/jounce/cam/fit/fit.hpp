@@ -13,7 +13,7 @@ namespace jounce {
 struct MeasuredCam {
   /// The points: masters ascend, each tolerance > 0. It is the greatest permitted distance, u, of
   /// the cam from the point, and includes the error of the measurement.
-  std::vector<SplinePoint> points;
+  std::vector<SplinePoint> points = {};
   /// True: the cam repeats, and the last point is the first one a period later. If their slave
   /// positions differ by more than the sum of their tolerances, the slave advances in each period.
   bool periodic = false;
@@ -28,10 +28,10 @@ struct SegmentFit {
 
 /// A cam through measured points.
 struct CamFit {
-  CamSpec spec;                      ///< the cam
-  std::vector<SegmentFit> segments;  ///< one for each segment of the spec
-  double gap = 0;                    ///< u, greatest distance from a point
-  double where = 0;                  ///< m, master position of this point
+  CamSpec spec = {};                      ///< the cam
+  std::vector<SegmentFit> segments = {};  ///< one for each segment of the spec
+  double gap = 0;                         ///< u, greatest distance from a point
+  double where = 0;                       ///< m, master position of this point
   /// u, greatest distance of the cam beyond the tolerance of a point; 0: every point is within its
   /// tolerance. Positive if the first and the last point of a period differ by more than their
   /// tolerances, or if two points of the same dwell do.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "jounce/cam/laws/spline.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 
@@ -19,9 +20,9 @@ namespace jounce {
 /// unit m). The conversion is exact to rounding: every segment is the polynomial of the B-spline
 /// between two knots.
 struct BSplineSpec {
-  int degree = 3;               ///< 1 to 11
-  std::vector<double> knots;    ///< m, ascending, may repeat; control.size() + degree + 1 values
-  std::vector<double> control;  ///< u, control values
+  int degree = 3;                  ///< 1 to 11
+  std::vector<double> knots = {};  ///< m, ascending, may repeat; control.size() + degree + 1 values
+  std::vector<double> control = {};  ///< u, control values
 };
 
 /// Returns one segment for each pair of different successive knots within [knots[degree],

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve/segment.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 
@@ -115,11 +116,11 @@ void require_valid(Law law, const LawForm& form);
 /// So `rise` is the law from 0 to 1, from rest to rest. If a law does not use a value, the shape of
 /// this value is zero. The lengths of all pieces of a law have the sum 1.
 struct LawPiece {
-  Segment rise;           ///< factor of the stroke h
-  Segment enter;          ///< factor of v0 L
-  Segment leave;          ///< factor of v1 L
-  Segment bend_in;        ///< factor of a0 L^2
-  Segment bend_out;       ///< factor of a1 L^2
+  Segment rise = {};      ///< factor of the stroke h
+  Segment enter = {};     ///< factor of v0 L
+  Segment leave = {};     ///< factor of v1 L
+  Segment bend_in = {};   ///< factor of a0 L^2
+  Segment bend_out = {};  ///< factor of a1 L^2
   Segment jerk_in = {};   ///< factor of j0 L^3; septic and nonic only
   Segment jerk_out = {};  ///< factor of j1 L^3; septic and nonic only
 };

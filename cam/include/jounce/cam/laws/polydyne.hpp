@@ -9,8 +9,8 @@ namespace jounce {
 
 /// A cam that moves a follower on a spring exactly as required.
 struct Polydyne {
-  Cam cam;          ///< the cam f of (1) below
-  Report warnings;  ///< "polydyne/geo_acceleration" if the cam's geo_acceleration steps
+  Cam cam;               ///< the cam f of (1) below
+  Report warnings = {};  ///< "polydyne/geo_acceleration" if the cam's geo_acceleration steps
 };
 
 /// Returns the polydyne cam f for a required motion y of a follower on a spring. If the cam f moves

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "jounce/cam/laws/spline.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 
@@ -21,9 +22,9 @@ namespace jounce {
 /// breaks. If all tolerances are zero, the curve is quintic_spline().
 struct SmoothingSpline {
   /// from the master of the first point to the master of the last
-  std::vector<Segment> segments;
-  std::vector<std::size_t> touched;  ///< indices of the points that are breaks
-  double square_jerk = 0;            ///< integral of geo_jerk^2, u^2/m^5 (units: spline.hpp)
+  std::vector<Segment> segments = {};
+  std::vector<std::size_t> touched = {};  ///< indices of the points that are breaks
+  double square_jerk = 0;                 ///< integral of geo_jerk^2, u^2/m^5 (units: spline.hpp)
   double gap = 0;     ///< proven: no curve within the tolerances has less than square_jerk - gap
   int solutions = 0;  ///< number of linear systems that were solved
 };

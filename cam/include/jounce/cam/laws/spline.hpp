@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve/segment.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 
@@ -54,7 +55,7 @@ struct SplineEnd {
 
 /// Input of the splines.
 struct SplineSpec {
-  std::vector<SplinePoint> points;
+  std::vector<SplinePoint> points = {};
   SplineEnds ends = SplineEnds::natural;  ///< kind of both ends
   SplineEnd start = {};                   ///< derivatives at the first point
   SplineEnd end = {};                     ///< derivatives at the last point

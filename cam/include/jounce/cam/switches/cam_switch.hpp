@@ -131,8 +131,8 @@ struct SwitchEdge {
 
 /// All edges of a motion, in ascending order of time.
 struct SwitchTimes {
-  std::uint32_t outputs = 0;      ///< outputs at the start: bit k - 1 is track k
-  std::vector<SwitchEdge> edges;  ///< ascending in time
+  std::uint32_t outputs = 0;           ///< outputs at the start: bit k - 1 is track k
+  std::vector<SwitchEdge> edges = {};  ///< ascending in time
 };
 
 /// Returns the edges of a given motion over its interval, at the exact instants that satisfy (1).

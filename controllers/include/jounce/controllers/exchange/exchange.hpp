@@ -37,8 +37,8 @@ std::string exchange_text(const ExchangeFormat& format, const TableFile& file);
 
 /// One table of a file.
 struct ExchangeTable {
-  std::string name;  ///< name of its reference, array, tag, joint or axis; "" if it has none
-  TableFile file;    ///< the table, with its units and provenance
+  std::string name = {};  ///< name of its reference, array, tag, joint or axis; "" if it has none
+  TableFile file;         ///< the table, with its units and provenance
   std::vector<std::string> unread = {};  ///< one phrase for each part of the file that was not read
 };
 

@@ -54,7 +54,7 @@ struct Gears {
 
 /// Result of a function: the new states, or the unchanged states and an error.
 struct GearAnswer {
-  Gears gears;                      ///< states after the call
+  Gears gears = {};                 ///< states after the call
   GearError error = GearError::ok;  ///< ok: no error
 };
 

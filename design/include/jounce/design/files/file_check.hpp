@@ -55,7 +55,7 @@ std::vector<Report> check_reports(std::vector<Input>& axes, const CheckOptions& 
 
 /// The check of all axes of a file, and of the path that they follow.
 struct FileCheck {
-  std::vector<Report> reports;           ///< one for each axis
+  std::vector<Report> reports = {};      ///< one for each axis
   std::optional<PathSummary> path = {};  ///< if the axes have a plan
 
   /// True if no limit is broken. `strict` counts a warning as a broken limit.

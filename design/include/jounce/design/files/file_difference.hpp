@@ -15,8 +15,8 @@ namespace jounce {
 /// The axes of two files in pairs (paired_axes() in jounce/design/version.hpp), and their
 /// comparisons.
 struct FileDifference {
-  std::vector<std::pair<Input, Input>> axes;
-  std::vector<Comparison> comparisons;  ///< one for each pair
+  std::vector<std::pair<Input, Input>> axes = {};
+  std::vector<Comparison> comparisons = {};  ///< one for each pair
   /// For two specs: the changed keys outside the curves and limits; see take_key_changes().
   std::vector<KeyChange> keys = {};
 

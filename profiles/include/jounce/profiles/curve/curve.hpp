@@ -7,6 +7,7 @@
 #include "jounce/profiles/curve/break_index.hpp"
 #include "jounce/profiles/curve/jet.hpp"
 #include "jounce/profiles/curve/segment.hpp"
+#include "jounce/profiles/error.hpp"
 
 namespace jounce {
 
@@ -37,8 +38,10 @@ namespace jounce {
 /// and positive, if a degree or a number of sines is out of range, if the value or one of the first
 /// four derivatives of a segment is not finite (a coefficient is not finite, or a double cannot hold
 /// the derivative), if start or end is not finite, or if start is so large that start + length
-/// rounds to start. Other members do not throw; the functions below throw if their result breaks
-/// these rules. Evaluation never allocates.
+/// rounds to start. Other members do not throw, except sample() for spans of different sizes; the
+/// functions below throw if their result breaks these rules. Evaluation never allocates.
+///
+/// **A curve that was moved from** is empty: assign to it or destroy it, but call no other member.
 template <class Over>
 class Curve {
  public:
@@ -64,7 +67,8 @@ class Curve {
     return point<Over>(jet(x, side));
   }
 
-  /// Writes at(x[i]) to out[i] for all i. Requires spans of the same size. Fastest if x ascends.
+  /// Writes at(x[i]) to out[i] for all i. Throws InputError if the spans differ in size. Fastest if
+  /// x ascends.
   void sample(std::span<const double> x, std::span<Point> out) const;
 
  private:

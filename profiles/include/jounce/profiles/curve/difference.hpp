@@ -37,7 +37,7 @@ template <class Over>
 struct Difference {
   Curve<Over> curve;  ///< its policy outside is `refuse`
   /// For each segment of the curve: rounding of the value and of its three derivatives.
-  std::vector<Jet> rounding;
+  std::vector<Jet> rounding = {};
 };
 template <class Over>
 Difference<Over> difference(const Curve<Over>& before, const Curve<Over>& after);
@@ -46,10 +46,10 @@ Difference<Over> difference(const Curve<Over>& before, const Curve<Over>& after)
 struct Change {
   /// The signed difference of largest magnitude. A place where the difference is within rounding
   /// counts only if no other place has a larger one.
-  Extremum largest;
+  Extremum largest = {};
   double rounding = 0;  ///< rounding at the place of `largest`
-  Range before;         ///< range of the first curve, over its whole length
-  Range after;          ///< range of the second curve
+  Range before = {};    ///< range of the first curve, over its whole length
+  Range after = {};     ///< range of the second curve
 
   /// True if the difference is everywhere within rounding.
   [[nodiscard]] bool none() const;

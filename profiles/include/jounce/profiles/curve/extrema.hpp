@@ -18,8 +18,8 @@ struct Extremum {
 
 /// The least and the greatest value.
 struct Range {
-  Extremum min;
-  Extremum max;
+  Extremum min = {};
+  Extremum max = {};
 
   /// The extremum of larger magnitude.
   [[nodiscard]] const Extremum& peak() const;

@@ -18,8 +18,11 @@ enum class Side { right, left };
 /// Policy for queries outside [start, end] (key `outside` of a spec). It is set when a curve or a
 /// table is made.
 enum class Extrapolation {
-  /// A query outside is a programming error. A debug build asserts; a release build returns the
-  /// value of the nearer end, at rest.
+  /// A query outside is a programming error: a library that was built with assertions ends the
+  /// program, and an installed one returns the value of the nearer end, at rest. This is the default
+  /// of Curve(segments). Profile::curve() holds; a function of one or two curves keeps the policy of
+  /// the first, unless its header states another. A time that a controller adds up can pass the end
+  /// by rounding, so play a curve that holds: with(curve, Extrapolation::hold).
   refuse,
   hold,  ///< the value of the nearer end, at rest
   wrap,  ///< periodic: the query is reduced to [start, end)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jounce/profiles/curve/segment.hpp"
+#include "jounce/profiles/error.hpp"
 
 // The two-point Hermite polynomial of degree 11, and bounds of its distance from a function.
 

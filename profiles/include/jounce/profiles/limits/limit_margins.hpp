@@ -13,8 +13,8 @@ namespace jounce {
 /// limit of velocity, acceleration or jerk gives two objects with the same rule: one for the
 /// positive and one for the negative direction.
 struct LimitMargin {
-  std::string rule;              ///< text of the rule, as in a Finding: "limit/velocity"
-  std::vector<double> segments;  ///< margin of each segment; defined in Finding::margin
+  std::string rule = {};              ///< text of the rule, as in a Finding: "limit/velocity"
+  std::vector<double> segments = {};  ///< margin of each segment; defined in Finding::margin
 };
 
 /// Returns the margins of a curve to its limits, in the order of the members of Limits. Exact, like

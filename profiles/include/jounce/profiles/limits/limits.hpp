@@ -22,6 +22,17 @@ struct Limits {
   std::optional<double> jerk = {};          ///< u/s^3; cam: u/m^3
 };
 
+struct Bounds;
+
+/// Returns the limits as the bounds of a move (moves/move.hpp), equal in both directions. A limit that
+/// is not given is no bound.
+Bounds bounds_of(const Limits& limits);
+
+/// Returns the bounds of a move as limits for check(). An infinite bound is no limit. Throws
+/// InputError if the bounds of velocity, acceleration or jerk differ between the directions (a limit
+/// applies to both), and like require_valid().
+Limits limits_of(const Bounds& bounds);
+
 /// Throws InputError if a limit is not finite, if the limit of velocity, acceleration or jerk is
 /// not positive, or if position_min > position_max.
 void require_valid(const Limits& limits);
@@ -35,21 +46,21 @@ enum class Severity {
 
 /// One result of a check: a quantity at its worst place, against its limit.
 struct Finding {
-  Rule rule;             ///< the rule, such as "limit/velocity" or "continuity/position"
-  std::string axis;      ///< name of the axis, if several are checked; may be empty
-  std::string quantity;  ///< "velocity", "geo_acceleration", "torque", ...
-  double where = 0;      ///< time or master position at which the quantity has its worst value
-  double value = 0;      ///< value of the quantity at this position
-  double limit = 0;      ///< permitted value; for the negative direction of a rate: negative
+  Rule rule = {};             ///< the rule, such as "limit/velocity" or "continuity/position"
+  std::string axis = {};      ///< name of the axis, if several are checked; may be empty
+  std::string quantity = {};  ///< "velocity", "geo_acceleration", "torque", ...
+  double where = 0;           ///< time or master position at which the quantity has its worst value
+  double value = 0;           ///< value of the quantity at this position
+  double limit = 0;           ///< permitted value; for the negative direction of a rate: negative
   /// Distance from the value to the limit, as a share of the limit; negative if the value is beyond
   /// the limit. For a position, the margin is a share of the permitted travel, or of the curve's
   /// stroke if only one end is limited.
   double margin = 0;
-  bool broken = false;                 ///< true: the rule is broken
-  std::optional<std::size_t> segment;  ///< index of the curve's segment, from 0; empty if the
-                                       ///< finding has no segment
-  std::string advice;                  ///< suggested change; may be empty
-  std::string unit = {};               ///< unit of value and limit; empty: the quantity defines it
+  bool broken = false;                      ///< true: the rule is broken
+  std::optional<std::size_t> segment = {};  ///< index of the curve's segment, from 0; empty if the
+                                            ///< finding has no segment
+  std::string advice = {};                  ///< suggested change; may be empty
+  std::string unit = {};  ///< unit of value and limit; empty: the quantity defines it
   /// unit of `where`; empty: the unit of the time or the master
   std::string where_unit = {};
   Severity severity = Severity::required;  ///< kind of the finding
@@ -60,8 +71,8 @@ struct Finding {
 
 /// Result of a check. A check does not print. It returns its results as findings, broken or not,
 /// and throws only for invalid arguments.
-struct Report {
-  std::vector<Finding> findings;  ///< in the order of sort()
+struct [[nodiscard]] Report {
+  std::vector<Finding> findings = {};  ///< in the order of sort()
 
   /// True if no finding is broken.
   [[nodiscard]] bool ok() const;
@@ -76,7 +87,8 @@ void sort(Report& report);
 /// Compares the exact extrema of a curve with the limits. Returns one finding for each segment and
 /// each limit that the segment breaks (each direction of a rate is one limit); a peak on a break
 /// counts for the segment before the break. For each limit that the whole curve satisfies, returns
-/// one finding, with the smallest margin. Throws like require_valid().
+/// one finding, with the smallest margin. Without limits, the report has no findings and is ok: test
+/// that the limits of a file are present before you check with them. Throws like require_valid().
 template <class Over>
 Report check(const Curve<Over>& f, const Limits& limits);
 

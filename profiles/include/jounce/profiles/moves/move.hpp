@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/profile.hpp"
 
 namespace jounce {
@@ -60,18 +61,25 @@ enum class MoveStatus : std::uint8_t {
   /// Phase synchronization: the states are not on one line, or an axis would exceed its velocity
   /// limit on that line.
   not_straight,
+  wrong_size,  ///< synchronize(): the two spans differ in size
 };
 
 /// Returns one sentence that explains a status to a user.
 const char* explain(MoveStatus status) noexcept;
 
-/// A move, if one exists; otherwise an empty profile.
-struct MoveResult {
-  MoveStatus status = MoveStatus::ok;
-  Profile profile;  ///< empty unless the status is ok
+/// A move, if one exists.
+struct [[nodiscard]] MoveResult {
+  MoveStatus status = MoveStatus::ok;  ///< ok, or why there is no move
+  /// The move. If the status is not ok, it has no phases and rests at the position of the start.
+  Profile profile = {};
 
   /// True if the move exists.
   explicit operator bool() const noexcept { return status == MoveStatus::ok; }
+  /// Returns the move. Throws InputError, with the sentence of explain(), if there is none:
+  ///
+  ///     const Trajectory curve = move_to({}, {.position = 50}, within(10, 20)).value().curve();
+  [[nodiscard]] const Profile& value() const&;
+  [[nodiscard]] Profile value() &&;
 };
 
 /// Returns the time-optimal move between two states that stays within the bounds.

@@ -20,6 +20,14 @@ struct MotionState {
   bool operator==(const MotionState&) const = default;
 };
 
+/// Returns the state of a motion, such as the start of the next move:
+///
+///     const Bounds axis = within(2, 10, 100);
+///     const MoveResult next = move_to(state_of(move.at(0.25)), {.position = 80}, axis);
+constexpr MotionState state_of(const Motion& motion) noexcept {
+  return {motion.position, motion.velocity, motion.acceleration};
+}
+
 /// A motion over time in compact form, as the generators of motions over time return it: 192 bytes,
 /// no heap.
 ///

@@ -80,9 +80,7 @@ class OnlineAxis {
   }
   [[nodiscard]] bool is_stale() noexcept;
   [[nodiscard]] bool ended() const noexcept { return elapsed_ >= duration_; }
-  [[nodiscard]] MotionState state() const noexcept {
-    return {now_.position, now_.velocity, now_.acceleration};
-  }
+  [[nodiscard]] MotionState state() const noexcept { return state_of(now_); }
   [[nodiscard]] MotionState target_now() const noexcept;
   [[nodiscard]] bool is_aimed() const noexcept;
   [[nodiscard]] bool fits_bounds() noexcept;

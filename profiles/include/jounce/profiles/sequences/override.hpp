@@ -37,9 +37,10 @@ struct FactorRamp {
 
 /// A motion with its overrides applied.
 struct Overridden {
-  Trajectory clock;               ///< path time (s) over time (s); its velocity is the factor
-  std::vector<Trajectory> axes;   ///< position of each axis over time: composed(axis, clock), exact
-  std::vector<FactorRamp> ramps;  ///< one for each request, in their order
+  Trajectory clock;  ///< path time (s) over time (s); its velocity is the factor
+  std::vector<Trajectory> axes =
+      {};  ///< position of each axis over time: composed(axis, clock), exact
+  std::vector<FactorRamp> ramps = {};  ///< one for each request, in their order
   /// False: the last factor is 0, so the axes stand still before the end of the path.
   bool arrived = true;
 };

@@ -77,7 +77,7 @@ using MotionCommand = std::variant<MoveAbsolute, MoveRelative, MoveVelocity, Hal
 
 /// A command in the queue.
 struct QueuedCommand {
-  MotionCommand command;
+  MotionCommand command = {};
   /// Not used by Dwell; Halt does not use the velocity. In both directions, `acceleration` applies
   /// while the axis speeds up, `deceleration` while it slows down. If the two differ, a motion that
   /// must reverse (after an abort) stops first, then moves back, like with_target(). There is only
@@ -96,7 +96,7 @@ struct QueueSpec {
   /// State at time 0; acceleration must be 0 if the first command is a Dwell, or is issued later
   /// than 0 s.
   MotionState start = {};
-  std::vector<QueuedCommand> commands;  ///< in the order of the queue
+  std::vector<QueuedCommand> commands = {};  ///< in the order of the queue
 };
 
 /// Outcome of a command.
@@ -119,8 +119,8 @@ struct CommandRecord {
 struct QueuedMotion {
   /// Begins at 0 s; holds outside if it begins and ends at rest; otherwise it refuses.
   Trajectory trajectory;
-  std::vector<CommandRecord> commands;  ///< one for each command, in their order
-  MotionState end;                      ///< state at the end of the trajectory
+  std::vector<CommandRecord> commands = {};  ///< one for each command, in their order
+  MotionState end = {};                      ///< state at the end of the trajectory
 };
 
 /// Plans the queue. The result consists of exact cubic segments; it is continuous up to the

@@ -18,8 +18,8 @@ enum class MoveGoal : std::uint8_t {
 
 /// The part of one axis in a common motion. Units: u, u/s, u/s^2, u/s^3, where u is the axis' unit.
 struct AxisMove {
-  MotionState from, to;             ///< start state and goal
-  Bounds bounds;                    ///< limits of this axis
+  MotionState from = {}, to = {};   ///< start state and goal
+  Bounds bounds = {};               ///< limits of this axis
   MoveGoal goal = MoveGoal::state;  ///< kind of the goal
   /// False: the axis takes no part. Its profile stays at `from` and has no duration.
   bool enabled = true;
@@ -40,7 +40,7 @@ enum class Sync : std::uint8_t {
 };
 
 /// Result of synchronize().
-struct Synchronized {
+struct [[nodiscard]] Synchronized {
   MoveStatus status = MoveStatus::ok;  ///< ok, or why there is no common motion
   std::size_t axis = 0;                ///< the axis that causes the status, if it is not ok
   /// s, the common duration: the longest of an axis, and at least the minimum; 0 if the status is
@@ -48,7 +48,8 @@ struct Synchronized {
   double duration = 0;
 };
 
-/// Plans one profile for each axis and writes them to `out`; both spans have the same size. Every
+/// Plans one profile for each axis and writes them to `out`. If the spans differ in size, the status
+/// is `wrong_size`, and `out` does not change. Every
 /// duration of an enabled axis is at least `minimum_duration` (s); with Sync::time_if_moving, this
 /// does not apply to an axis whose target is at rest. With `grid` > 0 (s), every duration is a
 /// multiple of `grid`. If the status is not ok, the profiles in `out` are not a motion.

@@ -38,9 +38,9 @@ struct ViaRates {
 
 /// Input of via().
 struct ViaSpec {
-  std::vector<Bounds> axes;  ///< bounds of each axis
+  std::vector<Bounds> axes = {};  ///< bounds of each axis
   /// u; at least two points, each with one position for each axis.
-  std::vector<std::vector<double>> points;
+  std::vector<std::vector<double>> points = {};
   ViaRates start = {};                              ///< at the first point
   ViaRates end = {};                                ///< at the last point
   std::vector<std::vector<Bounds>> stretches = {};  ///< bounds [stretch][axis]; empty: `axes`
@@ -50,17 +50,17 @@ struct ViaSpec {
 
 /// The state in which the axes pass a point.
 struct ViaKnot {
-  double time = 0;                   ///< s
-  std::vector<double> velocity;      ///< u/s, one for each axis
-  std::vector<double> acceleration;  ///< u/s^2, one for each axis
+  double time = 0;                        ///< s
+  std::vector<double> velocity = {};      ///< u/s, one for each axis
+  std::vector<double> acceleration = {};  ///< u/s^2, one for each axis
 };
 
 /// Result of via().
 struct ViaMotion {
   /// One for each axis, over the same time from 0 s; they hold outside.
-  std::vector<Trajectory> axes;
-  std::vector<ViaKnot> knots;  ///< one for each point
-  double duration = 0;         ///< s
+  std::vector<Trajectory> axes = {};
+  std::vector<ViaKnot> knots = {};  ///< one for each point
+  double duration = 0;              ///< s
   /// Duration in s of the same motion with a stop at every inner point; infinite if the axes cannot
   /// stop at one of them.
   double stopping_duration = 0;

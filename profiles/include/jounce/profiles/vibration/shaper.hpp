@@ -31,7 +31,7 @@ inline constexpr ShaperKind himc_robust = ShaperKind::zvd;
 /// Input of shaper().
 struct ShaperSpec {
   ShaperKind kind = ShaperKind::zv;
-  Mode mode;  ///< the mode to suppress
+  Mode mode = {};  ///< the mode to suppress
   /// For ei only: share of the vibration that remains at the mode, > 0 and < 1.
   double tolerance = 0.05;
 };

@@ -23,7 +23,7 @@ struct ModeBand {
 /// The mode of a band with the greatest residual vibration.
 struct WorstMode {
   double residual = 0;  ///< residual_vibration(motion, mode), u
-  Mode mode;
+  Mode mode = {};
 };
 
 /// Returns the mode of a band with the greatest residual_vibration().

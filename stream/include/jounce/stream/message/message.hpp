@@ -124,7 +124,7 @@ struct Header {
   Domain axis = Domain::time;  ///< variable of the table
   Interpolation rule = Interpolation::linear;     ///< interpolation rule
   Extrapolation outside = Extrapolation::refuse;  ///< policy outside the table
-  Units units;                                    ///< units of x and of the position
+  Units units = {};                               ///< units of x and of the position
   std::uint32_t knots = 0;                        ///< number of knots, >= 2
   std::uint32_t columns = 0;    ///< number of columns, 2 to 4, depending on the rule
   std::uint32_t per_chunk = 0;  ///< knots in a full chunk, 1 to chunk_values / columns
@@ -405,12 +405,13 @@ using Body = std::variant<Header, Chunk, Arm, Start, Stop, Heartbeat, Ack, Reply
 
 /// A message of the protocol.
 struct Message {
-  std::string executor;  ///< Name of the axis of an executor: 1 to 23 of the characters A-Z a-z 0-9
-                         ///< _ -. In a Master: name of the master.
+  std::string executor =
+      {};  ///< Name of the axis of an executor: 1 to 23 of the characters A-Z a-z 0-9
+           ///< _ -. In a Master: name of the master.
   /// Session, > 0; 0: no session (a Status of a free axis, a message of an operator, Master, Event,
   /// MasterStatus, GroupStatus, Claim).
   std::int64_t session = 0;
-  Body body;  ///< the content
+  Body body = {};  ///< the content
   /// From an executor: the challenge that commands must contain. To an executor: the challenge that
   /// the sender received last, 0 at first. See Receiver.
   std::int64_t challenge = 0;

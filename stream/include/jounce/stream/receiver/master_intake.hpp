@@ -11,7 +11,7 @@ namespace jounce {
 
 /// Options of a MasterIntake.
 struct MasterIntakeOptions {
-  std::string unit;  ///< unit of the master in this executor
+  std::string unit = {};  ///< unit of the master in this executor
   /// True: messages are authenticated, so a later message from an earlier epoch (see below) is
   /// never accepted.
   bool keyed = false;

@@ -20,7 +20,7 @@ namespace jounce {
 
 /// Options of a receiver.
 struct ReceiverOptions {
-  std::string executor;                  ///< name of the axis
+  std::string executor = {};             ///< name of the axis
   std::uint32_t most_knots = 1U << 24U;  ///< greatest number of knots of a table
   /// Greatest memory for all tables, complete or in transit, bytes.
   std::size_t memory = std::size_t{1} << 28U;
@@ -41,7 +41,7 @@ struct ReceiverOptions {
 /// Event: a table is complete, and its hash matches. The table stays in the store.
 struct TableReady {
   std::int64_t session = 0;  ///< session of the sender
-  StoredTable table;         ///< the table
+  StoredTable table = {};    ///< the table
 };
 
 /// Event: an arm of complete tables whose variables and units fit the mode. Requires an answer.
@@ -49,8 +49,8 @@ struct ArmRequested {
   std::int64_t session = 0;                  ///< session of the sender
   std::int32_t command = 0;                  ///< number of the command; answer with it
   wire::ArmMode mode = wire::ArmMode::play;  ///< the motion that the axis plays
-  StoredTable slave;                         ///< table of the slave
-  std::optional<StoredTable> master;         ///< table of the master, for follow_table
+  StoredTable slave = {};                    ///< table of the slave
+  std::optional<StoredTable> master = {};    ///< table of the master, for follow_table
   CouplingSpec coupling{};                   ///< coupling of a slave's table over a master
   CamEnd end = CamEnd::brake;                ///< for follow_input: behavior at the end of the cam
 };
@@ -85,14 +85,14 @@ struct CommandRequested {
 /// Event: a queue was opened, and rows will follow. Call refuse_queue() to reject the queue.
 struct QueueOpened {
   std::int64_t session = 0;  ///< session of the sender
-  wire::Queue queue;         ///< the queue
+  wire::Queue queue = {};    ///< the queue
 };
 
 /// Event: rows in their order, without gaps, that fit into the free space. Call refuse_row() to
 /// reject a row that breaks a limit.
 struct RowsArrived {
   std::int64_t session = 0;  ///< session of the sender
-  wire::Rows rows;           ///< the rows
+  wire::Rows rows = {};      ///< the rows
 };
 
 /// Event: a stop or an abort, which must always be executed. Requires an answer.

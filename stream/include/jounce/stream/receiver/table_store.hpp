@@ -13,9 +13,9 @@ namespace jounce {
 
 /// A complete table, which is shared with the motions that play it.
 struct StoredTable {
-  Sha256 hash{};  ///< content_hash() of the table
-  Units units;    ///< its units
-  std::shared_ptr<const Table> table;
+  Sha256 hash{};     ///< content_hash() of the table
+  Units units = {};  ///< its units
+  std::shared_ptr<const Table> table = {};
 };
 
 /// Complete tables by their hash. A limit applies to the memory of these tables and of the tables

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "jounce/profiles/error.hpp"
+
 /// Keys that authenticate messages. An executor and its authorized senders share a key. A key is
 /// never transmitted and never on a command line. It is stored in a file of 64 hexadecimal digits
 /// that only the owner of the file can read.

@@ -29,12 +29,11 @@ struct BankOptions {
   std::function<bool()> cancelled = {};
 };
 
-/// Fills both banks, starts the motion, and waits for the goal. Uses the session of the client; the
-/// caller must release the session.
+/// Fills both banks, starts the motion, and waits for the goal. Uses the session of the client, and
+/// does not release it.
 ///
 ///     Client client(link, "feeder");
 ///     const CallOutcome outcome = play_banks(client, plan);
-///     client.release();
 ///
 /// Throws InputError like StaticQueue, and TransportError.
 CallOutcome play_banks(Client& client, const BankPlan& plan, const BankOptions& options = {});

@@ -24,17 +24,27 @@ struct ClientOptions {
 ///
 ///     Client client(link, "feeder");
 ///     if (const auto outcome = client.enable(); !outcome.ok()) return outcome.reason;
-///     client.command(command::MoveAbsolute{.position = 120, .dynamics = {.velocity = 200}});
-///     client.command(command::Override{0.5});         // the axis moves at half speed
-///     client.release();                               // the motion continues
+///     const command::MoveAbsolute move{.position = 120, .dynamics = {.velocity = 200}};
+///     if (const auto outcome = client.command(move); !outcome.ok()) return outcome.reason;
+///     while (!await_rest(link, "feeder", 100ms))       // operate.hpp
+///       if (const auto alive = client.beat(); !alive.ok()) return alive.reason;
 ///
 /// A call returns when the axis has accepted or rejected the command; the motion may not have ended
 /// yet. A call throws only InputError, for a value that is out of range for any axis, and
 /// TransportError. Units are the units of the axis and of its master.
 ///
-/// The first call opens a session: from then on, the client owns the axis. If another program owns
-/// the axis, the call is rejected with Refusal::busy. If no call is made for the session timeout of
-/// the axis (by default one second), the session ends; the next call opens a new session.
+/// **Session.** The first call opens a session: from then on, the client owns the axis. If another
+/// program owns the axis, the call is rejected with Refusal::busy. If no call is made for the session
+/// timeout of the axis (by default one second), the session ends, and a motion in progress is stopped
+/// before its end; the next call opens a new session. So call beat() several times a second while the
+/// axis moves. release() ends the session, and the motion continues to its end.
+///
+/// **The destructor** releases the session, and waits for the answer for at most 0.2 s. If it runs
+/// because an exception leaves the scope, it does not release: the motion is stopped when the session
+/// times out.
+///
+/// **Threads.** Use a client and its link in one thread only: replies that another thread takes from
+/// the link are lost, and both calls end with StreamError::no_answer.
 ///
 /// If the executor restarts, the next call returns StreamError::restarted and has no effect,
 /// because the state of the axis may have changed. The call after it opens a new session.
@@ -44,6 +54,9 @@ class Client {
   /// name.
   Client(Transport& link, std::string executor, ClientOptions options = {},
          Clock clock = steady_now);
+  ~Client();
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
 
   CallOutcome enable() { return command(command::Enable{}); }
   CallOutcome disable() { return command(command::Disable{}); }
@@ -94,6 +107,7 @@ class Client {
   std::int64_t session_ = 0;
   std::int64_t challenge_ = 0;
   std::int64_t boot_ = 0;
+  int exceptions_;  ///< exceptions in flight when the client was made
 };
 
 }  // namespace jounce

@@ -20,12 +20,13 @@ namespace jounce {
 
 /// Options of stream_tables().
 struct StreamOptions {
-  SenderOptions sender;                                 ///< options of the Sender
-  Nanos total = std::chrono::seconds(60);               ///< time limit of the whole call
-  Nanos period = std::chrono::milliseconds(1);          ///< longest wait for messages
-  std::function<void(const StreamProgress&)> progress;  ///< called in each iteration; may be empty
+  SenderOptions sender = {};                    ///< options of the Sender
+  Nanos total = std::chrono::seconds(60);       ///< time limit of the whole call
+  Nanos period = std::chrono::milliseconds(1);  ///< longest wait for messages
+  std::function<void(const StreamProgress&)> progress =
+      {};  ///< called in each iteration; may be empty
   /// Returns true to cancel: the armed motion is stopped, and the call ends. May be empty.
-  std::function<bool()> cancelled;
+  std::function<bool()> cancelled = {};
   std::optional<wire::Key> key{};  ///< key of the executor; nullopt: none
 };
 
@@ -38,11 +39,12 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
 
 /// Options of stream_rows().
 struct RowOptions {
-  SenderOptions sender;                              ///< options of the RowSender
-  Nanos period = std::chrono::milliseconds(1);       ///< longest wait for messages
-  std::function<void(const RowProgress&)> progress;  ///< called in each iteration; may be empty
+  SenderOptions sender = {};                    ///< options of the RowSender
+  Nanos period = std::chrono::milliseconds(1);  ///< longest wait for messages
+  std::function<void(const RowProgress&)> progress =
+      {};  ///< called in each iteration; may be empty
   /// Returns true to cancel: the axis is stopped, and the call ends. May be empty.
-  std::function<bool()> cancelled;
+  std::function<bool()> cancelled = {};
   std::optional<wire::Key> key{};  ///< key of the executor; nullopt: none
 };
 
@@ -52,28 +54,31 @@ struct RowOptions {
 RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options = {},
                        const Clock& clock = steady_now, std::int64_t session = random_id());
 
+/// Greatest duration of a call of an operator, by default.
+inline constexpr Nanos operator_patience = std::chrono::seconds(2);
+
 /// Sends a command of an operator, who needs no session: a Stop, or a Command to hold, resume or
 /// override. The function sets the number of the command, and repeats the command until the
 /// executor answers, for at most `patience`. Returns the reply; without an answer, its outcome is
 /// `pending`.
 wire::Reply operator_command(Transport& link, const std::string& executor, wire::Body body,
-                             const std::optional<wire::Key>& key,
-                             Nanos patience = std::chrono::seconds(2),
+                             Nanos patience = operator_patience,
+                             const std::optional<wire::Key>& key = {},
                              const Clock& clock = steady_now);
 
 /// Stops an axis as an operator, without a session; this ends the session of the axis. The function
 /// repeats the stop until the executor answers, for at most `patience`. Returns true if the
 /// executor has confirmed the stop.
 bool operator_stop(Transport& link, const std::string& executor, wire::StopMode mode,
-                   Nanos patience = std::chrono::seconds(2), const Clock& clock = steady_now,
-                   const std::optional<wire::Key>& key = {});
+                   Nanos patience = operator_patience, const std::optional<wire::Key>& key = {},
+                   const Clock& clock = steady_now);
 
-/// Returns the present status of an axis: drops the status messages that wait on the link, then
-/// waits for the next one, for at most `timeout`. Returns nullopt if none arrives. Requires a link
-/// that has subscribed to the status channel of the axis, with capacity 1.
+/// Returns the present status of an axis: subscribes to its status channel with capacity 1, drops
+/// the messages that wait on the link, then waits for the next status, for at most `timeout`.
+/// Returns nullopt if none arrives.
 std::optional<wire::Message> next_status(Transport& link, const std::string& executor,
-                                         Nanos timeout, const Clock& clock = steady_now,
-                                         const std::optional<wire::Key>& key = {});
+                                         Nanos timeout, const std::optional<wire::Key>& key = {},
+                                         const Clock& clock = steady_now);
 
 /// The loop of an executor's communication thread: it connects the Receivers, one for each axis, to
 /// one link.
@@ -124,9 +129,9 @@ class ReceiverPump {
 
  private:
   struct Named {
-    std::string name;
-    Receiver* receiver;
-    std::size_t half_a_window;
+    std::string name = {};
+    Receiver* receiver = nullptr;
+    std::size_t half_a_window = 0;
     std::size_t unanswered = 0;  // doubles since the last answers
   };
 

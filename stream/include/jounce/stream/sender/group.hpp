@@ -67,7 +67,7 @@ class Group {
  private:
   enum class Phase { arming, starting, playing, leaving };
   struct Axis {
-    std::string name;
+    std::string name = {};
     Sender sender;
     std::optional<wire::Status> status{};  // newest status of the axis in this session
     std::optional<StreamOutcome> own{};    // outcome of the axis before the group ended its stream

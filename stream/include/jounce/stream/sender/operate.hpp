@@ -31,19 +31,19 @@ CallOutcome outcome_of(const wire::Reply& reply, const std::string& executor);
 /// in which the axis executes it; -1: the next one. Throws InputError for a value out of range, and
 /// TransportError.
 CallOutcome send_command(Transport& link, const std::string& executor, const ClientCommand& command,
-                         std::int64_t at = -1, const std::optional<wire::Key>& key = {});
+                         std::int64_t at = -1, const std::optional<wire::Key>& key = {},
+                         const Clock& clock = steady_now);
 
 /// Waits until the axis is at rest: in the state standstill, disabled or error_stop. Returns this
-/// state; nullopt if the axis is not at rest within `patience`. Requires a link that has subscribed
-/// to the status channel, with capacity 1.
+/// state; nullopt if the axis is not at rest within `patience`. The session of a client is not kept
+/// alive meanwhile: call with a short patience, and Client::beat() in between.
 std::optional<State> await_rest(Transport& link, const std::string& executor, Nanos patience,
                                 const std::optional<wire::Key>& key = {},
                                 const Clock& clock = steady_now);
 
 /// Waits for the end of a homing that the axis has accepted, and keeps the session of the client
 /// alive. If `cancelled` returns true, stops the axis once and waits for rest. If the axis is not
-/// homed at the end, the outcome is `refused`, with the cause of the fault or stop. Requires a link
-/// like await_rest().
+/// homed at the end, the outcome is `refused`, with the cause of the fault or stop.
 CallOutcome await_home(Transport& link, const std::string& executor, Client& client,
                        const std::function<bool()>& cancelled,
                        const std::optional<wire::Key>& key = {}, const Clock& clock = steady_now);
@@ -66,7 +66,7 @@ CallOutcome execute_command(Transport& link, const std::string& executor,
                             const Clock& clock = steady_now);
 
 /// Result of stop_axis().
-struct StopResult {
+struct [[nodiscard]] StopResult {
   bool confirmed = false;          ///< true if the executor has accepted the stop
   std::optional<State> rest = {};  ///< state of the axis at rest; nullopt: the axis was not at rest
                                    ///< in time

@@ -25,7 +25,7 @@ enum class StreamError {
 const char* name(StreamError error);
 
 /// Outcome of a call to an executor.
-struct CallOutcome {
+struct [[nodiscard]] CallOutcome {
   StreamError error = StreamError::none;
   wire::Refusal refusal = wire::Refusal::none;
   std::int32_t cause = 0;  ///< number of the Cause that the axis reported

@@ -20,9 +20,9 @@ using RowSource = std::function<std::vector<wire::Row>(std::size_t most)>;
 
 /// A stream of rows, which may be longer than any memory, or computed while it is played.
 struct RowPlan {
-  std::string executor;          ///< name of the axis
+  std::string executor = {};     ///< name of the axis
   wire::Queue queue{};           ///< a dynamic queue, over time in s or over a master
-  RowSource rows;                ///< source of the rows
+  RowSource rows = {};           ///< source of the rows
   std::int64_t start_tick = -1;  ///< tick of the start; -1: the next one
   /// True: after an underrun, the stream continues when the prefill has arrived again.
   bool resume = false;
@@ -60,7 +60,7 @@ struct RowProgress {
 };
 
 /// Outcome of a rolling stream. An underrun is an error unless the plan resumes.
-struct RowOutcome : CallOutcome {
+struct [[nodiscard]] RowOutcome : CallOutcome {
   RowProgress progress{};  ///< progress at the end
 };
 

@@ -41,7 +41,7 @@ class RowWindow {
 
  private:
   struct Sent {
-    wire::Rows rows;
+    wire::Rows rows = {};
     Nanos at{};
     std::uint32_t times = 0;
     bool arrived = false;

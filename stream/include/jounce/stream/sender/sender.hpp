@@ -20,7 +20,7 @@ namespace jounce {
 /// Times of a streamer. A stream fails when one of the three waiting limits (`patience`,
 /// `command_patience`, `progress_patience`) is exceeded.
 struct SenderOptions {
-  Pace pace;  ///< options for the chunks
+  Pace pace = {};  ///< options for the chunks
   /// Time between two repetitions of a header or command without an answer.
   Nanos repeat = std::chrono::milliseconds(20);
   Nanos heartbeat = std::chrono::milliseconds(100);  ///< time between two heartbeats
@@ -57,14 +57,14 @@ struct StreamProgress {
 };
 
 /// Outcome or state of a stream. A flag is true as soon as the executor has confirmed it.
-struct StreamOutcome : CallOutcome {
+struct [[nodiscard]] StreamOutcome : CallOutcome {
   bool downloaded = false;  ///< all tables have arrived
   bool armed = false;       ///< the motion is armed
   bool started = false;   ///< the start was accepted; with StreamPlan::await: the motion has begun
   bool stopped = false;   ///< the axis was stopped
   std::size_t swaps = 0;  ///< number of swaps that were accepted
-  StreamProgress progress;  ///< progress so far
-  std::string remark{};     ///< StreamPlan::remark
+  StreamProgress progress = {};  ///< progress so far
+  std::string remark{};          ///< StreamPlan::remark
 };
 
 /// The streamer's half of the protocol for tables, as a pure state machine without thread, clock or

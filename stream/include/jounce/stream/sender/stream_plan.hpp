@@ -32,11 +32,11 @@ struct StreamPlan {
   /// A table of the stream.
   struct Item {
     Table table;                   ///< the table
-    Units units;                   ///< its units
+    Units units = {};              ///< its units
     std::optional<Sha256> hash{};  ///< content_hash(table, units), if the caller has it already
   };
-  std::string executor;                 ///< name of the axis
-  std::vector<Item> tables;             ///< 1 to 64 tables: the slave's first, then the master's
+  std::string executor = {};            ///< name of the axis
+  std::vector<Item> tables = {};        ///< 1 to 64 tables: the slave's first, then the master's
   StreamGoal goal = StreamGoal::start;  ///< the last step
   wire::ArmMode mode = wire::ArmMode::play;  ///< the motion that the axis plays
   /// Coupling of a slave over a master, times in s; its master_jump is not transmitted.

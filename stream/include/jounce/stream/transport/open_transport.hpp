@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "jounce/profiles/error.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
 namespace jounce {

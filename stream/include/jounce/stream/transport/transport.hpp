@@ -26,8 +26,8 @@ Nanos nanos(double seconds);
 
 /// Bytes received on a channel.
 struct Packet {
-  std::string channel;           ///< name of the channel
-  std::vector<std::byte> bytes;  ///< content
+  std::string channel = {};           ///< name of the channel
+  std::vector<std::byte> bytes = {};  ///< content
 };
 
 /// The link itself has failed (no network, no route). The cause is in the computer, not in the
@@ -43,9 +43,10 @@ class Transport {
  public:
   virtual ~Transport() = default;
 
-  /// Receives this channel from now on. Call once for each channel. At most `capacity` >= 1 packets
-  /// of the channel wait for receive(); further packets are lost. (LCM keeps the oldest packets. To
-  /// get the newest state, first remove all waiting packets, then wait for one.)
+  /// Receives this channel from now on. At most `capacity` >= 1 packets of the channel wait for
+  /// receive(); further packets are lost. A second call for a channel replaces its capacity. (LCM
+  /// keeps the oldest packets. To get the newest state, first remove all waiting packets, then wait
+  /// for one.)
   virtual void subscribe(const std::string& channel, int capacity) = 0;
 
   /// Sends bytes on a channel.
