@@ -48,10 +48,11 @@ Input load(const std::string& path, const std::string& axis, bool decimal_comma)
   return only_one(load_axes(path, axis, decimal_comma), path);
 }
 
-Input load_beside(const std::string& path, const Input& input) {
-  std::vector<Input> all = load_axes(path);
+Input load_beside(const std::string& path, const Input& input, const std::string& machine) {
+  std::vector<Input> all = read_program(path, machine);
   require_one_kind(all.front(), input, path, input.name);
-  return all.size() == 1 ? std::move(all.front()) : load(path, input.axis);
+  if (all.size() > 1) all = axis_of(std::move(all), path, input.axis);
+  return only_one(std::move(all), path);
 }
 
 }  // namespace jounce::cli

@@ -30,6 +30,6 @@ std::vector<Input> over(const std::string& what, std::vector<Input> all);
 Input only_one(std::vector<Input> all, const std::string& path);
 
 /// The only axis of the file, or the axis with the name of `input`.
-Input load_beside(const std::string& path, const Input& input);
+Input load_beside(const std::string& path, const Input& input, const std::string& machine = "");
 
 }  // namespace jounce::cli

@@ -24,7 +24,8 @@ bool is_of_tables(const StreamArguments& options) {
 }
 
 RowPlan row_plan_of(const StreamArguments& options) {
-  ExecutorTables tables = executor_tables(load(options.file, options.axis));
+  ExecutorTables tables =
+      executor_tables(load_program_axis(options.file, options.machine, options.axis));
   if (tables.slave.table.axis() != Domain::time)
     throw InputError("--rolling", options.file, "must be a table over time");
   RowPlan plan = row_plan(options.to, std::move(tables.slave), options.capacity, options.relative);
@@ -33,7 +34,7 @@ RowPlan row_plan_of(const StreamArguments& options) {
 }
 
 BankPlan bank_plan_of(const StreamArguments& options) {
-  const TableFile first = bank_of(load(options.file, options.axis));
+  const TableFile first = bank_of(load_program_axis(options.file, options.machine, options.axis));
   const TableFile second = bank_of(load(options.bank, options.axis));
   if (!fit_in_one_queue(first, second))
     throw InputError(

@@ -186,7 +186,8 @@ int stream_group(const StreamArguments& options) {
       with_option_names({"to"}, [&] { return executor_names(options.to); });
   std::vector<StreamPlan> plans;
   const std::vector<Input> inputs = with_option_names({"to"}, [&] {
-    return inputs_for(names, load_axes(options.file, options.axis), options.file);
+    return inputs_for(names, load_program(options.file, options.machine, options.axis),
+                      options.file);
   });
   for (const Input& input : inputs) {
     if (is_live_follow(input, options))

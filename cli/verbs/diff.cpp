@@ -20,7 +20,7 @@ namespace {
 struct DiffArguments {
   std::string before;
   std::string after;
-  std::string axis;
+  std::string axis, machine;
   std::vector<std::string> tolerances;
   std::string output;
   bool json = false;
@@ -39,7 +39,8 @@ int run_diff(const DiffArguments& options) {
   std::FILE* const out = text_stream(options.json, {options.output});
   const FileDifference difference = with_option_names({"axis", "tolerance"}, [&] {
     return file_difference(
-        read_inputs(options.before), read_inputs(options.after), options.before, options.after,
+        read_program(options.before, options.machine), read_program(options.after, options.machine),
+        options.before, options.after,
         [&](const Labels& labels) { return tolerance_of(options.tolerances, labels); },
         options.axis);
   });
@@ -63,6 +64,7 @@ void add_diff(CommandLine& line) {
               "Spec or table to compare with BEFORE; numbers are in its units")
       .required();
   verb.axis(options->axis);
+  verb.machine(options->machine);
   verb.option("--tolerance", options->tolerances, tolerance_help).one_each();
   verb.option("-o,--output", options->output,
               "Picture of AFTER over a paler BEFORE to write, .svg or .png; - is SVG on standard "

@@ -35,8 +35,8 @@ int run_report(const ReportArguments& options) {
     return all.ok() ? fine : finding;
   }
   const Input& input = axes.front();
-  const auto before =
-      options.before.empty() ? std::nullopt : std::optional(load_beside(options.before, input));
+  std::optional<Input> before;
+  if (!options.before.empty()) before = load_beside(options.before, input, options.machine);
   if (before) read.insert(read.end(), before->files.begin(), before->files.end());
   const auto [page, all] =
       with_option_names({"before"}, [&] { return report_page(input, before, options.page); });

@@ -19,7 +19,7 @@ namespace {
 
 struct ValidateArguments {
   CheckRun run;
-  std::string axis;
+  std::string axis, machine;
   std::string log;
   std::string signals;
   std::size_t samples = 2001;
@@ -52,7 +52,7 @@ Proof proven(const Input& input, const ValidateArguments& options) {
 /// The whole answer for one file.
 int print_answer(const ValidateArguments& options) {
   const bool json = options.run.json;
-  const std::vector<Input> inputs = load_axes(options.run.file(), options.axis);
+  const std::vector<Input> inputs = load_program(options.run.file(), options.machine, options.axis);
   if (inputs.size() > 1 && !options.log.empty())
     throw InputError("--log", options.log, "is for one axis: name it with --axis");
   require_signals_of(options, inputs);
@@ -80,11 +80,12 @@ int run_validate(const ValidateArguments& options) {
     require_one_file(options.run, option, *value);
   if (options.run.is_one_answer())
     return answer(options.run, [&] { return print_answer(options); });
-  return check_files("validate", options.run, [](std::vector<Input>& axes) {
+  const auto examine = [](std::vector<Input>& axes) {
     std::vector<Report> reports;
     for (const Input& axis : axes) reports.push_back(prove(axis).report);
     return reports;
-  });
+  };
+  return check_files("validate", options.run, examine, options.machine);
 }
 
 }  // namespace
@@ -98,6 +99,7 @@ void add_validate(CommandLine& line) {
       "jounce validate . --format junit");
   add_run_options(verb, options->run);
   verb.axis(options->axis);
+  verb.machine(options->machine);
   verb.option("--log", options->log,
               "Tick log of an executor: compare every tick with the table (to rounding) and with "
               "the exact curve (within the tolerance of the table)");

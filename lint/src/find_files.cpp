@@ -14,6 +14,7 @@
 
 #include <fnmatch.h>
 
+#include "jounce/io/gcode.hpp"
 #include "jounce/io/table_file.hpp"
 
 namespace jounce {
@@ -151,6 +152,32 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
+/// True for a file with an ending of G-code programs whose text begins as one.
+bool is_gcode_file(const std::string& path) {
+  constexpr std::array<std::string_view, 8> endings{".ngc",   ".nc",  ".cnc", ".tap",
+                                                    ".gcode", ".din", ".mpf", ".spf"};
+  std::string ending = fs::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::error_code none;
+  return std::find(endings.begin(), endings.end(), ending) != endings.end() &&
+         fs::is_regular_file(path, none) && begins_as_gcode(head_of(path));
+}
+
+/// The files in and below the folders among the names for which `belongs` is true, each once,
+/// without those that are named themselves.
+std::vector<std::string> others_in_folders(const std::vector<std::string>& names,
+                                           bool (*belongs)(const std::string& path)) {
+  std::vector<fs::path> found;
+  for (const std::string& name : names)
+    if (is_folder(name)) walk(name, found, belongs);
+  std::set<std::string> all;
+  for (const fs::path& path : found)
+    if (std::find(names.begin(), names.end(), path.string()) == names.end())
+      all.insert(path.lexically_normal().string());
+  return {all.begin(), all.end()};
+}
+
 }  // namespace
 
 bool is_jounce_file(const std::string& path) {
@@ -171,14 +198,11 @@ bool is_jounce_file(const std::string& path) {
 }
 
 std::vector<std::string> controller_files(const std::vector<std::string>& names) {
-  std::vector<fs::path> found;
-  for (const std::string& name : names)
-    if (is_folder(name)) walk(name, found, is_controller_file);
-  std::set<std::string> all;  // each file once
-  for (const fs::path& path : found)
-    if (std::find(names.begin(), names.end(), path.string()) == names.end())
-      all.insert(path.lexically_normal().string());
-  return {all.begin(), all.end()};
+  return others_in_folders(names, is_controller_file);
+}
+
+std::vector<std::string> gcode_files(const std::vector<std::string>& names) {
+  return others_in_folders(names, is_gcode_file);
 }
 
 bool is_one_file(const std::string& name) {

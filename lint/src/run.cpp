@@ -19,11 +19,20 @@ std::vector<std::string> files_of(const std::vector<std::string>& names,
                                   const std::string& baseline) {
   const bool in_folder = !baseline.empty() && std::filesystem::is_directory(baseline);
   std::vector<std::string> files = find_files(names, in_folder ? baseline : "");
-  if (files.empty())
-    throw InputError(
-        "FILE", fmt::format("{}", fmt::join(names, " ")),
-        "contains no Jounce files: give a spec (a file with jounce = 1), a table or a key file");
-  return files;
+  if (!files.empty()) return files;
+  const std::string given = fmt::format("{}", fmt::join(names, " "));
+  if (in_folder && !find_files(names).empty())
+    throw InputError("FILE", given,
+                     "contains only files of the accepted versions, " + baseline +
+                         ", and a file is not compared with itself: give another folder, or a git "
+                         "revision, with --baseline");
+  if (const std::size_t programs = gcode_files(names).size(); programs > 0)
+    throw InputError("FILE", given,
+                     "contains no Jounce files, but G-code programs (" + std::to_string(programs) +
+                         "): name each program, with --machine SPEC");
+  throw InputError(
+      "FILE", given,
+      "contains no Jounce files: give a spec (a file with jounce = 1), a table or a key file");
 }
 
 /// Throws if none of the files is a table, which could be compared with a spec.
@@ -66,6 +75,7 @@ LintedFiles lint_run(const std::string& verb, const std::vector<std::string>& na
       {verb, lint_files(files, examine, options.machine, options.progress, options.executor)}};
   require_table(all.result, options.against);
   all.result.skipped = controller_files(names).size();
+  all.result.programs = gcode_files(names).size();
   if (options.baseline.empty()) return all;
   const AcceptedVersions accepted(options.baseline);
   all.changes = compare_with(accepted, files, names, options.accepted);

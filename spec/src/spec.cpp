@@ -401,15 +401,20 @@ void require_spec_text(const Document& document) {
 
 namespace {
 
+bool is_piped(const Document& document) {
+  return document.name == "standard input";
+}
+
 /// The error of a file of points in place of a spec or a table.
 InputError points_alone(const Document& document) {
   const Points points = parse_points(document.text, document.name);  // throws: a column is twice
   const bool over_time = points.find("time") != nullptr;
-  return InputError(
-             "", "",
-             "has points only, without the header of a Jounce table: write a spec of kind \"" +
-                 std::string(over_time ? "pvt" : "cam") + "\" with points = \"" + document.name +
-                 '"' + (over_time ? "" : ", or fit a cam to the points with `jounce fit`"))
+  return InputError("", "",
+                    "has points only, without the header of a Jounce table: write " +
+                        std::string(is_piped(document) ? "the points to a file, and " : "") +
+                        "a spec of kind \"" + (over_time ? "pvt" : "cam") + "\" with points = \"" +
+                        (is_piped(document) ? "FILE" : document.name) + '"' +
+                        (over_time ? "" : ", or fit a cam to the points with `jounce fit`"))
       .at(document.name, 1);
 }
 
@@ -424,9 +429,13 @@ toml::table spec_detail::parse_toml(const Document& document) {
     if (begins_as_points(document.text)) throw points_alone(document);
     if (begins_as_gcode(document.text))
       throw InputError("", "",
-                       "is a G-code program: name its machine, a spec of kind \"path\", with "
-                       "--machine, or name the program in that spec with gcode = { file = \"" +
-                           document.name + "\" }")
+                       "is a G-code program: name " +
+                           std::string(is_piped(document) ? "the file" : "it") +
+                           " in the spec of its machine, a spec of kind \"path\", with gcode = "
+                           "{ file = \"" +
+                           (is_piped(document) ? "FILE" : document.name) +
+                           "\" }; or name that spec with --machine, an option of check, design, "
+                           "diff, plot, report, stream and validate")
           .at(document.name, 1);
     if (!is_meant_as_spec(document))
       throw InputError("", "",

@@ -181,12 +181,35 @@ TEST(Googol, ReadsCallsWithNamesAndDefaults) {
   EXPECT_THAT(complaint("GT_PtData(1, 1024, 1024);\nGT_PtData(1, 2048, 2048, 1);\n"),
               HasSubstr("t:2: GT_PtData = 1: is the velocity at which the segment begins"));
   EXPECT_THAT(complaint("GT_PtData(1, 5, 5, 7);\n"), HasSubstr("must be a type of segment"));
+  EXPECT_THAT(columns("GT_PtData(1, 1024L, 1024UL);\nGT_PtData(1, 2048.f, 2048, 2);\n").x,
+              ElementsAre(0, 1024, 2048));
+  EXPECT_THAT(columns("// GT_PtData(1, 9, 9);\nGT_PtData(1, 4, 2); /* GT_PtData(1, 9,\n9); */\n"
+                      "GT_PtData(1, 8, 4, 2);\n")
+                  .x,
+              ElementsAre(0, 2, 4));
+  EXPECT_THAT(complaint("GT_PtData(1, 1024X, 1024);\n"), HasSubstr("must be a finite number"));
+  EXPECT_THAT(complaint("GT_PtData(1, L, 1024);\n"), HasSubstr("must be a finite number"));
   EXPECT_THAT(complaint("GT_PtData(1, 5, pos);\n"), HasSubstr("\"pos\": must be a finite number"));
   EXPECT_THAT(complaint("GT_PtData(1, 5, 5"), HasSubstr("has no closing parenthesis"));
   EXPECT_THAT(complaint("GT_FollowData(2, 10, 5, 3);\n"), HasSubstr("continues another table"));
   const Columns lines = columns("GT_FollowData(2, 10, 5, 1);\nGT_FollowData(2, 20, 5, 1);\n");
   EXPECT_TRUE(lines.v.empty());
   EXPECT_THAT(lines.p, ElementsAre(0, 5, 5));
+}
+
+// Other arrays may have such names; the program passes three of them to MovePVT.
+TEST(Hmpl, ReadsTheArraysThatTheProgramPasses) {
+  const std::string program =
+      "// HIMC: a PVT motion\nvoid main() {\n  double t[3] = {0, 100, 250}, p[3] = {0, 2.5, 20};\n"
+      "  double v[3] = {0, 60, 0};\n  double old_time[2] = {0, 1};\n"
+      "  MovePVT(0, 3,\n          p, v, t);\n}\n";
+  const Columns c = columns(program);
+  EXPECT_THAT(c.x, ElementsAre(0, 100, 250));
+  EXPECT_THAT(c.p, ElementsAre(0, 2.5, 20));
+  EXPECT_THAT(c.v, ElementsAre(0, 0.06, 0));
+  EXPECT_THAT(complaint("double a[2] = {0, 1};\ndouble b[2] = {0, 1};\nMovePVT(0, 2, a, b, a);\n"),
+              HasSubstr("is in no array: the arrays are named a, b. Rename the array of these "
+                        "numbers to t, or to a name with time"));
 }
 
 TEST(Hmpl, ReadsTheArraysOfTheManual) {

@@ -142,6 +142,29 @@ TEST(Exchange, ReadsADeclarationAsPeopleWriteIt) {
   EXPECT_EQ(file.table.columns().a, (std::vector<double>{0, 0, 0.25}));
 }
 
+// IEC 61131-3: a number before an initial value repeats it.
+TEST(Exchange, ReadsRepeatedElements) {
+  const auto read = [](const std::string& values) {
+    return parse_exchange("a : ARRAY[1..3] OF SMC_CAMXYVA := [" + values + "];", "t");
+  };
+  const std::string first = "(dX := 0), 1((dX := 180, dY := 40)), ";
+  EXPECT_EQ(read(first + "(dX := 360)").table.columns().p, (std::vector<double>{0, 40, 0}));
+  const auto error = [](const std::string& values) {
+    return complaint("a : ARRAY[1..3] OF SMC_CAMXYVA := [(dX := 0), " + values + "];");
+  };
+  EXPECT_NE(error("2((dX := 180))").find("must be greater than 180"), std::string::npos);
+  EXPECT_NE(error("3((dX := 180))").find("there are 4"), std::string::npos);
+  EXPECT_NE(error("0((dX := 180))").find("must be from 1 to 32767"), std::string::npos);
+  EXPECT_NE(error("2000000000((dX := 180))").find("must be from 1 to 32767"), std::string::npos);
+}
+
+TEST(Exchange, NamesACamOfPointsWithoutSlopes) {
+  const std::string text = "a : ARRAY[0..1] OF SMC_CAMXY_LREAL := [(dX := 0), (dX := 1)];";
+  EXPECT_NE(exchange_format_of_text(text), nullptr);
+  EXPECT_NE(complaint(text).find("SMC_CAMXY: has points without slopes"), std::string::npos)
+      << complaint(text);
+}
+
 TEST(Exchange, WritesADeclarationThatCodesysUnderstands) {
   const TableFile file{Table(Domain::master, Interpolation::quintic_hermite, Extrapolation::hold,
                              {{0, 360}, {0, 1e-9}, {0, 0}, {0, 0}}),

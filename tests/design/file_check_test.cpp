@@ -171,6 +171,10 @@ TEST(Conversion, ReadsItsFileEndings) {
   EXPECT_TRUE(has_known_ending("cam.csv"));
   EXPECT_TRUE(has_known_ending("-"));
   EXPECT_FALSE(has_known_ending("cam.pdf"));
+  EXPECT_EQ(
+      test::error_of([] { require_known_ending("cam.toml"); }),
+      "path = cam.toml: would be a spec, but this writes tables: to make the spec of a cam from "
+      "a table, use `jounce fit IN -o cam.toml`");
   EXPECT_THAT(known_endings(), HasSubstr(".csv, .json, ."));
 }
 

@@ -50,6 +50,18 @@ TEST_F(FindFiles, AFolderHasControllerFilesThatARunDoesNotExamine) {
   EXPECT_THAT(controller_files({(folder_ / "cam.st").string()}), IsEmpty());
 }
 
+TEST_F(FindFiles, AFolderHasGCodeProgramsThatNeedAMachine) {
+  write("part.ngc", "(a part)\nG21 G90\nG1 X1 F100\n");
+  write("a/PART.NC", "%\nN10 G0 X0\n");
+  write("a/letter.nc", "Dear customer,\n");
+  write("notes.txt", "G21 G90\n");
+  write(".git/old.ngc", "G21\n");
+  EXPECT_EQ(gcode_files({folder_.string()}),
+            (std::vector<std::string>{(folder_ / "a/PART.NC").string(),
+                                      (folder_ / "part.ngc").string()}));
+  EXPECT_EQ(gcode_files({folder_.string(), (folder_ / "part.ngc").string()}).size(), 1U);
+}
+
 TEST_F(FindFiles, AFolderHasTheFilesWithAHeaderOfJounce) {
   write("b.toml", "jounce = 1\n");
   write("a/late.toml", "# a comment\n\n  kind = \"cam\"\njounce=1\n[units]\n");

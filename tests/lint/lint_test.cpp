@@ -251,6 +251,20 @@ class Accepted : public Lint {
   }
 };
 
+TEST_F(Accepted, AFolderIsNotItsOwnBaseline) {
+  give("a.toml", cam_head, cam_head);
+  EXPECT_THAT(test::error_of([] { (void)lint_run("check", {"."}, check_axes, {.baseline = "."}); }),
+              HasSubstr("FILE = .: contains only files of the accepted versions, ."));
+}
+
+TEST_F(Accepted, AFolderOfGCodeProgramsNamesTheOption) {
+  std::ofstream("part.ngc") << "G21 G90\nG1 X1 F100\n";
+  EXPECT_THAT(test::error_of([] { (void)lint_run("check", {"."}, check_axes); }),
+              HasSubstr("G-code programs (1): name each program, with --machine SPEC"));
+  give("a.toml", "", cam_head);
+  EXPECT_EQ(lint_run("check", {"."}, check_axes).result.programs, 1U);
+}
+
 const std::string cam_rise = cam_head +
                              "[[segment]]\nlaw = \"345\"\n"
                              "end = { master = 60, slave = 50 }\n";

@@ -349,6 +349,26 @@ TEST(Dashboard, ShowsThePlaceOfAGroupOnItsPath) {
   EXPECT_THAT(all, HasSubstr("4.25 s (estimate), 3 commands, look-ahead 380 mm"));
 }
 
+TEST(Dashboard, ShowsWhichPartOfTheListIsOnTheScreen) {
+  std::vector<Watched> axes;
+  for (const char* name : {"a", "b", "c", "d", "e", "f"}) take(axes, name, moving(), 1s);
+  View view{.width = 80, .height = 20, .now = 1s};
+  view.chosen = "a";
+  std::size_t listed = 0;
+  const std::string first = screen(axes, view);
+  for (const char* name : {"a", "b", "c", "d", "e", "f"})
+    listed += first.find("\n  " + std::string(name) + " ") != std::string::npos ||
+                      first.find("> " + std::string(name) + " ") != std::string::npos
+                  ? 1
+                  : 0;
+  ASSERT_LT(listed, 6U) << first;
+  EXPECT_THAT(first, HasSubstr("\n  axes 1 to " + std::to_string(listed) + " of 6\n")) << first;
+  view.chosen = "f";
+  EXPECT_THAT(screen(axes, view), HasSubstr(" to 6 of 6\n"));
+  view.height = 60;
+  EXPECT_THAT(screen(axes, view), Not(HasSubstr("of 6")));
+}
+
 TEST(Dashboard, ShowsTheMasterOfTheChosenAxis) {
   std::vector<Watched> axes;
   const wire::MasterStatus there{7, "line", "mm", 10, false, 1234.5, 500, 0.0013, 12, 1};

@@ -44,6 +44,36 @@ TEST(PathFigure, EscapesAndMarks) {
   EXPECT_THAT(picture, Not(HasSubstr("nan")));
 }
 
+PathFigure with_rapids() {
+  PathFigure figure = corner();
+  figure.x = {-900, 0, 100, 100, -900};
+  figure.y = {-900, 0, 0, 100, -900};
+  figure.speed = {100, 100, 100, 100, 100};
+  figure.rapid = {false, true, false, false, true};
+  figure.marks = {{-900, -900, "start"}, {100, 0, "line 3"}};
+  return figure;
+}
+
+TEST(PathFigure, DrawsRapidsThinAndFramesTheOtherLines) {
+  const std::string picture = svg(with_rapids());
+  EXPECT_EQ(count(picture, "stroke=\"#9aa0a6\""), 2U) << "the rapids, and their key";
+  EXPECT_THAT(picture, HasSubstr(">rapid</text>"));
+  EXPECT_THAT(picture, Not(HasSubstr(">start</text>"))) << "outside the frame";
+  EXPECT_THAT(picture, HasSubstr(">line 3</text>"));
+  EXPECT_THAT(picture, HasSubstr(">100</text>"));
+  EXPECT_THAT(picture, Not(HasSubstr("-500</text>")));
+}
+
+TEST(PathFigure, LabelsEveryRing) {
+  PathFigure figure = corner();
+  figure.marks.clear();
+  for (int line = 1; line <= 5; ++line)
+    figure.marks.push_back({50.0 + line, 0, "line " + std::to_string(line)});
+  const std::string picture = svg(figure);
+  for (const PathFigure::Mark& mark : figure.marks)
+    EXPECT_THAT(picture, HasSubstr(">" + mark.text + "</text>"));
+}
+
 TEST(PathFigure, IsFiniteForALineAndAPoint) {
   PathFigure figure = corner();
   figure.y.assign(5, 3);

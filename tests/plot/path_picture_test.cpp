@@ -16,19 +16,17 @@
 namespace jounce::path_picture_test {
 namespace {
 
+Spec spec_of(const std::string& commands) {
+  const std::string axis = "limits = { velocity = 1000, acceleration = 5000, jerk = 100000 }\n";
+  return parse_spec(
+      "jounce = 1\nkind = \"path\"\nname = \"p\"\nunits = { position = \"mm\", time = \"s\" }\n"
+      "[path]\nvelocity = 100\ncorner = { deviation = 0.5 }\n[[axis]]\nname = \"x\"\n" +
+          axis + "[[axis]]\nname = \"y\"\n" + axis + commands,
+      "p.toml");
+}
+
 std::vector<Input> program(const std::string& commands) {
-  const std::string axis =
-      "limits = { velocity = 1000, acceleration = 5000, jerk = 100000 }\n[[axis]]\nname = \"y\"\n";
-  return inputs_of(parse_spec("jounce = 1\nkind = \"path\"\nname = \"p\"\n"
-                              "units = { position = \"mm\", time = \"s\" }\n"
-                              "[path]\nvelocity = 100\ncorner = { deviation = 0.5 }\n"
-                              "[[axis]]\nname = \"x\"\n" +
-                                  axis +
-                                  "limits = { velocity = 1000, acceleration = 5000, jerk = "
-                                  "100000 }\n" +
-                                  commands,
-                              "p.toml"),
-                   "p.toml");
+  return inputs_of(spec_of(commands), "p.toml");
 }
 
 double size_of(const std::vector<double>& values) {
@@ -104,6 +102,22 @@ TEST(PathPicture, DrawsTheMiddleOfALineWithoutPoints) {
   EXPECT_LE(cruises, 4);  // the ends of the stretch at constant speed
   EXPECT_LE(error_of(figure, *axes.front().plan), 1e-12);
   EXPECT_LE(step_of(figure), 1.0 / 16);
+}
+
+// G0 at 1000 mm/s or less, G1 at 100 mm/s: only the G1 count for the scale.
+TEST(PathPicture, MarksTheRapidsOfAProgram) {
+  Spec spec = spec_of("");
+  set_gcode(std::get<PathSpec>(spec.subject),
+            "G21 G90 G61\nG0 X200 Y100\nG1 X210 F6000\nG1 Y120\nG0 X0 Y0\n", "p.ngc");
+  const std::vector<Input> axes = inputs_of(spec, "p.toml");
+  for (const PathFigure& figure : {path_figure(axes, "x,y"), *path_figure(axes.front())}) {
+    ASSERT_EQ(figure.rapid.size(), figure.x.size());
+    EXPECT_LE(*std::max_element(figure.speed.begin(), figure.speed.end()), 100 * (1 + 1e-9));
+    for (std::size_t i = 1; i < figure.x.size(); ++i) {
+      const double x = (figure.x[i - 1] + figure.x[i]) / 2;
+      EXPECT_EQ(figure.rapid[i], x < 199.999 || figure.y[i] < figure.y[i - 1]) << i;
+    }
+  }
 }
 
 }  // namespace

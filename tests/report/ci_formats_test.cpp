@@ -58,6 +58,9 @@ TEST(CiFormats, TheSummaryOfAFileWithoutAMotionStatesIt) {
             "SPEC");
   EXPECT_EQ(summary_line({"validate", {{"c.toml", "cam", {}}}, 1}),
             "1 file: 1 good; 1 controller file not checked: name it");
+  EXPECT_EQ(
+      summary_line({"check", {{"c.toml", "cam", {}}}, 0, 2}),
+      "1 file: 1 good; 2 G-code programs not checked: name each of them, with --machine SPEC");
 }
 
 TEST(CiFormats, TextIsWhatCompilersPrint) {

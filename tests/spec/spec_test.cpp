@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/base/file.hpp"
+#include "jounce/base/input_errors.hpp"
 #include "jounce/design/make.hpp"
 
 #include "support/errors.hpp"
@@ -225,6 +226,20 @@ TEST(BadSpecs, PointsInPlaceOfASpecAreNamed) {
             "\"pvt\" with points = \"a.toml\"");
   EXPECT_EQ(complaint("time,position [mm],position [mm]\n0,0,1\n"),
             "a.toml:1: position: is the name of two columns: remove one");
+}
+
+// Reading ends at the thousandth error. Otherwise, this test takes many minutes.
+TEST(BadSpecs, VeryManyErrorsEndTheReading) {
+  std::string text = "jounce = 1\nkind = \"cam\"\n";
+  for (int i = 0; i < 100'000; ++i) text += "[[segment]]\n";
+  try {
+    (void)parse_spec(text, "many.toml");
+    ADD_FAILURE();
+  } catch (const InputErrors& errors) {
+    ASSERT_EQ(errors.all().size(), 1000U);
+    EXPECT_EQ(errors.all().back().document(), "many.toml");
+    EXPECT_LT(errors.all().back().line(), 1100);
+  }
 }
 
 TEST(BadSpecs, AVersionInQuotesIsNamed) {

@@ -124,8 +124,17 @@ std::vector<std::string> unread(const Reference& reference) {
   return {number(tappets->second.value) + " tappets of " + reference.name + " are not read"};
 }
 
+/// True for a cam of points without slopes (SMC_CAMXY_REAL, SMC_CAMXY_LREAL).
+bool is_cam_xy(const std::string& text) {
+  return declares_array(text, "smc_camxy");
+}
+
 std::vector<Exchanged> read_codesys(const std::string& text, const Place& place) {
   const std::vector<KnotArray> arrays = knot_arrays(text, cam_xyva, place);
+  if (arrays.empty() && is_cam_xy(text))
+    place.fail(1, "SMC_CAMXY", "",
+               "has points without slopes, which Jounce does not read: write dX and dY to a CSV "
+               "with the columns master and slave, and fit a cam to them with `jounce fit`");
   if (arrays.empty())
     place.fail(1, "", "", "contains no array of SMC_CAMXYVA: is the file complete?");
   std::vector<Exchanged> cams;
@@ -191,7 +200,7 @@ constinit const FormatRow codesys_format{
                .keeps_notes = true,
                .most = 32767,
                .limits_from = "nElements is an INT"},
-    .detects = [](const std::string& text) { return declares_array(text, "smc_camxyva"); },
+    .detects = is_cam_xy,
     .read = read_codesys,
     .write = codesys_text};
 

@@ -103,14 +103,29 @@ class Reader {
     const bool bracket = code_.peek() == "[";
     if (bracket) code_.expect("[");
     for (std::string sign = ","; sign == ",";) {
-      code_.expect("(");
-      array.knots.push_back(structure());
+      element_or_repetition(array);
       sign = code_.next();
       if (sign != "," && sign != (bracket ? "]" : ";"))
         code_.fail("points", sign,
                    sign.empty() ? "are not complete: the file ends here"
                                 : std::string("must be `,` or `") + (bracket ? "]`" : ";`"));
     }
+  }
+
+  /// `(dX := 0, ...)`, or as often as a number before it states: `2((dX := 0, ...))`.
+  void element_or_repetition(KnotArray& array) {
+    constexpr std::int64_t most = 32767;  // the greatest INT
+    const auto count = whole(code_.peek());
+    if (count) {
+      if (*count < 1 || *count > most)
+        code_.fail("points", std::to_string(*count),
+                   "is a number of repetitions: it must be from 1 to " + std::to_string(most));
+      static_cast<void>(code_.next());
+      code_.expect("(");
+    }
+    code_.expect("(");
+    array.knots.insert(array.knots.end(), static_cast<std::size_t>(count.value_or(1)), structure());
+    if (count) code_.expect(")");
   }
 
   /// `dX := 0, dY := 0, ...)` after its parenthesis.

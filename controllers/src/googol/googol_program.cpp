@@ -142,6 +142,24 @@ Exchanged table_of_segments(const Mode& mode, const std::string& name,
   return to;
 }
 
+/// The text with blanks for its comments, as long and with the same lines.
+std::string with_blank_comments(std::string text) {
+  for (std::size_t at = 0; at + 1 < text.size(); ++at) {
+    const std::string pair = text.substr(at, 2);
+    const char* const closing = pair == "//"   ? "\n"
+                                : pair == "/*" ? "*/"
+                                : pair == "(*" ? "*)"
+                                               : "";
+    if (*closing == '\0') continue;
+    const std::size_t found = text.find(closing, at + 2);
+    const std::size_t end = found == text.npos ? text.size() : found + (pair == "//" ? 0 : 2);
+    for (; at < end; ++at)
+      if (text[at] != '\n') text[at] = ' ';
+    --at;
+  }
+  return text;
+}
+
 /// The arguments of each call `name(...)` with its line.
 std::vector<std::pair<std::vector<std::string_view>, int>> calls_of(std::string_view text,
                                                                     const std::string& name,
@@ -159,7 +177,15 @@ std::vector<std::pair<std::vector<std::string_view>, int>> calls_of(std::string_
   return calls;
 }
 
-std::vector<Exchanged> read_program(const Mode& mode, const std::string& text, const Place& place) {
+/// A number of a C program, which may have the suffix of its type: 1024L, 8192UL, 2.5f.
+double number_of_c(const Place& place, int line, const std::string& key, std::string_view text) {
+  const std::string_view digits = text.substr(0, text.find_last_not_of("fFlLuU") + 1);
+  return place.number(line, key, digits.empty() || text.size() - digits.size() > 3 ? text : digits);
+}
+
+std::vector<Exchanged> read_program(const Mode& mode, const std::string& given,
+                                    const Place& place) {
+  const std::string text = with_blank_comments(given);
   std::map<std::string, std::vector<Segment>> tables;  // by axis and FIFO
   std::vector<std::string> names;
   for (const auto& [cells, line] : calls_of(text, mode.data, place)) {
@@ -170,8 +196,8 @@ std::vector<Exchanged> read_program(const Mode& mode, const std::string& text, c
     const std::string fifo(cells.size() > 4 ? trimmed(cells[4]) : "0");
     const std::string name = std::string(trimmed(cells[0])) + " fifo " + fifo;
     if (!tables.contains(name)) names.push_back(name);
-    const double first = place.number(line, mode.data, trimmed(cells[1]));
-    const double second = place.number(line, mode.data, trimmed(cells[2]));
+    const double first = number_of_c(place, line, mode.data, trimmed(cells[1]));
+    const double second = number_of_c(place, line, mode.data, trimmed(cells[2]));
     tables[name].push_back(
         {{mode.follows ? first : second, mode.follows ? second : first, *type}, line});
   }

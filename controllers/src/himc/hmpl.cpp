@@ -37,41 +37,101 @@ std::string hmpl_text(const TableFile& file) {
          array_text("pvt_velocity", c.v, ms_in_s, unit + "/s");
 }
 
-/// The array whose name contains a word.
+/// The array for a word.
 struct NumberArray {
   std::vector<double> values;
   int line = 0;
 };
 
+/// The name of the last array in a declaration, in lower case: "double t[5] =". "" if the text
+/// declares no array.
+std::string name_of_array(std::string_view declaration) {
+  const auto bracket = declaration.rfind('[');
+  if (bracket == declaration.npos || declaration.find(';') != declaration.npos) return "";
+  const std::string before = lower(trimmed(declaration.substr(0, bracket)));
+  return before.substr(before.find_last_of(" \t\r\n,") + 1);
+}
+
+/// The arguments of the first call of MovePVT, in lower case; empty if there is none.
+std::vector<std::string> arguments_of_call(const std::string& text) {
+  std::vector<std::string> names;
+  const auto call = text.find("MovePVT(");
+  const auto end = text.find(')', call);
+  if (call == text.npos || end == text.npos) return names;
+  const auto from = text.find('(', call) + 1;
+  std::string list = text.substr(from, end - from);
+  std::replace(list.begin(), list.end(), '\n', ' ');
+  for (const std::string_view cell : csv_cells(list)) names.push_back(lower(trimmed(cell)));
+  return names;
+}
+
+/// True if an array of this name has the numbers of a word: its name contains the word, or is its
+/// first letter.
+bool is_array_of(const std::string& name, std::string_view word) {
+  return name.find(word) != name.npos || name == word.substr(0, 1);
+}
+
+/// An array of double with initial values.
+struct Declared {
+  std::string name;
+  std::string list;  ///< its values; the array has no end where `closed` is false
+  int line = 0;
+  bool closed = true;
+};
+
+/// The arrays of the file; only those that MovePVT receives, if it receives one of them.
+std::vector<Declared> declared_arrays(const std::string& text) {
+  std::vector<Declared> all;
+  for (std::size_t at = 0; (at = text.find('{', at)) != text.npos; ++at) {
+    const auto begin = text.rfind("double", at), end = text.find('}', at);
+    if (begin == text.npos) continue;
+    const std::string name = name_of_array(std::string_view(text).substr(begin, at - begin));
+    if (name.empty()) continue;
+    const auto lines =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    all.push_back(
+        {name, text.substr(at + 1, end - at - 1), 1 + static_cast<int>(lines), end != text.npos});
+    std::replace(all.back().list.begin(), all.back().list.end(), '\n', ' ');
+  }
+  const std::vector<std::string> passed = arguments_of_call(text);
+  const auto other = [&](const Declared& array) {
+    return std::find(passed.begin(), passed.end(), array.name) == passed.end();
+  };
+  if (!std::all_of(all.begin(), all.end(), other)) std::erase_if(all, other);
+  return all;
+}
+
+/// The rule for a word without an array. The order of the arguments of MovePVT is not known.
+std::string missing_array(const std::string& word, const std::vector<Declared>& arrays) {
+  if (arrays.empty()) return "is in no array of double: is the file complete?";
+  std::string all;
+  for (const Declared& array : arrays) all += (all.empty() ? "" : ", ") + array.name;
+  return "is in no array: the arrays are named " + all + ". Rename the array of these numbers to " +
+         word.substr(0, 1) + ", or to a name with " + word;
+}
+
 std::vector<Exchanged> read_hmpl(const std::string& text, const Place& place) {
   std::map<std::string, NumberArray> arrays;
-  int line = 1;
-  for (std::size_t at = 0; (at = text.find('{', at)) != text.npos; ++at) {
-    const auto declared = text.rfind("double", at), end = text.find('}', at);
-    if (declared == text.npos) continue;
-    const std::string head = lower(std::string_view(text).substr(declared, at - declared));
-    line = 1 + static_cast<int>(
-                   std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  const std::vector<Declared> all = declared_arrays(text);
+  for (const Declared& declared : all)
     for (const char* word : {"time", "pos", "vel"}) {
-      if (head.find(word) == head.npos || head.find(';') != head.npos) continue;
-      if (end == text.npos)
-        place.fail(line, word, "", "has no closing brace: is the file complete?");
+      if (!is_array_of(declared.name, word)) continue;
+      if (!declared.closed)
+        place.fail(declared.line, word, "", "has no closing brace: is the file complete?");
       NumberArray& array = arrays[word];
-      if (array.line != 0) place.fail(line, word, "", "is given by two arrays: remove one");
-      array.line = line;
-      std::string list = text.substr(at + 1, end - at - 1);
-      std::replace(list.begin(), list.end(), '\n', ' ');
-      for (const std::string_view cell : csv_cells(list))
-        array.values.push_back(place.number(line, word, trimmed(cell)));
+      if (array.line != 0)
+        place.fail(declared.line, word, "", "is given by two arrays: remove one");
+      array.line = declared.line;
+      for (const std::string_view cell : csv_cells(declared.list))
+        array.values.push_back(place.number(declared.line, word, trimmed(cell)));
     }
-  }
+  const int line = all.empty() ? 1 : all.back().line;
   Exchanged table{.name = "", .rule = Interpolation::cubic_hermite, .units = {"ms", ""}};
   for (const auto& [word, column, scale] : {std::tuple{"time", &table.columns.x, 1.0},
                                             {"pos", &table.columns.p, 1.0},
                                             {"vel", &table.columns.v, 1 / ms_in_s}}) {
     const auto array = arrays.find(word);
-    if (array == arrays.end())
-      place.fail(line, word, "", "is in no array of double: is the file complete?");
+    if (array == arrays.end()) place.fail(line, word, "", missing_array(word, all));
     if (array->second.values.size() != arrays["time"].values.size())
       place.fail(array->second.line, word, std::to_string(array->second.values.size()) + " values",
                  "must be as many as times: " + std::to_string(arrays["time"].values.size()));

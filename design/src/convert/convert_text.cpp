@@ -247,6 +247,11 @@ bool has_known_ending(const std::string& path) {
 }
 
 void require_known_ending(const std::string& path) {
+  if (path.ends_with(".toml"))
+    throw InputError("path", path,
+                     "would be a spec, but this writes tables: to make the spec of a cam from a "
+                     "table, use `jounce fit IN -o " +
+                         path + "`");
   if (!has_known_ending(path))
     throw InputError("path", path,
                      "must end in one of " + known_endings() +

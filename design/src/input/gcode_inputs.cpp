@@ -5,6 +5,7 @@
 #include "jounce/base/file.hpp"
 #include "jounce/base/printable.hpp"
 #include "jounce/design/input.hpp"
+#include "jounce/io/gcode.hpp"
 
 namespace jounce {
 namespace {
@@ -43,6 +44,15 @@ Spec gcode_spec(const std::string& path, const std::string& machine) {
   set_gcode(*of, std::move(program), name);
   spec.name = path == "-" ? "standard input" : printable(path);
   return spec;
+}
+
+std::vector<Input> read_program(const std::string& path, const std::string& machine) {
+  const auto is_program = [&] {
+    const std::string text = read_file(path);
+    return !is_finished_table(text, path) && begins_as_gcode(text);
+  };
+  return !machine.empty() && (path == "-" || is_program()) ? gcode_inputs(path, machine)
+                                                           : read_inputs(path);
 }
 
 std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine) {

@@ -182,9 +182,16 @@ std::string endless_text(Cause cause, const Tick& now, const ExecutorOptions& op
          (may_cut ? " park`, or `halt` without a plan of cuts" : " halt`");
 }
 
+/// True for a motion whose start depends on the present position of a moving master. A table over
+/// time has a time of its start.
+bool begins_with_moving_master(const Refusal& refusal, const Tick& now) {
+  const double velocity = now.live_master[1];
+  return std::isnan(refusal.where) && std::isfinite(velocity) && velocity != 0;
+}
+
 /// A table that begins elsewhere than the axis stands, or will stand.
 std::string start_position_text(const Refusal& refusal, const Tick& now,
-                                const ExecutorOptions& options) {
+                                const ExecutorOptions& options, CommandKind order_sent) {
   const std::string order = "`jounce order " + options.receiver.executor;
   const std::string start = in_units(refusal.value, options);
   const std::string present = in_units(refusal.limit, options);
@@ -208,6 +215,13 @@ std::string start_position_text(const Refusal& refusal, const Tick& now,
     const std::string halt =
         "he axis moves without end: end this with " + order + " halt`, and repeat.";
     return fitting({begins + ", but t" + halt, head + "T" + halt});
+  }
+  if (order_sent == CommandKind::start && begins_with_moving_master(refusal, now)) {
+    const std::string moves =
+        "the master moves: use --start-at ahead, where they meet, or start = \"ramp_in\" in "
+        "[coupling]";
+    return fitting({"the cam is at " + start + " now, the axis at " + present + ", and " + moves,
+                    moves});
   }
   std::string place = start;
   std::erase(place, ' ');
@@ -300,7 +314,8 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
     return endless;
   if (refusal.cause == Cause::cutter_away && std::isfinite(refusal.value))
     return home_position_text(refusal, options);
-  if (refusal.cause == Cause::start_position) return start_position_text(refusal, now, options);
+  if (refusal.cause == Cause::start_position)
+    return start_position_text(refusal, now, options, order);
   const std::string unit = unit_of_axis(refusal, options);
   std::string words = text(refusal, unit, options.units.x, group_names(options));
   constexpr std::string_view either = "The axis or group ";

@@ -53,6 +53,7 @@ void GcodeInterpreter::move(const GcodeBlock& block) {
     turn(block, to, *center);
   else if (to.machine != made_.program.position())
     made_.program.line(to.machine, block.line);
+  if (motion_ == 0) made_.rapids.push_back(block.line);
   part_ = to.part;
 }
 

@@ -23,7 +23,7 @@ bool is_at_end_of_block(const GcodeEvent& event) {
 
 GcodeInterpreter::GcodeInterpreter(const GcodeMachine& machine)
     : machine_(machine),
-      made_{Program(machine.axes.size(), machine.start, machine.path_axes), {}},
+      made_{Program(machine.axes.size(), machine.start, machine.path_axes), {}, {}},
       feed_(machine.settings),
       rapid_(machine.settings),
       corner_(machine.settings) {

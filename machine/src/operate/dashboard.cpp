@@ -28,6 +28,13 @@ Row last_row(const View& view) {
   return row;
 }
 
+/// The part of the axes that the list shows: "  axes 1 to 4 of 6".
+Row shown_part(std::size_t first, std::size_t shown, std::size_t all) {
+  return {{"  axes " + std::to_string(first + 1) + " to " + std::to_string(first + shown) + " of " +
+               std::to_string(all),
+           Tone::faint}};
+}
+
 /// Cut to the screen.
 void fit(Row& row, int width) {
   std::size_t left = static_cast<std::size_t>(std::max(width, 0));
@@ -53,7 +60,7 @@ std::vector<Row> rows_of(const std::vector<Watched>& axes, const View& view) {
   const std::size_t first = at >= shown ? at + 1 - shown : 0;
   for (std::size_t i = first; i < std::min(axes.size(), first + shown); ++i)
     rows.push_back(listed(axes[i], view, i == at));
-  rows.emplace_back();
+  rows.push_back(shown < axes.size() ? shown_part(first, shown, axes.size()) : Row{});
   rows.insert(rows.end(), chosen.begin(), chosen.end());
   rows.resize(std::min(rows.size(), static_cast<std::size_t>(std::max(view.height - 1, 0))));
   if (view.height > 0) rows.push_back(last_row(view));

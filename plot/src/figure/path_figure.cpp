@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,7 @@
 
 #include "plot/src/figure/panel.hpp"
 #include "plot/src/figure/path.hpp"
+#include "plot/src/figure/placing.hpp"
 #include "plot/src/figure/style.hpp"
 #include "plot/src/figure/text.hpp"
 #include "plot/src/figure/ticks.hpp"
@@ -27,7 +30,11 @@ constexpr double bar_space = 96;       // px, right of the plot
 constexpr double tallest = 640;        // px
 constexpr double shortest_side = 80;   // px
 constexpr double shortest_line = 0.2;  // px
+constexpr double label_height = 10;    // px
+constexpr double near_label = 14;      // px: a label that is farther from its ring has a line to it
 constexpr std::size_t colors = 16;
+constexpr const char* rapid_path =
+    "<path class=\"speed\" style=\"stroke-width:.8\" stroke=\"#9aa0a6\" d=\"{}\"/>\n";
 
 /// From slow to fast. Okabe and Ito's vermilion, orange, green and blue, between which a color is mixed.
 std::string color_of(std::size_t bin) {
@@ -59,11 +66,21 @@ PlotRange widened(PlotRange range, double least) {
   return {range.lo - more, range.hi + more};
 }
 
+/// True if the line that ends at point i is a rapid.
+bool is_rapid(const PathFigure& figure, std::size_t i) {
+  return !figure.rapid.empty() && figure.rapid[i];
+}
+
 PlotFrame frame_of(const PathFigure& figure, const SvgOptions& options) {
   PlotRange x;
   PlotRange y;
-  for (const double v : figure.x) x.add(v);
-  for (const double v : figure.y) y.add(v);
+  for (std::size_t i = 1; i < figure.x.size(); ++i) {
+    if (is_rapid(figure, i)) continue;
+    for (const std::size_t end : {i - 1, i}) {
+      x.add(figure.x[end]);
+      y.add(figure.y[end]);
+    }
+  }
   PlotFrame frame;
   frame.left = edge + 56;
   frame.top = edge + (figure.title.empty() ? 0 : heading);
@@ -114,6 +131,36 @@ std::size_t bin_of(double speed, double fastest) {
   return std::min(colors - 1, static_cast<std::size_t>(std::max(0.0, at)));
 }
 
+/// The part of a line inside the frame (Liang and Barsky, 1984); nullopt: none.
+std::optional<std::pair<Pixel, Pixel>> clipped(Pixel a, Pixel b, const PlotFrame& frame) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  double first = 0;
+  double last = 1;
+  for (const auto& [direction, distance] :
+       {std::pair{-dx, a.x - frame.left}, std::pair{dx, frame.left + frame.width - a.x},
+        std::pair{-dy, a.y - frame.top}, std::pair{dy, frame.top + frame.height - a.y}}) {
+    if (direction == 0 && distance < 0) return std::nullopt;
+    if (direction < 0) first = std::max(first, distance / direction);
+    if (direction > 0) last = std::min(last, distance / direction);
+  }
+  if (first > last) return std::nullopt;
+  return std::pair{Pixel{a.x + first * dx, a.y + first * dy},
+                   Pixel{a.x + last * dx, a.y + last * dy}};
+}
+
+/// The rapids, below the other lines.
+void draw_rapids(std::string& out, const PathFigure& figure, const PlotFrame& frame) {
+  std::string data;
+  for (std::size_t i = 1; i < figure.x.size(); ++i) {
+    if (!is_rapid(figure, i)) continue;
+    const auto line =
+        clipped(frame(figure.x[i - 1], figure.y[i - 1]), frame(figure.x[i], figure.y[i]), frame);
+    if (line) data += path_data(std::array{line->first, line->second});
+  }
+  if (!data.empty()) out += fmt::format(rapid_path, data);
+}
+
 /// One element for each color: the lines between the points, by their mean speed.
 void draw_path(std::string& out, const PathFigure& figure, const PlotFrame& frame, double fastest) {
   std::array<std::string, colors> data;
@@ -127,7 +174,12 @@ void draw_path(std::string& out, const PathFigure& figure, const PlotFrame& fram
   for (std::size_t i = 1; i < figure.x.size(); ++i) {
     const Pixel start = frame(figure.x[from], figure.y[from]);
     const Pixel end = frame(figure.x[i], figure.y[i]);
-    const bool last = i + 1 == figure.x.size();
+    const bool last = i + 1 == figure.x.size() || is_rapid(figure, i + 1);
+    if (is_rapid(figure, i)) {
+      finish();
+      from = i;
+      continue;
+    }
     if (!last && std::hypot(end.x - start.x, end.y - start.y) < shortest_line) continue;
     const std::size_t now = bin_of((figure.speed[from] + figure.speed[i]) / 2, fastest);
     if (line.empty() || now != bin) {
@@ -168,21 +220,59 @@ void draw_scale(std::string& out, const PathFigure& figure, const PlotFrame& fra
   out += fmt::format(
       "<text class=\"label mid\" transform=\"translate({} {}) rotate(-90)\">{}</text>\n",
       coordinate(left + bar_width + 58), coordinate(frame.top + height / 2), escaped(label));
+  if (figure.rapid.empty()) return;
+  const double below_scale = frame.top + height + 20;
+  out += fmt::format(rapid_path, path_data(std::array{Pixel{left, below_scale},
+                                                      Pixel{left + bar_width, below_scale}}));
+  write(out, "soft", left + bar_width + 5, below_scale + 4, "rapid");
 }
 
+/// Places of a label from its ring, px, the nearest first.
+std::vector<Pixel> label_places() {
+  std::vector<Pixel> places;
+  for (int far = 0; far < 20; ++far)
+    for (const double dy : {-5.0 - 14 * far, 13.0 + 14 * far})
+      for (const double dx : {7.0, -7.0}) places.push_back({dx, dy});
+  return places;
+}
+
+/// The box of a label whose text begins, or ends (`flips`), at a place.
+Rectangle box_of(Pixel at, double width, bool flips) {
+  return {flips ? at.x - width : at.x, at.y - label_height, flips ? at.x : at.x + width, at.y + 3};
+}
+
+/// Places the labels of the marks: beside their ring, or farther above or below it. No label covers
+/// another label or a ring.
 void draw_marks(std::string& out, const PathFigure& figure, const PlotFrame& frame) {
-  std::vector<Pixel> taken;
+  const Rectangle inside{frame.left, frame.top, frame.left + frame.width, frame.top + frame.height};
+  std::vector<Rectangle> taken;
+  std::vector<std::pair<Pixel, std::string>> marks;
   for (const PathFigure::Mark& mark : figure.marks) {
     const Pixel at = frame(mark.x, mark.y);
+    if (!clipped(at, at, frame)) continue;  // on a rapid
     out += fmt::format("<circle class=\"mark\" cx=\"{}\" cy=\"{}\" r=\"3\"/>\n", coordinate(at.x),
                        coordinate(at.y));
-    const bool crowded = std::any_of(taken.begin(), taken.end(), [&](const Pixel& other) {
-      return std::abs(other.y - at.y) < 14 && std::abs(other.x - at.x) < 60;
-    });
-    if (crowded) continue;
-    taken.push_back(at);
-    const bool flips = at.x + 8 + text_width(mark.text, 11) > frame.left + frame.width;
-    write(out, flips ? "halo end" : "halo", flips ? at.x - 7 : at.x + 7, at.y - 5, mark.text);
+    taken.push_back({at.x - 4, at.y - 4, at.x + 4, at.y + 4});
+    marks.emplace_back(at, mark.text);
+  }
+  for (const auto& [at, text] : marks) {
+    const double width = text_width(text, 11);
+    for (const auto& [dx, dy] : label_places()) {
+      const Pixel start{at.x + dx, at.y + dy};
+      const Rectangle box = box_of(start, width, dx < 0);
+      const bool fits = box.left >= inside.left && box.right <= inside.right &&
+                        box.top >= inside.top && box.bottom <= inside.bottom;
+      if (!fits || std::any_of(taken.begin(), taken.end(),
+                               [&](const Rectangle& other) { return overlap(box, other); }))
+        continue;
+      taken.push_back(box);
+      if (std::abs(dy) > near_label) {
+        const double end = dy < 0 ? box.bottom : box.top;
+        out += fmt::format(rapid_path, path_data(std::array{at, Pixel{start.x, end}}));
+      }
+      write(out, dx < 0 ? "halo end" : "halo", start.x, start.y, text);
+      break;
+    }
   }
 }
 
@@ -210,6 +300,7 @@ std::string svg(const PathFigure& figure, const SvgOptions& options) {
     write(out, "title", frame.left, edge + 14,
           fitted(figure.title, 1.06 * title_font, frame.width + bar_space));
   draw_frame(out, figure, frame);
+  draw_rapids(out, figure, frame);
   draw_path(out, figure, frame, fastest);
   draw_scale(out, figure, frame, fastest);
   draw_marks(out, figure, frame);

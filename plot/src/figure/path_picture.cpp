@@ -49,16 +49,70 @@ void add_breaks(const Trajectory& curve, std::vector<double>& times) {
   times.push_back(curve.end());
 }
 
+/// The pieces of a plan that are rapids of a G-code program, and the corners beside them.
+class Rapids {
+ public:
+  Rapids(const Plan& plan, const Spec& spec) : plan_(&plan) {
+    const auto& of = std::get<PathSpec>(spec.subject);
+    if (of.rapids.empty() || !of.override_steps.empty())
+      return;  // then times are not those of the plan
+    bool before = false;
+    for (const PathPiece& piece : plan.path().pieces()) {
+      const bool listed = std::binary_search(of.rapids.begin(), of.rapids.end(), piece.line);
+      const bool corner = piece.kind == PieceKind::turn || piece.kind == PieceKind::blend;
+      rapid_.push_back(listed || (corner && before));
+      before = listed;
+    }
+    if (std::find(rapid_.begin(), rapid_.end(), false) == rapid_.end()) rapid_.clear();
+  }
+
+  [[nodiscard]] bool any() const { return !rapid_.empty(); }
+  [[nodiscard]] bool at(double t) const {
+    if (rapid_.empty()) return false;
+    const auto pieces = plan_->path().pieces();
+    const auto behind =
+        std::upper_bound(pieces.begin() + 1, pieces.end(), plan_->law().at(t).position,
+                         [](double q, const PathPiece& piece) { return q < piece.start; });
+    return rapid_[static_cast<std::size_t>(behind - pieces.begin()) - 1];
+  }
+
+ private:
+  const Plan* plan_;
+  std::vector<bool> rapid_ = {};
+};
+
+/// The greatest speed between the instants, without rapids.
+double fastest_feed(const std::vector<double>& times, const std::function<DrawnPoint(double)>& at,
+                    const Rapids& rapids) {
+  double fastest = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double middle = (times[i - 1] + times[i]) / 2;
+    if (rapids.at(middle)) continue;
+    for (const double t : {times[i - 1], middle, times[i]})
+      fastest = std::max(fastest, at(t).speed);
+  }
+  return fastest;
+}
+
 /// Puts the points of a path into a figure. `at` is its motion at an instant of `times`, which may
 /// be in any order.
 void draw(std::vector<double> times, const std::function<DrawnPoint(double)>& at,
-          PathFigure& figure) {
+          const Rapids& rapids, PathFigure& figure) {
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
-  for (const DrawnPoint& point : path_points(times, at)) {
+  const double most = rapids.any() ? fastest_feed(times, at, rapids) : 0;
+  double before = times.front();
+  const auto shown = [&](double t) {
+    DrawnPoint point = at(t);
+    if (rapids.any()) point.speed = std::min(point.speed, most);
+    return point;
+  };
+  for (const DrawnPoint& point : path_points(times, shown)) {
     figure.x.push_back(point.x);
     figure.y.push_back(point.y);
     figure.speed.push_back(point.speed);
+    if (rapids.any()) figure.rapid.push_back(rapids.at((before + point.time) / 2));
+    before = point.time;
   }
 }
 
@@ -114,7 +168,7 @@ PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane)
         return DrawnPoint{t, curves[x]->at(t).position, curves[y]->at(t).position,
                           std::sqrt(square)};
       },
-      figure);
+      Rapids(plan, *axes.front().spec), figure);
   add_marks(plan, x, y, figure);
   return figure;
 }
@@ -137,7 +191,7 @@ std::optional<PathFigure> path_figure(const Input& axis) {
           square += std::pow(axes[i].velocity, 2);
         return DrawnPoint{t, axes[0].position, axes[1].position, std::sqrt(square)};
       },
-      figure);
+      Rapids(plan, *axis.spec), figure);
   add_marks(plan, 0, 1, figure);
   return figure;
 }

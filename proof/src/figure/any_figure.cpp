@@ -41,7 +41,7 @@ std::vector<Input> inputs_of(const FigureRequest& request) {
 
 /// The only axis of the file `before`, or the axis with the name of `input`.
 Input before_of(const FigureRequest& request, const Input& input) {
-  std::vector<Input> all = read_inputs(request.before);
+  std::vector<Input> all = read_program(request.before, request.machine);
   require_no_input(files_of(all), request.output);
   if (all.size() > 1) all = axes_named(std::move(all), input.axis, request.before);
   return over(request.over, only_axis(std::move(all), request.before));

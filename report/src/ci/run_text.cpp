@@ -43,6 +43,25 @@ std::string to_text(const RunResult& run, bool quiet) {
   return text;
 }
 
+namespace {
+
+/// The files of the folders that the run did not examine, with the way to examine them; "": none.
+std::string skipped_text(const RunResult& run) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* one, const char* several,
+                       const std::string& option) {
+    if (count > 0)
+      text += "; " + counted(count, one, several) + " not checked: name " +
+              (count == 1 ? "it" : "each of them") + option;
+  };
+  add(run.skipped, "controller file", "controller files",
+      run.verb == "check" ? ", with --against SPEC" : "");
+  add(run.programs, "G-code program", "G-code programs", ", with --machine SPEC");
+  return text;
+}
+
+}  // namespace
+
 std::string summary_line(const RunResult& run) {
   std::size_t good = 0;
   std::size_t broken = 0;
@@ -51,11 +70,7 @@ std::string summary_line(const RunResult& run) {
     const Level worst = file.worst();
     (worst == Level::error ? wrong : worst == Level::broken ? broken : good) += 1;
   }
-  const std::string skipped =
-      run.skipped == 0 ? ""
-                       : "; " + counted(run.skipped, "controller file", "controller files") +
-                             " not checked: name " + (run.skipped == 1 ? "it" : "each of them") +
-                             (run.verb == "check" ? ", with --against SPEC" : "");
+  const std::string skipped = skipped_text(run);
   if (const std::string only = without_motion(run); !only.empty()) return only + skipped;
   std::string text = counted(run.files.size(), "file", "files") + fmt::format(": {} good", good);
   if (broken > 0)

@@ -180,6 +180,7 @@ void set_gcode(PathSpec& path, std::string_view text, const std::string& documen
         .at(document, 1);
   path.program = std::move(made.program);
   path.events = std::move(made.events);
+  path.rapids = std::move(made.rapids);
   path.source = document;
 }
 

@@ -58,13 +58,11 @@ std::optional<double> number_at(const toml::table& root, const std::string& key,
 }  // namespace
 
 bool ErrorList::add(const InputError& error) {
-  const auto& all = found_.errors;
-  const bool known = std::any_of(all.begin(), all.end(), [&](const InputError& other) {
-    return other.key() == error.key() && other.line() == error.line() &&
-           other.column() == error.column() && other.document() == error.document();
-  });
-  if (!known && all.size() < most) found_.errors.push_back(error);
-  return !known;
+  if (!found_.places.emplace(error.document(), error.line(), error.column(), error.key()).second)
+    return false;
+  found_.errors.push_back(error);
+  if (found_.errors.size() == most) throw TooManyErrors{};
+  return true;
 }
 
 void ErrorList::end_part(const InputError& error) {
@@ -102,6 +100,10 @@ void ErrorList::throw_any() const {
                });
   if (all.size() == 1) throw InputError(all.front());
   if (all.size() > 1) throw InputErrors(all);
+}
+
+void ErrorList::throw_all() {
+  throw InputErrors(std::move(found_.errors));
 }
 
 double ErrorList::number(const std::string& key, const std::string& unit) {

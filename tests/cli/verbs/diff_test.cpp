@@ -18,6 +18,26 @@ using ::testing::StartsWith;
 
 using DiffVerb = cli_test::Program;
 
+TEST_F(DiffVerb, ComparesGCodePrograms) {
+  const std::string part = cli_test::examples + "gcode-part/";
+  std::string text = slurp(part + "plate.ngc");
+  write("a.ngc", text);
+  const auto feed = text.find(" F");
+  ASSERT_NE(feed, std::string::npos);
+  text.insert(feed + 2, "1");
+  write("b.ngc", text);
+  const std::string machine = " --machine " + part + "machine.toml";
+  EXPECT_EQ(run("diff a.ngc a.ngc" + machine).status, 0);
+  EXPECT_EQ(run("diff a.ngc " + part + "plate.toml" + machine).status, 0)
+      << "a spec is read as one";
+  EXPECT_EQ(run("diff a.ngc b.ngc" + machine).status, 1);
+  const Result without = run("diff a.ngc b.ngc");
+  EXPECT_EQ(without.status, 2);
+  EXPECT_THAT(without.err,
+              HasSubstr("or name that spec with --machine, an option of check, design, "
+                        "diff, plot, report, stream and validate"));
+}
+
 TEST_F(DiffVerb, ListsTheChangesWithTheStatusOfDiff) {
   EXPECT_EQ(run("diff " + cam + " " + cam).status, 0);
   std::string text = slurp(cam);

@@ -23,5 +23,18 @@ TEST_F(StreamVerb, WithoutAnExecutorReportsWhatItNeeds) {
   EXPECT_EQ(run("run " + cam + " --url memq:// --seconds 0.1").status, 2) << "a cam is no axis";
 }
 
+// The tables of the axes, as from a spec that names the program.
+TEST_F(StreamVerb, TakesTheMachineOfAGCodeProgramForSeveralAxes) {
+  const std::string part = cli_test::examples + "gcode-part/";
+  const std::string to = " --to x,y,z --url memq:// --patience 2";
+  const Result program =
+      run("stream " + part + "plate.ngc --machine " + part + "machine.toml" + to);
+  EXPECT_EQ(program.status, 3) << program.err;
+  EXPECT_EQ(program.err, run("stream " + part + "plate.toml" + to).err);
+  const Result rolling = run("stream " + part + "plate.ngc --machine " + part +
+                             "machine.toml --axis x --rolling --to x --url memq:// --patience 2");
+  EXPECT_EQ(rolling.status, 3) << rolling.err;
+}
+
 }  // namespace
 }  // namespace jounce::stream_verb_test

@@ -45,6 +45,14 @@ delay = ")" +
 }
 
 /// A loop that is hardly unstable, and one that is much so: findings of the loop, not of the solver.
+TEST_F(ValidateVerb, ProvesAGCodeProgram) {
+  const std::string part = cli_test::examples + "gcode-part/";
+  const std::string program = part + "plate.ngc --machine " + part + "machine.toml";
+  EXPECT_EQ(run("validate --axis x " + program).status, 0);
+  EXPECT_EQ(run("validate --quiet " + program).status, 0);
+  EXPECT_EQ(run("validate " + part + "plate.ngc").status, 2);
+}
+
 TEST_F(ValidateVerb, AnUnstableLoopIsAFinding) {
   for (const double delay : {0.86, 1.1}) {
     write("unstable.toml", delayed_drive(delay));

@@ -284,6 +284,24 @@ TEST(Notices, ATableOnALiveMasterNamesTheCutterOfTheAxisFirst) {
               ::testing::EndsWith("send `jounce order knife start` for its cutter."));
 }
 
+// The place of the cam at this instant is no remedy: after a move to it, the master is elsewhere.
+TEST(Notices, ACamOnAMovingMasterNamesRemediesThatDoNotDependOnTheInstant) {
+  ExecutorOptions options;
+  options.receiver.executor = "pusher";
+  options.units.position = "mm";
+  const Refusal away{Cause::start_position, -1234.5678, -8765.4321};
+  const Tick moving{.live_master = {0.25, 0.3}};
+  const std::string text = refusal_text(away, moving, options, CommandKind::start);
+  EXPECT_EQ(text,
+            "the cam is at -1234.57 mm now, the axis at -8765.43 mm, and the master moves: use "
+            "--start-at ahead, where they meet, or start = \"ramp_in\" in [coupling]");
+  EXPECT_LT(text.size(), wire::reason_bytes);
+  const Tick resting{.live_master = {0.25, 0}};
+  EXPECT_THAT(refusal_text(away, resting, options, CommandKind::start), HasSubstr("move --to"));
+  const Refusal over_time{Cause::start_position, 1, 2, 0};
+  EXPECT_THAT(refusal_text(over_time, moving, options, CommandKind::arm), HasSubstr("move --to"));
+}
+
 TEST(Notices, ReportAStartThatDidNotBegin) {
   const Refusal why{.cause = Cause::group_stopped};
   EXPECT_EQ(notices_of({}, {.tick = 10, .dropped = why}, "mm"),

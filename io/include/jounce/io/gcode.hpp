@@ -52,6 +52,7 @@ struct GcodeEvent {
 struct GcodeProgram {
   Program program;                      ///< the commands of the path
   std::vector<GcodeEvent> events = {};  ///< the words that move no axis, in their order
+  std::vector<int> rapids = {};         ///< lines with a rapid (G0), ascending
 };
 
 /// True if the text begins like G-code: with `%`, a comment in parentheses, or a word such as G21

@@ -27,6 +27,11 @@ std::vector<std::string> find_files(const std::vector<std::string>& names,
 /// folders among the names. find_files() does not return them.
 std::vector<std::string> controller_files(const std::vector<std::string>& names);
 
+/// Returns the G-code programs in and below the folders among the names: files with a usual ending
+/// (.ngc, .nc, .cnc, .tap, .gcode, .din, .mpf, .spf) that begin as G-code. find_files() does not
+/// return them.
+std::vector<std::string> gcode_files(const std::vector<std::string>& names);
+
 /// True if the name is neither a folder nor a pattern.
 bool is_one_file(const std::string& name);
 

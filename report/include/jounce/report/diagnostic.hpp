@@ -70,6 +70,8 @@ struct RunResult {
   std::vector<FileResult> files = {};  ///< result of each file
   /// Number of files for controllers in the folders of the run, which it does not examine.
   std::size_t skipped = 0;
+  /// The same for G-code programs, which need a machine.
+  std::size_t programs = 0;
 
   /// Returns the number of statements of this level, in all files.
   [[nodiscard]] std::size_t count(Level level) const;

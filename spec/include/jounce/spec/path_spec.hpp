@@ -24,6 +24,7 @@ struct PathSpec {
   std::optional<JointSpace> joints = {};
   std::string source = {};  ///< name of the document to which the source lines of commands refer
   std::vector<GcodeEvent> events = {};  ///< G-code words that move no axis
+  std::vector<int> rapids = {};         ///< lines of the G-code with a rapid (G0), ascending
   GcodeMachine machine = {};            ///< settings for a G-code program that is given separately
   /// Changes of the override during the motion: [[override]].
   std::vector<FactorRequest> override_steps = {};

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include <toml++/toml.h>
@@ -22,6 +23,9 @@ namespace spec_detail {
 /// Ends the reading of a part whose error is already in the ErrorList.
 struct PartEnded {};
 
+/// Ends the reading of a document that has ErrorList::most errors.
+struct TooManyErrors {};
+
 /// Collects all errors of a document, without those that only follow from others. For this purpose, the document is
 /// read several times; see read_document().
 ///
@@ -36,7 +40,8 @@ class ErrorList {
  public:
   explicit ErrorList(const toml::table& root) : root_(&root) {}
 
-  /// Adds the error, unless there is already an error with the same key at the same place.
+  /// Adds the error, unless there is already an error with the same key at the same place. Throws
+  /// TooManyErrors with the last error that the list takes.
   bool add(const InputError& error);
   /// Adds the error that ended a part. Its key has a placeholder in the next pass.
   void end_part(const InputError& error);
@@ -48,6 +53,8 @@ class ErrorList {
   bool again();
   /// Throws if there are errors: a single one as InputError, several as InputErrors.
   void throw_any() const;
+  /// Throws the errors of the present pass, after TooManyErrors.
+  [[noreturn]] void throw_all();
 
   /// True for the key of an error that ended a part.
   [[nodiscard]] bool is_faulty(const std::string& key) const { return faulty_.contains(key); }
@@ -63,7 +70,7 @@ class ErrorList {
   void use() { ++placeholders_; }
 
  private:
-  static constexpr std::size_t most = 1000;  ///< greatest number of errors; later ones are dropped
+  static constexpr std::size_t most = 1000;         ///< greatest number of errors
   static constexpr std::size_t least_guesses = 13;  ///< number of sets of placeholders
   static constexpr std::size_t most_passes = 1000;  ///< limit for all placeholders together
 
@@ -71,6 +78,8 @@ class ErrorList {
   struct Result {
     std::size_t unread = 0;
     std::vector<InputError> errors = {};
+    /// Document, line, column and key of each error.
+    std::set<std::tuple<std::string, int, int, std::string>> places = {};
   };
 
   const toml::table* root_;
@@ -273,11 +282,15 @@ class TomlReader {
 template <class Read>
 auto read_document(const toml::table& root, const Read& read) {
   ErrorList errors(root);
-  while (true) {
-    auto value = read(errors);
-    if (errors.again()) continue;
-    errors.throw_any();
-    return value;
+  try {
+    while (true) {
+      auto value = read(errors);
+      if (errors.again()) continue;
+      errors.throw_any();
+      return value;
+    }
+  } catch (const TooManyErrors&) {
+    errors.throw_all();
   }
 }
 
