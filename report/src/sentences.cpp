@@ -16,6 +16,15 @@ namespace {
 
 constexpr double just_met = 1e-9;  ///< a smaller margin, as a share, is none
 
+/// True for a value beyond a limit that is not broken: the rounding of knots causes it. A smaller excess
+/// shows in none of six digits.
+bool is_beyond_by_rounding(const Finding& f) {
+  constexpr double shown = 1e-6;
+  return !f.broken && f.margin == 0 && f.rule.family() == RuleFamily::limit &&
+         std::abs(f.value) > std::abs(f.limit) * (1 + shown) &&
+         !f.rule.name().starts_with("position");
+}
+
 std::string place(const Finding& finding, const Labels& labels) {
   const std::string segment = labels.segment_of(finding);
   return with_unit(finding.where,
@@ -65,7 +74,8 @@ std::string limit_number(const Finding& f) {
 /// The value without its unit; beside a limit that it breaks, with as many digits as show the
 /// difference.
 std::string value_number(const Finding& f) {
-  return f.broken ? digits_beside(f.value, limit_number(f)) : rounded(f.value);
+  return f.broken || is_beyond_by_rounding(f) ? digits_beside(f.value, limit_number(f))
+                                              : rounded(f.value);
 }
 
 std::string in_unit(const std::string& number, const std::string& unit) {
@@ -100,6 +110,9 @@ std::string verdict(const Finding& finding, const std::string& unit) {
     return fmt::format("is {} below the lower limit {}", percent(finding.margin), limit);
   if (finding.broken)
     return fmt::format("exceeds the limit {} by {}", limit, percent(finding.margin));
+  if (is_beyond_by_rounding(finding))
+    return fmt::format("exceeds the limit {} by {}, through the rounding of its knots", limit,
+                       percent(finding.value / finding.limit - 1));
   if (std::abs(finding.margin) < just_met) return fmt::format("just meets the limit {}", limit);
   if (is_position_limit(finding))
     return fmt::format("stays within the limit {} by {} of the travel", limit,
@@ -242,7 +255,7 @@ std::string of_unstable_loop(const Finding& f, const std::string& where) {
 
 /// A quantity against its limit.
 std::string of_limit(const Finding& f, const Labels& labels, const std::string& where) {
-  const bool met = !f.broken && std::abs(f.margin) < just_met;
+  const bool met = !f.broken && std::abs(f.margin) < just_met && !is_beyond_by_rounding(f);
   const bool of_whole = f.quantity.starts_with("rms ");  // an rms has no place
   return fmt::format("{} {} {} {}", f.quantity,
                      in_unit(met ? limit_number(f) : value_number(f), labels.unit_of(f)),

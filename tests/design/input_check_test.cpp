@@ -133,6 +133,39 @@ TEST(TableOfPoints, DoesNotExceedALimitByMoreThanAHundredthThroughTheRoundingOfK
   }
 }
 
+// tests/axis/motion/admit_test.cpp has the same borders. 1e-9 s apart, the acceleration was "1000, just
+// meets the limit 1000", and 1e-12 s apart, too.
+TEST(TableOfPoints, NearPointsDoNotExceedTheAccelerationByMoreThanAHundredth) {
+  for (const double apart : {1e-8, 1e-9, 1e-11, 1e-12}) {
+    Input input = input_of({test::near_points(apart, 1), {"s", "mm"}, {}}, "t.csv");
+    const double peak = std::abs(extrema(input.table.table)[2].peak().value);
+    const auto broken = [&](double excess) {
+      input.limits = {.acceleration = peak / (1 + excess)};
+      return rules(check_all(input), true);
+    };
+    EXPECT_THAT(broken(0.0098), ::testing::IsEmpty()) << apart;
+    EXPECT_THAT(full_text(check_all(input), input.labels),
+                ::testing::HasSubstr("through the rounding of its knots"));
+    EXPECT_THAT(broken(0.0102), ::testing::Contains("limit/acceleration")) << apart;
+  }
+}
+
+TEST(PvtSpec, NamesPointsThatAreTooClose) {
+  const std::string text =
+      "jounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\", time = \"s\" }\n"
+      "knot = [{ time = 0, position = 0, velocity = 0 }, { time = 1, position = 5, velocity = 7.5 "
+      "},\n"
+      "{ time = 1.000000001, position = 5.0000000075, velocity = 7.5 },\n"
+      "{ time = 2, position = 10, velocity = 0 }]\n"
+      "outside = \"hold\"\n"
+      "[limits]\nvelocity = 100\nacceleration = 1000\n[table]\nrule = \"cubic_hermite\"\n";
+  const Input input = inputs_of(parse_spec(text, "p.toml"), "p.toml").front();
+  const std::string found = full_text(check_all(input), input.labels);
+  EXPECT_THAT(found, ::testing::HasSubstr("acceleration 5329.07 mm/s^2"));
+  EXPECT_THAT(found, ::testing::HasSubstr("its two points are 1e-09 s apart"));
+  EXPECT_THAT(found, ::testing::HasSubstr("Remove one of them"));
+}
+
 std::string cam(const std::string& start, const std::string& end) {
   return "jounce = 1\nkind = \"cam\"\nunits = { master = \"deg\", position = \"mm\" }\n"
          "start = { master = 0, slave = 0, geo_velocity = " +

@@ -321,6 +321,23 @@ TEST(Shape, WhatCannotBeIsInfeasibleAndNamesIt) {
   EXPECT_EQ(optimize_shape(p).status, Status::infeasible);
 }
 
+// A limit in a wrong unit was "stalled", and the shape that exceeds it least was the given one.
+TEST(Shape, FarBeyondALimitTheLeastExcessIsFound) {
+  ShapeProblem p = rest_to_rest_shape(3);
+  p.pieces = 40;
+  p.refine = false;
+  p.minimize = {{PeakOf{derivative_of_shape(3)}}};
+  const double least = optimize_shape(p).figures.at(0).reached;  // 32 for any function
+  EXPECT_NEAR(least, 32, 0.1);
+  p.minimize = {{RmsOf{derivative_of_shape(2)}}};
+  for (const double most : {1.0, 1e-3, 1e-6}) {
+    p.ceilings = {{PeakOf{derivative_of_shape(3)}, most}};
+    const ShapeOutcome best = optimize_shape(p);
+    EXPECT_EQ(best.status, Status::infeasible) << most << ": " << best.reason;
+    EXPECT_NEAR(std::abs(best.limits.findings.at(0).value), least, 1e-6 * least) << most;
+  }
+}
+
 TEST(Shape, PassesAPointWithinATolerance) {
   ShapeProblem p = rest_to_rest_shape(3);
   p.pieces = 40;

@@ -58,6 +58,21 @@ TEST(ReportText, ALimitIsRoundedToItsPermittedSide) {
   EXPECT_TRUE(has("is below the limit 0.123457 mm")) << sentence(f, labels);
 }
 
+TEST(ReportText, AnExcessByRoundingHasItsValue) {
+  Finding f;
+  f.rule = "limit/acceleration";
+  f.quantity = "acceleration";
+  f.value = -1004.5;
+  f.limit = -1000;
+  const Labels labels{{"s", "mm"}, false, {}};
+  EXPECT_EQ(sentence(f, labels),
+            "acceleration -1004.5 mm/s^2 at 0 s exceeds the limit -1000 mm/s^2 by 0.45 %, through "
+            "the rounding of its knots");
+  f.value = -1000.0000001;
+  EXPECT_EQ(sentence(f, labels),
+            "acceleration -1000 mm/s^2 at 0 s just meets the limit -1000 mm/s^2");
+}
+
 TEST(ReportText, AValueUnderALowerLimitIsBelowIt) {
   Finding f;
   f.rule = "limit/slave";

@@ -371,6 +371,24 @@ values = [2, 8, 4, 6]
               HasSubstr("4 cases; 3 within all limits, 1 beyond a limit"));
 }
 
+// The margin was "inf", with a median and a deviation of "-nan".
+TEST_F(Sweeps, WithoutLimitsHaveNoMargin) {
+  write("move.toml",
+        "jounce = 1\nkind = \"move\"\nunits = { position = \"mm\" }\n[move]\n"
+        "profile = \"trapezoid\"\nto = 30\nvelocity = 10\nacceleration = 20\n");
+  const SweepSpec spec = sweep(
+      "figures = [\"duration\"]\n[[parameter]]\nkey = \"move.velocity\"\nvalues = [2, 8, 4, 6]\n");
+  const SweepResult result = run_sweep(spec);
+  const SweepSummary summary = summary_of(spec, result);
+  for (const FigureSpread& f : summary.figures) {
+    EXPECT_FALSE(std::isnan(f.median)) << f.given.name;
+    EXPECT_FALSE(std::isnan(f.deviation)) << f.given.name;
+  }
+  const std::string text = summary_text(spec, result, summary);
+  EXPECT_THAT(text, HasSubstr("duration"));
+  EXPECT_THAT(text, ::testing::Not(HasSubstr("margin")));
+}
+
 TEST(Share, IsWilsons) {
   const Share none = share_of(0, 10);  // z^2 / (n + z^2)
   EXPECT_EQ(none.low, 0);

@@ -226,6 +226,48 @@ TEST(Tune, NamesTheBlockingLimits) {
   EXPECT_THAT(outcome.active, ElementsAre(HasSubstr("at most 0.3 is required")));
 }
 
+const std::string three_rises =
+    "jounce = 1\nkind = \"cam\"\nperiodic = true\nunits = { master = \"deg\", position = \"mm\" }\n"
+    "start = { master = 0, slave = 0 }\n"
+    "[[segment]]\nlaw = \"345\"\nend = { master = 100, slave = 60 }\n"
+    "[[segment]]\nlaw = \"modified_sine\"\nend = { master = 200, slave = 20 }\n"
+    "[[segment]]\nlaw = \"inclined_sine\"\nend = { master = 300, slave = 0 }\n"
+    "[[segment]]\nlaw = \"dwell\"\nend = { master = 360, slave = 0 }\n"
+    "[master]\nvelocity = 360\ndistance = 720\n";
+const std::string three_knots =
+    parameter("segment[1].end.master", "40, 200") + parameter("segment[2].end.master", "100, 280");
+
+// The peak of a rise h over the length L is c h / L^2. The greatest of all rises is least if all are equal:
+// L is proportional to sqrt(c h). The design that was printed exceeded the limit by 198 %, and not by 122 %.
+TEST(Tune, TheLeastViolationIsThatOfTheClosedForm) {
+  const TuneOutcome outcome =
+      tuned(three_rises + "[limits]\ngeo_acceleration = 0.01\n" +
+            "[optimize]\nminimize = \"peak acceleration\"\nmax_evaluations = 4000\n" + three_knots);
+  EXPECT_EQ(outcome.search.status, Status::infeasible);
+  const double pi = std::numbers::pi;
+  const double sums = std::sqrt(10 / std::sqrt(3.0) * 60) + std::sqrt(4 * pi * pi / (4 + pi) * 40) +
+                      std::sqrt(2 * pi * 20);
+  const double least = sums * sums / (300.0 * 300);
+  double worst = 0;
+  for (const Finding& f : outcome.report.findings)
+    if (f.rule == "limit/geo_acceleration") worst = std::max(worst, std::abs(f.value));
+  EXPECT_NEAR(worst, least, 1e-4 * least);
+}
+
+TEST(Tune, MakesNoMoreDesignsThanPermitted) {
+  for (const int most : {1, 3, 20, 100}) {
+    const TuneOutcome outcome =
+        tuned(three_rises + "[optimize]\nminimize = \"peak acceleration\"\nmax_evaluations = " +
+              std::to_string(most) + "\n" + three_knots);
+    EXPECT_LE(outcome.search.evaluations, most);
+    if (most < 8) {
+      EXPECT_EQ(outcome.search.evaluations, most) << "nothing is left for rounding";
+    }
+    EXPECT_EQ(outcome.search.status, Status::stalled);
+    EXPECT_THAT(outcome.search.reason, HasSubstr("the limit of " + std::to_string(most)));
+  }
+}
+
 TEST(Tune, StopsOnRequest) {
   const Spec spec = parse_spec(move + "[optimize]\nminimize = \"duration\"\n" +
                                    parameter("move.velocity", "100, 1000") +

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "jounce/pvt/table.hpp"
 
 namespace jounce::test {
@@ -24,6 +26,18 @@ struct ShortInterval {
                   {0, 0, 0, 0}});
   }
 };
+
+/// A cubic table over time with two points that are `apart` s from each other, around 1 s. Both have the
+/// velocity of 7.5. The position of the second point is `units` units in the last place beyond that of a
+/// constant velocity.
+inline Table near_points(double apart, int units = 0) {
+  const double first = 1 - apart / 2;
+  const double second = 1 + apart / 2;
+  double then = 5 + 7.5 * (second - first);
+  for (int i = 0; i < units; ++i) then = std::nextafter(then, 10.0);
+  return Table(Domain::time, Interpolation::cubic_hermite, Extrapolation::hold,
+               {{0, first, second, 2}, {0, 5, then, 10}, {0, 7.5, 7.5, 0}, {}});
+}
 
 /// An interval of one cycle of 1 ms, whose jerk may exceed the limit by 1 %, and one of a hundredth
 /// of a cycle, whose mean may.

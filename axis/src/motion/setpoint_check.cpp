@@ -6,6 +6,7 @@
 
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/moves/move.hpp"
+#include "jounce/pvt/detail/knot_rounding.hpp"
 
 #include "axis/src/motion/move_plan.hpp"
 
@@ -31,6 +32,13 @@ double range_slack(double position, const AxisConfig& config) {
 
 double rounding(double from, double to) {
   return rounded_sum * (std::abs(from) + std::abs(to - from));
+}
+
+/// The limit of the velocity, with the rounding of knots that admit() tolerates.
+double greatest_velocity(const StepAllowance& step, const AxisConfig& config) {
+  const double limit = *config.limits.velocity;
+  constexpr double excess = pvt_detail::KnotRounding::greatest_excess;
+  return std::max(limit, std::min(step.velocity, limit * (1 + excess)));
 }
 
 MotionState mirrored(const MotionState& state) {
@@ -92,9 +100,10 @@ Cause check_setpoint(const MotionState& last, const MotionState& next, const Ste
                      const AxisConfig& config) noexcept {
   const auto& [p, v, a] = next;
   if (!std::isfinite(p) || !std::isfinite(v) || !std::isfinite(a)) return Cause::jump;
-  const double way = *config.limits.velocity * step.dt * (1 + same) + slack(p, config, step.dt);
+  const double most = greatest_velocity(step, config);
+  const double way = most * step.dt * (1 + same) + slack(p, config, step.dt);
   if (std::abs(p - last.position) > way) return Cause::overspeed;
-  if (std::abs(v) > *config.limits.velocity * (1 + same)) return Cause::overspeed;
+  if (std::abs(v) > most * (1 + same)) return Cause::overspeed;
   const double near = range_slack(p, config);
   if (config.limits.position_max && p > *config.limits.position_max + near && p > last.position)
     return Cause::out_of_range;

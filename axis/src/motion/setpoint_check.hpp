@@ -14,6 +14,9 @@ struct StepAllowance {
   double dt = 0;  ///< time between the setpoints, s
   /// Velocity step that the checked path may contain, u/s (unit of the axis).
   double velocity_step = 0;
+  /// Greatest velocity of the checked path, u/s. By the rounding of its knots it may exceed the limit
+  /// by KnotRounding::greatest_excess.
+  double velocity = 0;
 };
 
 /// Compares the setpoint `next` with the previous setpoint `last`, before it is output. Returns

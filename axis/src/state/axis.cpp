@@ -216,9 +216,11 @@ Cause MotionAxis::Impl::advance_move(Setpoint& next) {
 Cause MotionAxis::Impl::judge(const Setpoint& next) const {
   if (base_ == Base::move && ending_ == Ending::fault) return Cause::none;
   const MotionState state = state_of(next);
-  const double kinks = on_path() ? path_.peaks().velocity_step : 0;
+  const Peaks path = on_path() ? path_.peaks() : Peaks{};
   const double joint = joint_ ? joint_step() : 0;
-  const StepAllowance step{dt(), kinks * static_cast<double>(now_.skipped + 2) + joint};
+  const double kinks = path.velocity_step * static_cast<double>(now_.skipped + 2);
+  const double checked = path_.open_ended() ? 0 : path.velocity;  // later rows are not checked yet
+  const StepAllowance step{dt(), kinks + joint, checked};
   const Cause no = check_setpoint(last(), state, step, rules());
   const bool supervised = ending_ != Ending::fault && !inside_as_a_whole();
   if (supervised && (no == Cause::none || no == Cause::out_of_range))

@@ -14,6 +14,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/cam/design/design.hpp"
 #include "jounce/profiles/six_digits.hpp"
+#include "jounce/pvt/detail/knot_rounding.hpp"
 
 #include "design/src/check/cam_limit_advice.hpp"
 #include "design/src/check/stretch.hpp"
@@ -82,6 +83,22 @@ std::string points_advice(const Finding& f, std::size_t order, const Stretch& s,
              : closer + ", or give the segment more time and lower velocities";
 }
 
+/// The advice for two points that are so close that the rounding of their numbers breaks the limit; "" if
+/// it does not.
+std::string rounding_advice(const Finding& f, std::size_t order, const Input& input) {
+  const Table& table = input.table.table;
+  const auto& x = table.columns().x;
+  if (*f.segment + 1 >= x.size()) return "";
+  const double error = pvt_detail::KnotRounding(table).of(order, *f.segment);
+  if (std::abs(f.value - f.limit) > error) return "";
+  const Words words{input.labels};
+  return fmt::format(
+      "its two points are {} apart, so the rounding of their numbers causes up to {}. Remove one "
+      "of "
+      "them",
+      words.x(x[*f.segment + 1] - x[*f.segment]), words.of(error, order));
+}
+
 /// The advice for a motion that a generator makes from its velocity, acceleration and jerk.
 std::string motion_advice(const Finding& f, std::size_t order, const Words& words) {
   return fmt::format("lower the {} of the motion to at most {}, or raise the limit",
@@ -116,6 +133,7 @@ std::string over_time(const Input& input, const Finding& f, std::size_t order) {
     return "give the segment more time, or raise the limit";
   if (!std::holds_alternative<Table>(input.spec->subject) || !input.spec->then.empty())
     return motion_advice(f, order, words);
+  if (std::string text = rounding_advice(f, order, input); !text.empty()) return text;
   const Trajectory& curve = std::get<Trajectory>(*input.curve);
   return points_advice(f, order, stretch_of(curve, input.labels, f, order), words,
                        input.limits.velocity);

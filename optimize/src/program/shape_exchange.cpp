@@ -83,7 +83,7 @@ class ShapeExchange {
       take(s.x);
       for (std::size_t k = 0; k < level.size(); ++k)
         level[k] = p.column[k] ? s.x[*p.column[k]] : task.level[k].value_or(HUGE_VAL);
-      violation_ = p.slack ? s.x[*p.slack] : 0;
+      violation_ = p.slack ? s.x[*p.slack] * task.slack_unit : 0;
       const int added = look(p, s, task, level, keep_bound);
       if (added == 0 && precision_ == fine) return true;
       precision_ = added == 0 || !linear ? fine : finer(p, s);
@@ -178,6 +178,9 @@ class ShapeExchange {
     ShapeTask task = plain(model_);
     task.terms = false;
     task.elastic = true;
+    const std::vector<double> now = model_.with_auxiliary(found_.z);
+    for (const ShapeRow& row : rows_.all())
+      if (!row.term) task.slack_unit = std::max(task.slack_unit, row.form.at(now));
     task.round = false;
     const double residual = std::exchange(last_residual_, 0);
     bool settled = settle_rows(task, false);

@@ -38,7 +38,8 @@ double held_off(const ShapeRows& rows, const ConvexSolution& s, const ShapeTask&
   double sum = 0;
   std::size_t k = 0;  // rows in the order of program_of()
   for (const ShapeRow& row : rows.all())
-    if (!row.term || task.terms) sum += row.off * std::max(s.multipliers[k++], 0.0);
+    if (!row.term || task.terms)
+      sum += row.off / task.slack_unit * std::max(s.multipliers[k++], 0.0);
   for (const auto& multipliers : s.round_multipliers)  // a ceiling is normalized to 1 here
     sum += 2 * RoundCeiling::off * norm(multipliers);
   return sum;
@@ -53,8 +54,9 @@ RoundConstraint constraint(const RoundCeiling& ceiling) {
 
 /// A row minus the level or the unknown of its term; a row without a term: minus the slack v.
 Form constraint(const ShapeRow& row, const ShapeTask& task, const ShapeProgram& p) {
-  Form form = row.form;
-  if (!row.term && p.slack) form.terms.push_back({*p.slack, -1});
+  const bool with_slack = !row.term && p.slack;
+  Form form = with_slack ? scaled(row.form, 1 / task.slack_unit) : row.form;
+  if (with_slack) form.terms.push_back({*p.slack, -1});
   if (row.term && p.column[*row.term]) form.terms.push_back({*p.column[*row.term], -1});
   if (row.term && task.level[*row.term]) form.constant -= *task.level[*row.term];
   return form;
@@ -97,8 +99,9 @@ ShapeProgram program_of(const ShapeModel& model, const ShapeRows& rows, const Sh
 double bound_of(const ShapeModel& model, const ShapeRows& rows, const ShapeTask& task,
                 ShapeProgram program, const ConvexSolution& found, double sum) {
   if (task.elastic) program.convex.squares.clear();  // hint()
-  return weak_bound(program.convex, found, range_of(model, program, found, sum)) -
-         held_off(rows, found, task);
+  return (weak_bound(program.convex, found, range_of(model, program, found, sum)) -
+          held_off(rows, found, task)) *
+         task.slack_unit;
 }
 
 std::vector<Form> hint(const SplineSpace& space) {

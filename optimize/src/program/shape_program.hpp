@@ -12,8 +12,9 @@ namespace jounce::optimize_detail {
 struct ShapeTask {
   std::vector<std::optional<double>> level;  ///< level of each term; nullopt: an unknown t
   bool terms = true;                         ///< includes the terms and their rows
-  bool elastic = false;  ///< true: constraints may be exceeded by a common v, which is minimized
-  bool round = true;     ///< includes ceilings on norms
+  bool elastic = false;   ///< true: constraints may be exceeded by a common v, which is minimized
+  double slack_unit = 1;  ///< unit of v, about its size: the program is well scaled
+  bool round = true;      ///< includes ceilings on norms
   std::vector<Form> squares = {};
   bool squares_alone = false;  ///< only for smoothness: not worth much effort
 };

@@ -30,13 +30,14 @@ double KnotRounding::of(std::size_t order, std::size_t interval) const {
 }
 
 double KnotRounding::least_limit(std::size_t order, std::size_t interval, double peak) const {
-  constexpr double hundredth = 0.01;
   constexpr double cycle = 1e-3;  // s
   const auto& x = table_.columns().x;
   const double length = x[interval + 1] - x[interval];
-  const double mean = table_.axis() == Domain::time ? std::min(length / cycle, 1.0) : 1.0;
-  // peak <= limit + of() and peak <= limit (1 + hundredth / mean)
-  return std::max(std::abs(peak) - of(order, interval), std::abs(peak) * mean / (mean + hundredth));
+  const bool is_mean = order == 3 && table_.axis() == Domain::time;
+  const double mean = is_mean ? std::min(length / cycle, 1.0) : 1.0;
+  // peak <= limit + of() and peak <= limit (1 + greatest_excess / mean)
+  return std::max(std::abs(peak) - of(order, interval),
+                  std::abs(peak) * mean / (mean + greatest_excess));
 }
 
 }  // namespace jounce::pvt_detail

@@ -60,7 +60,7 @@ std::string knots_text(const CamProblem& problem, const Outcome<CamSpec>& outcom
     for (const auto& finding : outcome.active)
       text += fmt::format("  - {}\n", active_sentence(finding, labels));
   else
-    text += fmt::format("least violated:\n{}", full_text(outcome.limits, labels));
+    text += fmt::format("the least violation found:\n{}", full_text(outcome.limits, labels));
   return text;
 }
 

@@ -48,7 +48,7 @@ std::string tune_text(const TuneOutcome& outcome, const Spec& spec) {
     if (search.answer.possible)
       text += fmt::format("{}:\n{}",
                           outcome.report.ok() ? "a requirement above is broken; the limits there"
-                                              : "least violated",
+                                              : "the least violation found",
                           full_text(outcome.report, labels));
     return text;
   }

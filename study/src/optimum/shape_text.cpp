@@ -128,7 +128,10 @@ std::string text_of(const CamShapeOutcome& outcome, const ShapeWords& words) {
   for (const CamRunOutcome& run : outcome.runs) {
     text += run_text(run, words);
     if (!run.shape.usable())
-      text += fmt::format("the shape that exceeds the limits least:\n{}",
+      text += fmt::format("{}:\n{}",
+                          run.shape.status == OptimizeStatus::infeasible
+                              ? "the shape that exceeds the limits least"
+                              : "a shape that exceeds the limits; others may exceed them less",
                           full_text(words.in_cam(run.shape.limits, run), words.labels()));
   }
   if (outcome.limits.ok()) return text;

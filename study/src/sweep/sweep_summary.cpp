@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "study/src/sweep/pareto.hpp"
@@ -18,13 +19,24 @@ double median(std::vector<double> values) {
   if (values.size() % 2 == 1) return values[half];
   const double below =
       *std::max_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(half));
-  return below + (values[half] - below) / 2;
+  return below == values[half] ? below
+                               : below + (values[half] - below) / 2;  // both may be infinite
 }
 
-/// Mean and deviation in two passes: no cancellation. An infinite value makes them infinite or NaN.
+/// Mean and deviation in two passes: no cancellation. An infinite value makes them infinite; equal values
+/// have no deviation.
 void moments(const std::vector<double>& values, FigureSpread& spread) {
   const auto n = static_cast<double>(values.size());
   spread.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  if (spread.least == spread.greatest) {
+    spread.mean = spread.least;
+    spread.deviation = 0;
+    return;
+  }
+  if (!std::isfinite(spread.mean)) {
+    spread.deviation = std::numeric_limits<double>::infinity();
+    return;
+  }
   double squares = 0;
   for (const double v : values) squares += (v - spread.mean) * (v - spread.mean);
   spread.deviation = values.size() > 1 ? std::sqrt(squares / (n - 1)) : 0;

@@ -81,6 +81,9 @@ std::string spread_lines(const SweepSummary& s) {
   std::string text = fmt::format("\n  {:<{}} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11}\n", "figure",
                                  width, "given", "min", "median", "max", "deviation", "limit");
   for (const FigureSpread& f : s.figures) {
+    const bool no_limits =
+        f.given.name == "margin" && std::isinf(f.least) && std::isinf(f.greatest);
+    if (no_limits) continue;
     double scale = f.given.name == "margin" ? 1 : 0;  // a share
     for (const double value : {f.given.value, f.least, f.median, f.greatest})
       if (std::isfinite(value)) scale = std::max(scale, std::abs(value));

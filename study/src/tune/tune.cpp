@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include "jounce/base/units.hpp"
@@ -54,7 +55,16 @@ class Tuned {
     return assess_by_segment(parse_spec(text(x), spec_.document.name), names_);
   }
 
+  /// Number of different designs that were made.
+  [[nodiscard]] int made() const { return static_cast<int>(made_.size()); }
+  /// True if no further design may be made.
+  [[nodiscard]] bool is_used_up() const { return made() >= most_designs(); }
+  [[nodiscard]] int most_designs() const {
+    return wanted_.options.budget.evaluations.value_or(5000);
+  }
+
   SearchAnswer operator()(const Numbers& x) {
+    made_.insert(x);
     try {
       const SearchAnswer answer = answer_of(assessed(x));
       least_ = std::min(least_, answer.objective);
@@ -146,12 +156,17 @@ class Tuned {
     }
   }
 
+  /// An excess as a share of its bound, like the margin of a limit.
+  static double share(double excess, double bound) {
+    return bound == 0 ? excess : excess / std::abs(bound);
+  }
+
   SearchAnswer answer_of(const Assessment& at) {
     SearchAnswer answer;
     answer.constraints = rows_.of(at);
     for (const TunedFigure& f : figures(at)) {
-      if (f.at_least) answer.constraints.push_back(*f.at_least - f.reached);
-      if (f.at_most) answer.constraints.push_back(f.reached - *f.at_most);
+      if (f.at_least) answer.constraints.push_back(share(*f.at_least - f.reached, *f.at_least));
+      if (f.at_most) answer.constraints.push_back(share(f.reached - *f.at_most, *f.at_most));
     }
     const double value = at.figures.front().value;
     answer.objective = wanted_.maximize ? -value : value;
@@ -165,6 +180,7 @@ class Tuned {
   std::vector<std::string> units_;
   std::vector<std::string> names_;
   study_detail::TuneRows rows_;
+  std::set<Numbers> made_;
   double least_ = std::numeric_limits<double>::infinity();  ///< least objective of all designs
   double most_ = -std::numeric_limits<double>::infinity();
 };
@@ -204,9 +220,8 @@ void keep_given(Tuned& tuned, double most, SearchOutcome& best) {
   const auto keep = [&](std::size_t from, std::size_t to) {
     Numbers x = best.best;
     for (std::size_t i = from; i < to; ++i) x[i] = variables[i].start;
-    if (x == best.best) return;
+    if (x == best.best || tuned.is_used_up()) return;
     const SearchAnswer answer = tuned(x);
-    ++best.evaluations;
     if (!meets(answer) || answer.objective > most) return;
     best.best = x;
     best.answer = answer;
@@ -222,9 +237,9 @@ void round_off(Tuned& tuned, double most, SearchOutcome& best) {
   const auto combinations = std::min<std::size_t>(best.best.size(), 3);
   for (int digits = 3; digits < 10; ++digits)
     for (unsigned how = 0; how < 1U << combinations; ++how) {
+      if (tuned.is_used_up()) return;
       const Numbers x = rounded_to(tuned.variables(), best.best, digits, how);
       const SearchAnswer answer = tuned(x);
-      ++best.evaluations;
       if (!meets(answer)) continue;
       if (answer.objective > most) continue;
       best.best = x;
@@ -329,6 +344,57 @@ std::vector<std::size_t> idle_variables(Tuned& tuned) {
   return idle;
 }
 
+/// The greatest number of designs of idle_variables().
+int most_idle_designs(const Tuned& tuned) {
+  return 1 + 4 * static_cast<int>(tuned.variables().size());
+}
+
+/// The options of a search that leaves some of the designs to round_off() and to keep_given().
+OptimizeOptions options_of_search(const Tuned& tuned, OptimizeOptions options) {
+  const std::size_t n = tuned.variables().size();
+  const int rounding = static_cast<int>(n + 1 + (std::size_t{7} << std::min<std::size_t>(n, 3)));
+  const int rest = tuned.most_designs() - tuned.made() + 1;  // its start is made already
+  options.budget.evaluations = std::max(1, rest - std::min(rest / 8, rounding));
+  return options;
+}
+
+double worst_of(const SearchAnswer& answer) {
+  return *std::max_element(answer.constraints.begin(), answer.constraints.end());
+}
+
+/// Searches for the design whose greatest excess, as a share of its limit, is least. It is a variable t
+/// of this search: the least t so that no excess is greater.
+void reduce_excess(Tuned& tuned, const OptimizeOptions& given, const KeepGoing& keep_going,
+                   SearchOutcome& best) {
+  if (!best.answer.possible || tuned.is_used_up()) return;
+  std::vector<SearchVariable> variables = tuned.variables();
+  for (std::size_t i = 0; i < variables.size(); ++i) variables[i].start = best.best[i];
+  const double worst = worst_of(best.answer);
+  variables.push_back({"excess", 0, worst, worst});
+  SearchAnswer answer;
+  Numbers made;
+  const auto excess = [&](const Numbers& all) {
+    const Numbers x(all.begin(), all.end() - 1);
+    if (x != made) answer = tuned(x);
+    made = x;
+    SearchAnswer shifted = answer;
+    shifted.objective = all.back();
+    for (double& constraint : shifted.constraints) constraint -= all.back();
+    return shifted;
+  };
+  OptimizeOptions options = given;
+  options.budget.evaluations = tuned.most_designs() - tuned.made();
+  const SearchOutcome least = search(variables, excess, options, keep_going);
+  const Numbers x(least.best.begin(), least.best.end() - 1);
+  const SearchAnswer at = tuned(x);
+  if (!at.possible || worst_of(at) >= worst) return;
+  best.best = x;
+  best.answer = at;
+  std::erase_if(best.at_bound, [&](std::size_t i) {
+    return x[i] != variables[i].lower && x[i] != variables[i].upper;
+  });
+}
+
 }  // namespace
 
 std::vector<std::size_t> idle_parameters(const Spec& spec) {
@@ -341,19 +407,27 @@ TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going) {
   if (!spec.parameters) throw nothing_free(spec);
   Tuned tuned(spec);
   const std::vector<TunedFigure> given = given_figures(tuned);
-  if (!given.empty() && idle_variables(tuned).size() == tuned.variables().size())
+  if (!given.empty() && most_idle_designs(tuned) < tuned.most_designs() / 8 &&
+      idle_variables(tuned).size() == tuned.variables().size())
     throw tuned.constant_figure(given.front());
   TuneOutcome outcome;
-  outcome.search = search(tuned.variables(), std::ref(tuned), spec.parameters->options, keep_going);
+  const OptimizeOptions options = options_of_search(tuned, spec.parameters->options);
+  outcome.search = search(tuned.variables(), std::ref(tuned), options, keep_going);
+  if (outcome.search.evaluations > *options.budget.evaluations)
+    outcome.search.reason =
+        "the limit of " + counted(tuned.most_designs(), "evaluation") + " is reached";
   if (outcome.search.status == OptimizeStatus::converged && tuned.is_constant() &&
       outcome.search.evaluations > 1)
     throw tuned.constant_figure(tuned.figures(tuned.assessed(outcome.search.best)).front());
   const bool cancelled = outcome.search.status == OptimizeStatus::cancelled;
+  if (outcome.search.status == OptimizeStatus::infeasible)
+    reduce_excess(tuned, spec.parameters->options, keep_going, outcome.search);
   if (outcome.usable() && !cancelled) {
     const double most = most_of(outcome.search, spec.parameters->options);
     keep_given(tuned, most, outcome.search);
     round_off(tuned, most, outcome.search);
   }
+  outcome.search.evaluations = tuned.made();
   add_numbers(tuned, outcome);
   outcome.text = tuned.text(outcome.search.best);
   if (!outcome.search.answer.possible) return outcome;

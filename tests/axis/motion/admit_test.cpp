@@ -47,6 +47,40 @@ TEST(Admit, TheRoundingOfKnotsDoesNotExceedALimitByMoreThanAHundredth) {
   }
 }
 
+// tests/design/input_check_test.cpp has the same borders. The acceleration of such an interval was a
+// fault in the cycle, up to 1e10 of the limit.
+TEST(Admit, TheRoundingOfNearPointsDoesNotExceedTheAccelerationByMoreThanAHundredth) {
+  for (const double apart : {1e-8, 1e-9, 1e-11, 1e-12}) {
+    const Job job(1, std::make_shared<const Table>(near_points(apart, 1)));
+    const double peak = std::abs(job.ranges()[2].peak().value);
+    ASSERT_GT(peak, 20) << apart;
+    const auto admitted = [&](double excess) {
+      return cause_of(admit(job, {.limits = limits(1e6, peak / (1 + excess))}, 0));
+    };
+    EXPECT_EQ(admitted(0.0098), Cause::none) << apart;
+    EXPECT_EQ(admitted(0.0102), Cause::acceleration_limit) << apart;
+  }
+}
+
+// A tick lies between the two points. The limits are the least that are admitted.
+TEST(Admit, WhatIsAdmittedIsPlayed) {
+  for (const double apart : {1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12})
+    for (int units = 0; units < 4; ++units) {
+      Job job(1, std::make_shared<const Table>(near_points(apart, units)));
+      const double v = job.required()[0].limit;
+      const double a = job.required()[1].limit;
+      Bench bench({.limits = limits(v, a), .stop_acceleration = 1.1 * a});
+      Tick tick = bench.play(job);
+      EXPECT_EQ(tick.state, State::discrete_motion) << "not admitted";
+      for (int k = 0; k < 2010; ++k) {
+        tick = bench.step();
+        ASSERT_EQ(tick.fault, Cause::none)
+            << apart << " s, tick " << k << ", limits " << v << ", " << a;
+      }
+      EXPECT_EQ(tick.position, 10);
+    }
+}
+
 TEST(Admit, AMasterThatLeavesACamWithASlopeStepsTheSlave) {
   const auto cam = table(Domain::master, Interpolation::linear, Extrapolation::hold,
                          {{0, 100}, {0, 1000}, {}, {}});

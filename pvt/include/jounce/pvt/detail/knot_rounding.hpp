@@ -11,6 +11,10 @@ namespace jounce::pvt_detail {
 /// and admit() of an axis compare limits with least_limit(), so both give one answer.
 class KnotRounding {
  public:
+  /// The greatest share of a limit by which the rounding of knots may exceed it. An axis permits it in
+  /// each cycle, too: stop_acceleration is at least 1.1 times the limit of the acceleration.
+  static constexpr double greatest_excess = 0.01;
+
   /// The table must outlive it.
   explicit KnotRounding(const Table& table);
 
@@ -22,8 +26,9 @@ class KnotRounding {
   [[nodiscard]] double of(std::size_t order, std::size_t interval) const;
 
   /// The least limit that a derivative of order 1 to 3 with this peak keeps in an interval. The error
-  /// of the interval does not count, up to a hundredth of the limit. Over time, an interval that is
-  /// shorter than a cycle of 1 ms acts by its mean over the cycle, so the hundredth is that of the mean.
+  /// of the interval does not count, up to a hundredth of the limit. An axis outputs the velocity and
+  /// the acceleration of a tick, but not the jerk: over time, the jerk of an interval that is shorter
+  /// than a cycle of 1 ms acts by its mean over the cycle, so the hundredth is that of the mean.
   [[nodiscard]] double least_limit(std::size_t order, std::size_t interval, double peak) const;
 
  private:
