@@ -11,8 +11,9 @@ namespace jounce::pvt_detail {
 /// and admit() of an axis compare limits with least_limit(), so both give one answer.
 class KnotRounding {
  public:
-  /// The table must outlive it.
-  explicit KnotRounding(const Table& table);
+  /// The table must outlive it. `cycle`: of the executor, in the unit of the places of a table over
+  /// time.
+  explicit KnotRounding(const Table& table, double cycle = 1e-3);
 
   /// The error of the derivative of this order, 0 to 3, in an interval. An error d of the position
   /// causes an error of 60 d / L^3 of the jerk in a quintic of length L, less in a cubic. A rounded
@@ -23,11 +24,12 @@ class KnotRounding {
 
   /// The least limit that a derivative of order 1 to 3 with this peak keeps in an interval. The error
   /// of the interval does not count, up to a hundredth of the limit. Over time, an interval that is
-  /// shorter than a cycle of 1 ms acts by its mean over the cycle, so the hundredth is that of the mean.
+  /// shorter than a cycle acts by its mean over the cycle, so the hundredth is that of the mean.
   [[nodiscard]] double least_limit(std::size_t order, std::size_t interval, double peak) const;
 
  private:
   const Table& table_;
+  double cycle_;
   double error_ = 0;  ///< rounding of a position
 };
 
