@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/io/recording.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "jounce/base/listed.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/points.hpp"
 #include "jounce/profiles/error.hpp"
@@ -12,6 +14,37 @@ namespace {
 
 const std::vector<std::string> known_columns{"time",   "command", "feedback", "velocity",
                                              "torque", "current", "load"};
+
+/// The columns that a recording needs, and a header with their names.
+std::string needed_columns(const std::string& position) {
+  const std::string unit = position.empty() ? "" : " [" + position + "]";
+  return "A recording needs time, command, and at least one of feedback, velocity, torque, current "
+         "and load. Name the columns in the header, with units, such as time [s],command" +
+         unit + ",feedback" + unit;
+}
+
+Points points_of(const std::string& path, const std::string& position) {
+  try {
+    Points points = read_points(path);
+    points.name_columns(known_columns);
+    return points;
+  } catch (const InputError& error) {
+    if (error.key() != "header") throw;
+    throw InputError(error.key(), error.value(), error.rule() + ". " + needed_columns(position))
+        .at(error.document(), error.line(), error.column());
+  }
+}
+
+void require_columns(const Points& points, const std::string& position) {
+  const auto required = known_columns.begin() + 2;
+  const auto has = [&](const std::string& name) { return points.find(name) != nullptr; };
+  const auto missing = std::find_if_not(known_columns.begin(), required, has);
+  if (missing == required && std::any_of(required, known_columns.end(), has)) return;
+  throw InputError("column \"" + *missing + '"', "",
+                   "is missing: the columns of the file are " +
+                       listed(points.columns, &PointColumn::name) + ". " + needed_columns(position))
+      .at(points.document, static_cast<int>(points.header));
+}
 
 void require_ascending(const Points& points, const std::vector<double>& time) {
   for (std::size_t i = 1; i < time.size(); ++i)
@@ -44,8 +77,8 @@ std::vector<double> torques(const Points& points, const Drive& drive) {
 }  // namespace
 
 Recording read_recording(const std::string& path, const Drive& drive, const std::string& position) {
-  Points points = read_points(path);
-  points.name_columns(known_columns);
+  const Points points = points_of(path, position);
+  require_columns(points, position);
   const auto optional = [&](const char* name, const std::string& unit) {
     return points.find(name) == nullptr ? std::vector<double>{} : column(points, name, unit);
   };
@@ -62,11 +95,6 @@ Recording read_recording(const std::string& path, const Drive& drive, const std:
   recording.velocity = optional("velocity", rate_unit(position, "s", 1));
   recording.torque = torques(points, drive);
   recording.load = optional("load", position);
-  if (recording.position.empty() && recording.velocity.empty() && recording.torque.empty() &&
-      recording.load.empty())
-    throw InputError("feedback", "",
-                     "is missing: a recording needs feedback, velocity, torque, current or load")
-        .at(points.document, 1);
   return recording;
 }
 

@@ -121,16 +121,19 @@ TEST(MoveSpec, MakesTablesThatKeepTheLimitsWhereAPhaseVanishes) {
 
 // tests/axis/motion/admit_test.cpp has the same borders for the admission of a table.
 TEST(TableOfPoints, DoesNotExceedALimitByMoreThanAHundredthThroughTheRoundingOfKnots) {
-  for (const test::ShortInterval& of : {test::of_a_cycle, test::of_a_part}) {
-    Input input = input_of({of.table(), {"s", "mm"}, {}}, "t.csv");
-    const double jerk = std::abs(extrema(input.table.table)[3].peak().value);
-    const auto broken = [&](double excess) {
-      input.limits = {.jerk = jerk / (1 + excess)};
-      return rules(check_all(input), true);
-    };
-    EXPECT_THAT(broken(0.98 * of.permitted), ::testing::IsEmpty()) << of.length;
-    EXPECT_THAT(broken(1.02 * of.permitted), ::testing::Contains("limit/jerk")) << of.length;
-  }
+  using Unit = std::pair<const char*, double>;  // and the length of a second in it
+  for (const auto& [unit, second] : {Unit{"s", 1}, Unit{"min", 1.0 / 60}, Unit{"ms", 1000}})
+    for (const test::ShortInterval& of : {test::of_a_cycle, test::of_a_part}) {
+      Input input = input_of({of.table(second), {unit, "mm"}, {}}, "t.csv");
+      const double jerk = std::abs(extrema(input.table.table)[3].peak().value);
+      const auto broken = [&](double excess) {
+        input.limits = {.jerk = jerk / (1 + excess)};
+        return rules(check_all(input), true);
+      };
+      EXPECT_THAT(broken(0.98 * of.permitted), ::testing::IsEmpty()) << of.length << unit;
+      EXPECT_THAT(broken(1.02 * of.permitted), ::testing::Contains("limit/jerk"))
+          << of.length << unit;
+    }
 }
 
 // tests/axis/motion/admit_test.cpp has the same borders. 1e-9 s apart, the acceleration was "1000, just

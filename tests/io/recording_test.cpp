@@ -69,7 +69,16 @@ TEST(Recording, RejectsWhatIsNone) {
   EXPECT_THAT(refused(head + "0,0,0\n1,1,1\n2,2,2\n"),
               HasSubstr("time: needs at least four rows; the number of rows is 3"));
   EXPECT_THAT(refused("time,feedback,load\n" + rows), HasSubstr("column \"command\": is missing"));
-  EXPECT_THAT(refused("time,command,other\n" + rows), HasSubstr("feedback: is missing"));
+  EXPECT_THAT(
+      refused("time,command,other\n" + rows),
+      HasSubstr(".csv:1: column \"feedback\": is missing: the columns of the file are time, "
+                "command, other. A recording needs time, command, and at least one of "
+                "feedback, velocity, torque, current and load. Name the columns in the "
+                "header, with units, such as time [s],command [deg],feedback [deg]"));
+  EXPECT_THAT(
+      refused(rows),
+      HasSubstr(".csv:1:1: header = 0: must be the name of a column, with or without a unit, such "
+                "as position [mm]: write a header above the numbers. A recording needs time"));
   EXPECT_THAT(refused("time,command [mm],feedback\n" + rows), HasSubstr("command = mm"));
   EXPECT_THAT(refused(head + "0,0,0\n1,nan,1\n2,2,2\n3,3,3\n"),
               HasSubstr(".csv:3:3: command = nan"));

@@ -297,6 +297,12 @@ TEST(CommandWords, CommandsThatChangeAMotion) {
                  mm));
   EXPECT_DOUBLE_EQ(change.position, 100);
   EXPECT_EQ(change.direction, Direction::negative);
+  EXPECT_EQ(test::error_of([] {
+              command_of({.what = "combine", .value = "3", .options = {{"second", "1:0"}}}, mm);
+            }),
+            "--second = 1:0: the denominator of the second master must not be 0");
+  EXPECT_EQ(test::error_of([] { command_of({.what = "gear-in", .value = "1:0"}, mm); }),
+            "VALUE = 1:0: the denominator must not be 0");
   EXPECT_EQ(test::error_of([] { command_of({.what = "combine", .value = "1:1"}, mm); }),
             "--second: is missing: give a ratio, such as --second 3:2");
   EXPECT_THAT(

@@ -16,13 +16,14 @@ struct ShortInterval {
   double bump = 0;  ///< distance beyond the constant velocity; the jerk is 60 bump / length^3
   double permitted = 0.0;  ///< greatest share of the limit by which the jerk may exceed it
 
-  [[nodiscard]] Table table() const {
+  /// `second`: length of a second in the unit of the table, such as 1/60 min.
+  [[nodiscard]] Table table(double second = 1) const {
     const double up = velocity * place / 2;
     const double then = up + velocity * length + bump;
     return Table(Domain::time, Interpolation::quintic_hermite, Extrapolation::hold,
-                 {{0, place, place + length, 2 * place},
+                 {{0, place * second, (place + length) * second, 2 * place * second},
                   {0, up, then, then + up},
-                  {0, velocity, velocity, 0},
+                  {0, velocity / second, velocity / second, 0},
                   {0, 0, 0, 0}});
   }
 };

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "jounce/axis/inputs.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/six_digits.hpp"
 
@@ -21,7 +22,7 @@ double stop_limit(const char* key, double value, double limit) {
   if (value == 0) return 2 * limit;
   require_finite(key, value);
   // A table may use its full limit; a stop with hardly more would never end.
-  if (value >= 1.1 * limit) return value;
+  if (value >= 1.1 * limit * (1 - profiles_detail::rounded_input)) return value;
   throw InputError(key, value,
                    "must be at least " + six_digits_up(1.1 * limit) +
                        ", which is 1.1 times limits." +

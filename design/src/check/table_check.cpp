@@ -17,11 +17,16 @@
 
 #include "design/src/check/master_check.hpp"
 #include "design/src/check/slave_advice.hpp"
+#include "design/src/check/step_check.hpp"
 
 namespace jounce::design_detail {
 namespace {
 
 using pvt_detail::KnotRounding;
+
+KnotRounding rounding_of(const Table& table, const Input& input) {
+  return KnotRounding(table, input.labels.over_master ? 0 : usual_cycle(input.labels.units.x));
+}
 
 void join(Report& all, Report part) {
   std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
@@ -131,9 +136,10 @@ void keep_worst(Report& report, const Labels& labels) {
 namespace {
 
 /// For a table without its spec: excesses by rounding become findings of limits that are just met.
-void forgive_knots(Report& report, const Table& table) {
+void forgive_knots(Report& report, const Input& input) {
   if (report.ok()) return;
-  const KnotRounding rounding(table);
+  const Table& table = input.table.table;
+  const KnotRounding rounding = rounding_of(table, input);
   std::set<std::string> met;
   std::erase_if(report.findings, [&](Finding& f) {
     const bool limits = f.broken && f.rule.family() == RuleFamily::limit;
@@ -150,12 +156,12 @@ void forgive_knots(Report& report, const Table& table) {
 
 void forgive_rounding(Report& report, const Input& input) {
   if (!input.against) {
-    if (!input.error) forgive_knots(report, input.table.table);
+    if (!input.error) forgive_knots(report, input);
     return;
   }
   const AgainstSpec& against = *input.against;
   const Table& table = input.table.table;
-  const KnotRounding rounding(table);
+  const KnotRounding rounding = rounding_of(table, input);
   const auto is_new = [&](const Finding& f) {
     return std::find(against.broken.begin(), against.broken.end(), f.rule.text()) ==
            against.broken.end();
@@ -195,7 +201,7 @@ Report check_table(const Table& table, const Input& input, const Report& of_curv
                        [&](const Finding& f) { return f.broken && which(f); });
   };
   if (breaks([](const Finding& f) { return f.rule.family() == RuleFamily::continuity; })) return {};
-  const KnotRounding of_knots(table);
+  const KnotRounding of_knots = rounding_of(table, input);
   Report report = own_limits(table, input.limits, of_knots, rises);
   if (limits_the_slave(input)) join(report, slave_limits(table, *input.spec, of_knots));
   sort(report);

@@ -720,6 +720,19 @@ Units units_of_rates(const CommandWords& words, const Form& form, Units units,
   return units;
 }
 
+/// The error of a contradiction at the option of its field: "denominator of the second master must
+/// not be 0" is at --second.
+InputError contradiction_error(const CommandWords& words, const Form& form,
+                               const std::string& rule) {
+  const auto& fields = form.command->fields;
+  const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& each) {
+    return form.takes(each) && rule.starts_with(std::string(each.name) + " must ");
+  });
+  const std::string option = field == fields.end() ? value_word : form.option(*field);
+  const std::string text = option == value_word ? words.value : text_of(words, option);
+  return InputError(text.empty() ? words.what : dashed(option), text, "the " + rule);
+}
+
 }  // namespace
 
 ClientCommand command_of(const CommandWords& given, const Units& units,
@@ -743,7 +756,7 @@ ClientCommand command_of(const CommandWords& given, const Units& units,
   }
   require_suitable(words, form);
   if (const std::string rule = contradiction(kind, values); !rule.empty())
-    throw InputError(words.value.empty() ? words.what : value_word, words.value, "the " + rule);
+    throw contradiction_error(words, form, rule);
   return jounce::command_of(kind, values);
 }
 

@@ -10,7 +10,7 @@
 
 namespace jounce::pvt_detail {
 
-KnotRounding::KnotRounding(const Table& table) : table_(table) {
+KnotRounding::KnotRounding(const Table& table, double cycle) : table_(table), cycle_(cycle) {
   const Ranges peaks = extrema(table);
   const double farthest = std::max(std::abs(table.start()), std::abs(table.end()));
   error_ = 2 * std::numeric_limits<double>::epsilon() *
@@ -30,11 +30,10 @@ double KnotRounding::of(std::size_t order, std::size_t interval) const {
 }
 
 double KnotRounding::least_limit(std::size_t order, std::size_t interval, double peak) const {
-  constexpr double cycle = 1e-3;  // s
   const auto& x = table_.columns().x;
   const double length = x[interval + 1] - x[interval];
   const bool is_mean = order == 3 && table_.axis() == Domain::time;
-  const double mean = is_mean ? std::min(length / cycle, 1.0) : 1.0;
+  const double mean = is_mean ? std::min(length / cycle_, 1.0) : 1.0;
   // peak <= limit + of() and peak <= limit (1 + greatest_excess / mean)
   return std::max(std::abs(peak) - of(order, interval),
                   std::abs(peak) * mean / (mean + greatest_excess));

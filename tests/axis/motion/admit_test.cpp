@@ -344,6 +344,7 @@ TEST(AxisConfigTest, NamesWhatIsMissingOrOutOfRange) {
   EXPECT_EQ(key({.period = 0, .limits = all}), "period");
   EXPECT_EQ(key({.limits = all, .stop_acceleration = 2}), "stop_acceleration");
   EXPECT_EQ(key({.limits = all, .stop_jerk = 1}), "stop_jerk");
+  EXPECT_EQ(key({.limits = limits(1, 2, 1e5), .stop_jerk = 1.1e5}), "none");  // 1.1 * 1e5 > 1.1e5
   EXPECT_EQ(key({.limits = all, .position = NAN}), "position");
   EXPECT_EQ(key({.limits = all, .longest_gap = 0}), "longest_gap");
   EXPECT_EQ(resolved({.limits = all}).stop_acceleration, 4);

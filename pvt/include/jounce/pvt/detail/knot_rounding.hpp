@@ -15,8 +15,9 @@ class KnotRounding {
   /// each cycle, too: stop_acceleration is at least 1.1 times the limit of the acceleration.
   static constexpr double greatest_excess = 0.01;
 
-  /// The table must outlive it.
-  explicit KnotRounding(const Table& table);
+  /// The table must outlive it. `cycle`: of the executor, in the unit of the places of a table over
+  /// time.
+  explicit KnotRounding(const Table& table, double cycle = 1e-3);
 
   /// The error of the derivative of this order, 0 to 3, in an interval. An error d of the position
   /// causes an error of 60 d / L^3 of the jerk in a quintic of length L, less in a cubic. A rounded
@@ -28,11 +29,12 @@ class KnotRounding {
   /// The least limit that a derivative of order 1 to 3 with this peak keeps in an interval. The error
   /// of the interval does not count, up to a hundredth of the limit. An axis outputs the velocity and
   /// the acceleration of a tick, but not the jerk: over time, the jerk of an interval that is shorter
-  /// than a cycle of 1 ms acts by its mean over the cycle, so the hundredth is that of the mean.
+  /// than a cycle acts by its mean over the cycle, so the hundredth is that of the mean.
   [[nodiscard]] double least_limit(std::size_t order, std::size_t interval, double peak) const;
 
  private:
   const Table& table_;
+  double cycle_;
   double error_ = 0;  ///< rounding of a position
 };
 
