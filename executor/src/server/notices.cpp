@@ -220,8 +220,8 @@ std::string start_position_text(const Refusal& refusal, const Tick& now,
     const std::string moves =
         "the master moves: use --start-at ahead, where they meet, or start = \"ramp_in\" in "
         "[coupling]";
-    return fitting({"the cam is at " + start + " now, the axis at " + present + ", and " + moves,
-                    moves});
+    return fitting(
+        {"the cam is at " + start + " now, the axis at " + present + ", and " + moves, moves});
   }
   std::string place = start;
   std::erase(place, ' ');
