@@ -155,7 +155,7 @@ TEST(CompensationPlay, ThreeReferencesCorrectAQuill) {
 TEST(CompensationPlay, ADamagedReplayDiffers) {
   Plate plate("compensated-table/machine.toml");
   plate.on("x");
-  plate.order("x", command::MoveAbsolute{.position = 300});
+  ASSERT_TRUE(plate.order("x", command::MoveAbsolute{.position = 300}).ok());
   plate.site.advance(1s);
   std::istringstream record(plate.site.record());
   std::int64_t corrected = 0;
