@@ -118,10 +118,10 @@ void GroupServer::obey(const command::Resume& /*what*/, const CommandRequested& 
   if (queue_.rests_because(last_) != Cause::awaits_acknowledge)
     return static_cast<void>(pass_on(requested, request));
   const auto m_word = queue_.m_word();
-  decline(requested, Cause::awaits_acknowledge,
-          "the group is not held: it waits for an acknowledgment " +
-              (m_word ? "of M" + std::to_string(*m_word) : std::string("in single step")) +
-              ": send `jounce order " + options_.receiver.executor + " acknowledge`");
+  decline_with(requested, Cause::awaits_acknowledge,
+               "the group is not held: it waits for an acknowledgment " +
+                   (m_word ? "of M" + std::to_string(*m_word) : std::string("in single step")) +
+                   ": send `jounce order " + options_.receiver.executor + " acknowledge`");
 }
 
 void GroupServer::obey(const command::Override& what, const CommandRequested& requested,

@@ -377,8 +377,12 @@ void MotionServer::refuse_crowd(std::int64_t session, std::int32_t command) {
 
 /// Rejects a command for a reason that is more precise than the text of its cause.
 void MotionServer::decline(const CommandRequested& requested, Cause cause, FixedReason reason) {
-  receiver_.refuse(requested.session, requested.command, reason.text,
-                   static_cast<std::int32_t>(cause));
+  decline_with(requested, cause, reason.text);
+}
+
+void MotionServer::decline_with(const CommandRequested& requested, Cause cause,
+                                const std::string& reason) {
+  receiver_.refuse(requested.session, requested.command, reason, static_cast<std::int32_t>(cause));
 }
 
 void MotionServer::handle(const QueueArmRequested& arm) {

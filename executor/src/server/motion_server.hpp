@@ -125,6 +125,8 @@ class MotionServer {
   void record(const MadeMovement& made);
   void answer(const Request& request, const std::optional<Refusal>& refused);
   void decline(const CommandRequested& requested, Cause cause, FixedReason reason);
+  /// `reason`: a text with names, which ends with "..." if it is too long.
+  void decline_with(const CommandRequested& requested, Cause cause, const std::string& reason);
   [[nodiscard]] bool reject_at_tick(const CommandRequested& requested);
   void refuse_crowd(std::int64_t session, std::int32_t command);
   void notify(const std::string& notice) const;
