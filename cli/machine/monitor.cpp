@@ -127,12 +127,12 @@ void add_monitor(CommandLine& line) {
               "the first message")
       .check(seconds())
       .shown();
-  const Option until = verb.option("--until", options->until,
-                                   "End when the axes NAME are in this state, with exit status 0; "
-                                   "with 1 after --seconds, or if one is "
-                                   "in error_stop")
-                           .check(one_of(state_words()))
-                           .needs(names);
+  const Option until =
+      verb.option("--until", options->until,
+                  "End with exit status 0 when the axes NAME are in this state; with 1 "
+                  "after --seconds, or if one of them is in error_stop")
+          .check(one_of(state_words()))
+          .needs(names);
   add_link_options(verb, options->link);
   verb.flag("--ascii", options->ascii,
             "Draw bars and plots in ASCII; default: depends on the locale");

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "jounce/command/causes.hpp"
@@ -589,7 +591,7 @@ std::string of_group_axis(const Refusal& refusal, const std::string& unit,
                  : named(unready(refusal.value), axis, index < axes.size())) +
            also_unready(refusal, index, axes, past) + ".";
   return " " + axis + " is at " + six_digits(refusal.value) + unit_of(refusal.cause, unit) +
-         " instead of " + six_digits(refusal.limit) + unit_of(refusal.cause, unit) + ".";
+         " instead of " + place_text(refusal.limit) + unit_of(refusal.cause, unit) + ".";
 }
 
 /// The value of a rejection, with as many digits as show that it is not its limit.
@@ -701,6 +703,23 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
   const std::string value =
       is_near_zero ? shown(refusal.value) : value_text(refusal) + unit_of(cause, unit);
   return words + ": " + value + instant + ", limit " + shown(refusal.limit) + ".";
+}
+
+std::string place_text(double place) {
+  std::array<char, 32> digits{};
+  const auto [end, bad] = std::to_chars(digits.data(), digits.data() + digits.size(), place,
+                                        std::chars_format::general, 12);
+  return bad == std::errc() ? std::string(digits.data(), end) : six_digits(place);
+}
+
+std::optional<double> refused_value(const std::string& text) {
+  const std::size_t limit = text.rfind(", limit ");
+  const std::size_t colon = text.rfind(": ", limit);
+  if (limit == std::string::npos || colon == std::string::npos) return std::nullopt;
+  double value = 0;
+  const char* const begin = text.data() + colon + 2;
+  const auto [end, bad] = std::from_chars(begin, text.data() + limit, value);
+  return bad == std::errc() && end != begin ? std::optional(value) : std::nullopt;
 }
 
 std::string unready_axis_text(const Refusal& refusal, std::span<const std::string> axes) {

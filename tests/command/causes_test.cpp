@@ -2,7 +2,9 @@
 #include "jounce/command/causes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <regex>
 #include <string>
 #include <vector>
@@ -91,6 +93,33 @@ TEST(Causes, AValueBesideItsLimitShowsTheDifference) {
               EndsWith(": 600.0000000001 mm, limit 600 mm."));
   EXPECT_THAT(text(Refusal{Cause::velocity_limit, 400, 300}, "mm"),
               EndsWith(": 400 mm/s, limit 300 mm/s."));
+}
+
+// text() writes six digits, or more beside the limit.
+TEST(Causes, TheValueIsReadFromTheTextWithItsLimit) {
+  for (const CauseInfo& one : all_causes())
+    for (const std::string unit : {"", "mm", "user units"})
+      for (const double value : {900.0, -1234.5678, 1e300, 3.5e-300, 500.0000001})
+        for (const double where : {1.25, std::numeric_limits<double>::quiet_NaN()}) {
+          const std::string all = text(Refusal{one.cause, value, 500, where}, unit);
+          const auto read = refused_value(all);
+          EXPECT_EQ(read.has_value(),
+                    all.find(", limit ") != std::string::npos && one.cause != Cause::no_reserve)
+              << all;
+          // Near 0, the text shows 0.
+          EXPECT_NEAR(read.value_or(value), value, 5e-6 * std::abs(value) + 1e-9) << all;
+        }
+  EXPECT_FALSE(refused_value("the axis is moving: send 5 mm").has_value());
+  EXPECT_FALSE(refused_value(", limit 5").has_value());
+}
+
+// A move to this place must be within the tolerance of the group: six digits were too few.
+TEST(Causes, ThePlaceOfAnAxisOfAGroupHasItsDigits) {
+  const std::vector<std::string> axes{"x"};
+  EXPECT_THAT(text(Refusal{Cause::axis_away, 5.87051263, 8.02011724, 1}, "mm", "", axes),
+              EndsWith(" x is at 5.87051 mm instead of 8.02011724 mm."));
+  EXPECT_THAT(text(Refusal{Cause::axis_away, 0, 1234.5678912, 1}, "mm", "", axes),
+              EndsWith(" x is at 0 mm instead of 1234.5678912 mm."));
 }
 
 TEST(Causes, TextsHaveTheNumbersOfTheRejection) {

@@ -2,8 +2,6 @@
 #include "executor/src/server/notices.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 
@@ -120,6 +118,12 @@ std::string in_units(double number, const ExecutorOptions& options) {
   return six_digits(number) + (unit.empty() ? "" : " " + unit);
 }
 
+/// A place to which an order of the reason moves the axis.
+std::string place_in_units(double place, const ExecutorOptions& options) {
+  const std::string& unit = options.units.position;
+  return place_text(place) + (unit.empty() ? "" : " " + unit);
+}
+
 /// The reason and its remedy, for a relative move of an axis at rest that leaves the position range:
 /// the distances to its ends. "" for another refusal, or outside the range.
 std::string distance_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options,
@@ -193,7 +197,7 @@ bool begins_with_moving_master(const Refusal& refusal, const Tick& now) {
 std::string start_position_text(const Refusal& refusal, const Tick& now,
                                 const ExecutorOptions& options, CommandKind order_sent) {
   const std::string order = "`jounce order " + options.receiver.executor;
-  const std::string start = in_units(refusal.value, options);
+  const std::string start = place_in_units(refusal.value, options);
   const std::string present = in_units(refusal.limit, options);
   if (now.fault != Cause::none) {
     const std::string reset = "the axis has a fault: " + std::string(name(now.fault)) +
@@ -243,27 +247,8 @@ std::string unit_of_axis(const Refusal& refusal, const ExecutorOptions& options)
   return names_axis ? units[static_cast<std::size_t>(refusal.where) - 1] : options.group->unit;
 }
 
-/// A place with so many digits that an axis that moves there is within the tolerance.
-std::string place_text(double place, double tolerance) {
-  constexpr int most_digits = 17;
-  std::array<char, 32> text{};
-  for (int digits = 6; digits < most_digits; ++digits) {
-    char* const end = std::to_chars(text.data(), text.data() + text.size(), place,
-                                    std::chars_format::general, digits)
-                          .ptr;
-    double read = 0;
-    std::from_chars(text.data(), end, read);
-    if (std::abs(read - place) <= tolerance / 10) return {text.data(), end};
-  }
-  return number(place);
-}
-
-/// Gives the place of an axis all digits that it needs, and adds the tolerance if the reply is long enough for it.
-void add_place(std::string& words, const Refusal& refusal, double tolerance,
-               const std::string& unit) {
-  const std::string rounded = " instead of " + six_digits(refusal.limit);
-  if (const std::size_t at = words.find(rounded); at != std::string::npos)
-    words.replace(at, rounded.size(), " instead of " + place_text(refusal.limit, tolerance));
+/// Adds the tolerance of a place if the reply is long enough for it.
+void add_tolerance(std::string& words, double tolerance, const std::string& unit) {
   const std::string more =
       " The tolerance is " + six_digits(tolerance) + (unit.empty() ? "" : " " + unit) + ".";
   if (words.size() + more.size() < wire::reason_bytes) words += more;
@@ -271,7 +256,7 @@ void add_place(std::string& words, const Refusal& refusal, double tolerance,
 
 /// A cutter away from its home position, with the order that moves it there.
 std::string home_position_text(const Refusal& refusal, const ExecutorOptions& options) {
-  const std::string home = in_units(refusal.value, options);
+  const std::string home = place_in_units(refusal.value, options);
   std::string place = home;
   std::erase(place, ' ');
   const std::string away = "the cutter does not stand at its home position";
@@ -322,7 +307,7 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
   if (const std::size_t at = words.find(either); at != std::string::npos)
     words.replace(at, either.size(), options.group ? "The group " : "The axis ");
   if (refusal.cause == Cause::axis_away && options.group)
-    add_place(words, refusal, options.group->of.tolerance, unit);
+    add_tolerance(words, options.group->of.tolerance, unit);
   words = fitting({words, without_meaning(refusal.cause, words),
                    std::string(name(refusal.cause)) + ": " + meaning(refusal.cause)});
   const bool fault = refusal.cause == Cause::in_error || refusal.cause == Cause::not_enabled;

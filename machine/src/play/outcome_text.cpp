@@ -2,7 +2,6 @@
 #include "jounce/machine/outcome_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string_view>
 
@@ -13,6 +12,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/command/causes.hpp"
 #include "jounce/command/commands.hpp"
+#include "jounce/command/refusal_text.hpp"
 #include "jounce/profiles/six_digits.hpp"
 #include "jounce/stream/message/refusals.hpp"
 
@@ -107,21 +107,11 @@ std::optional<Quantity> limited_quantity(std::int32_t cause) {
   }
 }
 
-/// The number of a rejection: 900 in "velocity_limit: ...: 900 mm/s, limit 500 mm/s.".
-std::optional<double> rejected_number(const std::string& reason) {
-  const std::size_t colon = reason.rfind(": ");
-  if (colon == std::string::npos) return std::nullopt;
-  double value = 0;
-  const char* const begin = reason.data() + colon + 2;
-  const auto [end, bad] = std::from_chars(begin, reason.data() + reason.size(), value);
-  return bad == std::errc() && end != begin ? std::optional(value) : std::nullopt;
-}
-
 /// "Give a lower --deceleration.", if the order gave the rejected number with an option.
 std::string remedy_of_option(const CallOutcome& outcome, const CommandWords& words,
                              const Units& units) {
   const auto quantity = limited_quantity(outcome.cause);
-  const auto value = rejected_number(outcome.reason);
+  const auto value = refused_value(outcome.reason);
   const bool of_axis =
       outcome.reason.find(name(static_cast<Cause>(outcome.cause))) != std::string::npos;
   if (!quantity || !value || !of_axis) return "";

@@ -237,9 +237,19 @@ TEST(Notices, ARejectionFitsIntoItsField) {
   const Tick moving{.state = State::discrete_motion, .job = 1};
   const std::string text = refusal_text(elsewhere, moving, millimeters);
   EXPECT_LT(text.size(), wire::reason_bytes);
-  EXPECT_THAT(text,
-              HasSubstr("begins at -1234.57 mm, but the present motion ends at -8765.43 mm: after "
-                        "it, send `jounce order "));
+  EXPECT_THAT(
+      text, HasSubstr("begins at -1234.5678 mm, but the present motion ends at -8765.43 mm: after "
+                      "it, send `jounce order "));
+}
+
+// The order of the reason must move the axis to the start within the tolerance: six digits were too few.
+TEST(Notices, TheOrderToTheStartOfATableHasItsDigits) {
+  ExecutorOptions options;
+  options.units.position = "mm";
+  options.receiver.executor = "p";
+  EXPECT_THAT(refusal_text({Cause::start_position, 8.0201172412, 8.02012}, {}, options),
+              HasSubstr("begins at 8.0201172412 mm, but the axis is at 8.02012 mm: send `jounce "
+                        "order p move --to 8.0201172412mm`"));
 }
 
 // Standstill never comes by itself, so "wait for standstill" would be a remedy that fails.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -14,6 +15,12 @@ namespace jounce {
 /// that rejected.
 std::string text(const Refusal& refusal, const std::string& unit,
                  const std::string& master_unit = "", std::span<const std::string> axes = {});
+
+/// Returns a place that an axis must reach within a tolerance, with up to twelve digits.
+std::string place_text(double place);
+
+/// Returns the value that exceeds its limit in a text of text(): 678.45. nullopt: the text has none.
+std::optional<double> refused_value(const std::string& text);
 
 /// Returns the axis of a group that a rejection axis_not_ready names, with its state: "x is
 /// disabled."; "" without such an axis. `axes`: names of the axes of the group.
