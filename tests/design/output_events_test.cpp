@@ -25,7 +25,7 @@ TEST(OutputEvents, ACompareFiresAtItsPositions) {
     EXPECT_GT(event.time, time);
     time = event.time;
     if (!event.on) continue;
-    EXPECT_NEAR(event.position, position, 1e-9);
+    EXPECT_EQ(event.position, position);
     position += 1;
     ++pulses;
   }
@@ -70,7 +70,9 @@ TEST(OutputEvents, TheLengthAlongAPathIsCompared) {
   EXPECT_TRUE(events.report.ok());
   ASSERT_EQ(events.all.size(), 8U);
   for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_NEAR(events.all[2 * k].position, 50 + 100.0 * static_cast<double>(k), 1e-9);
+    // At 100 mm/s, a pulse of 1 ms ends 0.1 mm later.
+    EXPECT_EQ(events.all[2 * k].position, 50 + 100.0 * static_cast<double>(k));
+    EXPECT_EQ(number(events.all[2 * k + 1].position), std::to_string(50 + 100 * k) + ".1");
     EXPECT_NEAR(events.all[2 * k].time, 0.6 + 1.2 * static_cast<double>(k), 1e-9);
   }
 }

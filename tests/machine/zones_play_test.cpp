@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -12,11 +13,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/design/output_events.hpp"
 #include "jounce/machine/machine_parts.hpp"
 #include "jounce/stream/sender/client.hpp"
 
 #include "executor/site.hpp"
 #include "machine/log_columns.hpp"
+#include "stream/src/transport/memory_transport.hpp"
 #include "support/errors.hpp"
 
 namespace jounce::zones_play_test {
@@ -112,6 +115,51 @@ TEST(ZonesPlay, TheOutputsOfAGroupGoOnAtTheEdgesOfTheZones) {
     EXPECT_EQ(off.output, zones[i].output);
     EXPECT_NEAR(std::max(dx, dy), 0.5, 1e-6) << "at the edge of the zone " << i;
     EXPECT_NEAR(off.tick - on.tick, 2, 1e-6) << "a pulse of 2 ms";
+  }
+}
+
+// Pulses along rounded corners: the messages of the group have the instants and places of `jounce events`.
+TEST(ZonesPlay, PulsesAlongAPathAreThoseOfItsEvents) {
+  const Folder folder("corner.toml");
+  std::ofstream(folder.file("corner.toml"))
+      << "jounce = 1\nkind = \"path\"\nname = \"corner\"\nunits = { position = \"mm\", time = "
+         "\"s\" }\n[path]\nvelocity = 190\ncorner = { distance = 5 }\n"
+         "[[axis]]\nname = \"x\"\nlimits = { velocity = 200, acceleration = 2000, jerk = 50000 }\n"
+         "[[axis]]\nname = \"y\"\nlimits = { velocity = 200, acceleration = 2000, jerk = 50000 }\n"
+         "[[command]]\ntype = \"line\"\nto = [30, 0]\n[[command]]\ntype = \"line\"\n"
+         "to = [30, 30]\n[[command]]\ntype = \"line\"\nto = [5, 40]\n[compare]\naxis = \"path\"\n"
+         "mode = \"linear\"\nstart = 0.7\nincrement = 1.1\ncount = 74\npulse = \"10 us\"\n";
+  const std::vector<OutputEvent> wanted =
+      output_events(read_inputs(folder.file("corner.toml"))).all;
+  ASSERT_GT(wanted.size(), 130U);
+  test::Site site(folder.parts().axes);
+  MemoryTransport listener(site.network);
+  listener.subscribe(wire::channel("plotter", wire::Lane::event), 4096);
+  site.advance(20ms);
+  Client group(site.link, "plotter", {}, site.clock);
+  ASSERT_TRUE(group.command(command::Enable{}).ok());
+  site.advance(20ms);
+  const CallOutcome start = group.command(command::StartTable{});
+  ASSERT_TRUE(start.ok()) << start.reason;
+  static_cast<void>(group.release());
+  site.advance(3s);
+  std::map<std::int64_t, wire::Event> seen;  // a message may come twice
+  Rejects rejects;
+  while (const auto message = next_message(listener, 0ns, rejects))
+    if (const auto* event = std::get_if<wire::Event>(&message->body);
+        event != nullptr && event->kind == wire::EventKind::compare)
+      seen[event->count] = *event;
+  ASSERT_EQ(seen.size(), wanted.size());
+  const auto time = [](const wire::Event& event) {
+    return static_cast<double>(event.tick) * 1e-3 - event.offset_s;
+  };
+  const double begin = time(seen.begin()->second) - wanted.front().time;
+  std::size_t k = 0;
+  for (const auto& [count, event] : seen) {
+    EXPECT_NEAR(time(event) - begin, wanted[k].time, 2e-7) << k;
+    EXPECT_EQ(event.on, wanted[k].on) << k;
+    EXPECT_NEAR(event.position, wanted[k].position, event.on ? 0 : 1e-4) << k;
+    ++k;
   }
 }
 

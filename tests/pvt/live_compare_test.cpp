@@ -38,7 +38,8 @@ std::vector<OutputEdge> live(const PositionCompare& compare, const Trajectory& m
     const bool over = t >= motion.length() - 1e-9;
     const Jet f = over ? motion.jet(motion.end(), Side::left) : motion.jet(motion.start() + t);
     const CompareStep& step = output.step(f[0], over ? 0 : f[1], t - before);
-    for (const OutputEdge& edge : step.edges()) edges.push_back({before + edge.time, edge.on});
+    for (const OutputEdge& edge : step.edges())
+      edges.push_back({before + edge.time, edge.on, edge.position});
     EXPECT_EQ(step.lost, 0U);
     before = t;
   }
@@ -51,6 +52,7 @@ void expect_same(const std::vector<OutputEdge>& live, const std::vector<OutputEd
   for (std::size_t i = 0; i < live.size(); ++i) {
     EXPECT_NEAR(live[i].time, exact[i].time, tolerance) << i;
     EXPECT_EQ(live[i].on, exact[i].on) << i;
+    EXPECT_NEAR(live[i].position, exact[i].position, 1e-9 + 200 * tolerance) << i;
   }
 }
 
@@ -92,6 +94,7 @@ TEST(LiveCompare, StandingOnAPointItFiresWhenItIsArmed) {
   ASSERT_EQ(edges.size(), 2U);
   EXPECT_NEAR(edges[0].time, 0, 1e-15);
   EXPECT_NEAR(edges[1].time, 1e-3, 1e-15);
+  EXPECT_EQ(edges[0].position, 0);
 }
 
 TEST(LiveCompare, BeginsAnewWhenItIsArmedAgain) {

@@ -22,11 +22,24 @@ double position_at(const Trajectory& motion, double time) {
   return time < motion.end() ? motion.jet(time)[0] : motion.jet(motion.end(), Side::left)[0];
 }
 
-/// The events of [compare].
-std::vector<OutputEvent> of_compare(const CompareSpec& compare, const Trajectory& motion) {
+/// x without the digits that its error leaves open: rounded by at most half of the error.
+double without_open_digits(double x, double error) {
+  if (!(error > 0)) return x;
+  const int digits = static_cast<int>(std::clamp(std::ceil(-std::log10(error)), 0.0, 300.0));
+  return std::stod(fmt::format("{:.{}f}", x, digits));
+}
+
+/// The events of [compare]. `error`: bound of the error of the positions of the motion.
+std::vector<OutputEvent> of_compare(const CompareSpec& compare, const Trajectory& motion,
+                                    double error = 0) {
   std::vector<OutputEvent> events;
   for (const OutputEdge& edge : compared(compare.compare, motion).edges)
-    events.push_back({edge.time, "compare", edge.on, position_at(motion, edge.time)});
+    events.push_back(
+        {edge.time, "compare", edge.on,
+         compare.compare.pulse > 0 && !edge.on
+             ? without_open_digits(edge.position,
+                                   std::max(error, rounded_sum * std::abs(edge.position)))
+             : edge.position});
   return events;
 }
 
@@ -89,8 +102,8 @@ OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
     events.report = check(*compare.plane, motion_x, motion_y, events.position);
     return events;
   }
-  const auto add = [&](const Trajectory& motion) {
-    events.all = of_compare(compare, motion);
+  const auto add = [&](const Trajectory& motion, double error = 0) {
+    events.all = of_compare(compare, motion, error);
     events.report = check(compare.compare, motion, compare.device, events.position);
   };
   const auto axis = std::find_if(axes.begin(), axes.end(),
@@ -100,7 +113,8 @@ OutputEvents of_compare(const Spec& spec, const std::vector<Input>& axes) {
       throw spec.document.located(InputError("compare.axis", "\"path\"",
                                              "is not possible for lines that overlap in time: they "
                                              "have no length along the path. Name an axis"));
-    add(length_over_time(*axes.front().plan).curve);
+    const Fitted<OverTime> length = length_over_time(*axes.front().plan);
+    add(length.curve, length.error[0]);
     return events;
   }
   events.position = axis->labels.units.position;

@@ -36,22 +36,10 @@ double between(const End& a, const End& b, double t, double dt) {
 
 }  // namespace
 
-std::vector<wire::Event> events_of(const Tick& before, const Tick& now, const OutputsOf& of,
+std::vector<wire::Event> events_of(const Tick& before, const Tick& now, SwitchesOf of,
                                    std::int64_t period, std::int64_t last_count) {
   std::vector<wire::Event> events;
   const double dt = static_cast<double>((now.skipped + 1) * period) * 1e-9;
-  const auto add = [&](wire::EventKind kind, int number, bool on, double time, SwitchesOf what) {
-    events.push_back({.kind = kind,
-                      .number = static_cast<std::uint32_t>(number),
-                      .on = on,
-                      .tick = now.tick,
-                      .offset_s = dt - time,
-                      .position = between(end_of(before, what), end_of(now, what), time, dt)});
-  };
-  for (const auto& [time, track, on] : now.switches.edges())
-    add(wire::EventKind::track, track, on, time, of.switches);
-  for (const auto& [time, on] : now.compare.edges())
-    add(wire::EventKind::compare, 1, on, time, of.compare);
   const auto note = [&](wire::EventKind kind, std::uint32_t number, bool on, double age,
                         double position) {
     if (!std::isfinite(position)) position = 0;
@@ -62,6 +50,11 @@ std::vector<wire::Event> events_of(const Tick& before, const Tick& now, const Ou
                       .offset_s = age,
                       .position = position});
   };
+  for (const auto& [time, track, on] : now.switches.edges())
+    note(wire::EventKind::track, static_cast<std::uint32_t>(track), on, dt - time,
+         between(end_of(before, of), end_of(now, of), time, dt));
+  for (const auto& [time, on, position] : now.compare.edges())
+    note(wire::EventKind::compare, 1, on, dt - time, position);
   for (const Capture& c : now.probe.captures())
     note(wire::EventKind::probe, c.input, c.rising, c.age, c.position());
   for (const ProfileEvent& e : now.profile.events())

@@ -451,8 +451,8 @@ void MotionServer::take_ticks() {
       notify(notice);
     if (tick.fault != last_.fault && tick.fault != Cause::none)
       fault_session_ = receiver_.session();
-    for (auto& event : events_of(last_, tick, {options_.switches.of, options_.compare.of},
-                                 options_.axis.period, event_count_)) {
+    for (auto& event :
+         events_of(last_, tick, options_.switches.of, options_.axis.period, event_count_)) {
       event_count_ = event.count;
       events_.push_back(event);
     }

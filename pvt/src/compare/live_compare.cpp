@@ -35,9 +35,11 @@ const CompareStep& LiveCompare::step(double position, double velocity, double dt
   if (std::isfinite(position)) {
     move(position, velocity);
     fire(dt);
-    elapsed_ = 0;
+  } else {
+    piece_ = line(dt, position_, position_);
   }
-  end_pulse(dt);
+  end_pulse(dt, dt);
+  if (std::isfinite(position)) elapsed_ = 0;
   if (off_in_) *off_in_ -= dt;
   return step_;
 }
@@ -58,13 +60,12 @@ void LiveCompare::move(double position, double velocity) {
 }
 
 void LiveCompare::fire(double dt) {
-  const double skipped = elapsed_ - dt;
   while (armed_ && next_ < compare_.points.size()) {
     const ComparePoint& point = compare_.points[next_];
     const auto s = reach(point.position);
     if (!s) return;
     ++next_;
-    pass(point, std::clamp(*s * elapsed_ - skipped, 0.0, std::nextafter(dt, 0)));
+    pass(point, *s, dt);
   }
 }
 
@@ -98,26 +99,38 @@ std::optional<double> LiveCompare::arrive(double s) {
   return s;
 }
 
-void LiveCompare::pass(const ComparePoint& point, double time) {
-  end_pulse(time);
+/// The axis passes a point at the part s of the piece.
+void LiveCompare::pass(const ComparePoint& point, double s, double dt) {
+  const double time = std::clamp(s * elapsed_ - (elapsed_ - dt), 0.0, std::nextafter(dt, 0));
+  end_pulse(time, dt);
   const bool on = pulses_ || point.level;
-  if (on != step_.output) emit(time, on);
+  if (on != step_.output) {
+    const double here = value(piece_, s);
+    const double near = profiles_detail::rounded_input * (magnitude(piece_) + std::abs(here));
+    emit(time, on, std::abs(here - point.position) <= near ? point.position : here);
+  }
   if (pulses_) off_in_ = time + compare_.pulse;  // extends a pulse that is still on
 }
 
 /// Ends a pulse whose end is before that time.
-void LiveCompare::end_pulse(double before) {
+void LiveCompare::end_pulse(double before, double dt) {
   if (!off_in_ || !(*off_in_ < before)) return;
-  emit(std::max(*off_in_, 0.0), false);
+  const double time = std::max(*off_in_, 0.0);
+  emit(time, false, position_at(time, dt));
   off_in_.reset();
 }
 
-void LiveCompare::emit(double time, bool on) {
+/// The position in this step, of the duration dt.
+double LiveCompare::position_at(double time, double dt) const {
+  return value(piece_, std::clamp(1 + (time - dt) / elapsed_, 0.0, 1.0));
+}
+
+void LiveCompare::emit(double time, bool on, double position) {
   step_.output = on;
   if (step_.count == CompareStep::most_edges)
     ++step_.lost;
   else
-    step_.edge[step_.count++] = {time, on};
+    step_.edge[step_.count++] = {time, on, position};
 }
 
 }  // namespace jounce

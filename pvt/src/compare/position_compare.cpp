@@ -120,19 +120,27 @@ std::vector<CompareEvent> events_of(const PositionCompare& compare, const Trajec
   return events;
 }
 
-std::vector<OutputEdge> edges_of(const PositionCompare& compare,
+/// After the end of the motion, its last position.
+double position_at(const Trajectory& motion, double time) {
+  return time < motion.end() ? motion.jet(time)[0] : motion.jet(motion.end(), Side::left)[0];
+}
+
+std::vector<OutputEdge> edges_of(const PositionCompare& compare, const Trajectory& motion,
                                  const std::vector<CompareEvent>& events) {
   std::vector<OutputEdge> edges;
+  const bool met = met_at_start(compare, motion);
   for (const CompareEvent& event : events) {
     const bool on = edges.empty() ? false : edges.back().on;
+    const double place = met ? position_at(motion, event.time) : event.position;
     if (pulses(compare.mode)) {
       if (!edges.empty() && event.time <= edges.back().time)
         edges.pop_back();  // the previous pulse is still on: both become one longer pulse
       else
-        edges.push_back({event.time, true});
-      edges.push_back({event.time + compare.pulse, false});
+        edges.push_back({event.time, true, place});
+      const double end = event.time + compare.pulse;
+      edges.push_back({end, false, position_at(motion, end)});
     } else if (const bool level = compare.points[event.point].level; level != on) {
-      edges.push_back({event.time, level});
+      edges.push_back({event.time, level, place});
     }
   }
   return edges;
@@ -156,7 +164,7 @@ Compared compared(const PositionCompare& compare, const Trajectory& motion) {
   require_one_pass(motion);
   Compared all;
   all.events = events_of(compare, motion);
-  all.edges = edges_of(compare, all.events);
+  all.edges = edges_of(compare, motion, all.events);
   return all;
 }
 

@@ -64,9 +64,10 @@ class LiveCompare {
   void fire(double dt);
   [[nodiscard]] std::optional<double> reach(double level);
   std::optional<double> arrive(double s);
-  void pass(const ComparePoint& point, double time);
-  void end_pulse(double before);
-  void emit(double time, bool on);
+  void pass(const ComparePoint& point, double s, double dt);
+  void end_pulse(double before, double dt);
+  void emit(double time, bool on, double position);
+  [[nodiscard]] double position_at(double time, double dt) const;
 
   PositionCompare compare_;
   bool pulses_;

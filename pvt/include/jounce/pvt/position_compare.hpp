@@ -68,8 +68,9 @@ struct CompareEvent {
 
 /// A change of the output.
 struct OutputEdge {
-  double time = 0;  ///< s
-  bool on = false;  ///< true: the output goes on
+  double time = 0;      ///< s
+  bool on = false;      ///< true: the output goes on
+  double position = 0;  ///< u, where the output changes; at a point, its given position
 };
 
 /// Result of compared().
