@@ -45,7 +45,9 @@ enum class JunctionNote : std::uint8_t {
   turns_back,  ///< the path reverses: the plan stops
   /// The adjacent pieces are too short for the requested corner; a smaller one is used.
   short_sides,
-  slower,  ///< the rounded corner would take longer than a stop: the plan stops at the corner
+  /// The rounded corners between two rests would together take longer than stops: the plan stops at
+  /// each of them.
+  slower,
   /// The junction is tangential, but the curvature steps, and with it the acceleration. A corner
   /// mode rounds the junction.
   steps,
