@@ -162,9 +162,12 @@ std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
   if (options.follow.what == Follow::What::nothing)
     return "the axis has no live master: add follow = { axis = \"NAME\" } to its [[axis]] in the "
            "machine spec, or [follow] to its own spec, and start the executor again";
-  return "the master of the axis sends no valid position: if it is an axis, enable it; otherwise "
-         "start its program, or correct its unit. `jounce monitor " +
-         options.receiver.executor + "` shows the master";
+  const std::string what = "the master of the axis sends no valid position: ";
+  const std::string remedy =
+      "if it is an axis, enable it; otherwise start its program, or correct its unit";
+  return fitting(
+      {what + remedy + ". `jounce monitor " + options.receiver.executor + "` shows the master",
+       what + remedy});
 }
 
 /// The reason and its remedy, for an order that an endless motion prevents: the order that ends this

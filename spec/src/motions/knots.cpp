@@ -139,18 +139,22 @@ Table with_finite_segments(Table table) {
 Table filled_table(TomlReader& top, Spec& spec, Interpolation rule) {
   std::optional<Points> points = knots_file(top, rule);
   FillSpec fill = read_fill(top, spec.units, rule, points);
-  if (points)  // already read; errors still need the lines and characters
-    for (PointColumn& column : points->columns) column.values = {};
+  const bool has_file = points.has_value();
+  points.reset();  // read again for the place of an error
   const auto table = [&] {
     if (spec.himc) himc::require_pvt(fill.x);
     return with_finite_segments(made_of(fill, spec));
   };
-  if (!points) return table();
+  if (!has_file) return table();
   ColumnUnits units{{"time", spec.units.x}};
   for (const auto& [column, order] :
        {std::pair{"position", 0}, {"velocity", 1}, {"acceleration", 2}})
     units[column] = rate_unit(spec.units.position, spec.units.x, order);
-  return placed_in(*points, units, table);
+  try {
+    return table();
+  } catch (const InputError& error) {
+    throw placed(error, *knots_file(top, rule), units);
+  }
 }
 
 /// The cubic spline as a table with its knots. It is exact, also as a quintic table.

@@ -70,8 +70,8 @@ TEST(Notices, APlaceHasAllDigitsThatAMoveToItNeeds) {
   const Refusal away{
       .cause = Cause::axis_away, .value = 424.557, .limit = 431.78125903267603, .where = 2};
   EXPECT_THAT(refusal_text(away, {}, options, CommandKind::resume),
-              HasSubstr("c is at 424.557 deg instead of 431.781259 deg. The tolerance is 1e-6 "
-                        "deg."));
+              HasSubstr("c is at 424.557 deg instead of 431.781259033 deg. The tolerance is "
+                        "1e-6 deg."));
 }
 
 TEST(Notices, ReportTheNumbersOfAFault) {
@@ -303,7 +303,7 @@ TEST(Notices, ACamOnAMovingMasterNamesRemediesThatDoNotDependOnTheInstant) {
   const Tick moving{.live_master = {0.25, 0.3}};
   const std::string text = refusal_text(away, moving, options, CommandKind::start);
   EXPECT_EQ(text,
-            "the cam is at -1234.57 mm now, the axis at -8765.43 mm, and the master moves: use "
+            "the cam is at -1234.5678 mm now, the axis at -8765.43 mm, and the master moves: use "
             "--start-at ahead, where they meet, or start = \"ramp_in\" in [coupling]");
   EXPECT_LT(text.size(), wire::reason_bytes);
   const Tick resting{.live_master = {0.25, 0}};
