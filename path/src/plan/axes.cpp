@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "jounce/path/axes_by_stretch.hpp"
 #include "jounce/path/plan.hpp"
@@ -139,10 +141,13 @@ Fitted<OverTime> composed_within(const Curve<OverLength>& outer, const Segment& 
   }
 }
 
-/// Appends one axis over one cut to `out`, and increases `error` if necessary.
+/// Appends one axis over one cut to `out`, and increases `error` if necessary. `end`: the end of a fit
+/// that this cut continues; then the end of the last fit, or nullopt.
 void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allowed,
-             std::vector<Segment>& pieces, std::vector<Segment>& out, Jet& error) {
+             std::vector<Segment>& pieces, std::vector<Segment>& out, Jet& error,
+             std::optional<double>& end) {
   if (cut.law.empty()) return;
+  const std::optional<double> before = std::exchange(end, std::nullopt);
   pieces.clear();
   path.segments(cut.piece, axis, pieces);
   const bool line = pieces.size() == 1 && pieces.front().degree <= 1 && pieces.front().sines == 0;
@@ -167,19 +172,27 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allo
   pieces.front() = part(pieces.front(), -over, 1);
   pieces.back() = part(pieces.back(), 0, 1 + over);
   // Each phase is relative to its own start: the values of a short phase are then small, and so is
-  // their rounding.
+  // their rounding. On an arc of a large radius, a position has the rounding of the radius, which would
+  // be a step: there, a phase begins where the previous fit ends.
+  constexpr double large = 1e3;  // lengths of the piece
+  double farthest = 0;
+  for (const Segment& f : pieces) farthest = std::max(farthest, magnitude(f));
+  const bool chained = farthest > large * length;
+  if (chained) end = before;
   std::vector<Segment> relative(pieces.size());
   const Curve<OverLength> whole(pieces, begin, Extrapolation::hold);
   for (const Segment& phase : cut.law) {
-    const double start = whole.at(value(phase, 0)).position;
+    const double origin = whole.at(value(phase, 0)).position;
     std::transform(pieces.begin(), pieces.end(), relative.begin(),
-                   [&](const Segment& f) { return scaled(f, 1, -start); });
+                   [&](const Segment& f) { return scaled(f, 1, -origin); });
     double scale = 0;
     for (const Segment& f : relative) scale = std::max(scale, magnitude(f));
     const Fitted<OverTime> fit =
         composed_within(Curve<OverLength>(relative, begin, Extrapolation::hold), phase, allowed,
                         fit_rounding * scale);
+    const double start = end ? *end - value(fit.curve.segments().front(), 0) : origin;
     for (const Segment& f : fit.curve.segments()) out.push_back(scaled(f, 1, start));
+    if (chained) end = value(out.back(), 1);
     for (std::size_t k = 0; k < error.size(); ++k) error[k] = std::max(error[k], fit.error[k]);
   }
 }
@@ -193,6 +206,7 @@ AxesByStretch::AxesByStretch(const Plan& plan, double tolerance) : plan_(plan) {
   segments_.resize(plan.path().axes());
   piece_of_.resize(plan.path().axes());
   error_.resize(plan.path().axes());
+  ends_.resize(plan.path().axes());
 }
 
 /// The place of the start of a stretch on its first piece. Far from the start of the path, q has few
@@ -222,12 +236,15 @@ bool AxesByStretch::next() {
     return true;
   }
   double offset = offset_of(stretch);
+  const bool continues = stretch.piece == last_.piece && offset == last_.offset;
+  if (!continues) ends_.assign(ends_.size(), std::nullopt);
   const std::size_t cuts = cut_at_pieces(path, stretch, offset, cuts_);
   last_ = {cuts_[cuts - 1].piece, offset};
   for (Cut& cut : std::span(cuts_).first(cuts)) {
+    if (&cut != cuts_.data()) ends_.assign(ends_.size(), std::nullopt);
     drop_slivers(cut, path.pieces()[cut.piece].length);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      compose(path, cut, i, allowed_[i], pieces_, segments_[i], error_[i]);
+      compose(path, cut, i, allowed_[i], pieces_, segments_[i], error_[i], ends_[i]);
       piece_of_[i].resize(segments_[i].size(), cut.piece);
     }
   }

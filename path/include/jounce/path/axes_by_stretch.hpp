@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,8 +49,9 @@ class AxesByStretch {
   [[nodiscard]] double offset_of(const LawInterval& stretch) const;
 
   const Plan& plan_;
-  std::size_t next_ = 0;  // the next stretch
-  Place last_;            // the end of the previous stretch
+  std::size_t next_ = 0;                     // the next stretch
+  Place last_;                               // the end of the previous stretch
+  std::vector<std::optional<double>> ends_;  // of the last fit on this piece, for each axis
   std::vector<Jet> allowed_, error_;
   std::vector<Cut> cuts_;
   std::vector<Segment> pieces_;
