@@ -77,9 +77,10 @@ std::string to_json(const FileDifference& difference) {
   document["keys"] = std::move(keys);
   if (has_two_paths(difference)) {
     const auto& [before, after] = difference.axes.front();
-    document["path"] = {{"durations", {before.plan->duration(), after.plan->duration()}},
-                        {"lengths", Json::array({PathLength(*before.plan).whole(),
-                                                 PathLength(*after.plan).whole()})}};
+    document["path"] = {
+        {"durations", {before.plan->duration(), after.plan->duration()}},
+        {"lengths", nlohmann::ordered_json::array(
+                        {PathLength(*before.plan).whole(), PathLength(*after.plan).whole()})}};
   }
   return document.dump();
 }

@@ -11,6 +11,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/study/spec_numbers.hpp"
 
