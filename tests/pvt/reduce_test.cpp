@@ -549,7 +549,7 @@ TEST(Reduced, ReportsHowManyKnotsItsDwellsNeed) {
                       "motion need a knot"),
             std::string::npos)
       << both;
-  for (const std::size_t few : {0, 1})
+  for (const std::size_t few : {std::size_t{0}, std::size_t{1}})
     EXPECT_THAT(refusal(up_and_down(), {.rule = Interpolation::linear, .most = few}),
                 testing::StartsWith("most = " + std::to_string(few) +
                                     ": must be at least 4 for a linear table"));

@@ -246,7 +246,7 @@ TEST(Jogs, ABrokenLinkEndsTheJogAndNotThePage) {
 TEST(Jogs, ALinkThatBreaksWhileTheSessionOpensIsReportedAndMovesNothing) {
   Buttons page;
   page.feeder.fail(true);
-  EXPECT_THROW(page.jogs.jog("feeder", 20, 1), TransportError);
+  EXPECT_THROW(static_cast<void>(page.jogs.jog("feeder", 20, 1)), TransportError);
   page.feeder.fail(false);
   EXPECT_THAT(page.jogs.jog("feeder", 20, 1).reason, HasSubstr("has ended"));
   EXPECT_EQ(page.feeder.jogs(), 0);

@@ -182,10 +182,10 @@ TEST(DiscCheck, InterferenceAgreesWithAGridOfPairs) {
 
 TEST(DiscCheck, LimitsOutOfRangeAreRejected) {
   const Disc disc(harmonic(5), {.base_radius = 20, .roller_radius = 8});
-  EXPECT_THROW(check(disc, {.pressure_angle = 0}), InputError);
-  EXPECT_THROW(check(disc, {.pressure_angle = 1.6}), InputError);
-  EXPECT_THROW(check(disc, {.profile_radius = -1}), InputError);
-  EXPECT_THROW(check(disc, {.cutter_radius = NAN}), InputError);
+  EXPECT_THROW(static_cast<void>(check(disc, {.pressure_angle = 0})), InputError);
+  EXPECT_THROW(static_cast<void>(check(disc, {.pressure_angle = 1.6})), InputError);
+  EXPECT_THROW(static_cast<void>(check(disc, {.profile_radius = -1})), InputError);
+  EXPECT_THROW(static_cast<void>(check(disc, {.cutter_radius = NAN})), InputError);
 }
 
 }  // namespace

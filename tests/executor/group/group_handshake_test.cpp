@@ -126,7 +126,9 @@ TEST_F(GroupHandshake, SingleStepBeginsOneCommandForEachAcknowledgment) {
 
 TEST_F(GroupHandshake, IsChecked) {
   EXPECT_THAT(refused(command::GroupMWord{}), HasSubstr("M word 0 must be at least 1"));
-  EXPECT_THROW(site.order("plotter", command::GroupMWord{.number = 5, .timeout = -1}), InputError);
+  EXPECT_THROW(
+      static_cast<void>(site.order("plotter", command::GroupMWord{.number = 5, .timeout = -1})),
+      InputError);
   EXPECT_THAT(site.order("x", command::GroupMWord{.number = 5}).reason, HasSubstr("not_a_group"));
   EXPECT_THAT(site.order("x", command::GroupAcknowledge{}).reason, HasSubstr("not_a_group"));
   EXPECT_THAT(site.order("x", command::GroupSingleStep{}).reason, HasSubstr("not_a_group"));

@@ -152,9 +152,13 @@ TEST(GroupOverride, AFasterCommandEndsTheReserve) {
 
 TEST(GroupOverride, IsCheckedAndForGroupsOnly) {
   Measured site;
-  EXPECT_THROW(site.order("plotter", command::GroupSetOverride{.velocity = 2.5}), InputError);
-  EXPECT_THROW(site.order("plotter", command::GroupSetOverride{.acceleration = 0}), InputError);
-  EXPECT_THROW(site.order("plotter", command::GroupSetOverride{.jerk = 1.5}), InputError);
+  EXPECT_THROW(static_cast<void>(site.order("plotter", command::GroupSetOverride{.velocity = 2.5})),
+               InputError);
+  EXPECT_THROW(
+      static_cast<void>(site.order("plotter", command::GroupSetOverride{.acceleration = 0})),
+      InputError);
+  EXPECT_THROW(static_cast<void>(site.order("plotter", command::GroupSetOverride{.jerk = 1.5})),
+               InputError);
   EXPECT_THAT(site.order("x", command::GroupSetOverride{}).reason, HasSubstr("not_a_group"));
 }
 
@@ -464,7 +468,8 @@ TEST(GroupLimits, AreChecked) {
               HasSubstr("axis = 3: must be 1 (x) or 2 (y)"));
   EXPECT_THAT(site.refused(command::GroupSetLimits{.dynamics = {.deceleration = 5}, .axis = 1}),
               HasSubstr("deceleration = 5: applies along the path only"));
-  EXPECT_THROW(site.order("plotter", command::GroupSetLimits{.dynamics = {.velocity = -1}}),
+  EXPECT_THROW(static_cast<void>(
+                   site.order("plotter", command::GroupSetLimits{.dynamics = {.velocity = -1}})),
                InputError);
   EXPECT_THAT(site.order("x", command::GroupSetLimits{.dynamics = {.velocity = 5}}).reason,
               HasSubstr("not_a_group"));

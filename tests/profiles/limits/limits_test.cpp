@@ -71,9 +71,10 @@ TEST(Check, WithoutLimitsFindsNothing) {
 }
 
 TEST(Check, RejectsLimitsThatAreNone) {
-  EXPECT_THROW(check(move(), {.velocity = 0}), InputError);
-  EXPECT_THROW(check(move(), {.acceleration = std::nan("")}), InputError);
-  EXPECT_THROW(check(move(), {.position_min = 1, .position_max = 0}), InputError);
+  EXPECT_THROW(static_cast<void>(check(move(), {.velocity = 0})), InputError);
+  EXPECT_THROW(static_cast<void>(check(move(), {.acceleration = std::nan("")})), InputError);
+  EXPECT_THROW(static_cast<void>(check(move(), {.position_min = 1, .position_max = 0})),
+               InputError);
 }
 
 TEST(CheckContinuity, FindsTheFirstDerivativeThatJumps) {

@@ -110,14 +110,18 @@ TEST(Client, ReportsThatNoExecutorAnswers) {
 TEST(Client, RejectsValuesThatNoAxisCanTake) {
   World world;
   Client client(world.link, "feeder", {}, world.clock);
-  EXPECT_THROW(client.command(command::Override{2.5}), InputError);
-  EXPECT_THROW(client.command(command::MoveAbsolute{.position = NAN}), InputError);
-  EXPECT_THROW(client.command(command::MoveRelative{.distance = 1, .dynamics = {.velocity = NAN}}),
+  EXPECT_THROW(static_cast<void>(client.command(command::Override{2.5})), InputError);
+  EXPECT_THROW(static_cast<void>(client.command(command::MoveAbsolute{.position = NAN})),
+               InputError);
+  EXPECT_THROW(static_cast<void>(client.command(
+                   command::MoveRelative{.distance = 1, .dynamics = {.velocity = NAN}})),
                InputError)
       << "not the limit of the axis";
-  EXPECT_THROW(client.command(command::MoveRelative{.distance = 1, .dynamics = {.velocity = -1}}),
+  EXPECT_THROW(static_cast<void>(client.command(
+                   command::MoveRelative{.distance = 1, .dynamics = {.velocity = -1}})),
                InputError);
-  EXPECT_THROW(client.command(command::GearIn{.numerator = 1, .denominator = 0}), InputError);
+  EXPECT_THROW(static_cast<void>(client.command(command::GearIn{.numerator = 1, .denominator = 0})),
+               InputError);
   EXPECT_THROW(Client(world.link, "two words"), InputError);
 }
 

@@ -213,9 +213,10 @@ TEST(RollingStream, AnExceptionOfTheCallerStopsTheAxisFirst) {
   options.progress = [&](const RowProgress& now) {
     if (now.played > 50) throw std::runtime_error("of the caller");
   };
-  EXPECT_THROW(stream_rows(world.link, {"feeder", queue_of(100, 50), source_of(5'000)}, options,
-                           world.clock, 1),
-               std::runtime_error);
+  EXPECT_THROW(
+      static_cast<void>(stream_rows(world.link, {"feeder", queue_of(100, 50), source_of(5'000)},
+                                    options, world.clock, 1)),
+      std::runtime_error);
   EXPECT_THAT(world.executor->log, testing::Contains("stop 1"));
 }
 
