@@ -175,7 +175,7 @@ void throw_missing(KeyedLink& link, const std::string& executor) {
 
 std::int64_t tick_at(const std::string& text, KeyedLink& link, const std::string& executor) {
   if (text.empty()) return -1;
-  constexpr double most_seconds = 1e9;
+  constexpr double most_seconds = 86400;  // a day: a command that waits keeps others from waiting
   constexpr double most_ticks = 1e15;
   const bool from_now = text.front() == '+';
   const auto number = csv_number(from_now ? text.substr(1) : text);
@@ -183,8 +183,10 @@ std::int64_t tick_at(const std::string& text, KeyedLink& link, const std::string
                     (from_now ? *number <= most_seconds
                               : *number <= most_ticks && *number == std::floor(*number));
   if (!good)
-    throw InputError("--at", text,
-                     "must be a tick, such as 120000, or + and seconds from now, such as +2.5");
+    throw InputError(
+        "--at", text,
+        "must be a tick, such as 120000, or + and at most 86400 seconds from now, such "
+        "as +2.5");
   if (!from_now) return static_cast<std::int64_t>(*number);
   const auto tick = tick_after(link.transport(), executor, *number, link.key());
   if (!tick) throw_missing(link, executor);
