@@ -8,9 +8,12 @@
 #include <vector>
 
 #include "jounce/profiles/detail/evaluate.hpp"
+#include "jounce/profiles/detail/tolerances.hpp"
 
 namespace jounce {
 namespace {
+
+using profiles_detail::rounded_root;
 
 /// The state at the time dt (of either sign) after s, with the derivative of order `order` at
 /// `value`.
@@ -150,12 +153,14 @@ Trajectory Profile::curve() const {
     if (has_length(duration_[k], t)) segments.push_back(segment(backward, order_, phase(k)));
   }
   std::reverse(segments.begin() + static_cast<std::ptrdiff_t>(middle), segments.end());
-  // A cruise in the middle absorbs the difference, if it is so long that its velocity hardly
-  // changes.
-  if (middle < segments.size() && segments[middle].degree == 1 &&
-      segments[middle].length > total / 64) {
+  // A cruise in the middle absorbs the difference, if its velocity hardly changes. Otherwise the
+  // position steps by the rounding of its value: far from 0, a velocity that absorbs it would exceed
+  // the velocity limit.
+  if (middle < segments.size() && segments[middle].degree == 1) {
     Segment& cruise = segments[middle];
-    cruise = line(cruise.length, forward.position, cruise.c[0] + cruise.c[1]);
+    const Segment joined = line(cruise.length, forward.position, cruise.c[0] + cruise.c[1]);
+    if (std::abs(joined.c[1] - cruise.c[1]) <= rounded_root * std::abs(cruise.c[1]))
+      cruise = joined;
   }
   return Trajectory(std::move(segments), 0, Extrapolation::hold);
 }

@@ -8,6 +8,7 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/profiles/limits/limits.hpp"
 
 #include "support/invariants.hpp"
 #include "support/oracle.hpp"
@@ -164,6 +165,24 @@ TEST(Moves, ADistanceTooShortForADoubleIsAnErrorOfTheTarget) {
       EXPECT_EQ(error.key(), "to");
       EXPECT_EQ(error.rule(), "is too close to `from`: the move would be too short to compute");
     }
+  }
+}
+
+// A cruise that absorbed the rounding of its ends exceeded its velocity by up to 5e-10 of it.
+TEST(Moves, FarFromZeroKeepTheirLimits) {
+  test::Random random(1253);
+  for (int k = 0; k < 2000; ++k) {
+    const double from = (k % 2 == 0 ? 1 : -1) * random.log_uniform(1e3, 1e9);
+    SCurveSpec spec{.from = from, .to = from + random.log_uniform(0.1, 100)};
+    spec.velocity = random.log_uniform(0.5, 500);
+    spec.acceleration = spec.velocity * random.uniform(3, 50);
+    spec.jerk = spec.acceleration * random.uniform(5, 50);
+    const Trajectory f = s_curve(spec).curve();
+    const Report limits = check(
+        f, {.velocity = spec.velocity, .acceleration = spec.acceleration, .jerk = spec.jerk});
+    EXPECT_TRUE(limits.ok()) << from << ": " << limits.findings.front().value;
+    EXPECT_TRUE(check_continuity(f, 2).ok()) << from;
+    EXPECT_NEAR(f.at(f.end(), Side::left).position, spec.to, 4e-16 * std::abs(spec.to) + 1e-15);
   }
 }
 
