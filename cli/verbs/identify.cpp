@@ -27,8 +27,7 @@ struct IdentifyArguments {
 
 Identification fitted(const Recording& run, const Drive& drive, const IdentifyArguments& options) {
   WatchedWork work("identifying");
-  const Trajectory command = commanded_motion(run);
-  return identify(run, command, {drive, options.fit, options.iterations},
+  return identify(run, {drive, options.fit, options.iterations},
                   [&](int done, double share) {
                     return work.goes_on(std::min(1.0, done / 20.0),
                                         fmt::format("residual {:.3g} of the start's", share));

@@ -468,7 +468,7 @@ TEST(HostileRecording, OfAnAxisAtRestHasNoInformation) {
     SCOPED_TRACE(at);
     const Recording run = still(101, at);
     const Identification found =
-        identify(run, commanded_motion(run), {servo_400w(), {"motor.inertia", "mass[1].inertia"}});
+        identify(run, {servo_400w(), {"motor.inertia", "mass[1].inertia"}});
     EXPECT_EQ(found.status, Identification::Status::not_identifiable) << found.reason;
     for (const FittedNumber& n : found.numbers) EXPECT_TRUE(std::isfinite(n.value)) << n.key;
   }
@@ -477,7 +477,7 @@ TEST(HostileRecording, OfAnAxisAtRestHasNoInformation) {
 TEST(HostileRecording, OutOfShapeIsRejectedByName) {
   const auto refused = [](const Recording& run, const std::string& key) {
     try {
-      identify(run, commanded_motion(run), {servo_400w(), {"motor.inertia"}});
+      identify(run, {servo_400w(), {"motor.inertia"}});
       ADD_FAILURE() << key << ": was taken";
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(key), std::string::npos) << error.what();

@@ -266,10 +266,25 @@ TEST(Identify, FromTheRecordedCommandAlone) {
   const Recording run = recorded(move, truth, 701, {}, 1);  // about a sample a ms
   const std::vector<std::string> keys{"mass[1].inertia", "mass[1].stiffness"};
   const Identification found =
-      identify(run, commanded_motion(run), {wrong(truth, keys, 1.3), keys});
-  ASSERT_TRUE(found.usable()) << found.reason;
+      identify(run, {wrong(truth, keys, 1.3), keys});
+  EXPECT_EQ(found.status, Status::converged) << found.reason;
   for (const FittedNumber& n : found.numbers)
     EXPECT_NEAR(n.value, value_of(truth, n.key), 5e-3 * value_of(truth, n.key)) << n.key;
+}
+
+// The residuals are those of the interpolation of the command, which is not noise, and no error of the model.
+TEST(Identify, FromTheRecordedCommandFindsOnlyErrorsOfTheModel) {
+  const Trajectory move = test::s_curve_move();
+  const Drive truth = servo_400w();
+  const std::vector<std::string> keys{"mass[1].inertia", "mass[1].stiffness"};
+  for (const std::size_t samples : {200, 701, 2001}) {
+    Recording run = recorded(move, truth, samples, {}, 1);
+    const Identification right = identify(run, {wrong(truth, keys, 1.3), keys});
+    EXPECT_EQ(right.status, Status::converged) << samples << " samples: " << right.reason;
+    for (std::size_t i = 0; i < run.time.size(); ++i)
+      run.torque[i] += 0.05 * std::sin(60 * run.time[i]);  // a torque that no number explains
+    EXPECT_EQ(identify(run, {truth, keys}).status, Status::misfit) << samples << " samples";
+  }
 }
 
 // ---- numbers that a recording does not determine -------------------------------------------------

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/validate/identify.hpp"
 
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/fill.hpp"
 
@@ -27,11 +31,42 @@ const char* name(Identification::Status status) {
   return "failed";
 }
 
-Trajectory commanded_motion(const Recording& recording) {
-  validate_detail::require_times(recording);
-  FillSpec spec{.x = recording.time, .p = recording.command};
+namespace {
+
+/// The cubic spline through the commands, with continuous acceleration, at rest at both ends.
+Trajectory spline_through(std::vector<double> times, std::vector<double> commands) {
+  FillSpec spec{.x = std::move(times), .p = std::move(commands)};
   spec.filling = Filling::clamped;
   return filled(spec).table.curve<OverTime>();
+}
+
+/// The spline through every second command, and the last one.
+Trajectory coarse_motion(const Recording& recording) {
+  std::vector<double> times, commands;
+  const auto add = [&](std::size_t i) {
+    times.push_back(recording.time[i]);
+    commands.push_back(recording.command[i]);
+  };
+  const std::size_t n = recording.time.size();
+  for (std::size_t i = 0; i < n; i += 2) add(i);
+  if (n % 2 == 0) add(n - 1);
+  return spline_through(std::move(times), std::move(commands));
+}
+
+constexpr std::size_t least_samples_of_coarse = 8;  ///< a spline needs four commands
+
+}  // namespace
+
+Identification identify(const Recording& recording, const IdentifySpec& spec,
+                        const IdentifyProgress& keep_going) {
+  validate_detail::require_valid(recording);
+  validate_detail::require_valid(spec);
+  const Trajectory command = spline_through(recording.time, recording.command);
+  std::optional<Trajectory> coarse;
+  if (recording.time.size() >= least_samples_of_coarse) coarse = coarse_motion(recording);
+  return validate_detail::told(
+      recording, spec,
+      validate_detail::fitted(recording, {command, coarse ? &*coarse : nullptr}, spec, keep_going));
 }
 
 Identification identify(const Recording& recording, const SignalView& reference,
@@ -44,7 +79,7 @@ Identification identify(const Recording& recording, const SignalView& reference,
     throw InputError("time[1]", recording.time.front(),
                      "must not be before the motion's start at " + number(reference.start()));
   return validate_detail::told(recording, spec,
-                               validate_detail::fitted(recording, reference, spec, keep_going));
+                               validate_detail::fitted(recording, {reference}, spec, keep_going));
 }
 
 }  // namespace jounce

@@ -53,29 +53,38 @@ VectorXd advanced(const VectorXd& x, const VectorXd& step) {
 
 class Fit {
  public:
-  Fit(const Recording& recording, const SignalView& reference, const IdentifySpec& spec,
+  Fit(const Recording& recording, const Commanded& command, const IdentifySpec& spec,
       const IdentifyProgress& keep_going)
-      : recording_(recording), reference_(reference), spec_(spec), keep_going_(keep_going) {
+      : recording_(recording), command_(command), spec_(spec), keep_going_(keep_going) {
     base_ = continuous(spec.drive);
     Drive copy = spec.drive;
     for (const std::string& key : spec.fit) first_.push_back(*numbered(copy, key).value);
     for (std::size_t k = 0; k < outputs; ++k)
       if (!recorded(recording, k).empty()) fit_.used.push_back(k);
     commanded_.reserve(recording.time.size());
-    for (const double t : recording.time) commanded_.push_back(command(t));
+    for (const double t : recording.time) commanded_.push_back(value_of(command.motion, t));
   }
 
   Fitted run() {
     search();
-    if (fit_.found.status != LeastSquares::Status::not_computable)
+    if (fit_.found.status != LeastSquares::Status::not_computable) {
       fit_.values = values(fit_.found.x);
+      if (command_.coarse != nullptr) compare_with(*command_.coarse);
+    }
     return std::move(fit_);
   }
 
  private:
-  [[nodiscard]] double command(double t) const {
-    return reference_.jet(std::clamp(t, reference_.start(), reference_.end()),
-                          t >= reference_.end() ? Side::left : Side::right)[0];
+  [[nodiscard]] static double value_of(const SignalView& motion, double t) {
+    return motion.jet(std::clamp(t, motion.start(), motion.end()),
+                      t >= motion.end() ? Side::left : Side::right)[0];
+  }
+  [[nodiscard]] static bool is_deviation(std::size_t output) {
+    return output == position || output == load;
+  }
+  [[nodiscard]] DriveResponse response(const SignalView& motion,
+                                       const std::vector<double>& now) const {
+    return respond(motion, {&base_, spec_.fit, now, recording_.time, spec_.tolerance});
   }
 
   [[nodiscard]] std::vector<double> values(const VectorXd& x) const {
@@ -91,10 +100,9 @@ class Fit {
     Linearized all{VectorXd(m * blocks()), Eigen::MatrixXd(m * blocks(), n)};
     for (Index b = 0; b < blocks(); ++b) {
       const std::size_t k = fit_.used[static_cast<std::size_t>(b)];
-      const bool deviation = k == position || k == load;
       for (Index i = 0; i < m; ++i) {
         const auto s = static_cast<std::size_t>(i);
-        const double measured = recorded(recording_, k)[s] - (deviation ? commanded_[s] : 0);
+        const double measured = recorded(recording_, k)[s] - (is_deviation(k) ? commanded_[s] : 0);
         all.residual[b * m + i] = r.value[k][s] - measured;
       }
       all.jacobian.middleRows(b * m, m) = Eigen::Map<const Eigen::MatrixXd>(r.by[k].data(), m, n);
@@ -111,8 +119,7 @@ class Fit {
       fit_.failure = error.what();
       return std::nullopt;
     }
-    const DriveResponse r =
-        respond(reference_, {&base_, spec_.fit, now, recording_.time, spec_.tolerance});
+    const DriveResponse r = response(command_.motion, now);
     if (!r.integration.ok()) {
       fit_.failure = r.integration.reason;
       return std::nullopt;
@@ -124,6 +131,24 @@ class Fit {
       return std::nullopt;
     }
     return all;
+  }
+
+  /// Compares the fitted model with its response to the coarse command.
+  void compare_with(const Trajectory& coarse) {
+    const DriveResponse fine = response(command_.motion, fit_.values);
+    const DriveResponse r = response(coarse, fit_.values);
+    if (!fine.integration.ok() || !r.integration.ok()) return;
+    const Index m = fit_.samples();
+    fit_.interpolation.resize(m * blocks());
+    for (Index b = 0; b < blocks(); ++b) {
+      const std::size_t k = fit_.used[static_cast<std::size_t>(b)];
+      for (Index i = 0; i < m; ++i) {
+        const auto s = static_cast<std::size_t>(i);
+        const double commands =
+            is_deviation(k) ? value_of(coarse, recording_.time[s]) - commanded_[s] : 0;
+        fit_.interpolation[b * m + i] = r.value[k][s] - fine.value[k][s] + commands;
+      }
+    }
   }
 
   [[nodiscard]] Index blocks() const { return static_cast<Index>(fit_.used.size()); }
@@ -197,7 +222,7 @@ class Fit {
   }
 
   const Recording& recording_;
-  const SignalView& reference_;
+  const Commanded& command_;
   const IdentifySpec& spec_;
   Drive base_;
   const IdentifyProgress& keep_going_;
@@ -213,9 +238,9 @@ double rms(const VectorXd& r) {
   return std::sqrt(r.squaredNorm() / static_cast<double>(r.size()));
 }
 
-Fitted fitted(const Recording& recording, const SignalView& reference, const IdentifySpec& spec,
+Fitted fitted(const Recording& recording, const Commanded& command, const IdentifySpec& spec,
               const IdentifyProgress& keep_going) {
-  return Fit(recording, reference, spec, keep_going).run();
+  return Fit(recording, command, spec, keep_going).run();
 }
 
 }  // namespace jounce::validate_detail

@@ -20,6 +20,8 @@ struct Fitted {
   std::vector<std::size_t> used;  ///< indices of the recorded outputs
   Eigen::VectorXd before;         ///< residuals at the start, not weighted
   Eigen::VectorXd sigma;          ///< standard deviation of each output
+  /// What half the samples of the command change in the fitted model; empty: not known.
+  Eigen::VectorXd interpolation;
   int iterations = 0;
   bool cancelled = false;
   std::string failure;  ///< reason of the last integration that failed
@@ -36,8 +38,14 @@ struct Fitted {
 
 double rms(const Eigen::VectorXd& r);
 
+/// The commanded motion.
+struct Commanded {
+  SignalView motion;
+  const Trajectory* coarse = nullptr;  ///< the interpolation of half the samples, if it was sampled
+};
+
 /// Fits the numbers.
-Fitted fitted(const Recording& recording, const SignalView& reference, const IdentifySpec& spec,
+Fitted fitted(const Recording& recording, const Commanded& command, const IdentifySpec& spec,
               const IdentifyProgress& keep_going);
 
 /// Returns the result of identify(): intervals, notes, status and reason.

@@ -121,7 +121,9 @@ void explain(const Recording& recording, const IdentifySpec& spec, const Fitted&
                 autocorrelation(r)};
     e.model.resize(d.size());
     for (std::size_t i = 0; i < d.size(); ++i) e.model[i] = d[i] + r[static_cast<Index>(i)];
-    if (e.after > std::max(significant(d, spec.tolerance), resolution(d) / 2))
+    const double interpolation =
+        fit.interpolation.size() > 0 ? rms(fit.block(fit.interpolation, at)) : 0;
+    if (e.after > std::max({significant(d, spec.tolerance), resolution(d) / 2, interpolation}))
       test_residuals(fit.block(fit.before, at), r, e);
     answer.explained.push_back(std::move(e));
   }

@@ -24,13 +24,6 @@ struct Recording {
   std::vector<double> load = {};
 };
 
-/// Returns the commanded motion: the cubic spline through the recorded commands, with continuous
-/// acceleration, at rest at both ends. Between two samples, its acceleration has an error of the
-/// order (sampling interval / time scale of the motion)^2. Throws InputError for a recording of
-/// fewer than four samples, for times that do not ascend, and for numbers that are not finite (key
-/// "time" or "command").
-Trajectory commanded_motion(const Recording& recording);
-
 /// A drive, and the choice of its numbers that are fitted.
 struct IdentifySpec {
   Drive drive = {};  ///< start of the fit; the numbers that are not fitted are assumed
@@ -69,8 +62,8 @@ struct ResidualTest {
 };
 
 /// Quality of the fit for one recorded quantity. A residual is the recorded value minus the value
-/// of the model. It is not tested if it is below the resolution of the recording or the error of
-/// the integration.
+/// of the model. It is not tested if it is below the resolution of the recording, the error of the
+/// integration, or the error of the interpolation between the recorded commands.
 struct Explained {
   std::string quantity = {};  ///< "position", "velocity", "torque", "load"
   double before = 0;          ///< rms of the residuals at the start of the fit
@@ -130,7 +123,7 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 /// method and its sources.
 ///
 ///     const Recording run = read_recording("run.csv", servo_400w(), "mm");
-///     Identification found = identify(run, commanded_motion(run), {servo_400w(), {"mass[1].inertia"}});
+///     Identification found = identify(run, {servo_400w(), {"mass[1].inertia"}});
 ///     if (found.usable()) drive_through(table, found.drive);
 ///
 /// **Controller.** The fit changes the numbers of the machine, but not the output of the
@@ -146,13 +139,18 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 /// estimates this deviation from the residuals, and repeats the estimate until it no longer
 /// changes.
 ///
-/// **Reference.** `reference` has the same time axis as the recording. The axis is at rest at the
-/// start of `reference`.
+/// **Reference.** The commanded motion is the cubic spline through the recorded commands, with
+/// continuous acceleration, at rest at both ends. Between two samples, its acceleration has an error
+/// of the order (sampling interval / time scale of the motion)^2. If the exact motion is known, use
+/// the second function: `reference` has the same time axis as the recording, and the axis is at rest
+/// at the start of `reference`.
 ///
 /// **Errors.** Throws InputError for an unknown key (the message lists the valid ones), a number
 /// that cannot be fitted or is named twice, an empty `fit`, an option out of range, an invalid
 /// recording, a recording without position, velocity, torque and load, a reference that is over a
 /// master or begins after the first sample, and like require_valid(Drive).
+Identification identify(const Recording& recording, const IdentifySpec& spec,
+                        const IdentifyProgress& keep_going = {});
 Identification identify(const Recording& recording, const SignalView& reference,
                         const IdentifySpec& spec, const IdentifyProgress& keep_going = {});
 
