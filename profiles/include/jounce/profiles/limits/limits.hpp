@@ -29,8 +29,8 @@ struct Bounds;
 Bounds bounds_of(const Limits& limits);
 
 /// Returns the bounds of a move as limits for check(). An infinite bound is no limit. Throws
-/// InputError if the bounds of velocity, acceleration or jerk differ between the directions (a limit
-/// applies to both), and like require_valid().
+/// InputError if the bounds of velocity, acceleration or jerk differ between the directions,
+/// because a limit applies to both; also throws like require_valid().
 Limits limits_of(const Bounds& bounds);
 
 /// Throws InputError if a limit is not finite, if the limit of velocity, acceleration or jerk is

@@ -15,7 +15,7 @@ namespace jounce {
 ///
 /// Every move has limits of velocity, acceleration and jerk, and zero acceleration at its ends. A
 /// column holds either one value for each move, or a single value that applies to all moves. For
-/// one move, query.hpp computes the same. u is the axis' unit.
+/// one move, minimum_duration() in query.hpp computes the same. u is the axis' unit.
 struct MoveColumns {
   std::span<const double> distance;           ///< u, of either sign
   std::span<const double> entry = {};         ///< velocity at the start, u/s, any sign; empty: 0

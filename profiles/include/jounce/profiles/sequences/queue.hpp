@@ -102,7 +102,8 @@ struct QueueSpec {
 /// Outcome of a command.
 enum class CommandState : std::uint8_t {
   done,     ///< the axis reached the command's target or velocity
-  aborted,  ///< CommandAborted: while it ran, or before it began (then end == begin)
+  aborted,  ///< aborted while it ran, or before it began (then end == begin); PLCopen
+            ///< CommandAborted
 };
 
 /// Result of one command. Positions and velocities have the sign of the axis.

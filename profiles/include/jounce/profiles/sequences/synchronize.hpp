@@ -43,16 +43,17 @@ enum class Sync : std::uint8_t {
 struct [[nodiscard]] Synchronized {
   MoveStatus status = MoveStatus::ok;  ///< ok, or why there is no common motion
   std::size_t axis = 0;                ///< the axis that causes the status, if it is not ok
-  /// s, the common duration: the longest of an axis, and at least the minimum; 0 if the status is
-  /// not ok. With Sync::time_if_moving, if all targets are at rest: the longest of an axis.
+  /// s, the common duration: the longest duration of an axis, and at least `minimum_duration`; 0 if
+  /// the status is not ok. With Sync::time_if_moving, if all targets are at rest, it is the longest
+  /// duration of an axis.
   double duration = 0;
 };
 
-/// Plans one profile for each axis and writes them to `out`. If the spans differ in size, the status
-/// is `wrong_size`, and `out` does not change. Every
-/// duration of an enabled axis is at least `minimum_duration` (s); with Sync::time_if_moving, this
-/// does not apply to an axis whose target is at rest. With `grid` > 0 (s), every duration is a
-/// multiple of `grid`. If the status is not ok, the profiles in `out` are not a motion.
+/// Plans one profile for each axis and writes them to `out`. If the spans differ in size, the
+/// status is `wrong_size`, and `out` does not change. Every duration of an enabled axis is at least
+/// `minimum_duration` (s); with Sync::time_if_moving, this does not apply to an axis whose target
+/// is at rest. With `grid` > 0 (s), every duration is a multiple of `grid`. If the status is not
+/// ok, the profiles in `out` are not a motion.
 ///
 /// With Sync::phase, the status is `not_straight` (the path is never bent) in these cases:
 /// - The states are not on the line from start to goal: velocities and accelerations must be
