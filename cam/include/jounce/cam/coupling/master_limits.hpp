@@ -55,9 +55,9 @@ struct MasterLimit {
 ///
 ///     (3)  s w <= A T   (f' steps),      s w^2 <= J T   (f'' steps)
 ///
-/// A value of 0 also means that the given acceleration and jerk of the master alone exceed a limit.
-/// Omitted limits do not apply; position limits are ignored. Throws InputError if a limit is not
-/// positive, or if a rate of the master is negative or not finite.
+/// The value is also 0 if the given acceleration and jerk of the master alone cause the slave to
+/// exceed a limit. Omitted limits do not apply; position limits are ignored. Throws InputError if a
+/// limit is not positive, or if a rate of the master is negative or not finite.
 MasterLimit greatest_master_velocity(const Cam& cam, const Limits& slave,
                                      const MasterRates& rates = {});
 

@@ -11,8 +11,8 @@ namespace jounce {
 
 /// Measured points of a cam. m is the unit of the master, u the unit of the slave.
 struct MeasuredCam {
-  /// The points: masters ascend, each tolerance > 0. It is the greatest permitted distance, u, of
-  /// the cam from the point, and includes the error of the measurement.
+  /// The points: masters ascend, each tolerance > 0. The tolerance is the greatest permitted
+  /// distance of the cam from the point, in u, and includes the error of the measurement.
   std::vector<SplinePoint> points = {};
   /// True: the cam repeats, and the last point is the first one a period later. If their slave
   /// positions differ by more than the sum of their tolerances, the slave advances in each period.
