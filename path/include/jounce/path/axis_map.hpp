@@ -124,7 +124,7 @@ struct ScaraSpec {
 /// Returns the map of the robot. A point is out of reach if the end of the second arm would be
 /// farther from the origin than the sum of the lengths of the first two arms, or nearer than their
 /// difference. The map is singular if the arms are stretched or folded, and at the origin. Throws
-/// InputError "arms", "offsets".
+/// InputError "arms" or "offsets" for a wrong number of entries or a value out of range.
 std::shared_ptr<const AxisMap> scara_map(const ScaraSpec& spec);
 
 /// A delta robot with three carriages on straight rails (PMC600 manual 7.2.5, linear delta). The

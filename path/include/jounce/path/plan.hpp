@@ -101,9 +101,9 @@ std::string explain(const CornerRecord& corner, std::string_view length_unit = "
 /// Every axis stays within its limits of velocity, acceleration and jerk, to 1e-12, by exact
 /// extrema; position limits are checked only at the ends of commands (see GroupLimits). (Arcs,
 /// blends and curves are planned with limits that are lower by 1e-6; the error of the fits of
-/// to_axes() is at most half of this margin.) The plan never takes longer than stop_duration(), the
-/// duration of the fastest motion of the same laws that stops at each corner. The plan depends only
-/// on its arguments.
+/// to_axes() is at most half of this margin.) The plan never takes longer than stop_duration(): the
+/// duration of the fastest motion that has laws of the same kind and stops at each corner. The plan
+/// depends only on its arguments.
 class Plan {
  public:
   /// Data from which the plan was made.

@@ -24,8 +24,9 @@ struct PlanPlace {
 ///     const PlanProgress progress(motion);
 ///     progress.at(0.5).remaining;                            // s
 ///
-/// Commands with the same source line count as one, and so do lines that the planner has joined. The
-/// constructor takes a time proportional to the number of pieces; at() searches.
+/// Commands with the same source line count as one, and so do lines that the planner has joined.
+/// The duration of the constructor is proportional to the number of pieces, the duration of at() to
+/// the logarithm of this number.
 class PlanProgress {
  public:
   explicit PlanProgress(std::shared_ptr<const Plan> plan);

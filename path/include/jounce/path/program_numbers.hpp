@@ -31,11 +31,12 @@ struct ProgramWord {
 struct LimitedProgram {
   Program program{1};
   GroupLimits limits = {};  ///< velocity, acceleration and jerk of the axes; limits of the path
-  /// Names of the axes, printable characters; or empty texts. If the path is for a machine with joints,
-  /// the names of its joints follow.
+  /// Names of the axes, in printable characters; a name may be empty. If the path is for a machine
+  /// with joints, the names of its joints follow.
   std::vector<std::string> names = {};
   std::vector<ProgramWord> words = {};  ///< in the order of the commands
-  /// Units of the axes, and of the joints, one for each name; none: that of the path for all.
+  /// Units of the axes, then of the joints, one for each name. If the list is empty, all of them
+  /// have the unit of the path.
   std::vector<std::string> units = {};
 };
 
