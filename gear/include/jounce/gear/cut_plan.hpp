@@ -68,13 +68,15 @@ struct CutAnswer {
 ///     (3)  C + the shortest possible piece              otherwise
 ///
 /// A cut on demand ends a piece early. This piece is waste, and its length comes again after the
-/// cut. If planned cuts come before the demand, the same rule holds for the last one of them; at
-/// most most_planned of them may come before it. A new cut on demand replaces one that waits; at the
-/// position of a planned cut, it only cancels the waiting one. A new length or piece of waste keeps
-/// the waiting cut, and is rejected if this cut would not be possible.
+/// cut. If planned cuts come before the demand, this piece begins at the last of them, and must be
+/// possible. At most most_planned cuts may come before the demand. A new cut on demand replaces the
+/// waiting one. At the position of a planned cut, a demand only cancels the waiting one. A new
+/// length or piece of waste keeps the waiting cut; the request is rejected if this cut would not be
+/// possible.
 ///
-/// **Web that moves backwards.** The cutter follows its motion back, over the last cut to the one
-/// before it. A cut that was made is not made again. Beyond this, the plan is lost.
+/// **Web that moves backwards.** If the web moves back, the cutter moves back along its motion,
+///   over the last cut to the cut before that. It does not make a cut twice. If the web moves back
+///   even further, the plan is lost.
 ///
 /// m is the unit of the web, u that of the slave.
 class CutPlan {
