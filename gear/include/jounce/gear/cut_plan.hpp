@@ -75,8 +75,8 @@ struct CutAnswer {
 /// possible.
 ///
 /// **Web that moves backwards.** If the web moves back, the cutter moves back along its motion,
-///   over the last cut to the cut before that. It does not make a cut twice. If the web moves back
-///   even further, the plan is lost.
+/// over the last cut to the cut before that. It does not make a cut twice. If the web moves back
+/// even further, the plan is lost.
 ///
 /// m is the unit of the web, u that of the slave.
 class CutPlan {

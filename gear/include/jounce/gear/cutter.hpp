@@ -110,10 +110,10 @@ struct CutRange {
 /// Returns the lengths of pieces that the cutter can make on this line within the limits of its
 /// slave, in ascending ranges.
 ///
-/// **Exactness.** Each bound is a root, to 1e-13 of its value, and the limits hold on the whole
-///   cam (greatest_master_velocity()). For a shear, the bound is Cutter::shortest(). Below its
-///   synchronous length, a knife has one bound, because a longer piece requires less speed and less
-///   acceleration everywhere. Above this length, a grid of 64 lengths separates the bounds.
+/// **Exactness.** Each bound is a root, to 1e-13 of its value, and the limits hold on the whole cam
+/// (greatest_master_velocity()). For a shear, the bound is Cutter::shortest(). Below its
+/// synchronous length, a knife has one bound, because a longer piece requires less speed and less
+/// acceleration everywhere. Above this length, a grid of 64 lengths separates the bounds.
 ///
 /// Throws InputError for the key "line_speed" if the motion from home to a cut, or back, exceeds a
 /// limit. The rule of the error states the greatest possible line speed.
