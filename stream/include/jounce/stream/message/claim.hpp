@@ -21,8 +21,8 @@ struct ClaimOptions {
 };
 
 /// The claim of an executor to its names, as a pure state machine without thread, clock or link.
-/// Every executor of a network has one. It is made from the names of the axes and a random number
-/// for this start of the executor, its boot.
+/// Every executor of a network has one claim. The claim contains the names of the axes and the
+/// *boot*: a random number for this start of the executor.
 ///
 ///     Claim claim({"feeder", "knife"}, random_id());
 ///     claim.receive(message, now);                       // each arrived message

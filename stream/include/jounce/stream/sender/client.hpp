@@ -65,8 +65,9 @@ class Client {
   CallOutcome resume() { return command(command::Resume{}); }
   /// Sends a heartbeat. `patience`: see request().
   CallOutcome beat(Nanos patience = Nanos::max()) { return request(wire::Heartbeat{}, patience); }
-  /// Sends a heartbeat in the present session, but never opens a new one: the error is
-  /// StreamError::stopped if the executor has ended the session, as a stop by an operator does.
+  /// Sends a heartbeat in the present session, but never opens a new session. If the executor has
+  /// ended the session, for example because an operator has stopped the axis, the error is
+  /// StreamError::stopped.
   CallOutcome keep();
   /// Stops the axis and ends its motion.
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
@@ -80,8 +81,8 @@ class Client {
   CallOutcome command(const ClientCommand& command, std::int64_t at = -1);
 
   /// Sends any message of a client, in the present session or in a new one. Use a Heartbeat to keep
-  /// the session alive. Each message waits for its answer for `patience`, but not longer than the
-  /// patience of the options.
+  /// the session alive. The call waits for the answer for at most `patience`, and never longer than
+  /// ClientOptions::patience.
   CallOutcome request(const wire::Body& body, Nanos patience = Nanos::max());
 
   /// Ends the session. A motion continues.
