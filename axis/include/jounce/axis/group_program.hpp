@@ -40,8 +40,8 @@ struct GroupProgram {
   std::vector<GroupAxis> axes = {};       ///< in the order of the axes of the plan
   /// Place of the first axis of the group among the axes of the plan; not 0 if they are joints.
   std::size_t first = 0;
-  /// The whole program, then the parts from those rests after which a magnitude is lower. Not empty,
-  /// unless the program was read from a record.
+  /// First the whole program. Then, for each rest after which a magnitude is lower, the part from
+  /// this rest to the end. Empty only for a program that was read from a record.
   std::vector<ProgramPart> parts = {};
   std::vector<PathSwitch> switches = {};  ///< outputs that it switches, in ascending order of time
   /// Length along the path of the tool, for a position compare; null: q.
@@ -64,9 +64,9 @@ Peaks peaks_of(const TimingLaw& law);
 ///     GroupPath path(1, program);                               // group_path.hpp
 ///
 /// Throws InputError with the key "axes" if the numbers of axes differ, and with the name of the
-/// axis and the broken limit ("x.velocity") if a limit is exceeded by more than a billionth. `units`:
-/// units of the axes for messages, one for each; none: not known. If the plan has joints, the axes of the group are
-/// these joints.
+/// axis and the broken limit ("x.velocity") if a limit is exceeded by more than a billionth.
+/// `units`: units of the axes for messages, one for each axis; no entries: unknown. If the plan has
+/// joints, the axes of the group are these joints.
 GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const AxisConfig> axes,
                            std::span<const std::string> names,
                            std::span<const std::string> units = {});

@@ -142,9 +142,10 @@ class Job final : public Movement {
 /// motion, it must begin with the velocity and acceleration of this motion instead of at rest.
 /// Returns nullopt, or the first broken rule. Never allocates.
 ///
-/// Values may exceed their limits by 1e-9 of the limit. The jerk of a table over time counts without
-/// the rounding of its knots, which the distance between them divides by its cube; that of a cam may
-/// exceed its limit by 1e-6.
+/// Values may exceed their limits by 1e-9 of the limit. In the jerk of a table over time, the
+/// effect of the rounding of its knots does not count. (This effect is the rounding divided by the
+/// cube of the distance between two knots.) The jerk of a cam may exceed its limit by 1e-6 of the
+/// limit.
 ///
 /// A jump of the velocity counts as the acceleration that causes this change within one tick. So a
 /// table of straight lines is admitted exactly if no tick exceeds the acceleration limit. With a

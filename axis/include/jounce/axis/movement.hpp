@@ -158,7 +158,7 @@ class Movement {
   /// For a gear: the velocity of the slave divided by that of the master, when it is engaged, u/m;
   /// for any other movement 0.
   [[nodiscard]] virtual double ratio() const noexcept { return 0; }
-  /// For a live movement: the greatest magnitudes that the slave needs at the start `start`, after
+  /// For a live movement: the greatest magnitudes that the slave needs at the moment `start`, after
   /// begin(), if its master keeps its velocity. The axis rejects a start that needs more than its
   /// limits. By default, the velocity of a gear that is engaged.
   [[nodiscard]] virtual Peaks demand(const Moment& start) const noexcept {
@@ -166,7 +166,7 @@ class Movement {
   }
   /// For a live movement that begins in step with its master: the first setpoint at `now`, after
   /// begin(). nullopt: the movement continues from the state of the axis. The axis rejects a start
-  /// whose first setpoint would be a fault.
+  /// whose first setpoint would cause a fault.
   [[nodiscard]] virtual std::optional<MotionState> first_setpoint(
       const Moment& /*now*/) const noexcept {
     return std::nullopt;

@@ -129,10 +129,12 @@ class PathCommands {
   [[nodiscard]] const std::optional<JogEnd>& jog_end() const { return jog_end_; }
 
   /// The velocity of the last command if it exceeds the limits of the path and of the coordinates;
-  /// nullopt: it does not, or none was given. The limits of joints are not considered.
+  /// nullopt: it exceeds no limit, or the command has no velocity. The limits of joints are not
+  /// considered.
   [[nodiscard]] std::optional<LoweredVelocity> lowered_velocity(const GroupSpace& space) const;
 
-  /// The index of the first follower that the last command moves; nullopt: it moves path axes, or none.
+  /// The index of the first follower that the last command moves; nullopt: the command moves a path
+  /// axis, or no axis.
   [[nodiscard]] std::optional<std::size_t> moves_only_follower() const;
   /// The velocity of the last command, u/s; PathSettings::none: none was given.
   [[nodiscard]] double commanded_velocity() const {
