@@ -24,7 +24,8 @@ CommandValues values_of(const ClientCommand& command);
 struct FieldConflict {
   std::size_t field = 0;  ///< number of the field among those of the command
   std::string rule = {};  ///< rule that it breaks: "cannot be combined with position"
-  std::optional<std::size_t> missing = {};  ///< number of the field without which it has no effect
+  std::optional<std::size_t> missing = {};  ///< number of a field that must be given with it;
+                                            ///< nullopt: none is missing
 };
 
 /// Returns the name of a field for a message.
@@ -37,8 +38,8 @@ std::optional<FieldConflict> field_conflict(CommandKind kind, const std::bitset<
                                             const FieldName& name);
 
 /// Returns the first error in the values of a command, as a sentence with the name of the field; ""
-/// if the values are valid. Includes the conflicts between fields; a field with its default is not
-/// given. In a ClientCommand, any NaN but as_configured is an error.
+/// if the values are valid. A conflict between fields is also an error; a field that has its
+/// default value counts as not given. In a ClientCommand, any NaN except as_configured is an error.
 std::string contradiction(CommandKind kind, const CommandValues& values);
 std::string contradiction(const ClientCommand& command);
 

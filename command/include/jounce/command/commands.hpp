@@ -27,7 +27,8 @@ namespace jounce {
 inline constexpr double as_configured =
     std::bit_cast<double>(std::uint64_t{0x7ff8'0000'0000'0000} | 0x4a6f'756e'6365);
 
-/// True for as_configured, also multiplied by a unit; false for any other NaN, such as 0.0 / 0.0.
+/// True for as_configured, also after a multiplication by the factor of a unit; false for any other
+/// NaN, such as 0.0 / 0.0.
 inline bool is_as_configured(double value) {
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
   return (std::bit_cast<std::uint64_t>(value) & ~sign) ==
@@ -436,8 +437,8 @@ constexpr void each_field(C& c, F f) {
 
 /// Shifts the position of the live master, as the axis sees it: the axis moves ahead of its master
 /// or behind it, and stays coupled (MC_PhasingAbsolute, MC_PhasingRelative). A phase shift counts
-/// from the beginning of the coupling. `dynamics` are those of the shift, in units of the master; a
-/// value that is not given is what the limits of the axis permit.
+/// from the beginning of the coupling. `dynamics` apply to the shift, in units of the master. The
+/// limits of the axis determine each value that is not given.
 template <bool relative_>
 struct Phasing {
   static constexpr bool relative = relative_;
@@ -604,7 +605,7 @@ struct MoveDirect {
 using MoveDirectAbsolute = MoveDirect<false>;
 using MoveDirectRelative = MoveDirect<true>;
 
-inline constexpr std::int32_t most_extra_turns = 1000;  ///< limit of a circular move
+inline constexpr std::int32_t most_extra_turns = 1000;  ///< greatest `turns` of a circular move
 
 /// Moves a group along an arc: through the point `via`, or in the plane of the first two axes
 /// around `center`, or with `radius`. Exactly one of these three must be given. The other axes move
@@ -758,8 +759,8 @@ template <Of<GroupAcknowledge> C, class F>
 constexpr void each_field(C& c, F f) {
   f(Field{"M word", Quantity::none, ranges::count}, c.m_word);
 }
-/// Lets each of the commands that follow begin at rest, after a GroupAcknowledge (SingleStep of the
-/// PMC600).
+/// Makes the group rest before each of the commands that follow, until a GroupAcknowledge
+/// (SingleStep of the PMC600).
 struct GroupSingleStep {
   static constexpr auto kind = CommandKind::group_single_step;
   bool on = false;  ///< false: the commands that follow need no acknowledgment
@@ -911,7 +912,7 @@ constexpr bool is_path_kind(CommandKind kind) {
   }
 }
 
-/// True for these commands.
+/// True if C is a single command of a group: is_path_kind().
 template <class C>
 inline constexpr bool is_path_command = is_path_kind(C::kind);
 
