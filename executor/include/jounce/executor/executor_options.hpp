@@ -27,8 +27,8 @@ struct GroupKinematics {
   std::vector<std::string> names =
       {};                     ///< names of the axes of the tool: the coordinates of commands
   std::size_t path_axes = 0;  ///< number of path axes among them; the others are followers
-  /// From the axes of the tool to the joints, with the lower of the limits of the kinematics and of
-  /// the axes of the group.
+  /// From the axes of the tool to the joints. Each limit of a joint is the lower of two limits:
+  /// that of the kinematics, and that of the axis of the group.
   JointSpace joints = {};
   GroupLimits limits = {};  ///< limits of the axes of the tool, and of its path
   std::string unit = {};    ///< unit of the path axes; "": not known
@@ -47,7 +47,8 @@ struct ExecutorGroup {
   std::shared_ptr<const SentProgram> sent = {};    ///< path that StartTable plays; null: none
   std::optional<GroupKinematics> kinematics = {};  ///< nullopt: commands address the axes
   MWordHandshake m_words = {};                     ///< M words of programs that wait
-  PlanWindow window = {};                          ///< windows of the plans of a long program
+  PlanWindow window = {};                          ///< lengths of the windows in which a long
+                                                   ///< program is planned
   bool along = false;  ///< true: position compare along the path (ExecutorOptions::compare)
 
   /// Names of the coordinates of commands: the axes of the tool, or of the group.

@@ -29,12 +29,12 @@ std::shared_ptr<const GroupProgram> planned_program(const Program& program,
                                                     const ExecutorGroup& group,
                                                     const std::atomic<bool>* canceled = nullptr);
 
-/// Throws InputError "axes" if a program for these axes is not one for the coordinates of the group.
-/// A group without kinematics permits other names, as require_order() does.
+/// Throws InputError "axes" unless a program for axes with these names fits the coordinates of the
+/// group. A group without kinematics permits other names, as require_order() does.
 void require_coordinates(std::span<const std::string> names, const ExecutorGroup& group);
 
-/// Throws InputError if a program is not one for the coordinates of the group: by their names as
-/// require_coordinates(), by their units, and as require_followers().
+/// Throws InputError unless the program fits the coordinates of the group: their names (like the
+/// overload above), their units, and their followers (like require_followers()).
 void require_coordinates(const LimitedProgram& program, const ExecutorGroup& group);
 
 /// Throws InputError, with the name of the axis, for a path axis of a program that is a follower of the
@@ -58,7 +58,7 @@ Point axes_at(const Point& coordinates, const ExecutorGroup& group);
 /// Returns the coordinates of a group from the positions of its axes: the forward kinematics. Returns
 /// nullopt if the joints do not fit together.
 std::optional<Point> tool_of(const Point& axes, const ExecutorGroup& group);
-/// The same. Throws InputError "start" if the joints do not fit together.
+/// Like tool_of(), but throws InputError "start" if the joints do not fit together.
 Point coordinates_of(const Point& axes, const ExecutorGroup& group);
 
 }  // namespace jounce

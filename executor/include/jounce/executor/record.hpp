@@ -86,8 +86,8 @@ struct RecordedQueue {
 };
 
 /// A part of the program of a group: numbers of its timing law (15 for each interval: the fields of
-/// LawInterval, in their order). The first part also has the limits and peaks of the axes. The paths of
-/// the axes are not in it: the ticks of each axis contain its setpoints.
+/// LawInterval, in their order). The first part also has the limits and peaks of the axes. A record
+/// does not contain the paths of the axes, because the ticks of each axis contain its setpoints.
 struct RecordedProgram {
   std::size_t axis = 0;               ///< index of the group
   std::uint64_t id = 0;               ///< id of the movement
@@ -99,7 +99,8 @@ struct RecordedProgram {
 /// Returns the parts of a program.
 std::vector<RecordedProgram> recorded(const GroupProgram& program, std::size_t axis,
                                       std::uint64_t id);
-/// A part of the outputs that the path of a group switches. These events precede its program.
+/// A part of the outputs that the path of a group switches. These events precede the
+/// RecordedProgram events of the path.
 struct RecordedPathSwitches {
   static constexpr std::size_t most = 32;  ///< greatest number of switches in a part
   std::size_t axis = 0;                    ///< index of the group

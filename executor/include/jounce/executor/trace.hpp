@@ -116,7 +116,7 @@ class Trace {
 
   /// Adds a tick. One thread of the writing process calls this. Does not allocate or wait.
   void add(std::size_t axis, const TraceTick& tick) noexcept;
-  /// Removes all ticks of an axis: its executor was started again.
+  /// Removes all ticks of an axis. Call when its executor was started again.
   void clear(std::size_t axis) noexcept;
   /// Adds a table; replaces the oldest one.
   void add(std::size_t axis, const StoredTable& table);
