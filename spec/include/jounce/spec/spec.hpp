@@ -184,7 +184,8 @@ struct Spec {
   std::string time_unit;    ///< unit of time; default "s"
   std::string master_unit;  ///< unit of the master that an axis follows; otherwise ""
   /// NamedCam: a cam of kind "cam" that is made from another file (`from`), or changed by
-  /// [[then]]. The reader makes it, because the speed of the master may count its periods.
+  /// [[then]]. The reader makes this cam, because the speed of [master] may be given in periods of
+  /// the cam.
   std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, PathSpec, Table, TimeTableSpec,
                AxisSpec, DriveAlone, NamedCam>
       subject;
