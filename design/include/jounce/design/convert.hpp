@@ -117,8 +117,8 @@ bool has_known_ending(const std::string& path);
 /// Throws InputError (key "path") unless has_known_ending().
 void require_known_ending(const std::string& path);
 /// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss.
-/// One line states the limit that the error exceeds, and one each limit of the motion that the table
-/// exceeds.
+/// If the error exceeds its limit, one more line states this limit. Each limit of the motion that
+/// the table exceeds has one more line.
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses);
 
