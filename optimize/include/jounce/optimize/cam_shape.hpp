@@ -26,7 +26,7 @@ struct FreeShape {
   /// Continuous derivatives between the polynomials, 2 to 6, the same in all free segments; their
   /// degree is one more.
   int continuity = 4;
-  /// True: the slave must not reverse within the segment, which must then have a stroke.
+  /// True: the slave must not reverse within the segment; the segment must then have a stroke.
   bool monotone = false;
   /// Condition at an end of a run, if the run begins or ends with this segment; for any other
   /// segment, it must be as_given.

@@ -33,7 +33,7 @@ enum class TimeObjective {
 /// number of points plus one.
 ///
 /// **Units.** Positions in u (unit of the joint), time in s, limits in u/s, u/s^2, u/s^3. The
-/// search does not consider position limits, but the outcome reports them.
+/// search does not consider position limits, but the outcome reports a broken one.
 ///
 /// **Errors.** Throws InputError (keys `points[i][j]`, `limits[j]....`, `duration`, `starts`) in
 /// these cases: fewer than two or more than 60 points; points of different size; numbers that are
