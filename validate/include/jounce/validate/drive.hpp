@@ -141,8 +141,8 @@ Drive wittenstein_premo_2d();
 /// another value.
 void require_valid(const Drive& drive);
 
-/// Limits of a run, each > 0. A value that is not given is not limited. u is the unit of the
-/// reference.
+/// Limits for the result of drive_through(), each > 0. A value that is not given is not limited. u
+/// is the unit of the reference.
 struct DriveLimits {
   std::optional<double> torque = {};           ///< peak torque of the motor, N m
   std::optional<double> rms_torque = {};       ///< rms torque of the motor, N m
@@ -182,8 +182,8 @@ struct DriveOptions {
   bool periodic = false;
 };
 
-/// Checks the options of a run; `drive` must be valid. Throws InputError for an option out of
-/// range. Keys: "settle", "limits.torque", ...
+/// Throws InputError for an option out of range. `drive` must be valid. Keys: "settle",
+/// "limits.torque", ...
 void require_valid(const DriveOptions& options, const Drive& drive);
 
 /// A signed value at the time at which its magnitude is greatest.
