@@ -21,7 +21,7 @@ struct PlayedTick {
   double clock = 0;       ///< time since tick 0 of the log, s; it determines the rounding of `time`
   /// Position of the master, in its unit, if the axis has a live master (column `profile`).
   std::optional<double> master = {};
-  bool fault = false;  ///< true: in the tick after this one, a fault had ended the motion
+  bool fault = false;  ///< true: the next tick has a fault, which ended the motion
 };
 
 /// Returns the ticks of the last motion in a tick log (TickLog). `csv` is the text of the log,

@@ -30,7 +30,8 @@ struct Proof {
   std::optional<ToleranceResult> tolerances = {};
   /// Result of the follower, if the spec has a [follower].
   std::optional<FollowerResult> follower = {};
-  /// True if the motion breaks a limit of its spec. The report has no finding for it: see check().
+  /// True if the motion breaks a limit of its spec. The report contains no finding on these limits;
+  /// for them, see check().
   bool breaks_limits = false;
 };
 
