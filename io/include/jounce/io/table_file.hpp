@@ -36,8 +36,8 @@ std::string to_json(const TableFile& file);
 /// type is in io/lcm/table_file_t.lcm.
 std::string to_lcm_log(const TableFile& file);
 /// Returns the same content as an MCAP file: on the channel /jounce/table, one message in JSON for
-/// each knot. Its time is that of the knot, from the first one; the knots of a cam have a distance
-/// of 1 ms.
+/// each knot. The time of a message is the time from the first knot to its knot; for a cam,
+/// successive messages are 1 ms apart.
 std::string to_mcap(const TableFile& file);
 
 /// A format of Jounce for its tables.
@@ -67,9 +67,8 @@ TableFile read_table(const std::string& path);
 bool is_table(const std::string& text);
 
 /// Returns the content of a table file, in the readable format that the ending of the path selects;
-/// CSV for any other ending. Throws
-/// InputError if a unit is missing (as in a table from another maker's tool), because such a file
-/// could not be read again.
+/// CSV for any other ending. Throws InputError if a unit is missing (as in a table from another
+/// maker's tool), because such a file could not be read again.
 std::string table_text(const std::string& path, const TableFile& file);
 
 /// Writes table_text() to the path: the whole file or nothing. "-" is standard output.
