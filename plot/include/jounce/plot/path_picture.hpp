@@ -18,7 +18,8 @@ namespace jounce {
 PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane);
 
 /// Returns the path to which an axis belongs, in the plane of the first two axes of the path, with
-/// points as above. Returns nullopt for an axis without a path, and for a path of one axis.
+/// points like those of path_figure() above. Returns nullopt for an axis without a path, and for a
+/// path of one axis.
 std::optional<PathFigure> path_figure(const Input& axis);
 
 }  // namespace jounce
