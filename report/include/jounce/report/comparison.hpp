@@ -97,7 +97,8 @@ std::string to_json(const Comparison& comparison);
 Tolerance tolerance_of(const std::vector<std::string>& texts, const Labels& labels);
 
 /// False for a tolerance KEY=VALUE of other motions: the key is a quantity of the other domain, or its unit is one of
-/// another quantity ("position=1 um" for an axis in deg). True for any other text, also a wrong one.
+/// another quantity ("position=1 um" for an axis in deg). True for any other text, even if it is
+/// invalid.
 bool tolerance_fits(const std::string& text, const Labels& labels);
 
 }  // namespace jounce
