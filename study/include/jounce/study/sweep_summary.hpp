@@ -74,7 +74,7 @@ std::string listed_text(const SweepSpec& spec, std::size_t number);
 /// limits has an index.
 std::size_t column_of(const SweepSpec& spec, const std::string& figure);
 
-/// Returns the progress of a sweep in words, for SweepOptions::keep_going: "1200 of 5000, 2 min
+/// Describes the progress of a sweep in words, for SweepOptions::keep_going: "1200 of 5000, 2 min
 /// left". The remaining time is estimated from the speed since the first call, because the cases of
 /// a journal take no time.
 class SweepClock {
