@@ -70,9 +70,10 @@ bool is_path(const std::vector<Input>& axes);
 /// InputError for a path that is planned in the joints of a robot, for an override, and for lines
 /// that overlap in time.
 StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes);
-/// The same for a G-code program (file `path`) of several axes and its machine (gcode_spec()). The
-/// sender does not plan the path, and makes no tables of its axes. Returns nullopt if `machine` is
-/// empty, if the machine has one axis, if `axis` is not empty, and if `path` is standard input.
+/// Like path_plan(), for a G-code program (file `path`) of several axes and its machine
+/// (gcode_spec()). The sender does not plan the path, and makes no tables of its axes. Returns
+/// nullopt if `machine` is empty, if the machine has one axis, if `axis` is not empty, and if
+/// `path` is standard input.
 std::optional<StreamPlan> gcode_path_plan(const std::string& group, const std::string& path,
                                           const std::string& machine, const std::string& axis);
 

@@ -8,9 +8,9 @@
 
 namespace jounce {
 
-/// Returns the names of the axes and groups of a run that begins, and their states: a sentence for
-/// its user. `enabled`: MachineOptions::enable, which does not enable groups. Requires at least one
-/// axis.
+/// Returns a sentence for the user of an executor that has just begun: the names of its axes and
+/// groups, and their states. `enabled`: MachineOptions::enable, which does not enable groups.
+/// Requires at least one axis.
 std::string up_text(const std::vector<ExecutorOptions>& axes, bool enabled);
 
 /// Returns the summary of a run as text: the motions and the fault of each axis, and the lateness
