@@ -54,15 +54,15 @@ namespace jounce {
 /// **Touch probes** (touch_probe.hpp) capture positions at the edges of trigger inputs, in every
 /// state.
 ///
-/// **Compensation** (AxisConfig::compensation) adds a correction to the setpoint of the drive, after
-/// all checks. The position of the axis, its limits and its outputs do not include the correction;
-/// feedback is converted back. The compensation can be switched on and off only while the axis is
-/// disabled, so the axis does not move. While the compensation is active, the coordinates of the
-/// axis and of its references do not change.
+/// **Compensation** (AxisConfig::compensation) adds a correction to the setpoint of the drive,
+/// after all checks. The position of the axis, its limits and its outputs do not include the
+/// correction; feedback is converted back. The compensation can be switched on and off only while
+/// the axis is disabled, so the axis does not move. While the compensation is active, the
+/// coordinates of the axis and of its references do not change.
 ///
-/// **Registration** (AxisConfig::registration) corrects every motion that follows the live master by
-/// the marks that a trigger input reports. When such a motion begins, the correction begins at 0;
-/// if another such motion replaces it, the correction continues. A correction of the master (a
+/// **Registration** (AxisConfig::registration) corrects every motion that follows the live master
+/// by the marks that a trigger input reports. When such a motion begins, the correction begins at
+/// 0; if another such motion replaces it, the correction continues. A correction of the master (a
 /// phase) is included in Tick::master.
 ///
 /// **Groups.** Inputs::peers states whether a MotionAxis is a group of the machine, or an axis of a
@@ -88,9 +88,9 @@ class MotionAxis {
   /// 0 and greater than in the previous call (asserted).
   Tick step(std::int64_t tick, const Command& command = {}, const Inputs& inputs = {});
 
-  /// Second part of a tick, after step() of every axis of the machine: computes the correction of the
-  /// compensation from the setpoints of its references. Returns it as Tick::correction, also for the
-  /// next step. Requires AxisConfig::compensation.
+  /// Second part of a tick, after step() of every axis of the machine: computes the correction of
+  /// the compensation from the setpoints of its references. Returns it as Tick::correction, also
+  /// for the next step. Requires AxisConfig::compensation.
   Jet compensate(const References& references);
 
   /// The configuration with its defaults filled in.

@@ -56,9 +56,9 @@ const ProgramPart& part_at(const GroupProgram& program, double length);
 Peaks peaks_of(const TimingLaw& law);
 
 /// Checks a plan against the limits of the axes that will play it: position range, velocity,
-/// acceleration and jerk, by exact extrema, and steps of position, velocity and acceleration (a step
-/// of the acceleration counts as a jerk in one cycle, as in a table). Time and memory are proportional
-/// to the number of pieces.
+/// acceleration and jerk, by exact extrema, and steps of position, velocity and acceleration (a
+/// step of the acceleration counts as a jerk in one cycle, as in a table). Time and memory are
+/// proportional to the number of pieces.
 ///
 ///     const GroupProgram program = group_program(plan, configs, {{"x", "y"}});
 ///     GroupPath path(1, program);                               // group_path.hpp
@@ -75,13 +75,13 @@ GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const Axi
 /// limits are omitted. Throws InputError "axes" if the numbers of axes differ.
 GroupLimits within(const GroupLimits& limits, std::span<const AxisConfig> axes);
 
-/// Throws InputError "axes" if some axes of a path have the names of axes of the group, but not all at
-/// the same places. If no name is the same, the first axis of the group plays the first axis of the
-/// path.
+/// Throws InputError "axes" if some axes of a path have the names of axes of the group, but not all
+/// at the same places. If no name is the same, the first axis of the group plays the first axis of
+/// the path.
 void require_order(std::span<const std::string> path, std::span<const std::string> group);
 
-/// Returns the configuration of the MotionAxis of a group with these axes. Its own limits have no
-/// effect; the limits of the axes apply. Throws InputError "axes" for none.
+/// Returns the configuration of the MotionAxis of a group with these axes. The limits in this
+/// configuration have no effect; the limits of the axes apply. Throws InputError "axes" for none.
 AxisConfig group_config(std::span<const AxisConfig> axes);
 
 }  // namespace jounce

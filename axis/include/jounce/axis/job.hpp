@@ -75,8 +75,8 @@ class Job final : public Movement {
   /// sign, and the peaks of the jerk around samples that exceed their neighbors.
   [[nodiscard]] const Ranges& ranges() const { return ranges_; }
 
-  /// The peak in the interval that requires the greatest limit, and this limit: without the rounding
-  /// of knots, as pvt_detail::KnotRounding counts it.
+  /// The peak in the interval that requires the greatest limit, and this limit: without the
+  /// rounding of knots, as pvt_detail::KnotRounding counts it.
   struct Required {
     Extremum peak = {};
     double limit = 0;

@@ -38,9 +38,9 @@ class LiveCompensation {
   static constexpr double most_slope = 0.5;
 
   /// `modulo`: length of one turn of the corrected axis, u; 0: a linear axis. Throws InputError
-  ///   like Compensation, and for a table that is steeper than most_slope. On a modulo axis, also
-  ///   throws if the grid of the own reference leaves the turn, or if the corrections at its two
-  ///   ends differ.
+  /// like Compensation, and for a table that is steeper than most_slope. On a modulo axis, also
+  /// throws if the grid of the own reference leaves the turn, or if the corrections at its two ends
+  /// differ.
   LiveCompensation(const AxisCompensation& spec, double modulo);
 
   /// True if the correction is active.
@@ -50,7 +50,7 @@ class LiveCompensation {
   /// Takes the setpoints of the references in this tick.
   void see(const References& references) { references_ = references; }
   /// The correction at these setpoints, and its derivatives, u, u/s, u/s^2; 0 while it is not
-  /// active. At a grid line of a linear table, the derivatives are those of the cell that follows.
+  /// active. At a grid line of a linear table, the cell that begins there gives the derivatives.
   [[nodiscard]] Jet correction() const;
   /// Position of the axis at which its drive, with the correction, stands at `drive`, u. Uses the
   /// setpoints of the other references that were seen last.

@@ -129,9 +129,9 @@ class EncoderMaster final : public Master {
 ///
 ///     (1)  offset = least of received - stamp over the last window/2 to window
 ///
-/// The estimate uses the minimum of each half of the window. It moves towards the smaller minimum,
-/// by at most `slew`, so that the master does not jump. It is set at once at the first sample, and
-/// when the error exceeds `step`; such an error means that a clock was set.
+/// The estimate uses the minimum of each half of the window. The estimate moves towards the smaller
+/// minimum, by at most `slew`, so that the master does not jump. At the first sample, and when the
+/// error exceeds `step`, the estimate is set at once; such an error means that a clock was set.
 ///
 /// The least delay cannot be measured from the samples. If it is known from another source, set
 /// TrackerSpec::latency.

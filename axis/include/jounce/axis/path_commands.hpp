@@ -45,8 +45,8 @@ struct JogEnd {
   Point place{};          ///< coordinates of the end
 };
 
-/// A jog that cannot begin, because an axis stands at the end of its range or the group at the end of
-/// its reach.
+/// A jog that cannot begin, because an axis stands at the end of its range or the group at the end
+/// of its reach.
 struct JogLeadsOutward : InputError {
   explicit JogLeadsOutward(const JogEnd& where)
       : InputError("the jog", "",
@@ -70,9 +70,9 @@ struct LoweredVelocity {
 ///     commands.append(command::MoveLinearAbsolute{.to = {10, 5}});
 ///     const Plan motion = plan(commands.program(), limits);
 ///
-/// Units are those of the axes. The axes after the path axes are followers: they move in proportion to
-/// the length, and have no value in an arc but its end. A command that moves only followers has the
-/// length of their motion.
+/// Units are those of the axes. The axes after the path axes are followers: they move in proportion
+/// to the length, and have no value in an arc but its end. A command that moves only followers has
+/// the length of their motion.
 class PathCommands {
  public:
   /// `axes`: 1 to max_axes. `start`: where the first command begins. `first`: its number.
@@ -85,8 +85,8 @@ class PathCommands {
   void set_modulo(std::vector<double> modulo) { modulo_ = std::move(modulo); }
   /// Sets the frame of the commands that are appended from now on.
   void set_frame(const Frame& frame) { frame_ = frame; }
-  /// Sets further limits for the commands that are appended from now on: along the path, and of the axes
-  /// (PathSettings::axes).
+  /// Sets further limits for the commands that are appended from now on: along the path, and of the
+  /// axes (PathSettings::axes).
   void set_limits(const PathLimits& limits, std::vector<AxisRates> axes = {}) {
     limits_vary_ = limits_vary_ || (!all_.empty() && !has_limits(limits, axes));
     limits_ = limits;
@@ -152,7 +152,7 @@ class PathCommands {
   [[nodiscard]] PathCommands from(std::int32_t number) const;
   /// Returns the number of the command at the distance `u` from the start of a piece of the plan. A
   /// piece may have several commands, because the planner joins lines in the same direction;
-  /// `number` is that of the first one.
+  /// `number` is the number of the first one.
   [[nodiscard]] std::int32_t number_at(std::int32_t number, double u) const;
 
  private:
