@@ -143,7 +143,7 @@ class Coupling {
 };
 
 /// The state of a coupling. engage() creates it; step() returns the next state
-/// (coupling_cycle.hpp). It is small, and copies are independent.
+/// (coupling_cycle.hpp). The state is small, and copies are independent.
 struct Engaged {
   Placement placement = {};    ///< placement of the cam since the engagement
   Correction correction = {};  ///< present correction

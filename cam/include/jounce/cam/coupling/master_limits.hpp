@@ -49,8 +49,8 @@ struct MasterLimit {
 /// limit. The value is then 0, and `where` is the position of the step. A step counts if it exceeds
 /// 1e-9 of the travel or of the derivative's peak, as in rises() (design/rise.hpp).
 ///
-/// A controller computes a new setpoint in each cycle T = `rates.cycle`, and a step takes one cycle.
-/// With T > 0, a step s of f' or f'' is permitted at the speeds at which the limits A of the
+/// A controller computes a new setpoint in each cycle T = `rates.cycle`, and a step takes one
+/// cycle. With T > 0, a step s of f' or f'' is permitted at the speeds at which the limits A of the
 /// acceleration and J of the jerk permit it within one cycle:
 ///
 ///     (3)  s w <= A T   (f' steps),      s w^2 <= J T   (f'' steps)
