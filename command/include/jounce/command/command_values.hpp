@@ -22,7 +22,7 @@ CommandValues values_of(const ClientCommand& command);
 
 /// A field of a command that other fields of the same command forbid.
 struct FieldConflict {
-  std::size_t field = 0;  ///< number of the field among those of the command
+  std::size_t field = 0;  ///< number of the field in the command, from 0
   std::string rule = {};  ///< rule that it breaks: "cannot be combined with position"
   std::optional<std::size_t> missing = {};  ///< number of a field that must be given with it;
                                             ///< nullopt: none is missing
@@ -32,8 +32,8 @@ struct FieldConflict {
 using FieldName = std::function<std::string(const Field&)>;
 
 /// Returns the first conflict between the fields of a command; nullopt if they suit each other.
-/// `given`: the fields that the sender gives, in the order of the wire. `name` returns the name of a
-/// field in the rule.
+/// `given`: the fields that the sender gives, in the order of the wire. `name` returns the name of
+/// a field in the rule.
 std::optional<FieldConflict> field_conflict(CommandKind kind, const std::bitset<most_fields>& given,
                                             const FieldName& name);
 

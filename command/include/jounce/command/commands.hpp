@@ -421,7 +421,8 @@ struct CombineAxes {
   static constexpr auto kind = CommandKind::combine_axes;
   std::int32_t numerator = 0;           ///< ratio to the master = numerator / denominator
   std::int32_t denominator = 0;         ///< must not be 0
-  std::int32_t second_numerator = 0;    ///< the same for the second master
+  std::int32_t second_numerator = 0;    ///< ratio to the second master = second_numerator /
+                                        ///< second_denominator
   std::int32_t second_denominator = 0;  ///< must not be 0
   MoveDynamics dynamics = {};           ///< the member `velocity` is not used
 };
@@ -684,9 +685,10 @@ struct DisableCompensation {
   static constexpr auto kind = CommandKind::disable_compensation;
 };
 /// Sets the frame of the following single commands of a group: the position and orientation of the
-/// part in the machine (MC_SetCoordinateTransform, G54). Coordinates are those of the part. Nothing
-/// moves. The frame applies until the next SetCoordinateTransform, or until the group is disabled.
-/// Without values, the coordinates are again those of the machine.
+/// part in the machine (MC_SetCoordinateTransform, G54). The coordinates in these commands then
+/// count in the frame of the part. Nothing moves. The frame applies until the next
+/// SetCoordinateTransform, or until the group is disabled. Without values, the coordinates count in
+/// the frame of the machine again.
 struct SetCoordinateTransform {
   static constexpr auto kind = CommandKind::set_coordinate_transform;
   /// Origin of the part in the machine, u; a coordinate that is not given is 0.
@@ -705,8 +707,8 @@ constexpr void each_field(C& c, F f) {
 }
 
 /// Gives the end of the last command of a group new coordinates, without motion
-/// (MC_GroupSetPosition, G92): shifts the frame of the following single commands. The axes keep their
-/// positions. The shift applies as long as the frame of SetCoordinateTransform.
+/// (MC_GroupSetPosition, G92): shifts the frame of the following single commands. The axes keep
+/// their positions. The shift applies as long as the frame of SetCoordinateTransform.
 struct GroupSetPosition {
   static constexpr auto kind = CommandKind::group_set_position;
   /// New coordinates, u; or, if `relative`, values that are added. A coordinate that is not given
@@ -720,15 +722,15 @@ constexpr void each_field(C& c, F f) {
   f(Field{"relative", Quantity::none, ranges::flag}, c.relative);
 }
 
-/// Sets further limits of a group: along its path (SMC_GroupSetAncillaryPathLimits), or of one of its
-/// axes (SMC_GroupSetAncillaryAxisLimits). They apply in addition to the configured limits, until the
-/// group is disabled. A value that is not given removes the limit.
+/// Sets further limits of a group: along its path (SMC_GroupSetAncillaryPathLimits), or of one of
+/// its axes (SMC_GroupSetAncillaryAxisLimits). These limits apply in addition to the configured
+/// limits, until the group is disabled. A value that is not given removes the limit.
 struct GroupSetLimits {
   static constexpr auto kind = CommandKind::group_set_limits;
   MoveDynamics dynamics = {};  ///< the limits; an axis has no separate deceleration
   std::int32_t axis = 0;       ///< number of the axis in the group, from 1; 0: along the path
-  /// True: the limits apply to the commands after this one (mcQueued). False: they also apply to the
-  /// present motion, whose speed is reduced (mcImmediately).
+  /// True: the limits apply to the commands after this one (mcQueued). False: they also apply to
+  /// the present motion, whose speed is reduced (mcImmediately).
   bool queued = false;
 };
 template <Of<GroupSetLimits> C, class F>
@@ -738,8 +740,8 @@ constexpr void each_field(C& c, F f) {
   f(Field{"queued", Quantity::none, ranges::flag}, c.queued);
 }
 
-/// An M word with a handshake: the group comes to rest at the end of its last command, sends an event
-/// with the number, and continues after a GroupAcknowledge.
+/// An M word with a handshake: the group comes to rest at the end of its last command, sends an
+/// event with the number, and continues after a GroupAcknowledge.
 struct GroupMWord {
   static constexpr auto kind = CommandKind::group_m_word;
   std::int32_t number = 0;  ///< number of the M word
