@@ -28,8 +28,9 @@ namespace jounce {
 void set_against(std::vector<Input>& tables, const std::string& spec_path,
                  const std::vector<std::string>& tolerance = {});
 
-/// Gives a table of Jounce the limits of the spec that its header names, like set_against(), but without the comparison
-/// with the curve. Nothing happens if the spec is not found, has another text now, or does not fit the table.
+/// Gives a table of Jounce the limits of the spec that its header names, like set_against(), but
+/// without the comparison with the curve. Nothing happens if the spec is not found, has another
+/// text now, or does not fit the table.
 void set_limits_of_header(Input& table);
 
 /// True for a table whose header names this spec (a path relative to the current folder or to the

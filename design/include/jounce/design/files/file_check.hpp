@@ -38,7 +38,7 @@ struct CheckOptions {
   EngageTexts start = {};    ///< start of a coupling; master_velocity: also for limits over time
   int continuity = 1;        ///< highest derivative that must be continuous
   std::string against = {};  ///< spec of the tables, see set_against(); "": none
-  /// With `against`: the axis of this spec for a table without a name; for several tables, the one
+  /// For `against`: the axis of this spec for a table without a name; for several tables, the one
   /// to check. "": the name of the file determines the axis; all tables are checked.
   std::string axis = {};
   /// Tolerances for `against`, as for tolerance_of()

@@ -25,13 +25,14 @@ struct FileDifference {
 
 /// Compares two specs key by key, after their axes were compared. Each changed limit that is not in
 /// [limits] of an axis becomes a remark of the first comparison: a limit of the slave over time, of
-/// the disc, of the load, of the drive. Returns the other changed keys that the comparisons do not cover.
-/// The comparisons cover the units and, if a curve differs, the sections that describe curves.
+/// the disc, of the load, of the drive. Returns the other changed keys that the comparisons do not
+/// cover. The comparisons cover the units and, if a curve differs, the sections that describe
+/// curves.
 std::vector<KeyChange> take_key_changes(const Spec& before, const Spec& after,
                                         std::vector<Comparison>& comparisons);
 
-/// Returns "differs outside the curve: disc.base_radius 60 mm -> 50 mm; ...". At most eight keys are
-/// shown, the others are counted. "" if there are none.
+/// Returns "differs outside the curve: disc.base_radius 60 mm -> 50 mm; ...". At most eight keys
+/// are shown, the others are counted. "" if there are none.
 std::string to_text(const std::vector<KeyChange>& keys);
 
 /// Returns "disc.base_radius differs", or "3 keys outside the curve differ"; "" if there are none.
