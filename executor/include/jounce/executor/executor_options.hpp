@@ -73,7 +73,7 @@ struct ExecutorCutter {
   std::shared_ptr<const CutTask> task = {};  ///< the cutter and its list
   StoredTable numbers = {};  ///< numbers_of() the task in the column p, for the record
 };
-/// Makes a cutter. Throws InputError like the constructor of CutTask. `units`: those of the axis.
+/// Makes a cutter. `units`: units of the axis. Throws InputError like the constructor of CutTask.
 ExecutorCutter executor_cutter(const CutJob& job, const Units& units);
 
 /// Options of one axis, or of one group, of an executor.

@@ -111,7 +111,8 @@ struct RecordedPathSwitches {
 std::vector<RecordedPathSwitches> recorded_switches(const GroupProgram& program, std::size_t axis,
                                                     std::uint64_t id);
 
-/// Returns the program of a group with a straight path of the same length, for a replay of its ticks.
+/// Returns the program of a group with a straight path of the same length, for a replay of its
+/// ticks.
 GroupProgram remade(const std::vector<LawInterval>& law, std::vector<GroupAxis> axes);
 
 /// Rows that were added to a queue, or another change of the queue. If many rows were added at
@@ -195,8 +196,8 @@ std::vector<RecordedCompensation> parts_of(std::size_t axis, const AxisCompensat
 /// Adds a part to the table. Returns false while values are missing.
 bool apply(const RecordedCompensation& part, std::optional<AxisCompensation>& whole);
 
-/// Inputs and outputs of the compensation of an axis in one tick. This event precedes the cycle of the
-/// tick. `referenced` stays until the next event; the other members count for one cycle.
+/// Inputs and outputs of the compensation of an axis in one tick. This event precedes the cycle of
+/// the tick. `referenced` stays until the next event; the other members count for one cycle.
 struct RecordedReferences {
   std::size_t axis = 0;      ///< index of the axis
   bool referenced = false;   ///< Inputs::referenced
@@ -217,8 +218,8 @@ using RecordEvent =
 std::string_view channel_of(const RecordEvent& event);
 /// Returns the bytes of an event in the encoding of LCM.
 std::string encoded(const RecordEvent& event);
-/// Returns the checksum of a record after one more event of Jounce: SHA-256(check, channel, 0, bytes).
-/// The checksum of no event is 0. Numbers and time stamps of the events are not included.
+/// Returns the checksum of a record after one more event of Jounce: SHA-256(check, channel, 0,
+/// bytes). The checksum of no event is 0. Numbers and time stamps of the events are not included.
 Sha256 continued(const Sha256& check, std::string_view channel, std::string_view bytes);
 /// Decodes an event. Returns nullopt for a channel of another program. Throws InputError for bytes
 /// that are not an event of this channel.

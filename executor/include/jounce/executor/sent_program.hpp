@@ -63,7 +63,8 @@ struct SentProgram {
   std::vector<SentStage> stages = {};  ///< at least one; the first has no M word
   PlanWindow window = {};              ///< windows of its plans
 
-  /// The end of the first command from `first` on that moves, with the dwells after it; at most `last`.
+  /// The end of the first command from `first` on that moves, with the dwells after it; at most
+  /// `last`.
   [[nodiscard]] std::size_t step_end(std::size_t first, std::size_t last) const;
   /// The end of the window of a motion of a stage that begins at rest, at the command `first`.
   [[nodiscard]] std::size_t window_end(const SentStage& stage, std::size_t first) const;

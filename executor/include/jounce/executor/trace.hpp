@@ -57,8 +57,8 @@ struct TraceTable {
   std::array<double, samples> position{};  ///< position at equal distances from start to end
 };
 
-/// The planned path of a group as a polygon, for a picture. On lines it is exact. The coordinates are
-/// those of the machine, without the frame of the commands. u is the unit of the axes.
+/// The planned path of a group as a polygon, for a picture. On lines it is exact. The coordinates
+/// are those of the machine, without the frame of the commands. u is the unit of the axes.
 struct TracePath {
   static constexpr std::size_t most_points = 4096;  ///< greatest number of points
   /// Greatest number of coordinates: the first axes of the group, or of the path of its tool.
@@ -103,8 +103,8 @@ class Trace {
   static Trace of(const std::vector<std::int64_t>& periods);
   /// New memory for the axes of an executor.
   static Trace of(const std::vector<ExecutorOptions>& axes);
-  /// The memory of another process, for reading. Returns nullopt if the descriptor is not open or is
-  /// not a trace. Owns the descriptor.
+  /// The memory of another process, for reading. Returns nullopt if the descriptor is not open or
+  /// is not a trace. Owns the descriptor.
   static std::optional<Trace> opened(int descriptor);
 
   Trace(Trace&& other) noexcept;
