@@ -14,7 +14,7 @@
 namespace jounce {
 
 /// Everything that a plan of cuts reads: the cutter, its list, and the pieces that are possible at
-/// the speed of the line. It does not change while the plan runs.
+/// the speed of the line. A task does not change while the plan runs.
 struct CutTask {
   Cutter cutter;
   CutList list;
@@ -67,10 +67,10 @@ struct CutAnswer {
 ///     (2)  C + R + A                                    it is on its way home after C
 ///     (3)  C + the shortest possible piece              otherwise
 ///
-/// A cut on demand ends a piece early. This piece is waste, and its length comes again after the
-/// cut. If planned cuts come before the demand, this piece begins at the last of them, and must be
-/// possible. At most most_planned cuts may come before the demand. A new cut on demand replaces the
-/// waiting one. At the position of a planned cut, a demand only cancels the waiting one. A new
+/// A cut on demand ends a piece early. This piece is waste, and the plan repeats its length after
+/// the cut. If planned cuts come before the demand, this piece begins at the last of them, and must
+/// be possible. At most most_planned cuts may come before the demand. A new cut on demand replaces
+/// the waiting one. At the position of a planned cut, a demand only cancels the waiting one. A new
 /// length or piece of waste keeps the waiting cut; the request is rejected if this cut would not be
 /// possible.
 ///

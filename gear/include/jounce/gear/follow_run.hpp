@@ -42,8 +42,8 @@ void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave);
 /// allocate.
 Jet step(FollowRun& run, SegmentFifos& fifos, const Sample& before, const Sample& now);
 
-/// Returns what the first step() after begin() would return, without a change. Returns nullopt while the
-/// slave waits for the event, and if the master has passed the end of the first table.
+/// Returns what the first step() after begin() would return, without a change. Returns nullopt
+/// while the slave waits for the event, and if the master has passed the end of the first table.
 std::optional<Jet> first_step(FollowRun run, const SegmentFifos& fifos, const Sample& now);
 
 }  // namespace jounce
