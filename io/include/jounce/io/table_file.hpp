@@ -52,18 +52,18 @@ std::span<const OwnForm> own_forms();
 /// Returns the format of a path by its ending; null if no format has the ending.
 const OwnForm* own_form_of_path(const std::string& path);
 
-/// Reads a table as CSV, JSON, LCM log or MCAP; the first characters determine the format. `name` is the name of
-/// the file for errors. Throws InputError with file, line, key, value and rule for a wrong schema
-/// or version, a missing or unknown head line, a wrong number of rows or columns, text that is not
-/// a finite number, knots that do not ascend, an unknown unit, and a hash that does not match the
-/// content.
+/// Reads a table as CSV, JSON, LCM log or MCAP; the first characters determine the format. `name`
+/// is the name of the file for errors. Throws InputError with file, line, key, value and rule for a
+/// wrong schema or version, a missing or unknown head line, a wrong number of rows or columns, text
+/// that is not a finite number, knots that do not ascend, an unknown unit, and a hash that does not
+/// match the content.
 TableFile parse_table(const std::string& text, const std::string& name);
 /// Reads a table file.
 TableFile read_table(const std::string& path);
 
 /// True if the text begins like a table file: with `# jounce table`, or with a brace, unless a
-/// letter follows it (a pragma of Structured Text), or like the LCM log or the MCAP file of a table.
-/// False for a spec.
+/// letter follows it (a pragma of Structured Text), or like the LCM log or the MCAP file of a
+/// table. False for a spec.
 bool is_table(const std::string& text);
 
 /// Returns the content of a table file, in the readable format that the ending of the path selects;
