@@ -84,9 +84,9 @@ CommandKind kind_of(const CommandWords& words);
 /// --hold-to-run`, which would ignore it.
 void require_held(const CommandWords& words, const std::string& seconds);
 
-/// Sets the value of the command from the arguments after it. Arguments such as "x=10mm", "y=5mm" are
-/// the coordinates of a command of a group, by the names of its axes. Throws InputError for several
-/// other values, and for coordinates of a command without coordinates.
+/// Sets the value of the command from the arguments after it. Arguments such as "x=10mm", "y=5mm"
+/// are the coordinates of a command of a group, by the names of its axes. Throws InputError for
+/// several other values, and for coordinates of a command without coordinates.
 void set_values(CommandWords& words, const std::vector<std::string>& values);
 /// True if the words name axes of a group: "--to x=10mm".
 bool names_axes(const CommandWords& words);

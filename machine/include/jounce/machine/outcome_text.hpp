@@ -14,9 +14,9 @@
 /// Outcomes of calls to an executor in words and as JSON.
 namespace jounce {
 
-/// Returns the reason with the name of the file in place of the word "line": "part.toml:12: x.position
-/// = ..." for "line 12: x.position = ...". `reason`: the reason that a group gives for a path from
-/// this file.
+/// Returns the reason with the name of the file in place of the word "line": "part.toml:12:
+/// x.position = ..." for "line 12: x.position = ...". `reason`: the reason that a group gives for a
+/// path from this file.
 std::string with_file(const std::string& reason, const std::string& file);
 
 /// Returns the reason of a failed call. If the axis has rejected the call, the text includes the
@@ -37,15 +37,16 @@ std::string reason_text(const CallOutcome& outcome, const CommandWords& words,
 std::string accepted_text(const CommandWords& words, const wire::Status& before,
                           const std::string& executor, const std::string& note = {});
 
-/// Returns the state of an axis after a stop: "feeder is at rest: standstill". In error_stop, the text
-/// states how to reset the axis.
+/// Returns the state of an axis after a stop: "feeder is at rest: standstill". In error_stop, the
+/// text states how to reset the axis.
 std::string stopped_text(const std::string& executor, State rest);
 
 /// Hint for an executor that sends no message.
 inline constexpr const char* unheard_hint =
     "check that it is running, with the same --url and the same --key";
 
-/// Returns the name of the error and reason_text(); if there was no answer, reason_text() and `hint`.
+/// Returns the name of the error and reason_text(); if there was no answer, reason_text() and
+/// `hint`.
 std::string error_text(const CallOutcome& outcome, const std::string& executor,
                        const std::string& hint = unheard_hint);
 

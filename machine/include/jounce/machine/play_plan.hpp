@@ -34,7 +34,8 @@ struct PlayOptions {
 /// "master") for a table that does not suit the options.
 StreamPlan stream_plan(const std::string& executor, const Input& input, const PlayOptions& options);
 
-/// Adds an input to the plan. Its motion takes over at the end of the previous one, without a stop.
+/// Adds an input to the plan. The motion of the input takes over at the end of the previous motion,
+/// without a stop.
 void add_swap(StreamPlan& plan, const Input& input, const PlayOptions& options);
 
 /// True for a spec of kind "follow". An axis plays such a spec from two banks on its live master;
@@ -61,7 +62,8 @@ BankPlan bank_plan(const TableFile& first, const TableFile& second, std::int32_t
 
 /// Returns the plan that sends a table over time row by row, in s. The motion starts when `ahead`
 /// rows have arrived; the queue holds twice as many. If `relative` is true, positions count from
-/// the position of the axis. Throws InputError (key "velocity") for a table that does not end at rest.
+/// the position of the axis. Throws InputError (key "velocity") for a table that does not end at
+/// rest.
 RowPlan row_plan(const std::string& executor, TableFile table, std::uint32_t ahead, bool relative);
 
 /// True for the axes of a path of several axes.

@@ -36,7 +36,7 @@ struct Watched {
   Nanos traced_at{};                             ///< time of the newest position in `trace`
   std::vector<wire::MasterStatus> masters = {};  ///< state of each master, sorted by name
   std::optional<wire::GroupStatus> group = {};   ///< for a group: its place on its path
-  /// Greatest number of events, that of a latch buffer of the PMC600 (manual 9.5).
+  /// Greatest number of events; a latch buffer of the PMC600 (manual 9.5) has the same size.
   static constexpr std::size_t most_events = 256;
   std::deque<wire::Event> events = {};  ///< the last events, the newest last
   std::int64_t lost_events = 0;         ///< number of events whose messages did not arrive
