@@ -48,9 +48,9 @@ struct FreeShape {
 /// cam. With EndJerk::as_given, geo_jerk stays as well, under these conditions: geo_jerk of the
 /// given cam does not step there, geo_acceleration is not free, and the continuity is at least 3.
 /// `active` has "kept/geo_jerk" for each end whose geo_jerk is fixed. The values in `knots` are
-/// free within their bounds, which may be infinite. These knots may lie inside a run, or be the
-/// start or the end of a cam that is not periodic. Master positions are never free. All other parts
-/// of the cam stay exactly as they are.
+/// free within their bounds, which may be infinite. The knots with free values may lie inside a
+/// run, or be the start or the end of a cam that is not periodic. Master positions are never free.
+/// All other parts of the cam stay exactly as they are.
 ///
 /// **Order.** Each entry of `minimize` is a weighted sum of figures. If it has several entries,
 /// each entry must be a single figure. The entries are minimized one after another, and no earlier
