@@ -66,15 +66,16 @@ class AxisMap {
 
   /// Computes the position of the tool from the positions of the joints: the forward kinematics.
   /// Returns nullopt if jets() gives other joints for this position (another side of the elbow, two
-  /// motors of one axis at different positions), or if the class has no forward kinematics, like the
-  /// base class.
+  /// motors of one axis at different positions), or if the class has no forward kinematics, like
+  /// the base class.
   [[nodiscard]] virtual std::optional<Point> tool(std::span<const double> joints) const;
 
   /// Returns the matrix of a linear map; null for any other map. With a linear map, a plan is exact
   /// on every piece.
   [[nodiscard]] virtual const LinearMap* linear() const;
 
-  /// True if jets() gives these joints at this position of the tool, within rounding and whole turns.
+  /// True if jets() gives these joints at this position of the tool, within rounding and whole
+  /// turns.
   [[nodiscard]] bool gives(const Point& tool, std::span<const double> joints) const;
 
  protected:
@@ -108,8 +109,9 @@ enum class Elbow : std::uint8_t {
 };
 
 /// A SCARA robot with two or three arms (PMC600 manual 7.2.5, SCARA 2-joint and 3-joint). The first
-/// joint is at the origin. Its arm points along X at 0 deg and along Y at 90 deg. Each arm carries
-/// the next joint. Angles of the joints are in deg; the joint Z has the unit of the axis Z.
+/// joint is at the origin. The arm of the first joint points along X at 0 deg and along Y at 90
+/// deg. Each arm carries the next joint. Angles of the joints are in deg; the joint Z has the unit
+/// of the axis Z.
 ///
 /// Axes of the tool: X, Y; Z if `with_z`; with three arms also C, the direction of the last arm in
 /// deg. Joints: one for each arm, then Z.

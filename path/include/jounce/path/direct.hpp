@@ -27,8 +27,8 @@ std::vector<Trajectory> direct(const Point& from, const Point& to,
                                const std::vector<Limits>& limits,
                                DirectMode mode = DirectMode::fast);
 
-/// Plans a point-to-point move in which each axis takes its own shortest time (DirectMode::fast), as a
-/// Plan. The path parameter grows evenly with time, from 0 to the distance that the first
+/// Plans a point-to-point move in which each axis takes its own shortest time (DirectMode::fast),
+/// as a Plan. The path parameter grows evenly with time, from 0 to the distance that the first
 /// `path_axes` axes cover together (0: all axes). If these axes do not move, it grows to the
 /// distance of all axes. The source line is 1. Throws InputError like direct(), and "to" if no axis
 /// moves.

@@ -41,8 +41,8 @@ struct LimitedProgram {
 };
 
 /// Returns a program as a list of finite numbers, for a message or a file. program_of() returns the
-/// same program from it, bit for bit. docs/stream-protocol.md describes the numbers. Position limits
-/// and the reports of curves (deviation, speed_error) are not in the list.
+/// same program from it, bit for bit. docs/stream-protocol.md describes the numbers. Position
+/// limits and the reports of curves (deviation, speed_error) are not in the list.
 ///
 ///     const std::vector<double> numbers = numbers_of({program, limits});
 ///     const LimitedProgram same = program_of(numbers);

@@ -33,10 +33,10 @@ inline constexpr double singular_margin = 0.01;
 
 /// Returns how far the tool can move along the straight line from `from` in the direction
 /// `direction` (one component for each axis of the map, a vector of length 1), at most `length`.
-/// `joints`: limits of the joints, with their position ranges. `from` must be a place that the joints
-/// can reach. `velocity`: velocity of the motion along the line, u/s; infinite: the velocity that the
-/// joints permit at the start. If a joint limits the velocity to less than this already at the
-/// start, the line may still lead away from the singular position.
+/// `joints`: limits of the joints, with their position ranges. `from` must be a place that the
+/// joints can reach. `velocity`: velocity of the motion along the line, u/s; infinite: the velocity
+/// that the joints permit at the start. If a joint limits the velocity to less than this already at
+/// the start, the line may still lead away from the singular position.
 ///
 /// If the map proves bounds (AxisMap::bounds()), no joint leaves its range anywhere on this part.
 /// Otherwise, samples are checked.
