@@ -54,7 +54,7 @@ Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t first, std::size_t last);
 
-/// The same for a segment that extends from `start` to `end`.
+/// Like segment_extrema() above, for a segment that extends from `start` to `end`.
 Ranges segment_extrema(const Segment& f, double start, double end);
 
 /// Widens `ranges` by the ranges of the next segment, which extends from `start` to `end`. The

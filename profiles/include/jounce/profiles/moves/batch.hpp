@@ -28,9 +28,9 @@ struct MoveColumns {
 /// Writes the least duration of every move (s) to `durations`. The duration is NaN if no move
 /// exists: a limit is not positive, the velocity at an end exceeds the limit, or a value is not
 /// finite or out of the range of query.hpp (1e-30 to 1e30). If `peak` is not empty, it receives the
-/// signed velocity of the cruise, or the peak velocity of a move without cruise (u/s). `durations`, a
-/// nonempty `peak` and every column with one value for each move have the same size; otherwise every
-/// result is NaN.
+/// signed velocity of the cruise, or the peak velocity of a move without cruise (u/s). `durations`,
+/// a nonempty `peak` and every column with one value for each move have the same size; otherwise
+/// every result is NaN.
 ///
 /// Uses the widest vectors of the processor (AVX-512, AVX2, or the baseline). The relative
 /// difference from the result of query.hpp is at most 1e-12. Does not allocate or throw.

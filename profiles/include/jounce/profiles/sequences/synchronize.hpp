@@ -24,7 +24,8 @@ struct AxisMove {
   /// False: the axis takes no part. Its profile stays at `from` and has no duration.
   bool enabled = true;
   /// A motion from `from` to the goal that stays within the bounds, if one is available; otherwise
-  /// null. It is used if no faster motion is found, or if the common duration equals its duration.
+  /// null. The function uses this motion if it finds no faster one, or if the common duration
+  /// equals the duration of this motion.
   const Profile* under_way = nullptr;
 };
 
