@@ -64,16 +64,17 @@ struct Played {
   /// - "played/gap": greatest number of missing ticks at one place; the limit is a tenth of a
   ///   second. (A late cycle skips some ticks; a log with a gap lacks more.)
   /// - "played/complete": broken if the log ends before the motion; not with a live master.
-  /// - "played/fault": a fault ended the motion; only with a live master, whose motion has no end of
-  ///   its own.
+  /// - "played/fault": a fault ended the motion; only with a live master, whose motion has no end
+  ///   of its own.
   Report report = {};
 };
 
 /// Compares every tick with the design: over time, or, if the positions do not agree, over the
-/// master of the log. The axis may have engaged at the position of the cam, or with master and slave
-/// counted from its first tick. Requires at least one tick, and a table over time in `designed`. The
-/// permitted rounding is most_roundings eps (greatest position + greatest velocity * time of the log).
-/// A position is computed from a time, so the rounding of the time shifts the position.
+/// master of the log. The axis may have engaged at the position of the cam, or with master and
+/// slave counted from its first tick. Requires at least one tick, and a table over time in
+/// `designed`. The permitted rounding is most_roundings eps (greatest position + greatest velocity
+/// * time of the log). A position is computed from a time, so the rounding of the time shifts the
+/// position.
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed);
 /// Number of units in the last place that compare_played() permits.
 inline constexpr double most_roundings = 32;

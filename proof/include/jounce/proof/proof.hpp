@@ -43,8 +43,8 @@ struct ProofOptions {
   std::string log = {};  ///< file with the tick log of an executor; "": none
   /// Number of equally spaced samples of drive and follower; 0: only the summary figures.
   std::size_t drive_samples = 0;
-  /// Called by the calling thread while [drive.tolerances] is computed. An exception of the function
-  /// ends the proof, and reaches the caller.
+  /// Called by the calling thread while [drive.tolerances] is computed. An exception of the
+  /// function ends the proof, and reaches the caller.
   ProofProgress progress = {};
 };
 
