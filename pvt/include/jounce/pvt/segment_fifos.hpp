@@ -167,8 +167,8 @@ class SegmentFifos {
   /// Calls take(), then start(x, position).
   bool start(int fifo, double x, double position);
 
-  /// Returns what the first at() after start() would return, if its x is in the first pass; otherwise
-  /// nullopt. Changes nothing.
+  /// Returns what the first at() after start() would return, if its x is in the first pass;
+  /// otherwise nullopt. Changes nothing.
   [[nodiscard]] std::optional<Jet> first(double x) const;
 
   /// Stops playing: the axis keeps its position. The rows of a table are kept; a stream must be
