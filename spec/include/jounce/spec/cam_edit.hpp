@@ -29,8 +29,8 @@ std::string with_cam(const Spec& spec, const CamSpec& cam);
 std::string with_switch(const Spec& spec, std::size_t at, double first_on,
                         std::optional<double> last_on);
 
-/// Returns the text of a cam spec with one more segment. It has the index `at`, from 0 to the
-/// number of segments. Requires a text that parse_spec() accepts as a cam.
+/// Returns the text of a cam spec with one more segment. The new segment gets the index `at`, from
+/// 0 to the number of segments. Requires a text that parse_spec() accepts as a cam.
 std::string with_segment(const std::string& text, std::size_t at, const CamSegment& segment);
 
 /// Returns the text of a cam spec without the segment with the index `at`. Comments above the

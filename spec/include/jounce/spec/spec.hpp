@@ -241,8 +241,8 @@ struct Spec {
 /// not depend on each other, throws InputErrors.
 Spec read_spec(const std::string& path);
 
-/// Reads a spec from text; messages use `name` as the file name. Calls `use` with the spec, unless a
-/// value is faulty. An error that `use` throws is reported together with the unknown keys of the
+/// Reads a spec from text; messages use `name` as the file name. Calls `use` with the spec, unless
+/// a value is faulty. An error that `use` throws is reported together with the unknown keys of the
 /// spec.
 Spec parse_spec(std::string text, std::string name,
                 const std::function<void(const Spec&)>& use = {});
