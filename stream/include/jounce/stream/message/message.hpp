@@ -232,8 +232,8 @@ using Histogram = std::array<std::int32_t, 16>;
 /// its end.
 enum Unwritten : std::uint8_t { log_unwritten = 1, record_unwritten = 2, black_box_unwritten = 4 };
 
-/// State of the pair of an axis and its live master (HMPL manual, chapter 6). The numbers are part of
-/// the wire format.
+/// State of the pair of an axis and its live master (HMPL manual, chapter 6). The numbers are part
+/// of the wire format.
 enum class GearState : std::int8_t {
   none = 0,        ///< the axis has no master
   disengaged = 1,  ///< the axis has a master, and does not follow it

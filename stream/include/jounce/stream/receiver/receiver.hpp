@@ -158,8 +158,8 @@ class Receiver {
   [[nodiscard]] std::optional<StreamEvent> take_event();
 
   /// Answers an event: the axis has accepted the command. No effect if another command has
-  /// followed, or if the session has ended. `note`: a remark for the operator, sent as the reason of
-  /// the reply; at most wire::reason_bytes.
+  /// followed, or if the session has ended. `note`: a remark for the operator, sent as the reason
+  /// of the reply; at most wire::reason_bytes.
   void accept(std::int64_t session, std::int32_t command, std::string note = {});
   /// Answers an event: the axis has rejected the command. `cause`: number of the Cause; 0: none.
   void refuse(std::int64_t session, std::int32_t command, std::string reason,

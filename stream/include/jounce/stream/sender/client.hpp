@@ -34,17 +34,17 @@ struct ClientOptions {
 /// TransportError. Units are the units of the axis and of its master.
 ///
 /// **Session.** The first call opens a session: from then on, the client owns the axis. If another
-/// program owns the axis, the call is rejected with Refusal::busy. If no call is made for the session
-/// timeout of the axis (by default one second), the session ends, and a motion in progress is stopped
-/// before its end; the next call opens a new session. So call beat() several times a second while the
-/// axis moves. release() ends the session, and the motion continues to its end.
+/// program owns the axis, the call is rejected with Refusal::busy. If no call is made for the
+/// session timeout of the axis (by default one second), the session ends, and a motion in progress
+/// is stopped before its end; the next call opens a new session. So call beat() several times a
+/// second while the axis moves. release() ends the session, and the motion continues to its end.
 ///
 /// **The destructor** releases the session, and waits for the answer for at most 0.2 s. If it runs
-/// because an exception leaves the scope, it does not release: the motion is stopped when the session
-/// times out.
+/// because an exception leaves the scope, it does not release: the motion is stopped when the
+/// session times out.
 ///
-/// **Threads.** Use a client and its link in one thread only: replies that another thread takes from
-/// the link are lost, and both calls end with StreamError::no_answer.
+/// **Threads.** Use a client and its link in one thread only: replies that another thread takes
+/// from the link are lost, and both calls end with StreamError::no_answer.
 ///
 /// If the executor restarts, the next call returns StreamError::restarted and has no effect,
 /// because the state of the axis may have changed. The call after it opens a new session.
