@@ -44,8 +44,8 @@ struct SweepSummary {
   std::size_t broken = 0;                  ///< number of rows that break a limit
   std::size_t impossible = 0;              ///< number of rows without a motion
   std::vector<FigureSpread> figures = {};  ///< one for each figure; empty if no case is possible
-  /// Share of the rows that are within all limits; nullopt if no parameter is random. Its interval
-  /// is valid only for independent samples (SweepSpec::independent()).
+  /// Share of the rows that are within all limits; nullopt if no parameter is random. The
+  /// confidence interval is valid only for independent samples (SweepSpec::independent()).
   std::optional<Share> yield = {};
   /// Index of the possible row with the smallest margin; nullopt: no row is possible.
   std::optional<std::size_t> worst = {};
