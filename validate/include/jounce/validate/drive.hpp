@@ -292,8 +292,8 @@ struct DriveResult {
 /// **Periodic.** One period is integrated from the exact steady state (exact_period() in
 /// linear_drive.hpp). The finding "drive/periodic" gives the difference between the end and the
 /// start of the period, as a share of the stroke or of the peak torque. The rule is broken if the
-/// difference exceeds a hundred tolerances. It is also broken if the torque reaches its limit,
-/// because the initial state is computed without this limit.
+/// difference exceeds a hundred tolerances. The rule is also broken if the torque reaches its
+/// limit, because the initial state is computed without this limit.
 ///
 /// **Errors.** Throws InputError for a drive, an option or a limit out of range, and for a Table
 /// over a master. If `periodic`, also throws for a signal without segments, a nonlinear drive, and

@@ -9,9 +9,9 @@
 
 namespace jounce {
 
-/// A linear drive that is stepped together with the cycle of an axis. It computes the result of
-/// drive_through() one setpoint at a time, for an executor that receives the motion step by step. u
-/// is the unit of the setpoints.
+/// A linear drive that is stepped together with the cycle of an axis. The class computes the result
+/// of drive_through() one setpoint at a time, for an executor that receives the motion step by
+/// step. u is the unit of the setpoints.
 ///
 ///     DriveStepper drive(servo_400w(), 0.001);
 ///     drive.rest(0);                                       // u, where it stands
