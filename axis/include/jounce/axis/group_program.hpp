@@ -76,8 +76,8 @@ GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const Axi
 GroupLimits within(const GroupLimits& limits, std::span<const AxisConfig> axes);
 
 /// Throws InputError "axes" if some axes of a path have the names of axes of the group, but not all
-/// at the same places. If no name is the same, the first axis of the group plays the first axis of
-/// the path.
+/// axes are at the same places of both lists. If no name is the same, the first axis of the group
+/// plays the first axis of the path.
 void require_order(std::span<const std::string> path, std::span<const std::string> group);
 
 /// Returns the configuration of the MotionAxis of a group with these axes. The limits in this

@@ -62,7 +62,7 @@ struct Triggers {
 
 /// State of the other axes that start together with this one (machine.hpp), for the start of the
 /// armed movement of this axis. For a group of the machine (AxisGroup) and for each of its axes:
-/// the present relation between group and axes. The numbers are part of the record of a run.
+/// the present relation between group and axes. The numbers are part of the record of an executor.
 enum class Peers : std::uint8_t {
   ready,    ///< the other axes, if any, each have an accepted start for the same tick
   missing,  ///< an axis has no start, or a start for another tick

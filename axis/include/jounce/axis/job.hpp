@@ -23,7 +23,7 @@ namespace jounce {
 ///     if (auto refused = admit(cam, config, 0)) std::cerr << refused->text();
 ///
 /// The time of a job is 0 at its start. A table over time with the policy `wrap` repeats until the
-/// axis stops; any other table ends after one run. A cam with the policy `wrap` is periodic in the
+/// axis stops; any other table ends after one pass. A cam with the policy `wrap` is periodic in the
 /// master.
 ///
 /// `coupling` couples the cam (jounce/cam/coupling/coupling.hpp) at time 0 to a slave at rest at
@@ -62,7 +62,7 @@ class Job final : public Movement {
   [[nodiscard]] bool repeats() const { return time_->outside() == Extrapolation::wrap; }
   /// First time of the table over time, s.
   [[nodiscard]] double start() const { return time_->start(); }
-  /// Duration of one run, s.
+  /// Duration of one pass, s.
   [[nodiscard]] double duration() const { return std::max(time_->length(), least_); }
 
   /// Returns the point at time t >= 0 of the job, s, exactly as the tables give it. After the end
@@ -84,9 +84,9 @@ class Job final : public Movement {
   /// The limits that the job requires for velocity, acceleration and jerk, u/s, u/s^2, u/s^3.
   [[nodiscard]] const std::array<Required, 3>& required() const { return required_; }
 
-  /// The largest jumps of position, velocity and acceleration during the run and, if the job
-  /// repeats, from its end to its start. The magnitudes of all jumps within one tick are added;
-  /// `where` is then the start of that tick.
+  /// The largest jumps of position, velocity and acceleration in a pass and, if the job repeats,
+  /// from the end of a pass to the start of the next. The magnitudes of all jumps within one tick
+  /// are added; `where` is then the start of that tick.
   [[nodiscard]] const std::array<Jump, 3>& steps() const { return steps_; }
 
   /// The first point.
