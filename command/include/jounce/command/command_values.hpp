@@ -13,8 +13,8 @@
 
 namespace jounce {
 
-/// The fields of a command as numbers, in the order of the wire and of the record of a run. A flag
-/// is 0 or 1; an enumeration value is its number. Entries after the last field are 0.
+/// The fields of a command as numbers, in the order of the wire and of the record of an executor. A
+/// flag is 0 or 1; an enumeration value is its number. Entries after the last field are 0.
 using CommandValues = std::array<double, most_fields>;
 
 /// Returns the fields of a command.

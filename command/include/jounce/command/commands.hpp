@@ -83,7 +83,8 @@ inline constexpr int home_switch_input = 5;
 inline constexpr int index_input = 6;
 inline constexpr int probe_inputs = 6;  ///< number of inputs
 
-/// Kind of a command. The numbers are part of the record of a run: append new ones at the end.
+/// Kind of a command. The numbers are part of the record of an executor: append new ones at the
+/// end.
 enum class CommandKind : std::uint8_t {
   none,
   enable,
