@@ -32,7 +32,7 @@ struct GroupKinematics {
   JointSpace joints = {};
   GroupLimits limits = {};  ///< limits of the axes of the tool, and of its path
   std::string unit = {};    ///< unit of the path axes; "": not known
-  /// Units of the axes of the tool; none: not known.
+  /// Units of the axes of the tool; empty: not known.
   std::vector<std::string> units = {};
 };
 
@@ -41,9 +41,10 @@ struct ExecutorGroup {
   AxisGroup of = {};                     ///< its axes in the machine
   std::vector<std::string> names = {};   ///< names of these axes
   std::vector<AxisConfig> configs = {};  ///< configurations of these axes
-  std::size_t followers = 0;             ///< number of followers: the last axes; without kinematics
+  std::size_t followers = 0;             ///< number of followers, which are the last axes; only
+                                         ///< without kinematics
   std::string unit = {};                 ///< unit of the path axes; "": not known, or several units
-  std::vector<std::string> units = {};   ///< unit of each of these axes; none: not known
+  std::vector<std::string> units = {};   ///< unit of each of these axes; empty: not known
   std::shared_ptr<const SentProgram> sent = {};    ///< path that StartTable plays; null: none
   std::optional<GroupKinematics> kinematics = {};  ///< nullopt: commands address the axes
   MWordHandshake m_words = {};                     ///< M words of programs that wait
@@ -109,7 +110,7 @@ struct ExecutorOptions {
       false;  ///< true: the log has a column for the events of cams and follow tables
   std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
   Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: no record
-  /// Names of the groups that move this axis, and that report the motions of their axes.
+  /// Names of the groups that move this axis. These groups report the motions of their axes.
   std::vector<std::string> groups = {};
   Trace* trace = nullptr;  ///< receives the ticks and tables of the axis; null: no trace
 };

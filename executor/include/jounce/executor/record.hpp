@@ -23,10 +23,11 @@
 
 namespace jounce {
 
-/// The record of a run: a sequence of events in chronological order. A record is an LCM log:
-/// `lcm-logplayer` plays it, `lcm-spy` shows it with the types of executor/lcm, and
-/// docs/executor/replay.md describes it for users. The only time in a record is the tick: the time
-/// stamp of an event is tick * period in us, independent of any clock.
+/// The record of an executor, from its start to its end (a *run*): a sequence of events in
+/// chronological order. A record is an LCM log: `lcm-logplayer` plays it, `lcm-spy` shows it with
+/// the types of executor/lcm, and docs/executor/replay.md describes it for users. The only time in
+/// a record is the tick: the time stamp of an event is tick * period in us, independent of any
+/// clock.
 ///
 /// Indices of axes and masters count from 0. Units: u is the unit of the axis, m the unit of its
 /// master.

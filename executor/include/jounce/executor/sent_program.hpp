@@ -36,9 +36,9 @@ struct PlanWindow {
 
 /// The rest of a stage after a window.
 struct WindowRest {
-  std::size_t last = 0;  ///< the command after the last one of the window
-  double length = 0;     ///< length along the path of the commands from `last` on, u
-  double time = 0;       ///< their duration, s
+  std::size_t last = 0;  ///< index of the command after the last one of the window
+  double length = 0;     ///< length along the path of all commands from `last` on, u
+  double time = 0;       ///< duration of these commands, s
   ProgramPart
       peaks{};  ///< greatest magnitudes from the beginning of the window to the end of the stage
 };
@@ -46,14 +46,14 @@ struct WindowRest {
 /// Commands of a program between two M words that wait. The group begins and ends them at rest.
 struct SentStage {
   std::optional<std::int32_t> m_word = {};  ///< M word before it; nullopt: none
-  std::size_t first = 0;                    ///< its first command
-  std::size_t last = 0;                     ///< the command after its last one
+  std::size_t first = 0;                    ///< index of its first command
+  std::size_t last = 0;                     ///< index of the command after its last one
   std::size_t first_word = 0;               ///< index of its first word, which follows `m_word`
   std::size_t last_word = 0;                ///< index of the word after its last word
   /// The plan of its commands up to `planned`. Null: the stage has no command and no word, or is
   /// planned when it begins.
   std::shared_ptr<const GroupProgram> program = {};
-  std::size_t planned = 0;               ///< the command after the last one of `program`
+  std::size_t planned = 0;               ///< index of the command after the last one of `program`
   std::vector<WindowRest> windows = {};  ///< empty: one plan contains all commands
 };
 
@@ -63,10 +63,11 @@ struct SentProgram {
   std::vector<SentStage> stages = {};  ///< at least one; the first has no M word
   PlanWindow window = {};              ///< windows of its plans
 
-  /// The end of the first command from `first` on that moves, with the dwells after it; at most
-  /// `last`.
+  /// Returns the index after the first moving command from `first` on and after the dwells that
+  /// follow it; at most `last`.
   [[nodiscard]] std::size_t step_end(std::size_t first, std::size_t last) const;
-  /// The end of the window of a motion of a stage that begins at rest, at the command `first`.
+  /// Returns the index of the command after the window that begins at rest, at the command `first`
+  /// of the stage.
   [[nodiscard]] std::size_t window_end(const SentStage& stage, std::size_t first) const;
 };
 
