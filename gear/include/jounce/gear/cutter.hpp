@@ -49,13 +49,13 @@ class Cutter {
   Cutter(Cutter&&) noexcept;
   Cutter& operator=(Cutter&&) noexcept;
 
-  [[nodiscard]] double approach() const;  ///< m, web from home to a cut
-  [[nodiscard]] double retreat() const;   ///< m, web from a cut to home
-  /// m, web from a cut to the beginning of the motion to the next cut. Until then, the next cut may
-  /// still change.
+  [[nodiscard]] double approach() const;  ///< m, length of web from leaving home to the cut
+  [[nodiscard]] double retreat() const;   ///< m, length of web from a cut to the rest at home
+  /// m, length of web from a cut to the beginning of the motion to the next cut. Until then, the
+  /// next cut may still change.
   [[nodiscard]] double commit() const;
-  [[nodiscard]] double sync_before() const;  ///< m, web before a cut, in step
-  [[nodiscard]] double sync_after() const;   ///< m, web after a cut, in step
+  [[nodiscard]] double sync_before() const;  ///< m, length of web in step before a cut
+  [[nodiscard]] double sync_after() const;   ///< m, length of web in step after a cut
   [[nodiscard]] double turn() const;         ///< u, advance of the slave for each cut; shear: 0
   [[nodiscard]] double home() const;         ///< u, position at home after the cut at 0
   /// m: every piece is longer than this (knife), or at least as long (shear).
@@ -65,13 +65,14 @@ class Cutter {
   /// True if a cutter moves from cut to cut without a rest at home, for a piece of this length (m).
   [[nodiscard]] bool links(double length) const;
 
-  /// Position (u) and derivatives in the approach from home to a cut. `at`: web after the cut, m, <
-  /// 0.
+  /// Position (u) and derivatives in the approach from home to a cut. `at`: position of the web
+  /// relative to the cut, m; negative, because it is before the cut.
   [[nodiscard]] Jet approach(double at) const;
-  /// Position and derivatives in the retreat from a cut to home. `at`: web after the cut, m, > 0.
+  /// Position and derivatives in the retreat from a cut to home. `at`: position of the web relative
+  /// to the cut, m, > 0.
   [[nodiscard]] Jet retreat(double at) const;
-  /// Position and derivatives in the link between two cuts. `at`: web after the first cut, m;
-  /// `length`: web from the first cut to the second, m.
+  /// Position and derivatives in the link between two cuts. `at`: position of the web relative to
+  /// the first cut, m; `length`: distance of the two cuts on the web, m.
   [[nodiscard]] Jet link(double length, double at) const;
 
   /// Segments with the names of the parts of the motion; the last value is exact.
