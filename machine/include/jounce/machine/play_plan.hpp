@@ -20,13 +20,12 @@ struct PlayOptions {
   bool live = false;  ///< true: the cam follows the live master of the axis
   /// Motion of a virtual master over time; nullopt: [master] of the spec.
   std::optional<TableFile> master = {};
-  /// For a live cam: the cam takes over at the end of the present pass, at any position of the
-  /// master.
+  /// True: a live cam takes over at the end of the present pass, at any position of the master.
   bool at_next_cut = false;
-  /// For a live cam that begins at a position of the master. If the slave is an angle that advances
-  /// with each pass, as of a rotating knife, the axis shifts the cam by whole passes.
+  /// True: a live cam begins at a position of the master. If the slave is an angle that advances in
+  /// each pass, as for a rotary knife, the axis shifts the cam by whole passes.
   bool at_master = false;
-  /// For a live cam: the axis keeps the velocity at the end of the cam instead of braking.
+  /// True: at the end of a live cam, the axis keeps its velocity instead of braking.
   bool keep_velocity = false;
 };
 
