@@ -93,8 +93,8 @@ std::shared_ptr<const AxisMap> linear_map(std::size_t axes, LinearMap map);
 /// Returns the map in which every axis is a joint.
 std::shared_ptr<const AxisMap> identity_map(std::size_t axes);
 
-/// Returns the map of a gantry: joint k follows the axis axis_of[k], counted from 0. Two joints may
-/// follow the same axis, as for a beam with two motors.
+/// Returns the map of a gantry: joint k follows the axis axis_of[k]. Joints and axes count from 0.
+/// Two joints may follow the same axis, as for a beam with two motors.
 std::shared_ptr<const AxisMap> gantry_map(std::size_t axes, std::span<const std::size_t> axis_of);
 
 /// Returns the map of CoreXY, a machine with two fixed motors and one belt. The first two joints

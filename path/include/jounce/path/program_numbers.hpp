@@ -40,17 +40,17 @@ struct LimitedProgram {
   std::vector<std::string> units = {};
 };
 
-/// Returns a program as a list of finite numbers, for a message or a file. program_of() returns the
-/// same program from it, bit for bit. docs/stream-protocol.md describes the numbers. Position
-/// limits and the reports of curves (deviation, speed_error) are not in the list.
+/// Returns a program as a list of finite numbers, for a message or a file. From this list,
+/// program_of() makes the same program again, bit for bit. docs/stream-protocol.md describes the
+/// numbers. Position limits and the reports of curves (deviation, speed_error) are not in the list.
 ///
 ///     const std::vector<double> numbers = numbers_of({program, limits});
 ///     const LimitedProgram same = program_of(numbers);
 std::vector<double> numbers_of(const LimitedProgram& program);
 
-/// Throws InputError, with the key "numbers[I]" or a key of Program, for a list that is not a
-/// program: another version, a number out of range, an arc or a curve that does not begin where the
-/// command before it ends.
+/// Returns the program of a list from numbers_of(). Throws InputError, with the key "numbers[I]" or
+/// a key of Program, for a list that is not a program: another version, a number out of range, an
+/// arc or a curve that does not begin where the command before it ends.
 LimitedProgram program_of(std::span<const double> numbers);
 
 }  // namespace jounce
