@@ -78,8 +78,8 @@ struct ShapeFigureSpec {
 /// Returns the printed number for the computed value of a figure. `length` is the length of the run
 /// of free segments, in the unit of the master.
 double shown(const ShapeFigureSpec& figure, double value, double length);
-/// Returns the computed value for a printed number. Not for a figure with `times_length`, which
-/// needs the length of the run.
+/// Returns the computed value for a printed number. Not for a figure with `times_length`, because
+/// its number depends on a length.
 double computed(const ShapeFigureSpec& figure, double shown);
 
 /// The free shapes of a cam spec, and the objectives for them; see jounce/optimize/cam_shape.hpp.
