@@ -72,10 +72,10 @@ struct Pendulum {
 /// A position loop (P) and a velocity loop (PI), with feed-forward of velocity and torque.
 ///
 /// With `cycle` > 0, the controller is sampled. At each multiple of the cycle from the start of the
-/// run, it reads the reference and the angle of the motor, rounded to encoder counts. The measured
-/// velocity is the difference of the angles over one cycle (0 in the first cycle). After `delay`,
-/// the controller outputs the torque, and holds it for a cycle. The integral part uses Euler's
-/// rule.
+/// reference, the controller reads the reference and the angle of the motor, rounded to encoder
+/// counts. The measured velocity is the difference of the angles over one cycle (0 in the first
+/// cycle). After `delay`, the controller outputs the torque, and holds it for a cycle. The integral
+/// part uses Euler's rule.
 struct Controller {
   double position_gain = 0;          ///< K_p, 1/s, > 0
   double velocity_gain = 0;          ///< K_v, N m s/rad, > 0
