@@ -106,13 +106,13 @@ const char* explain(CouplingStatus status);
 /// whole periods, and `advance` the change of the slave in each period. `origin` is slave_offset
 /// or, for a relative cam, the shift to the slave. With the start modes absolute and relative, c is
 /// zero, so the slave may jump at the engagement. With the other start modes, c begins at the
-/// difference between slave and cam (position, velocity, acceleration) and ends at rest at zero:
-/// over time within velocity_diff, acceleration, deceleration and jerk, or over the given distance
-/// of the master. So the slave does not jump at the engagement, for any motion of the master. Two
-/// jumps remain with every start mode: the velocity jumps when the master enters a cam that begins
-/// with a nonzero velocity, and the position jumps by period_jump() at the end of each period.
-/// docs/cam/coupling.md describes the origins, the start modes and the end of a period. Throws
-/// InputError like require_valid().
+/// difference between slave and cam (position, velocity, acceleration) and ends at rest at zero. A
+/// correction over time stays within velocity_diff, acceleration, deceleration and jerk; a
+/// correction over the master ends after the given distance. So the slave does not jump at the
+/// engagement, for any motion of the master. Two jumps remain with every start mode: the velocity
+/// jumps when the master enters a cam that begins with a nonzero velocity, and the position jumps
+/// by period_jump() at the end of each period. docs/cam/coupling.md describes the origins, the
+/// start modes and the end of a period. Throws InputError like require_valid().
 class Coupling {
  public:
   explicit Coupling(Cam cam, const CouplingSpec& spec = {});

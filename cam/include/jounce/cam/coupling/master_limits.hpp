@@ -50,8 +50,8 @@ struct MasterLimit {
 /// 1e-9 of the travel or of the derivative's peak, as in rises() (design/rise.hpp).
 ///
 /// A controller computes a new setpoint in each cycle T = `rates.cycle`, and a step takes one
-/// cycle. With T > 0, a step s of f' or f'' is permitted at the speeds at which the limits A of the
-/// acceleration and J of the jerk permit it within one cycle:
+/// cycle. With T > 0, a step s of f' or f'' is permitted if the speed w satisfies, with the limits
+/// A of the acceleration and J of the jerk,
 ///
 ///     (3)  s w <= A T   (f' steps),      s w^2 <= J T   (f'' steps)
 ///
