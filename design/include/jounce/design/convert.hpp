@@ -30,7 +30,7 @@ struct Conversion {
 struct Converted {
   TableFile file;  ///< the table, with its units and names
   /// Error in the units of the input. If the knots and the rule are unchanged, and the controller
-  /// does not join the knots by a spline, it is the error of the input: for a spec, the error of
+  /// does not join the knots by a spline, this is the error of the input: for a spec, the error of
   /// its table; for a table, nullopt.
   std::optional<SampleError> error = {};
   /// Greatest permitted error of the position, in the unit of the input, for the format of a
