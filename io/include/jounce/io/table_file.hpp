@@ -61,9 +61,9 @@ TableFile parse_table(const std::string& text, const std::string& name);
 /// Reads a table file.
 TableFile read_table(const std::string& path);
 
-/// True if the text begins like a table file: with `# jounce table`, or with a brace, unless a
-/// letter follows it (a pragma of Structured Text), or like the LCM log or the MCAP file of a
-/// table. False for a spec.
+/// True if the text begins like a table file: with `# jounce table`; with a brace, unless a letter
+/// follows it (a pragma of Structured Text); or like the LCM log or the MCAP file of a table. False
+/// for a spec.
 bool is_table(const std::string& text);
 
 /// Returns the content of a table file, in the readable format that the ending of the path selects;
