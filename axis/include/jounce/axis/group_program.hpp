@@ -23,7 +23,7 @@ struct GroupAxis {
 
 /// The greatest magnitudes of a program from a rest to its end.
 struct ProgramPart {
-  double start = 0;              ///< length along the path at which it begins
+  double start = 0;              ///< length along the path at which the part begins
   Peaks along = {};              ///< along the path; a short ramp does not reach its acceleration
   std::vector<Peaks> axes = {};  ///< each axis of the group
 };
@@ -43,10 +43,12 @@ struct GroupProgram {
   /// First the whole program. Then, for each rest after which a magnitude is lower, the part from
   /// this rest to the end. Empty only for a program that was read from a record.
   std::vector<ProgramPart> parts = {};
-  std::vector<PathSwitch> switches = {};  ///< outputs that it switches, in ascending order of time
+  std::vector<PathSwitch> switches = {};  ///< outputs that the path switches, in ascending order of
+                                          ///< time
   /// Length along the path of the tool, for a position compare; null: q.
   std::shared_ptr<const PathLength> length = {};
-  std::vector<PathMWord> m_words = {};  ///< M words that it passes, in ascending order of time
+  std::vector<PathMWord> m_words = {};  ///< M words that the path passes, in ascending order of
+                                        ///< time
 };
 
 /// Returns the last part that begins at this length along the path, or before it.

@@ -70,7 +70,7 @@ enum class Peers : std::uint8_t {
 
   // For an axis of a group:
   grouped,  ///< its group is enabled: the axis accepts no motion of its own
-  led,      ///< its group moves: Inputs::master is its setpoint, u, u/s, u/s^2, u/s^3
+  led,      ///< its group moves: Inputs::master is the setpoint of this axis, u, u/s, u/s^2, u/s^3
   landing,  ///< led, and the group has come to rest in this tick
 
   // For a group:

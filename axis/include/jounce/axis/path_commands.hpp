@@ -41,7 +41,7 @@ struct JogEnd {
   Cause cause = Cause::none;
   bool of_joint = false;  ///< true: `index` counts the joints, false: the coordinates
   std::size_t index = 0;  ///< the axis that determines the end
-  double limit = 0;       ///< end of its position range; range_end
+  double limit = 0;       ///< for range_end: end of the position range of this axis
   Point place{};          ///< coordinates of the end
 };
 
