@@ -10,7 +10,7 @@ namespace jounce {
 
 /// The motion of a follower on a plate. u is the unit of the slave.
 struct PlateMotion {
-  std::vector<double> slave = {};  ///< u, one for each master position: above the base circle
+  std::vector<double> slave = {};  ///< u, lift above the base circle, one for each master position
   /// u, radius of the base circle: the given one or, if the spec gives none, the least distance of
   /// the roller's rim from the cam's center.
   double base_radius = 0;

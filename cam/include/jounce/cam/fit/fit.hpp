@@ -23,7 +23,8 @@ struct MeasuredCam {
 struct SegmentFit {
   double gap = 0;                ///< u, greatest distance from a point in the segment
   std::optional<Law> next = {};  ///< the law that fits second best, if the segment has a law
-  double next_gap = 0;           ///< u, greatest distance of this law; may be within the tolerance
+  double next_gap = 0;           ///< u, greatest distance of the law `next` from a point; may be
+                                 ///< within the tolerance
 };
 
 /// A cam through measured points.
@@ -31,7 +32,7 @@ struct CamFit {
   CamSpec spec = {};                      ///< the cam
   std::vector<SegmentFit> segments = {};  ///< one for each segment of the spec
   double gap = 0;                         ///< u, greatest distance from a point
-  double where = 0;                       ///< m, master position of this point
+  double where = 0;                       ///< m, master position of the point with this distance
   /// u, greatest distance of the cam beyond the tolerance of a point; 0: every point is within its
   /// tolerance. Positive if the first and the last point of a period differ by more than their
   /// tolerances, or if two points of the same dwell do.
