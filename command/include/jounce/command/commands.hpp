@@ -746,7 +746,8 @@ constexpr void each_field(C& c, F f) {
 struct GroupMWord {
   static constexpr auto kind = CommandKind::group_m_word;
   std::int32_t number = 0;  ///< number of the M word
-  double timeout = 0;       ///< s; the group then drops the commands that follow; 0: no limit
+  double timeout = 0;       ///< greatest wait for the acknowledgment, s; after it, the group drops
+                            ///< the commands that follow; 0: no limit
 };
 template <Of<GroupMWord> C, class F>
 constexpr void each_field(C& c, F f) {
