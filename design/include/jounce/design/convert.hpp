@@ -21,7 +21,8 @@ struct Conversion {
   /// `rule` above.
   std::optional<Target> target = {};
   std::size_t intervals = 0;  ///< number of equal intervals of new knots; 0: not requested
-  Units units = {};  ///< units of the result, or units that the file does not give; "": unchanged
+  Units units = {};  ///< units of the result; for a file without units, the units of its numbers;
+                     ///< "": unchanged
   bool periodic = false;  ///< true: the motion repeats, although the file does not define this
   const ExchangeFormat* format = nullptr;  ///< format of a controller; null: CSV or JSON of Jounce
 };
