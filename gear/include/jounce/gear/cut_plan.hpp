@@ -36,8 +36,10 @@ struct CutAnswer {
     ok,
     length,    ///< the piece is not possible: `limit` is the nearest possible length, m
     position,  ///< the cut is too early: `limit` is the next possible position of the web, m
-    pending,   ///< a cut on demand waits, and would not be possible: `limit` is its position, m
-    far,       ///< more than most_planned cuts come before it: `limit` is the last possible cut, m
+    pending,   ///< the waiting cut on demand would no longer be possible: `limit` is its position,
+               ///< m
+    far,       ///< more than most_planned cuts come before the requested cut: `limit` is the last
+               ///< possible cut, m
   };
   Status status = Status::ok;
   double value =

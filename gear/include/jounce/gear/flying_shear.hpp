@@ -54,6 +54,7 @@ struct FlyingShear {
   /// Limits of the carriage over time: u/s, u/s^2, u/s^3. Position limits are not used; set
   /// `stroke`.
   Limits limits = {};
+  /// >= 1: multiplies the lengths of ramps that are computed from the limits
   double safety = 1;  ///< >= 1: factor of ramp lengths that are computed from the limits
 
   /// Law of the carriage's speed in both ramps, from 0 to 1: line (constant acceleration),
