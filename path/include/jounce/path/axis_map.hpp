@@ -24,7 +24,7 @@ enum class MapState : std::uint8_t {
 /// A linear map from the axes to the joints: joint = matrix * point + offset.
 struct LinearMap {
   std::vector<Point> rows = {};     ///< rows of the matrix, one for each joint
-  std::vector<double> offset = {};  ///< one for each joint; empty: 0
+  std::vector<double> offset = {};  ///< offset of each joint, in its unit; empty: 0
 };
 
 /// Proven bounds for one joint over a part of a path; s in [0, 1] is the position in this part.

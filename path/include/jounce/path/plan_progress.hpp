@@ -16,7 +16,7 @@ struct PlanPlace {
   double remaining = 0;      ///< s, time to the end of the plan
   double look_ahead = 0;     ///< u, distance to the place where the plan brakes for its end
   std::int32_t line = 0;     ///< source line of the present command
-  std::size_t commands = 0;  ///< number of commands that have not ended, with the present one
+  std::size_t commands = 0;  ///< number of commands that have not ended, including the present one
 };
 
 /// Reports the progress of a motion along a plan.

@@ -13,7 +13,7 @@ namespace jounce {
 
 /// Reason why a straight line ends.
 enum class LineEnd : std::uint8_t {
-  length,        ///< it has the requested length
+  length,        ///< the line has the requested length
   joint_limit,   ///< a joint reaches the end of its position range
   out_of_reach,  ///< no position of the joints moves the tool farther
   singular,      ///< the joints permit too small a velocity of the tool
@@ -23,8 +23,9 @@ enum class LineEnd : std::uint8_t {
 struct Reach {
   double length = 0;  ///< distance from its start, u
   LineEnd end = LineEnd::length;
-  std::size_t joint = 0;  ///< index of the joint that determines the end; joint_limit, singular
-  double limit = 0;       ///< end of the position range of this joint; joint_limit
+  std::size_t joint = 0;  ///< for joint_limit and singular: index of the joint that determines the
+                          ///< end
+  double limit = 0;       ///< for joint_limit: end of the position range of this joint
 };
 
 /// A line ends with LineEnd::singular where a joint limits the velocity of the tool to this share
