@@ -26,7 +26,7 @@ struct Dynamics {
   double velocity = 0;           ///< u/s, > 0
   double acceleration = 0;       ///< u/s^2, > 0
   double deceleration = 0;       ///< u/s^2; 0: the same as acceleration
-  double jerk = 0;               ///< u/s^3; 0: not limited; must be > 0 if deceleration_jerk is
+  double jerk = 0;               ///< u/s^3; 0: not limited; must be > 0 if deceleration_jerk > 0
   double deceleration_jerk = 0;  ///< u/s^3, while the axis slows down; 0: the same as jerk
 };
 

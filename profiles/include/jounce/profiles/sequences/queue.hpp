@@ -37,7 +37,8 @@ namespace jounce {
 
 /// When a command begins, relative to the previous command. The controllers use the same numbers.
 enum class BufferMode : std::uint8_t {
-  aborting = 0,  ///< at once, when issued; ends the running command and removes all that wait
+  aborting = 0,  ///< at once, when issued; ends the present command and removes all waiting
+                 ///< commands
   /// when the previous command is done: at rest or, for MoveVelocity, at its velocity
   buffered = 1,
   /// At the end position of the previous command, with the lower of the two command velocities.

@@ -37,13 +37,14 @@ enum class Sync : std::uint8_t {
   /// Like time, except that an axis whose target is at rest takes its own shortest time and waits
   /// at the target.
   time_if_moving,
-  phase_or_time,  ///< phase; if its status would be `not_straight`: time
+  phase_or_time,  ///< like phase; if the status of phase would be `not_straight`, like time
 };
 
 /// Result of synchronize().
 struct [[nodiscard]] Synchronized {
   MoveStatus status = MoveStatus::ok;  ///< ok, or why there is no common motion
-  std::size_t axis = 0;                ///< the axis that causes the status, if it is not ok
+  std::size_t axis = 0;                ///< index of the axis that causes the status, if the status
+                                       ///< is not ok
   /// s, the common duration: the longest duration of an axis, and at least `minimum_duration`; 0 if
   /// the status is not ok. With Sync::time_if_moving, if all targets are at rest, it is the longest
   /// duration of an axis.
