@@ -18,7 +18,8 @@ struct PlayedTick {
   std::int64_t tick = 0;  ///< number of the tick
   double time = 0;        ///< time since the first tick of the motion, s
   double position = 0;    ///< commanded position, u
-  double clock = 0;       ///< time since tick 0 of the log, s; it determines the rounding of `time`
+  double clock = 0;       ///< time since tick 0 of the log, s; the size of this number determines
+                          ///< the rounding of `time`
   /// Position of the master, in its unit, if the axis has a live master (column `profile`).
   std::optional<double> master = {};
   bool fault = false;  ///< true: the next tick has a fault, which ended the motion
