@@ -73,9 +73,9 @@ struct Played {
 /// Compares every tick with the design: over time, or, if the positions do not agree, over the
 /// master of the log. The axis may have engaged at the position of the cam, or with master and
 /// slave counted from its first tick. Requires at least one tick, and a table over time in
-/// `designed`. The permitted rounding is most_roundings eps (greatest position + greatest velocity
-/// * time of the log). A position is computed from a time, so the rounding of the time shifts the
-/// position.
+/// `designed`. The permitted rounding is most_roundings eps (p + v t), with the greatest position
+/// p, the greatest velocity v, and the time t of the log. A position is computed from a time, so
+/// the rounding of the time shifts the position.
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed);
 /// Number of units in the last place that compare_played() permits.
 inline constexpr double most_roundings = 32;
