@@ -14,7 +14,7 @@ namespace jounce {
 /// True for "-x" and "--x"; false for "-" and for a negative number.
 bool looks_like_option(const std::string& word);
 
-/// Returns the words as the user means them: -.5 becomes -0.5, because a parser would take it for
+/// Returns the words as the user means them: -.5 becomes -0.5, because a parser would read -.5 as
 /// an option. The words after "--" stay. Throws InputError for an empty word, and for "--log=",
 /// which has no value.
 std::vector<std::string> meant_words(std::span<const char* const> given);
@@ -23,10 +23,10 @@ std::vector<std::string> meant_words(std::span<const char* const> given);
 /// (the sentence then names the nearest verb). Returns "" for a verb and for an option.
 std::string wrong_verb(std::span<const char* const> given, const std::vector<std::string>& verbs);
 
-/// Returns an error sentence for the first word that looks like an option and is none of `options`; "" if there is no
-/// such word. `verb` is the verb of the options, or "" for the options of the program. The sentence names the option
-/// whose help begins with the word ("Format, ..." for --format), the nearest visible option, or the verbs that have an
-/// option of this name.
+/// Returns an error sentence for the first word that looks like an option and is none of `options`;
+/// "" if there is no such word. `verb` is the verb of the options, or "" for the options of the
+/// program. The sentence names the option whose help begins with the word ("Format, ..." for
+/// --format), the nearest visible option, or the verbs that have an option of this name.
 std::string wrong_option(std::span<const char* const> given,
                          const std::vector<std::string>& options, const ProgramInfo& program,
                          const std::string& verb);

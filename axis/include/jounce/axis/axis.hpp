@@ -37,10 +37,10 @@ namespace jounce {
 /// neither. When it reads a movement for the last time, it returns the movement in
 /// Tick::handed_back, once.
 ///
-/// **Outputs** (cam switches, position compare) are computed in each tick from its positions. A new
-/// coordinate (set_position), or a new master at the start of a motion, passes no switch and no
-/// compare position; a switch whose state differs at the new position changes at time 0 of the
-/// tick. Outputs are computed in every state, even if the axis is disabled or in a fault.
+/// **Outputs** (cam switches, position compare) are computed in each tick from the positions of the
+/// axis. A new coordinate (set_position), or a new master at the start of a motion, passes no
+/// switch and no compare position. A switch whose state differs at the new position changes at time
+/// 0 of the tick. Outputs are computed in every state, even if the axis is disabled or in a fault.
 ///
 /// **Drives.** Feedback is in the coordinate of the drive. set_position changes the coordinate of
 /// the axis by `offset`, and does not move the drive. While the axis is disabled, its setpoint is
@@ -54,15 +54,16 @@ namespace jounce {
 /// **Touch probes** (touch_probe.hpp) capture positions at the edges of trigger inputs, in every
 /// state.
 ///
-/// **Compensation** (AxisConfig::compensation) adds a correction to the setpoint of the drive, after
-/// all checks. The position of the axis, its limits and its outputs do not include it; feedback is
-/// converted back. It is switched on and off while the axis is disabled, and moves nothing then. While
-/// it is active, the coordinates of the axis and of its references do not change.
+/// **Compensation** (AxisConfig::compensation) adds a correction to the setpoint of the drive,
+/// after all checks. The position of the axis, its limits and its outputs do not include the
+/// correction; feedback is converted back. The compensation can be switched on and off only while
+/// the axis is disabled, so the axis does not move. While the compensation is active, the
+/// coordinates of the axis and of its references do not change.
 ///
-/// **Registration** (AxisConfig::registration) corrects every motion that follows the live master by
-/// the marks that a trigger input reports. It begins without a correction when such a motion begins,
-/// and continues if another such motion replaces it. A correction of the master (a phase) is included
-/// in Tick::master.
+/// **Registration** (AxisConfig::registration) corrects every motion that follows the live master
+/// by the marks that a trigger input reports. When such a motion begins, the correction begins at
+/// 0; if another such motion replaces it, the correction continues. A correction of the master (a
+/// phase) is included in Tick::master.
 ///
 /// **Groups.** Inputs::peers states whether a MotionAxis is a group of the machine, or an axis of a
 /// group (docs/executor/groups.md). The position of a group is the length along its path. The
@@ -71,8 +72,8 @@ namespace jounce {
 ///
 /// **Safety.** When the axis arms a movement, it checks the movement against its limits, for every
 /// sender. Before the axis outputs a setpoint in motion, it compares the setpoint with the previous
-/// one and with the limits. A fault stays until a reset.
-/// docs/executor/axis.md lists the reaction to each fault.
+/// one and with the limits. A fault stays until a reset. docs/executor/axis.md lists the reaction
+/// to each fault.
 class MotionAxis {
  public:
   /// Throws InputError for an invalid configuration, invalid switches, or an invalid compare list.
@@ -87,9 +88,9 @@ class MotionAxis {
   /// 0 and greater than in the previous call (asserted).
   Tick step(std::int64_t tick, const Command& command = {}, const Inputs& inputs = {});
 
-  /// Second part of a tick, after step() of every axis of the machine: computes the correction of the
-  /// compensation from the setpoints of its references. Returns it as Tick::correction, also for the
-  /// next step. Requires AxisConfig::compensation.
+  /// Second part of a tick, after step() of every axis of the machine: computes the correction of
+  /// the compensation from the setpoints of its references. Returns it as Tick::correction, also
+  /// for the next step. Requires AxisConfig::compensation.
   Jet compensate(const References& references);
 
   /// The configuration with its defaults filled in.
@@ -97,7 +98,7 @@ class MotionAxis {
   /// State after the last step.
   [[nodiscard]] State state() const;
   /// For a group (AxisGroup in machine.hpp): the setpoints of its axes after the last step: u, u/s,
-  /// u/s^2, u/s^3. Empty if it had no path yet.
+  /// u/s^2, u/s^3. Empty if the group has not had a path yet.
   [[nodiscard]] std::span<const Jet> parts() const;
   /// For a group: the positions at which its axes must stand when it next begins to move. At rest
   /// with an armed path: the start of this path; otherwise parts().

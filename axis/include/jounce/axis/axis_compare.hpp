@@ -17,8 +17,8 @@ struct AxisCompare {
   /// The compared position: `position` (of the setpoint) or `actual`.
   SwitchesOf of = SwitchesOf::position;
   std::optional<PositionCompare> list = {};  ///< the list; nullopt: no position compare
-  /// For a group: position compare of two of its axes; nullopt: none. Its outputs are those of
-  /// Tick::switches, so a group with it has no cam switches.
+  /// For a group: position compare of two of its axes; nullopt: none. Its outputs are in
+  /// Tick::switches, so such a group has no cam switches.
   std::optional<PlaneCompare> plane = {};
   /// Places of these two axes in the group, from 0.
   std::array<std::size_t, 2> plane_axes = {0, 1};

@@ -75,9 +75,9 @@ inline double seconds(std::int64_t ns) noexcept {
   return static_cast<double>(ns) / 1e9;
 }
 
-/// Returns the rejection position_limit for a home position outside the position range: the axis
-/// would stand there after its homing. On a limit switch (methods 1, 2, 17 and 18), the home
-/// position may be beyond the range on the side of this switch.
+/// Returns the rejection position_limit for a home position outside the position range, because the
+/// axis would stand there after its homing; otherwise nullopt. On a limit switch (methods 1, 2, 17
+/// and 18), the home position may be beyond the range on the side of this switch.
 std::optional<Refusal> misplaced_home(const HomingSpec& spec, const Limits& limits);
 
 /// Returns the configuration with the defaults filled in. Throws InputError for a value out of

@@ -66,7 +66,7 @@ struct Extend {
   /// Length along the present path at which the new path begins, in the unit of the path.
   double position = 0;
   double shift = 0;  ///< time of the present path at which the new path begins, s
-  double until = 0;  ///< time of the present path up to which both are equal, s
+  double until = 0;  ///< time of the present path up to which both paths are equal, s
 };
 
 }  // namespace jounce::command

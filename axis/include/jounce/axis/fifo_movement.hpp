@@ -152,7 +152,7 @@ class FifoFollow final : public Movement {
       const Moment& now) const noexcept override;
   /// The greatest slopes of the rows so far.
   [[nodiscard]] std::array<double, 3> slopes() const noexcept override;
-  /// The begin of each table, and the ends of its passes.
+  /// The beginning of each table, and the ends of its passes.
   [[nodiscard]] std::span<const ProfileEvent> events() const noexcept override {
     return events_.events();
   }

@@ -13,9 +13,9 @@
 
 namespace jounce {
 
-/// The path of a group as a movement. The group plays it like a table over time: its setpoint is the
-/// path parameter q (path.hpp), and parts() are the setpoints of its axes. along() is the length along
-/// the path of the tool if the program has it (GroupProgram::length), otherwise q.
+/// The path of a group as a movement. The group plays it like a table over time: its setpoint is
+/// the path parameter q (path.hpp), and parts() are the setpoints of its axes. along() is the
+/// length along the path of the tool if the program has it (GroupProgram::length), otherwise q.
 ///
 ///     MotionAxis group(group_config(configs));
 ///     GroupPath path(1, program);
@@ -27,8 +27,8 @@ namespace jounce {
 /// of the plan, so the axes never leave the path. The slope of the rate is small enough that every
 /// axis stays within its stop limits.
 ///
-/// The position of the group counts from the position that begin() gets: the length of the path that
-/// the group has already played, if this path continues another one (command::Extend).
+/// The position of the group counts from the position that begin() gets: the length of the path
+/// that the group has already played, if this path continues another one (command::Extend).
 ///
 /// A GroupPath can be played only once. Before its first setpoint, parts() returns the places at
 /// which its axes begin.

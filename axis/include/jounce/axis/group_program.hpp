@@ -23,7 +23,7 @@ struct GroupAxis {
 
 /// The greatest magnitudes of a program from a rest to its end.
 struct ProgramPart {
-  double start = 0;              ///< length along the path at which it begins
+  double start = 0;              ///< length along the path at which the part begins
   Peaks along = {};              ///< along the path; a short ramp does not reach its acceleration
   std::vector<Peaks> axes = {};  ///< each axis of the group
 };
@@ -40,13 +40,15 @@ struct GroupProgram {
   std::vector<GroupAxis> axes = {};       ///< in the order of the axes of the plan
   /// Place of the first axis of the group among the axes of the plan; not 0 if they are joints.
   std::size_t first = 0;
-  /// The whole program, then the parts from those rests after which a magnitude is lower. Not empty,
-  /// unless the program was read from a record.
+  /// First the whole program. Then, for each rest after which a magnitude is lower, the part from
+  /// this rest to the end. Empty only for a program that was read from a record.
   std::vector<ProgramPart> parts = {};
-  std::vector<PathSwitch> switches = {};  ///< outputs that it switches, in ascending order of time
+  std::vector<PathSwitch> switches = {};  ///< outputs that the path switches, in ascending order of
+                                          ///< time
   /// Length along the path of the tool, for a position compare; null: q.
   std::shared_ptr<const PathLength> length = {};
-  std::vector<PathMWord> m_words = {};  ///< M words that it passes, in ascending order of time
+  std::vector<PathMWord> m_words = {};  ///< M words that the path passes, in ascending order of
+                                        ///< time
 };
 
 /// Returns the last part that begins at this length along the path, or before it.
@@ -56,17 +58,17 @@ const ProgramPart& part_at(const GroupProgram& program, double length);
 Peaks peaks_of(const TimingLaw& law);
 
 /// Checks a plan against the limits of the axes that will play it: position range, velocity,
-/// acceleration and jerk, by exact extrema, and steps of position, velocity and acceleration (a step
-/// of the acceleration counts as a jerk in one cycle, as in a table). Time and memory are proportional
-/// to the number of pieces.
+/// acceleration and jerk, by exact extrema, and steps of position, velocity and acceleration (a
+/// step of the acceleration counts as a jerk in one cycle, as in a table). Time and memory are
+/// proportional to the number of pieces.
 ///
 ///     const GroupProgram program = group_program(plan, configs, {{"x", "y"}});
 ///     GroupPath path(1, program);                               // group_path.hpp
 ///
 /// Throws InputError with the key "axes" if the numbers of axes differ, and with the name of the
-/// axis and the broken limit ("x.velocity") if a limit is exceeded by more than a billionth. `units`:
-/// units of the axes for messages, one for each; none: not known. If the plan has joints, the axes of the group are
-/// these joints.
+/// axis and the broken limit ("x.velocity") if a limit is exceeded by more than a billionth.
+/// `units`: units of the axes for messages, one for each axis; no entries: unknown. If the plan has
+/// joints, the axes of the group are these joints.
 GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const AxisConfig> axes,
                            std::span<const std::string> names,
                            std::span<const std::string> units = {});
@@ -75,13 +77,13 @@ GroupProgram group_program(std::shared_ptr<const Plan> plan, std::span<const Axi
 /// limits are omitted. Throws InputError "axes" if the numbers of axes differ.
 GroupLimits within(const GroupLimits& limits, std::span<const AxisConfig> axes);
 
-/// Throws InputError "axes" if some axes of a path have the names of axes of the group, but not all at
-/// the same places. If no name is the same, the first axis of the group plays the first axis of the
-/// path.
+/// Throws InputError "axes" if some axes of a path have the names of axes of the group, but not all
+/// axes are at the same places of both lists. If no name is the same, the first axis of the group
+/// plays the first axis of the path.
 void require_order(std::span<const std::string> path, std::span<const std::string> group);
 
-/// Returns the configuration of the MotionAxis of a group with these axes. Its own limits have no
-/// effect; the limits of the axes apply. Throws InputError "axes" for none.
+/// Returns the configuration of the MotionAxis of a group with these axes. The limits in this
+/// configuration have no effect; the limits of the axes apply. Throws InputError "axes" for none.
 AxisConfig group_config(std::span<const AxisConfig> axes);
 
 }  // namespace jounce

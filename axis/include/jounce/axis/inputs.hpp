@@ -62,7 +62,7 @@ struct Triggers {
 
 /// State of the other axes that start together with this one (machine.hpp), for the start of the
 /// armed movement of this axis. For a group of the machine (AxisGroup) and for each of its axes:
-/// the present relation between group and axes. The numbers are part of the record of a run.
+/// the present relation between group and axes. The numbers are part of the record of an executor.
 enum class Peers : std::uint8_t {
   ready,    ///< the other axes, if any, each have an accepted start for the same tick
   missing,  ///< an axis has no start, or a start for another tick
@@ -70,7 +70,7 @@ enum class Peers : std::uint8_t {
 
   // For an axis of a group:
   grouped,  ///< its group is enabled: the axis accepts no motion of its own
-  led,      ///< its group moves: Inputs::master is its setpoint, u, u/s, u/s^2, u/s^3
+  led,      ///< its group moves: Inputs::master is the setpoint of this axis, u, u/s, u/s^2, u/s^3
   landing,  ///< led, and the group has come to rest in this tick
 
   // For a group:

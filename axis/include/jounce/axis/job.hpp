@@ -23,7 +23,7 @@ namespace jounce {
 ///     if (auto refused = admit(cam, config, 0)) std::cerr << refused->text();
 ///
 /// The time of a job is 0 at its start. A table over time with the policy `wrap` repeats until the
-/// axis stops; any other table ends after one run. A cam with the policy `wrap` is periodic in the
+/// axis stops; any other table ends after one pass. A cam with the policy `wrap` is periodic in the
 /// master.
 ///
 /// `coupling` couples the cam (jounce/cam/coupling/coupling.hpp) at time 0 to a slave at rest at
@@ -62,7 +62,7 @@ class Job final : public Movement {
   [[nodiscard]] bool repeats() const { return time_->outside() == Extrapolation::wrap; }
   /// First time of the table over time, s.
   [[nodiscard]] double start() const { return time_->start(); }
-  /// Duration of one run, s.
+  /// Duration of one pass, s.
   [[nodiscard]] double duration() const { return std::max(time_->length(), least_); }
 
   /// Returns the point at time t >= 0 of the job, s, exactly as the tables give it. After the end
@@ -75,8 +75,8 @@ class Job final : public Movement {
   /// sign, and the peaks of the jerk around samples that exceed their neighbors.
   [[nodiscard]] const Ranges& ranges() const { return ranges_; }
 
-  /// The peak in the interval that requires the greatest limit, and this limit: without the rounding
-  /// of knots, as pvt_detail::KnotRounding counts it.
+  /// The peak in the interval that requires the greatest limit, and this limit: without the
+  /// rounding of knots, as pvt_detail::KnotRounding counts it.
   struct Required {
     Extremum peak = {};
     double limit = 0;
@@ -84,9 +84,9 @@ class Job final : public Movement {
   /// The limits that the job requires for velocity, acceleration and jerk, u/s, u/s^2, u/s^3.
   [[nodiscard]] const std::array<Required, 3>& required() const { return required_; }
 
-  /// The largest jumps of position, velocity and acceleration during the run and, if the job
-  /// repeats, from its end to its start. The magnitudes of all jumps within one tick are added;
-  /// `where` is then the start of that tick.
+  /// The largest jumps of position, velocity and acceleration in a pass and, if the job repeats,
+  /// from the end of a pass to the start of the next. The magnitudes of all jumps within one tick
+  /// are added; `where` is then the start of that tick.
   [[nodiscard]] const std::array<Jump, 3>& steps() const { return steps_; }
 
   /// The first point.
@@ -142,9 +142,10 @@ class Job final : public Movement {
 /// motion, it must begin with the velocity and acceleration of this motion instead of at rest.
 /// Returns nullopt, or the first broken rule. Never allocates.
 ///
-/// Values may exceed their limits by 1e-9 of the limit. The jerk of a table over time counts without
-/// the rounding of its knots, which the distance between them divides by its cube; that of a cam may
-/// exceed its limit by 1e-6.
+/// Values may exceed their limits by 1e-9 of the limit. In the jerk of a table over time, the
+/// effect of the rounding of its knots does not count. (This effect is the rounding divided by the
+/// cube of the distance between two knots.) The jerk of a cam may exceed its limit by 1e-6 of the
+/// limit.
 ///
 /// A jump of the velocity counts as the acceleration that causes this change within one tick. So a
 /// table of straight lines is admitted exactly if no tick exceeds the acceleration limit. With a

@@ -37,19 +37,20 @@ class LiveCompensation {
   /// it, each position of the drive belongs to one position of the axis.
   static constexpr double most_slope = 0.5;
 
-  /// `modulo`: length of one turn of the corrected axis, u; 0: a linear axis. Throws InputError like
-  /// Compensation, and for a table that is steeper than most_slope, or that differs at both ends of
-  /// its own reference on a modulo axis, or leaves the turn.
+  /// `modulo`: length of one turn of the corrected axis, u; 0: a linear axis. Throws InputError
+  /// like Compensation, and for a table that is steeper than most_slope. On a modulo axis, also
+  /// throws if the grid of the own reference leaves the turn, or if the corrections at its two ends
+  /// differ.
   LiveCompensation(const AxisCompensation& spec, double modulo);
 
-  /// True if the correction acts.
+  /// True if the correction is active.
   [[nodiscard]] bool active() const { return active_; }
   void set(bool active) { active_ = active; }
 
   /// Takes the setpoints of the references in this tick.
   void see(const References& references) { references_ = references; }
-  /// The correction at these setpoints, and its derivatives, u, u/s, u/s^2; 0 if it does not act. At
-  /// a grid line of a linear table, the derivatives are those of the cell that follows.
+  /// The correction at these setpoints, and its derivatives, u, u/s, u/s^2; 0 while it is not
+  /// active. At a grid line of a linear table, the cell that begins there gives the derivatives.
   [[nodiscard]] Jet correction() const;
   /// Position of the axis at which its drive, with the correction, stands at `drive`, u. Uses the
   /// setpoints of the other references that were seen last.

@@ -22,8 +22,8 @@ namespace jounce {
 ///     axis.step(t + 2, {command::Park{}}, inputs);
 ///
 /// Progress is `waiting` while the cutter rests at home, and `running` otherwise. After park(), it
-/// is `done` when the cutter is at home. It is `broken` if the web is lost, or moves back beyond
-/// the cut before the last one.
+/// is `done` when the cutter is at home. Progress is `broken` if the web is lost, or moves back
+/// beyond the cut before the last one.
 ///
 /// **Park.** While the cutter is in step with the web around a cut, it stays in step. Then it
 /// leaves the web and moves home in the shortest time within the limits of the axis. A knife that

@@ -34,7 +34,7 @@ struct AxisGroup {
   double tolerance = 1e-6;
 };
 
-/// One axis of a machine, or one group. It stays the same while the machine runs.
+/// One axis of a machine, or one group. It does not change while the machine runs.
 struct MachineAxis {
   std::string name = {};       ///< name of the axis in messages
   AxisConfig config = {};      ///< configuration
@@ -44,8 +44,8 @@ struct MachineAxis {
   /// A group is a virtual axis: its position is the length along its path. nullopt: a single axis.
   std::optional<AxisGroup> group = {};
   Follow second = {};  ///< second live master, for command::CombineAxes
-  /// Indices of the axes that the compensation refers to, in the order of the table; the index of the
-  /// axis itself is possible.
+  /// Indices of the axes that the compensation refers to, in the order of the table; the index of
+  /// the axis itself is possible.
   std::vector<std::size_t> references = {};
 };
 
@@ -73,8 +73,8 @@ struct AxisImage {
 ///
 /// **Leaders.** A change of the coordinate of a leader (set_position, home) does not move its
 /// followers. If a leader freezes (an abort, a disabled drive), it is lost to its followers in that
-/// tick. It stays lost while it is disabled, because its position is then the position of its
-/// drive. Followers of a lost leader brake within their own limits.
+/// tick. The leader stays lost while it is disabled, because its position is then the position of
+/// its drive. Followers of a lost leader brake within their own limits.
 ///
 /// **Groups** (Arm::group): the armed movements of a group begin in the same tick, or none of them
 /// begins. They begin in a tick for which the start of every one of them was accepted. The group
@@ -86,18 +86,18 @@ struct AxisImage {
 /// its axes follow it: they begin to move, and come to rest, in the same tick as the group. An axis
 /// of an enabled group rejects motions of its own. A stop of an axis in motion stops the group. If
 /// an axis of an enabled group can no longer follow (a fault, an abort, a disable), the group stops
-/// on its path, with the fault `axis_fault`. A modulo axis without position limits begins where the path
-/// begins or whole turns away from it, and keeps this distance in the motion.
+/// on its path, with the fault `axis_fault`. A modulo axis without position limits begins where the
+/// path begins or whole turns away from it, and keeps this distance in the motion.
 ///
-/// **Compensation.** After all axes have been stepped, each correction is computed from the setpoints
-/// of its references in the same tick. So two axes may refer to each other.
+/// **Compensation.** After all axes have been stepped, each correction is computed from the
+/// setpoints of its references in the same tick. So two axes may refer to each other.
 ///
 /// **Masters** are inputs: one Jet for each master and tick, in m (the unit of the master), m/s,
 /// m/s^2, m/s^3. NaN: lost. If an axis is a master, m is the unit of that axis. The jerk of an
 /// axis's setpoint counts as 0; the acceleration and jerk of an actual position count as 0.
 ///
-/// step() does not allocate, free, lock or log. It throws InputError only for a wrong number of images
-/// or masters, before it changes anything.
+/// step() does not allocate, free, lock or log. It throws InputError only for a wrong number of
+/// images or masters, before it changes anything.
 class Machine {
  public:
   static constexpr std::size_t most_axes = 64;  ///< greatest number of axes
@@ -105,9 +105,9 @@ class Machine {
   /// `masters` is the number of masters that step() receives. Throws InputError, with the name of
   /// the axis, for no axis or more than 64 axes, a missing or duplicate name, different periods, an
   /// invalid configuration, invalid switches, an invalid position compare, an index out of range,
-  /// an axis that follows itself, a ring of axes that follow the setpoints of each other, an axis in
-  /// two groups, an axis of a group that has a live master, and references that do not belong to the
-  /// compensation.
+  /// an axis that follows itself, a ring of axes that follow the setpoints of each other, an axis
+  /// in two groups, an axis of a group that has a live master, and references that do not belong to
+  /// the compensation.
   explicit Machine(std::vector<MachineAxis> axes, std::size_t masters = 0);
 
   [[nodiscard]] std::size_t size() const { return axes_.size(); }  ///< number of axes

@@ -31,7 +31,7 @@ struct MasterSample {
 /// Difference between the measured motion of a master and its output.
 struct MasterLag {
   double distance = 0;  ///< measured position minus position of the output, m
-  double velocity = 0;  ///< measured velocity, m/s; not limited as that of the output is
+  double velocity = 0;  ///< measured velocity, m/s; not limited, unlike the velocity of the output
 };
 
 /// A position that axes follow. (A master may also be the setpoint of another axis; the machine in
@@ -56,9 +56,9 @@ class Master {
   [[nodiscard]] virtual double age(double /*time*/) const noexcept { return 0; }
   /// Returns the lag of the last at(). A computed position has none.
   [[nodiscard]] virtual MasterLag lag() const noexcept { return {}; }
-  /// The samples that the last at() used for the first time. A run can be repeated from them:
-  /// another object of the same class that receives the same samples before the same calls of at()
-  /// returns exactly the same results.
+  /// The samples that the last at() used for the first time. With them, all results can be computed
+  /// again: another object of the same class that receives the same samples before the same calls
+  /// of at() returns exactly the same results.
   [[nodiscard]] virtual std::span<const MasterSample> taken() const noexcept { return {}; }
 };
 
@@ -129,9 +129,9 @@ class EncoderMaster final : public Master {
 ///
 ///     (1)  offset = least of received - stamp over the last window/2 to window
 ///
-/// The estimate uses the minimum of each half of the window. It moves towards the smaller minimum,
-/// by at most `slew`, so that the master does not jump. It is set at once at the first sample, and
-/// when the error exceeds `step`; such an error means that a clock was set.
+/// The estimate uses the minimum of each half of the window. The estimate moves towards the smaller
+/// minimum, by at most `slew`, so that the master does not jump. At the first sample, and when the
+/// error exceeds `step`, the estimate is set at once; such an error means that a clock was set.
 ///
 /// The least delay cannot be measured from the samples. If it is known from another source, set
 /// TrackerSpec::latency.

@@ -155,10 +155,10 @@ class Movement {
   [[nodiscard]] virtual double place() const noexcept {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  /// For a gear: the velocity of the slave divided by that of the master, when it is engaged, u/m;
-  /// for any other movement 0.
+  /// For a gear: the velocity of the engaged slave divided by the velocity of the master, u/m; for
+  /// any other movement 0.
   [[nodiscard]] virtual double ratio() const noexcept { return 0; }
-  /// For a live movement: the greatest magnitudes that the slave needs at the start `start`, after
+  /// For a live movement: the greatest magnitudes that the slave needs at the moment `start`, after
   /// begin(), if its master keeps its velocity. The axis rejects a start that needs more than its
   /// limits. By default, the velocity of a gear that is engaged.
   [[nodiscard]] virtual Peaks demand(const Moment& start) const noexcept {
@@ -166,7 +166,7 @@ class Movement {
   }
   /// For a live movement that begins in step with its master: the first setpoint at `now`, after
   /// begin(). nullopt: the movement continues from the state of the axis. The axis rejects a start
-  /// whose first setpoint would be a fault.
+  /// whose first setpoint would cause a fault.
   [[nodiscard]] virtual std::optional<MotionState> first_setpoint(
       const Moment& /*now*/) const noexcept {
     return std::nullopt;
@@ -186,7 +186,7 @@ class Movement {
   [[nodiscard]] virtual std::optional<Moment> pass_end(const Moment& /*now*/) const noexcept {
     return std::nullopt;
   }
-  /// For follow tables: the events up to the last at(), since the at() before it. Their `t` is the
+  /// For follow tables: the events between the last at() and the at() before it. Their `t` is the
   /// time of the movement. A cam reports its passes by pass_end().
   [[nodiscard]] virtual std::span<const ProfileEvent> events() const noexcept { return {}; }
   /// For a plan of cuts: the plan; otherwise null.
@@ -197,8 +197,8 @@ class Movement {
   /// For the path of a group: the setpoints of its axes at the last at(), or at its start, at the
   /// original speed. Empty for any other movement.
   [[nodiscard]] virtual std::span<const Jet> parts() const noexcept { return {}; }
-  /// For the path of a group: the outputs that it switches from the path time `from` to before `to`, s,
-  /// in ascending order of time; up to its end, if `to` is its end or later.
+  /// For the path of a group: the outputs that it switches from the path time `from` to before
+  /// `to`, s, in ascending order of time; up to its end, if `to` is its end or later.
   [[nodiscard]] virtual std::span<const PathSwitch> switches(double /*from*/,
                                                              double /*to*/) const noexcept {
     return {};

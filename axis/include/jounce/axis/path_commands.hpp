@@ -41,12 +41,12 @@ struct JogEnd {
   Cause cause = Cause::none;
   bool of_joint = false;  ///< true: `index` counts the joints, false: the coordinates
   std::size_t index = 0;  ///< the axis that determines the end
-  double limit = 0;       ///< end of its position range; range_end
+  double limit = 0;       ///< for range_end: end of the position range of this axis
   Point place{};          ///< coordinates of the end
 };
 
-/// A jog that cannot begin, because an axis stands at the end of its range or the group at the end of
-/// its reach.
+/// A jog that cannot begin, because an axis stands at the end of its range or the group at the end
+/// of its reach.
 struct JogLeadsOutward : InputError {
   explicit JogLeadsOutward(const JogEnd& where)
       : InputError("the jog", "",
@@ -70,9 +70,9 @@ struct LoweredVelocity {
 ///     commands.append(command::MoveLinearAbsolute{.to = {10, 5}});
 ///     const Plan motion = plan(commands.program(), limits);
 ///
-/// Units are those of the axes. The axes after the path axes are followers: they move in proportion to
-/// the length, and have no value in an arc but its end. A command that moves only followers has the
-/// length of their motion.
+/// Units are those of the axes. The axes after the path axes are followers: they move in proportion
+/// to the length, and have no value in an arc but its end. A command that moves only followers has
+/// the length of their motion.
 class PathCommands {
  public:
   /// `axes`: 1 to max_axes. `start`: where the first command begins. `first`: its number.
@@ -85,8 +85,8 @@ class PathCommands {
   void set_modulo(std::vector<double> modulo) { modulo_ = std::move(modulo); }
   /// Sets the frame of the commands that are appended from now on.
   void set_frame(const Frame& frame) { frame_ = frame; }
-  /// Sets further limits for the commands that are appended from now on: along the path, and of the axes
-  /// (PathSettings::axes).
+  /// Sets further limits for the commands that are appended from now on: along the path, and of the
+  /// axes (PathSettings::axes).
   void set_limits(const PathLimits& limits, std::vector<AxisRates> axes = {}) {
     limits_vary_ = limits_vary_ || (!all_.empty() && !has_limits(limits, axes));
     limits_ = limits;
@@ -129,10 +129,12 @@ class PathCommands {
   [[nodiscard]] const std::optional<JogEnd>& jog_end() const { return jog_end_; }
 
   /// The velocity of the last command if it exceeds the limits of the path and of the coordinates;
-  /// nullopt: it does not, or none was given. The limits of joints are not considered.
+  /// nullopt: it exceeds no limit, or the command has no velocity. The limits of joints are not
+  /// considered.
   [[nodiscard]] std::optional<LoweredVelocity> lowered_velocity(const GroupSpace& space) const;
 
-  /// The index of the first follower that the last command moves; nullopt: it moves path axes, or none.
+  /// The index of the first follower that the last command moves; nullopt: the command moves a path
+  /// axis, or no axis.
   [[nodiscard]] std::optional<std::size_t> moves_only_follower() const;
   /// The velocity of the last command, u/s; PathSettings::none: none was given.
   [[nodiscard]] double commanded_velocity() const {
@@ -150,7 +152,7 @@ class PathCommands {
   [[nodiscard]] PathCommands from(std::int32_t number) const;
   /// Returns the number of the command at the distance `u` from the start of a piece of the plan. A
   /// piece may have several commands, because the planner joins lines in the same direction;
-  /// `number` is that of the first one.
+  /// `number` is the number of the first one.
   [[nodiscard]] std::int32_t number_at(std::int32_t number, double u) const;
 
  private:

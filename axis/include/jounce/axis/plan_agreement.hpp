@@ -11,7 +11,7 @@ namespace jounce {
 struct Agreement {
   double position = 0;  ///< q of the first plan at which the second plan begins
   double shift = 0;     ///< time of the first plan at which the second plan begins, s; may be < 0
-  double until = 0;     ///< time of the first plan up to which both are equal, s
+  double until = 0;     ///< time of the first plan up to which both plans are equal, s
 };
 
 /// Compares two plans: `before`, which a group plays, and `after`, the plan of a longer program.

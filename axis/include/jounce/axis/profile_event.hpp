@@ -26,7 +26,7 @@ struct ProfileEvent {
 /// it, if both end in one tick; its number shows this.
 class ProfileStep {
  public:
-  /// A table begins, its last pass ends, and the same for the table after it.
+  /// Two for each of two successive tables: it begins, and its last pass ends.
   static constexpr std::size_t most = 4;
 
   void clear() noexcept { count_ = 0; }

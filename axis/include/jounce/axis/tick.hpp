@@ -54,8 +54,8 @@ struct Tick {
   std::int64_t skipped = 0;    ///< ticks skipped between the previous step and this one
   std::uint64_t finished = 0;  ///< number of motions that reached their end, so far
   std::uint64_t stopped = 0;   ///< number of motions that a stop brought to rest, so far
-  /// Why the last motion ended: a fault, stopped, halted, ...; none: the motion reached its end. After
-  /// a start with a live master that was dropped at rest: the reason of the drop.
+  /// Why the last motion ended: a fault, stopped, halted, ...; none: the motion reached its end.
+  /// After a start with a live master that was dropped at rest: the reason of the drop.
   Cause reason = Cause::none;
   double override_ = 1;    ///< override factor in effect, 0 to 2
   double rate = 1;         ///< present rate of path time: 1 is the original speed of the path

@@ -85,7 +85,8 @@ class Tracked {
   /// Time of the last measurement, s; it remains after a loss. NaN: no measurement yet.
   [[nodiscard]] double seen() const { return seen_; }
   /// Distance by which the estimate is ahead of the output in the last at(), m; negative: behind.
-  /// It remains while the master is lost because of it; otherwise it is 0 for a lost master.
+  /// If the lag was the reason for the loss of the master, it remains during the loss. During any
+  /// other loss, it is 0.
   [[nodiscard]] double lag() const { return lag_; }
 
  private:

@@ -37,12 +37,12 @@ struct Document {
     std::string key = {};  ///< key in the text
     double factor = 1;     ///< factor to the number in the text
   };
-  /// Numbers under another key, by the key that an error uses: a derivative by the master that the
-  /// text gives over time.
+  /// Numbers under another key, by the key that an error uses: a derivative with respect to the
+  /// master that the text gives with respect to time.
   std::map<std::string, Given> converted = {};
 
-  /// The files that this document names, and those that they name, as far as they were read. A path may end in # and
-  /// the name of a sheet or a layer.
+  /// The files that this document names, and the files that those files name, if they were read. A
+  /// path may end in # and the name of a sheet or a layer.
   std::vector<std::string> files = {};
   /// Returns the name of this document, and its files.
   [[nodiscard]] std::vector<std::string> all_files() const;

@@ -21,14 +21,15 @@ enum class Archive {
 /// document, for a file that cannot be read, for broken UTF-16, and for a compressed file.
 std::string read_file(const std::string& path, Archive archive = Archive::rejected);
 
-/// Throws InputError, with `option` as its key, if `output` is one of the files `inputs`, under any name: an output
-/// must not replace an input. A path of an input may end in # and the name of a sheet or a layer.
+/// Throws InputError, with `option` as its key, if `output` is one of the files `inputs`, under any
+/// name: an output must not replace an input. A path of an input may end in # and the name of a
+/// sheet or a layer.
 void require_no_input(const std::vector<std::string>& inputs, const std::string& output,
                       const std::string& option = "output");
 
 /// Returns the stream for the summary of a command: standard error if one of its files is standard
 /// output ("-"). Throws InputError (key "--json") if the summary is JSON and a file is standard
-/// output: a program that reads it gets only one of the two.
+/// output, because standard output can have only one of the two.
 std::FILE* text_stream(bool json, std::initializer_list<std::string> files);
 
 /// Throws InputError, with `option` as its key, if both paths lead to one file: an output must not

@@ -161,7 +161,7 @@ constexpr bool is_fault(Cause cause) {
 struct Refusal {
   Cause cause = Cause::none;  ///< the reason
   double value = 0;           ///< the number that breaks the rule
-  double limit = 0;           ///< the bound that it exceeds
+  double limit = 0;           ///< the bound that `value` exceeds
   /// Time of the movement at which the value exceeds the bound, s; NaN: no particular time. Some
   /// causes have other numbers:
   /// - axis_not_ready, axis_away: number of the axis in the group, from 1. axis_not_ready also has

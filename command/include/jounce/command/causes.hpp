@@ -21,8 +21,8 @@ struct CauseInfo {
   const char* of_table = nullptr;  ///< remedy for a table; null: `remedy`
 };
 
-/// Returns the remedy for a rejected order of this kind: the part of CauseInfo::remedy that concerns
-/// the order. The placeholder NAME stands for the axis or group.
+/// Returns the remedy for a rejected order of this kind: the part of CauseInfo::remedy that
+/// concerns the order. The placeholder NAME stands for the axis or group.
 std::string remedy_of_order(Cause cause, CommandKind kind);
 /// Returns the remedy for a rejected table.
 std::string remedy_of_table(Cause cause);

@@ -13,8 +13,8 @@
 
 namespace jounce {
 
-/// The fields of a command as numbers, in the order of the wire and of the record of a run. A flag
-/// is 0 or 1; an enumeration value is its number. Entries after the last field are 0.
+/// The fields of a command as numbers, in the order of the wire and of the record of an executor. A
+/// flag is 0 or 1; an enumeration value is its number. Entries after the last field are 0.
 using CommandValues = std::array<double, most_fields>;
 
 /// Returns the fields of a command.
@@ -22,23 +22,24 @@ CommandValues values_of(const ClientCommand& command);
 
 /// A field of a command that other fields of the same command forbid.
 struct FieldConflict {
-  std::size_t field = 0;  ///< number of the field among those of the command
+  std::size_t field = 0;  ///< number of the field in the command, from 0
   std::string rule = {};  ///< rule that it breaks: "cannot be combined with position"
-  std::optional<std::size_t> missing = {};  ///< number of the field without which it has no effect
+  std::optional<std::size_t> missing = {};  ///< number of a field that must be given with it;
+                                            ///< nullopt: none is missing
 };
 
 /// Returns the name of a field for a message.
 using FieldName = std::function<std::string(const Field&)>;
 
 /// Returns the first conflict between the fields of a command; nullopt if they suit each other.
-/// `given`: the fields that the sender gives, in the order of the wire. `name` returns the name of a
-/// field in the rule.
+/// `given`: the fields that the sender gives, in the order of the wire. `name` returns the name of
+/// a field in the rule.
 std::optional<FieldConflict> field_conflict(CommandKind kind, const std::bitset<most_fields>& given,
                                             const FieldName& name);
 
 /// Returns the first error in the values of a command, as a sentence with the name of the field; ""
-/// if the values are valid. Includes the conflicts between fields; a field with its default is not
-/// given. In a ClientCommand, any NaN but as_configured is an error.
+/// if the values are valid. A conflict between fields is also an error; a field that has its
+/// default value counts as not given. In a ClientCommand, any NaN except as_configured is an error.
 std::string contradiction(CommandKind kind, const CommandValues& values);
 std::string contradiction(const ClientCommand& command);
 

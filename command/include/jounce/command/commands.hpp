@@ -27,7 +27,8 @@ namespace jounce {
 inline constexpr double as_configured =
     std::bit_cast<double>(std::uint64_t{0x7ff8'0000'0000'0000} | 0x4a6f'756e'6365);
 
-/// True for as_configured, also multiplied by a unit; false for any other NaN, such as 0.0 / 0.0.
+/// True for as_configured, also after a multiplication by the factor of a unit; false for any other
+/// NaN, such as 0.0 / 0.0.
 inline bool is_as_configured(double value) {
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
   return (std::bit_cast<std::uint64_t>(value) & ~sign) ==
@@ -82,7 +83,8 @@ inline constexpr int home_switch_input = 5;
 inline constexpr int index_input = 6;
 inline constexpr int probe_inputs = 6;  ///< number of inputs
 
-/// Kind of a command. The numbers are part of the record of a run: append new ones at the end.
+/// Kind of a command. The numbers are part of the record of an executor: append new ones at the
+/// end.
 enum class CommandKind : std::uint8_t {
   none,
   enable,
@@ -420,7 +422,8 @@ struct CombineAxes {
   static constexpr auto kind = CommandKind::combine_axes;
   std::int32_t numerator = 0;           ///< ratio to the master = numerator / denominator
   std::int32_t denominator = 0;         ///< must not be 0
-  std::int32_t second_numerator = 0;    ///< the same for the second master
+  std::int32_t second_numerator = 0;    ///< ratio to the second master = second_numerator /
+                                        ///< second_denominator
   std::int32_t second_denominator = 0;  ///< must not be 0
   MoveDynamics dynamics = {};           ///< the member `velocity` is not used
 };
@@ -436,8 +439,8 @@ constexpr void each_field(C& c, F f) {
 
 /// Shifts the position of the live master, as the axis sees it: the axis moves ahead of its master
 /// or behind it, and stays coupled (MC_PhasingAbsolute, MC_PhasingRelative). A phase shift counts
-/// from the beginning of the coupling. `dynamics` are those of the shift, in units of the master; a
-/// value that is not given is what the limits of the axis permit.
+/// from the beginning of the coupling. `dynamics` apply to the shift, in units of the master. The
+/// limits of the axis determine each value that is not given.
 template <bool relative_>
 struct Phasing {
   static constexpr bool relative = relative_;
@@ -604,7 +607,7 @@ struct MoveDirect {
 using MoveDirectAbsolute = MoveDirect<false>;
 using MoveDirectRelative = MoveDirect<true>;
 
-inline constexpr std::int32_t most_extra_turns = 1000;  ///< limit of a circular move
+inline constexpr std::int32_t most_extra_turns = 1000;  ///< greatest `turns` of a circular move
 
 /// Moves a group along an arc: through the point `via`, or in the plane of the first two axes
 /// around `center`, or with `radius`. Exactly one of these three must be given. The other axes move
@@ -683,9 +686,10 @@ struct DisableCompensation {
   static constexpr auto kind = CommandKind::disable_compensation;
 };
 /// Sets the frame of the following single commands of a group: the position and orientation of the
-/// part in the machine (MC_SetCoordinateTransform, G54). Coordinates are those of the part. Nothing
-/// moves. The frame applies until the next SetCoordinateTransform, or until the group is disabled.
-/// Without values, the coordinates are again those of the machine.
+/// part in the machine (MC_SetCoordinateTransform, G54). The coordinates in these commands then
+/// count in the frame of the part. Nothing moves. The frame applies until the next
+/// SetCoordinateTransform, or until the group is disabled. Without values, the coordinates count in
+/// the frame of the machine again.
 struct SetCoordinateTransform {
   static constexpr auto kind = CommandKind::set_coordinate_transform;
   /// Origin of the part in the machine, u; a coordinate that is not given is 0.
@@ -704,8 +708,8 @@ constexpr void each_field(C& c, F f) {
 }
 
 /// Gives the end of the last command of a group new coordinates, without motion
-/// (MC_GroupSetPosition, G92): shifts the frame of the following single commands. The axes keep their
-/// positions. The shift applies as long as the frame of SetCoordinateTransform.
+/// (MC_GroupSetPosition, G92): shifts the frame of the following single commands. The axes keep
+/// their positions. The shift applies as long as the frame of SetCoordinateTransform.
 struct GroupSetPosition {
   static constexpr auto kind = CommandKind::group_set_position;
   /// New coordinates, u; or, if `relative`, values that are added. A coordinate that is not given
@@ -719,15 +723,15 @@ constexpr void each_field(C& c, F f) {
   f(Field{"relative", Quantity::none, ranges::flag}, c.relative);
 }
 
-/// Sets further limits of a group: along its path (SMC_GroupSetAncillaryPathLimits), or of one of its
-/// axes (SMC_GroupSetAncillaryAxisLimits). They apply in addition to the configured limits, until the
-/// group is disabled. A value that is not given removes the limit.
+/// Sets further limits of a group: along its path (SMC_GroupSetAncillaryPathLimits), or of one of
+/// its axes (SMC_GroupSetAncillaryAxisLimits). These limits apply in addition to the configured
+/// limits, until the group is disabled. A value that is not given removes the limit.
 struct GroupSetLimits {
   static constexpr auto kind = CommandKind::group_set_limits;
   MoveDynamics dynamics = {};  ///< the limits; an axis has no separate deceleration
   std::int32_t axis = 0;       ///< number of the axis in the group, from 1; 0: along the path
-  /// True: the limits apply to the commands after this one (mcQueued). False: they also apply to the
-  /// present motion, whose speed is reduced (mcImmediately).
+  /// True: the limits apply to the commands after this one (mcQueued). False: they also apply to
+  /// the present motion, whose speed is reduced (mcImmediately).
   bool queued = false;
 };
 template <Of<GroupSetLimits> C, class F>
@@ -737,12 +741,13 @@ constexpr void each_field(C& c, F f) {
   f(Field{"queued", Quantity::none, ranges::flag}, c.queued);
 }
 
-/// An M word with a handshake: the group comes to rest at the end of its last command, sends an event
-/// with the number, and continues after a GroupAcknowledge.
+/// An M word with a handshake: the group comes to rest at the end of its last command, sends an
+/// event with the number, and continues after a GroupAcknowledge.
 struct GroupMWord {
   static constexpr auto kind = CommandKind::group_m_word;
   std::int32_t number = 0;  ///< number of the M word
-  double timeout = 0;       ///< s; the group then drops the commands that follow; 0: no limit
+  double timeout = 0;       ///< greatest wait for the acknowledgment, s; after it, the group drops
+                            ///< the commands that follow; 0: no limit
 };
 template <Of<GroupMWord> C, class F>
 constexpr void each_field(C& c, F f) {
@@ -758,8 +763,8 @@ template <Of<GroupAcknowledge> C, class F>
 constexpr void each_field(C& c, F f) {
   f(Field{"M word", Quantity::none, ranges::count}, c.m_word);
 }
-/// Lets each of the commands that follow begin at rest, after a GroupAcknowledge (SingleStep of the
-/// PMC600).
+/// Makes the group rest before each of the commands that follow, until a GroupAcknowledge
+/// (SingleStep of the PMC600).
 struct GroupSingleStep {
   static constexpr auto kind = CommandKind::group_single_step;
   bool on = false;  ///< false: the commands that follow need no acknowledgment
@@ -911,7 +916,7 @@ constexpr bool is_path_kind(CommandKind kind) {
   }
 }
 
-/// True for these commands.
+/// True if C is a single command of a group: is_path_kind().
 template <class C>
 inline constexpr bool is_path_command = is_path_kind(C::kind);
 

@@ -16,10 +16,12 @@ namespace jounce {
 std::string text(const Refusal& refusal, const std::string& unit,
                  const std::string& master_unit = "", std::span<const std::string> axes = {});
 
-/// Returns a place that an axis must reach within a tolerance, with up to twelve digits.
+/// Returns a position as text, with up to twelve digits: for a position that an axis must reach
+/// within a tolerance.
 std::string place_text(double place);
 
-/// Returns the value that exceeds its limit in a text of text(): 678.45. nullopt: the text has none.
+/// Returns the value that exceeds its limit in a text of text(): 678.45. nullopt: the text contains
+/// no such value.
 std::optional<double> refused_value(const std::string& text);
 
 /// Returns the axis of a group that a rejection axis_not_ready names, with its state: "x is

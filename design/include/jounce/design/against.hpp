@@ -9,13 +9,14 @@
 
 namespace jounce {
 
-/// Gives finished tables the spec from which they were made, so that check_all() compares each table
-/// with the curve and with all limits of the spec: also those over time, behind its [master].
+/// Gives finished tables the spec from which they were made. check_all() then compares each table
+/// with the curve and with all limits of the spec, including the limits over time at the speed of
+/// its [master].
 ///
 /// The tables get the units of the spec; a table without units is in these units already. A table
 /// whose file does not state whether the motion repeats behaves outside its interval as the spec
 /// does. A table over time of a cam is compared with the motion of the slave over time. The limits
-/// are those of the table itself, at each knot and between the knots.
+/// apply to the table itself, at each knot and between the knots.
 ///
 /// `tolerance`: the greatest permitted deviation of the position, as a share of its range or in its
 /// unit. Without it, the tolerance of [table] is permitted or, for the format of a controller, the
@@ -27,17 +28,18 @@ namespace jounce {
 void set_against(std::vector<Input>& tables, const std::string& spec_path,
                  const std::vector<std::string>& tolerance = {});
 
-/// Gives a table of Jounce the limits of the spec that its header names, like set_against(), but without the comparison
-/// with the curve. Nothing happens if the spec is not found, has another text now, or does not fit the table.
+/// Gives a table of Jounce the limits of the spec that its header names, like set_against(), but
+/// without the comparison with the curve. Nothing happens if the spec is not found, has another
+/// text now, or does not fit the table.
 void set_limits_of_header(Input& table);
 
 /// True for a table whose header names this spec (a path relative to the current folder or to the
 /// folder of the table), or no spec. False for an input with a spec of its own.
 bool may_be_made_from(const Input& table, const std::string& spec_path);
 
-/// For a table of Jounce: the spec that its header names, if this file exists and has another text
-/// now, so that the table is older; "" otherwise. With `same`, this spec if it has still the same
-/// text. The path in the header is relative to the current folder or to the folder of the table.
+/// Returns the spec that the header of a table of Jounce names, if this file exists and its text
+/// has changed since; otherwise "". With `same`, returns this spec if its text has not changed. The
+/// path in the header is relative to the current folder or to the folder of the table.
 /// `table_path`: the file of the table.
 std::string newer_spec(const Provenance& provenance, const std::string& table_path,
                        bool same = false);

@@ -24,8 +24,9 @@ Input only_axis(std::vector<Input> all, const std::string& path);
 /// for feeder.csv.
 std::string file_of_axis(const std::string& path, const std::string& axis);
 
-/// The same for a spec with this number of axes: one axis has the path itself. Throws InputError,
-/// with `option` as its key, for standard output, which cannot have several files.
+/// Like file_of_axis() above, for a spec with this number of axes. If the number is 1, returns
+/// `path`. Throws InputError, with `option` as its key, for standard output, which cannot have
+/// several files.
 std::string file_of_axis(const std::string& option, const std::string& path,
                          const std::string& axis, std::size_t axes);
 

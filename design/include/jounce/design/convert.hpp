@@ -21,7 +21,8 @@ struct Conversion {
   /// `rule` above.
   std::optional<Target> target = {};
   std::size_t intervals = 0;  ///< number of equal intervals of new knots; 0: not requested
-  Units units = {};  ///< units of the result, or units that the file does not give; "": unchanged
+  Units units = {};  ///< units of the result; for a file without units, the units of its numbers;
+                     ///< "": unchanged
   bool periodic = false;  ///< true: the motion repeats, although the file does not define this
   const ExchangeFormat* format = nullptr;  ///< format of a controller; null: CSV or JSON of Jounce
 };
@@ -30,7 +31,7 @@ struct Conversion {
 struct Converted {
   TableFile file;  ///< the table, with its units and names
   /// Error in the units of the input. If the knots and the rule are unchanged, and the controller
-  /// does not join the knots by a spline, it is the error of the input: for a spec, the error of
+  /// does not join the knots by a spline, this is the error of the input: for a spec, the error of
   /// its table; for a table, nullopt.
   std::optional<SampleError> error = {};
   /// Greatest permitted error of the position, in the unit of the input, for the format of a
@@ -117,8 +118,8 @@ bool has_known_ending(const std::string& path);
 /// Throws InputError (key "path") unless has_known_ending().
 void require_known_ending(const std::string& path);
 /// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss.
-/// One line states the limit that the error exceeds, and one each limit of the motion that the table
-/// exceeds.
+/// If the error exceeds its limit, one more line states this limit. Each limit of the motion that
+/// the table exceeds has one more line.
 std::string conversion_text(const Input& input, const Converted& made, const TableForm& form,
                             const std::vector<std::string>& losses);
 

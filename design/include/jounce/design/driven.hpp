@@ -14,8 +14,8 @@ namespace jounce {
 /// [master].
 DriveResult driven(const Input& input, std::size_t samples = 0);
 
-/// Adds the peak torque that the motion needs without torque_limit to the advice of a broken finding
-/// "drive/saturation", for which it simulates the drive once more. `result`: driven(input).
+/// Adds the peak torque that the motion needs without torque_limit to the advice of a broken
+/// finding "drive/saturation", for which it simulates the drive once more. `result`: driven(input).
 void add_torque_demand(DriveResult& result, const Input& input);
 
 }  // namespace jounce

@@ -17,7 +17,7 @@ struct FitOptions {
   /// the cam repeats after this travel of the master; "": it does not repeat
   std::string period = {};
   std::string master_unit = {};    ///< unit of the master, if the file does not state it
-  std::string position_unit = {};  ///< the same for the slave
+  std::string position_unit = {};  ///< unit of the slave, if the file does not state it
   /// For a drawing: the keys of the table `drawing` of a segment (drawn_cam.hpp).
   std::string drawing = {};
 };

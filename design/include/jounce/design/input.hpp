@@ -123,10 +123,10 @@ std::vector<std::string> files_of(std::span<const Input> inputs);
 /// Reads a G-code program (file `path`) for a machine (file `machine`: a path spec without
 /// commands). Returns one input for each axis. Throws InputError, with the place in the document.
 std::vector<Input> gcode_inputs(const std::string& path, const std::string& machine);
-/// The same for a text that is neither a spec nor a table, if `machine` is not empty; read_inputs()
-/// for any other. For several files, of which some are G-code programs.
+/// Like gcode_inputs() for a text that is neither a spec nor a table, if `machine` is not empty;
+/// otherwise like read_inputs(). Use it for several files of which some are G-code programs.
 std::vector<Input> read_program(const std::string& path, const std::string& machine);
-/// The same as a spec, without its motion.
+/// Returns the spec from which gcode_inputs() makes the motion.
 Spec gcode_spec(const std::string& path, const std::string& machine);
 
 }  // namespace jounce

@@ -45,8 +45,9 @@ struct InverseAnswer {
   std::optional<TableFile> table = {};
 };
 
-/// Returns, for `slave`, its places_of_slave(); otherwise, for a file `table`, the table of
-/// inverse_of(); otherwise the branches of the inverse, and the findings of inverted().
+/// Returns one of three answers. If `slave` is given: its places_of_slave(). Otherwise, if the name
+/// of a file `table` is given: the table of inverse_of(). Otherwise: the branches of the inverse,
+/// and the findings of inverted().
 InverseAnswer inverse_answer(const Input& input, const std::string& slave, const std::string& table,
                              const InverseTexts& texts);
 

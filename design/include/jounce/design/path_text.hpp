@@ -30,7 +30,8 @@ struct PathSummary {
   double stop_duration = 0;           ///< duration with a stop at each corner
   double lower_bound = 0;  ///< proven lower bound of the duration, without a limit of jerk
   double length = 0;       ///< length of the path, with its rounded corners
-  /// time lost against full speed; its places, and those of the corners, are lengths along the path
+  /// time lost against full speed; `where` of each loss and of each corner is a length along the
+  /// path
   PathCost cost = {};
   /// one for each junction of two commands that has a corner or a note (CornerRecord::note)
   std::vector<CornerRecord> corners = {};
@@ -46,8 +47,8 @@ struct PathSummary {
 Report path_report(const Spec& spec, const Plan& played);
 
 /// Returns the places of events. Requires events in the order of the program. The place of an event
-/// is the start of the first command in or after its line. Its time includes the dwells before this
-/// line.
+/// is the start of the first command in or after its line. The time of the event includes the
+/// dwells before this line.
 std::vector<EventPlace> places_of(const PathSpec& path, const Plan& plan,
                                   std::span<const GcodeEvent> events);
 

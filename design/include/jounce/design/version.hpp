@@ -20,9 +20,10 @@ void require_one_kind(const Input& before, const Input& after, const std::string
                       const std::string& after_path);
 
 /// Pairs the axes of two files: axes of the same name or, if each file has only one axis, these
-/// two. With `axis`, only the axis of this name; a file with a single axis is then compared as it
-/// is, if the other file has several. Throws InputError (key "axis") if an axis has no partner.
-/// `before_path` and `after_path` are the names of the files in messages.
+/// two. If `axis` is given, returns only the axis of this name; if only one of the files has
+/// several axes, the axis of this name is paired with the single axis of the other file. Throws
+/// InputError (key "axis") if an axis has no partner. `before_path` and `after_path` are the names
+/// of the files in messages.
 std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
                                                  std::vector<Input> after,
                                                  const std::string& before_path,

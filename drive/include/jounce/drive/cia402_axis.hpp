@@ -64,13 +64,13 @@ struct Cia402Config {
 /// target (bit 12). `fault` means that the drive is in a fault or in its reaction to a fault. The
 /// position is the drive's counter, extended beyond 32 bits from its first value on.
 ///
-/// **Touch probes.** Both edges of all probes are active all the time, in continuous mode. A capture
-/// is new if its counter has changed, or if its bit in 0x60B9 has become 1. It has the latched
-/// position and no time stamp. Without counters, a drive reports each edge once until its bit is 0
-/// again.
+/// **Touch probes.** Both edges of all probes are active all the time, in continuous mode. A
+/// capture is new if its counter has changed, or if its bit in 0x60B9 has become 1. The capture has
+/// the latched position and no time stamp. Without counters, a drive reports each edge once until
+/// its bit is 0 again.
 ///
-/// **Reset.** A reset has an effect only if the drive is in the state fault. It keeps bit 7 set
-/// until the drive has left this state, for at most `reset_cycles` cycles.
+/// **Reset.** A reset has an effect only if the drive is in the state fault. Bit 7 then stays set
+/// until the drive has left this state, but for at most `reset_cycles` cycles.
 class Cia402Axis {
  public:
   static constexpr int reset_cycles = 100;  ///< greatest duration of a reset, cycles

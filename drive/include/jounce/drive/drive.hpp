@@ -41,9 +41,9 @@ DriveSetpoint drive_setpoint(const Tick& tick, const Command& command);
 /// the position of this setpoint. Units are the units of the axis. Positions are in the coordinate
 /// of the drive: position of the axis minus Tick::offset.
 ///
-/// The cyclic thread calls both functions, once in each cycle. They must not allocate, free, lock,
-/// log, throw or wait. A bus driver should only access memory in these functions, and transfer the
-/// data over the bus in another thread (docs/executor/drives.md).
+/// The cyclic thread calls both functions, once in each cycle. The functions must not allocate,
+/// free, lock, log, throw or wait. A bus driver should only access memory in these functions, and
+/// transfer the data over the bus in another thread (docs/executor/drives.md).
 class AxisDrive {
  public:
   AxisDrive() = default;

@@ -60,8 +60,8 @@ class SimulatedMarks {
   MachineMarks spec_;
 };
 
-/// A drive on a simulated machine with switches and an index. It reports them as a real drive does:
-/// the states of the switches, and the positions that the encoder latched at their edges.
+/// A drive on a simulated machine with switches and an index. Like a real drive, it reports the
+/// states of the switches, and the positions that the encoder latched at their edges.
 ///
 ///     DriveOnMachine drive(servo, {.home = MachineSwitch{.position = 0, .width = 12}}, 0.001);
 ///     drive.feedback().sensors.home.on;

@@ -133,8 +133,8 @@ struct CycleOptions {
 /// once() does not allocate, lock, log or wait for another thread.
 class Cycle {
  public:
-  /// All arguments must outlive the cycle. Throws InputError unless they have as many axes and masters
-  /// as the machine.
+  /// All arguments must outlive the cycle. Throws InputError unless they have as many axes and
+  /// masters as the machine.
   Cycle(Machine& machine, Pacer& pacer, MachineExchange& exchange, CycleOptions options = {});
 
   /// Waits for the next tick and computes it. Call in a loop.

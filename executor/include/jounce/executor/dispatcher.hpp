@@ -19,8 +19,8 @@ namespace jounce {
 class MotionServer;
 
 /// The communication thread of an executor. It passes requests from one link to the axes of a
-/// machine, and returns their answers. Each axis, or group, has its own name, its own sessions and its own
-/// server.
+/// machine, and returns their answers. Each axis, or group, has its own name, its own sessions and
+/// its own server.
 ///
 ///     Dispatcher dispatcher(link, {feeder, knife}, exchange);
 ///     while (!quit) dispatcher.turn(2ms);

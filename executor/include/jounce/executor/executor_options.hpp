@@ -27,12 +27,12 @@ struct GroupKinematics {
   std::vector<std::string> names =
       {};                     ///< names of the axes of the tool: the coordinates of commands
   std::size_t path_axes = 0;  ///< number of path axes among them; the others are followers
-  /// From the axes of the tool to the joints, with the lower of the limits of the kinematics and of
-  /// the axes of the group.
+  /// From the axes of the tool to the joints. Each limit of a joint is the lower of two limits:
+  /// that of the kinematics, and that of the axis of the group.
   JointSpace joints = {};
   GroupLimits limits = {};  ///< limits of the axes of the tool, and of its path
   std::string unit = {};    ///< unit of the path axes; "": not known
-  /// Units of the axes of the tool; none: not known.
+  /// Units of the axes of the tool; empty: not known.
   std::vector<std::string> units = {};
 };
 
@@ -41,13 +41,15 @@ struct ExecutorGroup {
   AxisGroup of = {};                     ///< its axes in the machine
   std::vector<std::string> names = {};   ///< names of these axes
   std::vector<AxisConfig> configs = {};  ///< configurations of these axes
-  std::size_t followers = 0;             ///< number of followers: the last axes; without kinematics
+  std::size_t followers = 0;             ///< number of followers, which are the last axes; only
+                                         ///< without kinematics
   std::string unit = {};                 ///< unit of the path axes; "": not known, or several units
-  std::vector<std::string> units = {};   ///< unit of each of these axes; none: not known
+  std::vector<std::string> units = {};   ///< unit of each of these axes; empty: not known
   std::shared_ptr<const SentProgram> sent = {};    ///< path that StartTable plays; null: none
   std::optional<GroupKinematics> kinematics = {};  ///< nullopt: commands address the axes
   MWordHandshake m_words = {};                     ///< M words of programs that wait
-  PlanWindow window = {};                          ///< windows of the plans of a long program
+  PlanWindow window = {};                          ///< lengths of the windows in which a long
+                                                   ///< program is planned
   bool along = false;  ///< true: position compare along the path (ExecutorOptions::compare)
 
   /// Names of the coordinates of commands: the axes of the tool, or of the group.
@@ -72,7 +74,7 @@ struct ExecutorCutter {
   std::shared_ptr<const CutTask> task = {};  ///< the cutter and its list
   StoredTable numbers = {};  ///< numbers_of() the task in the column p, for the record
 };
-/// Makes a cutter. Throws InputError like the constructor of CutTask. `units`: those of the axis.
+/// Makes a cutter. `units`: units of the axis. Throws InputError like the constructor of CutTask.
 ExecutorCutter executor_cutter(const CutJob& job, const Units& units);
 
 /// Options of one axis, or of one group, of an executor.
@@ -108,7 +110,7 @@ struct ExecutorOptions {
       false;  ///< true: the log has a column for the events of cams and follow tables
   std::function<void(const std::string& notice)> notify{};  ///< receives notices as text
   Recorder* recorder = nullptr;  ///< recorder of the whole machine; null: no record
-  /// Names of the groups that move this axis, and that report the motions of their axes.
+  /// Names of the groups that move this axis. These groups report the motions of their axes.
   std::vector<std::string> groups = {};
   Trace* trace = nullptr;  ///< receives the ticks and tables of the axis; null: no trace
 };

@@ -23,10 +23,11 @@
 
 namespace jounce {
 
-/// The record of a run: a sequence of events in chronological order. A record is an LCM log:
-/// `lcm-logplayer` plays it, `lcm-spy` shows it with the types of executor/lcm, and
-/// docs/executor/replay.md describes it for users. The only time in a record is the tick: the time
-/// stamp of an event is tick * period in us, independent of any clock.
+/// The record of an executor, from its start to its end (a *run*): a sequence of events in
+/// chronological order. A record is an LCM log: `lcm-logplayer` plays it, `lcm-spy` shows it with
+/// the types of executor/lcm, and docs/executor/replay.md describes it for users. The only time in
+/// a record is the tick: the time stamp of an event is tick * period in us, independent of any
+/// clock.
 ///
 /// Indices of axes and masters count from 0. Units: u is the unit of the axis, m the unit of its
 /// master.
@@ -86,8 +87,8 @@ struct RecordedQueue {
 };
 
 /// A part of the program of a group: numbers of its timing law (15 for each interval: the fields of
-/// LawInterval, in their order). The first part also has the limits and peaks of the axes. The paths of
-/// the axes are not in it: the ticks of each axis contain its setpoints.
+/// LawInterval, in their order). The first part also has the limits and peaks of the axes. A record
+/// does not contain the paths of the axes, because the ticks of each axis contain its setpoints.
 struct RecordedProgram {
   std::size_t axis = 0;               ///< index of the group
   std::uint64_t id = 0;               ///< id of the movement
@@ -99,7 +100,8 @@ struct RecordedProgram {
 /// Returns the parts of a program.
 std::vector<RecordedProgram> recorded(const GroupProgram& program, std::size_t axis,
                                       std::uint64_t id);
-/// A part of the outputs that the path of a group switches. These events precede its program.
+/// A part of the outputs that the path of a group switches. These events precede the
+/// RecordedProgram events of the path.
 struct RecordedPathSwitches {
   static constexpr std::size_t most = 32;  ///< greatest number of switches in a part
   std::size_t axis = 0;                    ///< index of the group
@@ -110,7 +112,8 @@ struct RecordedPathSwitches {
 std::vector<RecordedPathSwitches> recorded_switches(const GroupProgram& program, std::size_t axis,
                                                     std::uint64_t id);
 
-/// Returns the program of a group with a straight path of the same length, for a replay of its ticks.
+/// Returns the program of a group with a straight path of the same length, for a replay of its
+/// ticks.
 GroupProgram remade(const std::vector<LawInterval>& law, std::vector<GroupAxis> axes);
 
 /// Rows that were added to a queue, or another change of the queue. If many rows were added at
@@ -194,8 +197,8 @@ std::vector<RecordedCompensation> parts_of(std::size_t axis, const AxisCompensat
 /// Adds a part to the table. Returns false while values are missing.
 bool apply(const RecordedCompensation& part, std::optional<AxisCompensation>& whole);
 
-/// Inputs and outputs of the compensation of an axis in one tick. This event precedes the cycle of the
-/// tick. `referenced` stays until the next event; the other members count for one cycle.
+/// Inputs and outputs of the compensation of an axis in one tick. This event precedes the cycle of
+/// the tick. `referenced` stays until the next event; the other members count for one cycle.
 struct RecordedReferences {
   std::size_t axis = 0;      ///< index of the axis
   bool referenced = false;   ///< Inputs::referenced
@@ -216,8 +219,8 @@ using RecordEvent =
 std::string_view channel_of(const RecordEvent& event);
 /// Returns the bytes of an event in the encoding of LCM.
 std::string encoded(const RecordEvent& event);
-/// Returns the checksum of a record after one more event of Jounce: SHA-256(check, channel, 0, bytes).
-/// The checksum of no event is 0. Numbers and time stamps of the events are not included.
+/// Returns the checksum of a record after one more event of Jounce: SHA-256(check, channel, 0,
+/// bytes). The checksum of no event is 0. Numbers and time stamps of the events are not included.
 Sha256 continued(const Sha256& check, std::string_view channel, std::string_view bytes);
 /// Decodes an event. Returns nullopt for a channel of another program. Throws InputError for bytes
 /// that are not an event of this channel.

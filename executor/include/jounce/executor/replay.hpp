@@ -71,8 +71,9 @@ struct Replay {
 /// The checksums of the record show whether an event was changed, inserted or lost, also where this
 /// does not change an output. The computation continues after such a damage.
 ///
-/// In three cases the computation ends early, but not the reading: cycles are lost, a movement is
-/// not in the record (a custom program did not record it), or the file is truncated.
+/// In three cases, the function no longer computes outputs, but still reads the record to its end:
+/// cycles are lost, a movement is not in the record (a custom program did not record it), or the
+/// file is truncated.
 ///
 /// Throws InputError, with the number and the position of the event, for a file that is not an LCM
 /// log, a damaged file, a file without events of Jounce, a table with a wrong hash, and an axis

@@ -18,15 +18,17 @@ struct ExecutorGroup;
 
 /// M words of programs that wait for an acknowledgment.
 struct MWordHandshake {
-  bool all = false;                         ///< true: all but M2 and M30, which end the program
-  std::vector<std::int32_t> numbers = {0};  ///< those that wait
+  bool all = false;                         ///< true: all M words wait, except M2 and M30, which
+                                            ///< end the program
+  std::vector<std::int32_t> numbers = {0};  ///< numbers of the M words that wait
   double timeout = 0;                       ///< greatest time of the wait, s; 0: no limit
 
   [[nodiscard]] bool waits_at(const ProgramWord& word) const;
 };
 
-/// A long program is planned in windows of this many commands. The group changes from one plan to the
-/// next one in the commands that both contain, so it needs memory for two plans, not for all.
+/// A long program is planned in *windows*: successive parts that overlap. The group changes from
+/// one plan to the next within the commands that both contain. So only two plans need memory at a
+/// time.
 struct PlanWindow {
   std::size_t commands = 16384;  ///< greatest number of commands of a plan; more than `common`
   std::size_t common = 4096;     ///< number of commands that two plans have in common
@@ -34,9 +36,9 @@ struct PlanWindow {
 
 /// The rest of a stage after a window.
 struct WindowRest {
-  std::size_t last = 0;  ///< the command after the last one of the window
-  double length = 0;     ///< length along the path of the commands from `last` on, u
-  double time = 0;       ///< their duration, s
+  std::size_t last = 0;  ///< index of the command after the last one of the window
+  double length = 0;     ///< length along the path of all commands from `last` on, u
+  double time = 0;       ///< duration of these commands, s
   ProgramPart
       peaks{};  ///< greatest magnitudes from the beginning of the window to the end of the stage
 };
@@ -44,14 +46,14 @@ struct WindowRest {
 /// Commands of a program between two M words that wait. The group begins and ends them at rest.
 struct SentStage {
   std::optional<std::int32_t> m_word = {};  ///< M word before it; nullopt: none
-  std::size_t first = 0;                    ///< its first command
-  std::size_t last = 0;                     ///< the command after its last one
-  std::size_t first_word = 0;               ///< its first word, after the M word before it
-  std::size_t last_word = 0;                ///< the word after its last one
-  /// The plan of its commands up to `planned`. Null: it has no command and no word, or it is planned
-  /// when it begins.
+  std::size_t first = 0;                    ///< index of its first command
+  std::size_t last = 0;                     ///< index of the command after its last one
+  std::size_t first_word = 0;               ///< index of its first word, which follows `m_word`
+  std::size_t last_word = 0;                ///< index of the word after its last word
+  /// The plan of its commands up to `planned`. Null: the stage has no command and no word, or is
+  /// planned when it begins.
   std::shared_ptr<const GroupProgram> program = {};
-  std::size_t planned = 0;               ///< the command after the last one of `program`
+  std::size_t planned = 0;               ///< index of the command after the last one of `program`
   std::vector<WindowRest> windows = {};  ///< empty: one plan contains all commands
 };
 
@@ -61,9 +63,11 @@ struct SentProgram {
   std::vector<SentStage> stages = {};  ///< at least one; the first has no M word
   PlanWindow window = {};              ///< windows of its plans
 
-  /// The end of the first command from `first` on that moves, with the dwells after it; at most `last`.
+  /// Returns the index after the first moving command from `first` on and after the dwells that
+  /// follow it; at most `last`.
   [[nodiscard]] std::size_t step_end(std::size_t first, std::size_t last) const;
-  /// The end of the window of a motion of a stage that begins at rest, at the command `first`.
+  /// Returns the index of the command after the window that begins at rest, at the command `first`
+  /// of the stage.
   [[nodiscard]] std::size_t window_end(const SentStage& stage, std::size_t first) const;
 };
 
@@ -72,11 +76,12 @@ struct SentProgram {
 std::shared_ptr<const SentProgram> sent_program(LimitedProgram sent, const ExecutorGroup& group,
                                                 const std::atomic<bool>* canceled = nullptr);
 
-/// A program whose motion is planned already, and in which no M word waits.
+/// Makes a program from an existing plan. None of its M words waits.
 std::shared_ptr<const SentProgram> sent_program(LimitedProgram sent, GroupProgram planned);
 
-/// Plans the commands of a stage from `first` to before `last`, from rest to rest. If none of them moves, the
-/// group rests for the time of the dwells, and at least for one cycle. Throws like planned_program().
+/// Plans the commands of a stage from `first` to before `last`, from rest to rest. If none of them
+/// moves, the group rests for the time of the dwells, and at least for one cycle. Throws like
+/// planned_program().
 std::shared_ptr<const GroupProgram> planned_part(const SentProgram& program, const SentStage& stage,
                                                  std::size_t first, std::size_t last,
                                                  const ExecutorGroup& group,

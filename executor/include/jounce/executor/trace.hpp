@@ -57,8 +57,8 @@ struct TraceTable {
   std::array<double, samples> position{};  ///< position at equal distances from start to end
 };
 
-/// The planned path of a group as a polygon, for a picture. On lines it is exact. The coordinates are
-/// those of the machine, without the frame of the commands. u is the unit of the axes.
+/// The planned path of a group as a polygon, for a picture. On lines it is exact. The coordinates
+/// are those of the machine, without the frame of the commands. u is the unit of the axes.
 struct TracePath {
   static constexpr std::size_t most_points = 4096;  ///< greatest number of points
   /// Greatest number of coordinates: the first axes of the group, or of the path of its tool.
@@ -103,8 +103,8 @@ class Trace {
   static Trace of(const std::vector<std::int64_t>& periods);
   /// New memory for the axes of an executor.
   static Trace of(const std::vector<ExecutorOptions>& axes);
-  /// The memory of another process, for reading. Returns nullopt if the descriptor is not open or is
-  /// not a trace. Owns the descriptor.
+  /// The memory of another process, for reading. Returns nullopt if the descriptor is not open or
+  /// is not a trace. Owns the descriptor.
   static std::optional<Trace> opened(int descriptor);
 
   Trace(Trace&& other) noexcept;
@@ -116,7 +116,7 @@ class Trace {
 
   /// Adds a tick. One thread of the writing process calls this. Does not allocate or wait.
   void add(std::size_t axis, const TraceTick& tick) noexcept;
-  /// Removes all ticks of an axis: its executor was started again.
+  /// Removes all ticks of an axis. Call when its executor was started again.
   void clear(std::size_t axis) noexcept;
   /// Adds a table; replaces the oldest one.
   void add(std::size_t axis, const StoredTable& table);

@@ -21,7 +21,7 @@ struct CutList {
 
   /// Number of pieces of one pass.
   [[nodiscard]] std::size_t size() const { return lengths.size() + (waste ? 1 : 0); }
-  /// Length of a piece of the pass, m.
+  /// Length of piece i of the pass, m; i < size().
   [[nodiscard]] double operator[](std::size_t i) const {
     return i < lengths.size() ? lengths[i] : *waste;
   }

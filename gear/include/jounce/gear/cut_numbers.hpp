@@ -15,10 +15,11 @@ struct CutJob {
   CutLine line = {};
 };
 
-/// Returns the job as finite numbers, for a record of a run.
+/// Returns the job as finite numbers, for a file.
 std::vector<double> numbers_of(const CutJob& job);
 
-/// Returns the job of these numbers. Throws InputError if they are not those of a job.
+/// Returns the job that numbers_of() has converted to these numbers. Throws InputError if the
+/// numbers do not describe a job.
 CutJob cut_job_of(std::span<const double> numbers);
 
 }  // namespace jounce

@@ -14,7 +14,7 @@
 namespace jounce {
 
 /// Everything that a plan of cuts reads: the cutter, its list, and the pieces that are possible at
-/// the speed of the line. It does not change while the plan runs.
+/// the speed of the line. A task does not change while the plan runs.
 struct CutTask {
   Cutter cutter;
   CutList list;
@@ -36,8 +36,10 @@ struct CutAnswer {
     ok,
     length,    ///< the piece is not possible: `limit` is the nearest possible length, m
     position,  ///< the cut is too early: `limit` is the next possible position of the web, m
-    pending,   ///< a cut on demand waits, and would not be possible: `limit` is its position, m
-    far,       ///< more than most_planned cuts come before it: `limit` is the last possible cut, m
+    pending,   ///< the waiting cut on demand would no longer be possible: `limit` is its position,
+               ///< m
+    far,       ///< more than most_planned cuts come before the requested cut: `limit` is the last
+               ///< possible cut, m
   };
   Status status = Status::ok;
   double value =
@@ -67,14 +69,16 @@ struct CutAnswer {
 ///     (2)  C + R + A                                    it is on its way home after C
 ///     (3)  C + the shortest possible piece              otherwise
 ///
-/// A cut on demand ends a piece early. This piece is waste, and its length comes again after the
-/// cut. If planned cuts come before the demand, the same rule holds for the last one of them; at
-/// most most_planned of them may come before it. A new cut on demand replaces one that waits; at the
-/// position of a planned cut, it only cancels the waiting one. A new length or piece of waste keeps
-/// the waiting cut, and is rejected if this cut would not be possible.
+/// A cut on demand ends a piece early. This piece is waste, and the plan repeats its length after
+/// the cut. If planned cuts come before the demand, this piece begins at the last of them, and must
+/// be possible. At most most_planned cuts may come before the demand. A new cut on demand replaces
+/// the waiting one. At the position of a planned cut, a demand only cancels the waiting one. A new
+/// length or piece of waste keeps the waiting cut; the request is rejected if this cut would not be
+/// possible.
 ///
-/// **Web that moves backwards.** The cutter follows its motion back, over the last cut to the one
-/// before it. A cut that was made is not made again. Beyond this, the plan is lost.
+/// **Web that moves backwards.** If the web moves back, the cutter moves back along its motion,
+/// over the last cut to the cut before that. It does not make a cut twice. If the web moves back
+/// even further, the plan is lost.
 ///
 /// m is the unit of the web, u that of the slave.
 class CutPlan {

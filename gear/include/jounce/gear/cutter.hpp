@@ -16,7 +16,7 @@
 
 namespace jounce {
 
-/// A machine that cuts a moving web. The cut length in it is not used.
+/// A machine that cuts a moving web. A Cutter does not use its `cut_length`.
 using CutMachine = std::variant<RotaryKnifeSpec, FlyingShear>;
 
 /// The motion of a rotary knife or a flying shear between cuts at any positions of the web.
@@ -49,13 +49,13 @@ class Cutter {
   Cutter(Cutter&&) noexcept;
   Cutter& operator=(Cutter&&) noexcept;
 
-  [[nodiscard]] double approach() const;  ///< m, web from home to a cut
-  [[nodiscard]] double retreat() const;   ///< m, web from a cut to home
-  /// m, web after a cut at which the motion to the next cut begins: until then, the next cut may
-  /// still change.
+  [[nodiscard]] double approach() const;  ///< m, length of web from leaving home to the cut
+  [[nodiscard]] double retreat() const;   ///< m, length of web from a cut to the rest at home
+  /// m, length of web from a cut to the beginning of the motion to the next cut. Until then, the
+  /// next cut may still change.
   [[nodiscard]] double commit() const;
-  [[nodiscard]] double sync_before() const;  ///< m, web before a cut, in step
-  [[nodiscard]] double sync_after() const;   ///< m, web after a cut, in step
+  [[nodiscard]] double sync_before() const;  ///< m, length of web in step before a cut
+  [[nodiscard]] double sync_after() const;   ///< m, length of web in step after a cut
   [[nodiscard]] double turn() const;         ///< u, advance of the slave for each cut; shear: 0
   [[nodiscard]] double home() const;         ///< u, position at home after the cut at 0
   /// m: every piece is longer than this (knife), or at least as long (shear).
@@ -65,11 +65,14 @@ class Cutter {
   /// True if a cutter moves from cut to cut without a rest at home, for a piece of this length (m).
   [[nodiscard]] bool links(double length) const;
 
-  /// Position (u) and derivatives at `at` (m) before a cut (`at` < 0) that begins at home.
+  /// Position (u) and derivatives in the approach from home to a cut. `at`: position of the web
+  /// relative to the cut, m; negative, because it is before the cut.
   [[nodiscard]] Jet approach(double at) const;
-  /// Position and derivatives at `at` (m) after a cut (`at` > 0) that leads home.
+  /// Position and derivatives in the retreat from a cut to home. `at`: position of the web relative
+  /// to the cut, m, > 0.
   [[nodiscard]] Jet retreat(double at) const;
-  /// Position and derivatives at `at` (m) after a cut; the next cut is at `length`.
+  /// Position and derivatives in the link between two cuts. `at`: position of the web relative to
+  /// the first cut, m; `length`: distance of the two cuts on the web, m.
   [[nodiscard]] Jet link(double length, double at) const;
 
   /// Segments with the names of the parts of the motion; the last value is exact.
@@ -109,12 +112,12 @@ struct CutRange {
 /// slave, in ascending ranges.
 ///
 /// **Exactness.** Each bound is a root, to 1e-13 of its value, and the limits hold on the whole cam
-/// (greatest_master_velocity()). The bound of a shear is that of its plan. Below its synchronous
-/// length, a knife has one bound: its speed and acceleration fall everywhere as the piece gets
-/// longer. Above this length, a grid of 64 lengths separates the bounds.
+/// (greatest_master_velocity()). For a shear, the bound is Cutter::shortest(). Below its
+/// synchronous length, a knife has one bound, because a longer piece requires less speed and less
+/// acceleration everywhere. Above this length, a grid of 64 lengths separates the bounds.
 ///
-/// Throws InputError for the key "line_speed" if the way from home to a cut and back exceeds a
-/// limit; the rule states the greatest line speed.
+/// Throws InputError for the key "line_speed" if the motion from home to a cut, or back, exceeds a
+/// limit. The rule of the error states the greatest possible line speed.
 std::vector<CutRange> possible_lengths(const Cutter& cutter, const CutLine& line);
 
 }  // namespace jounce

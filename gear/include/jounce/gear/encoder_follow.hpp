@@ -45,10 +45,11 @@ class EncoderFollow {
     int next = 0;                                   ///< index of the oldest increment
     std::int64_t sum = 0;                           ///< sum of the window
     Gear::State gear{};                             ///< remainder of the gear
-    std::int64_t additive = 0;                      ///< pulses of add() that remain, ...
-    std::int64_t cycles = 0;                        ///< ... to be added in this number of cycles
-    std::int64_t pulses = 0;                        ///< pulses of the last add() ...
-    std::int64_t over = 1;  ///< ... which are spread over this number of cycles
+    std::int64_t additive = 0;                      ///< pulses of add() that remain...
+    std::int64_t cycles = 0;                        ///< number of cycles in which `additive` will
+                                                    ///< be added
+    std::int64_t pulses = 0;                        ///< pulses of the last add()...
+    std::int64_t over = 1;  ///< number of cycles over which `pulses` are spread
     std::int64_t part = 0;  ///< remainder of a pulse, in 1/over
   };
 

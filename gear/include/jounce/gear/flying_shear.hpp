@@ -24,7 +24,7 @@ namespace jounce {
 /// **Vocabulary.** The master is the travel of the material, in its unit m. The slave is the travel
 /// of the carriage along its guide, in its unit u. The cam has five intervals: *accelerate*,
 /// *sync*, *decelerate*, *return*, and *wait* at home if `return_length` leaves a part of the
-/// cycle. It begins at home (position 0) at rest, and ends exactly at home.
+/// cycle. The cam begins at home (position 0) at rest, and ends exactly at home.
 ///
 /// **Omitted values are computed.** Accelerating and braking take the shortest lengths that the
 /// limits permit, times `safety`. The return takes the rest of the cycle. If sync_time and
@@ -54,6 +54,7 @@ struct FlyingShear {
   /// Limits of the carriage over time: u/s, u/s^2, u/s^3. Position limits are not used; set
   /// `stroke`.
   Limits limits = {};
+  /// >= 1: multiplies the lengths of ramps that are computed from the limits
   double safety = 1;  ///< >= 1: factor of ramp lengths that are computed from the limits
 
   /// Law of the carriage's speed in both ramps, from 0 to 1: line (constant acceleration),

@@ -49,12 +49,13 @@ struct FollowTable {
 /// steps if the previous pass ended at another ratio.
 ///
 /// **Beyond the end.** An endless table repeats and continues from its end: the cam advances, or
-/// wraps if the slave returns to its start. If its first pass differs from later passes, or if
-/// other tables precede it, the cam contains the passes of the other tables and the first pass, or
-/// the first two passes, of the endless table; the cam then refuses positions beyond. A cam without
-/// an endless table holds outside if start_ratio is 0; otherwise it refuses. If the last table ends
-/// at a nonzero ratio, check() reports this: a controller stops the slave at once, while an axis of
-/// Jounce brakes. If the master moves backwards, the slave moves back along the same curve.
+/// wraps if the slave returns to its start. There are two exceptions: other tables precede the
+/// endless table, or its second pass differs from its first. The cam then contains all passes of
+/// the other tables, and one pass of the endless table (two if they differ). It refuses positions
+/// beyond its end. A cam without an endless table holds outside if start_ratio is 0; otherwise it
+/// refuses. If the last table ends at a nonzero ratio, check() reports this: a controller stops the
+/// slave at once, while an axis of Jounce brakes. If the master moves backwards, the slave moves
+/// back along the same curve.
 ///
 /// Throws InputError like pt(); if the spec has several tables, the key begins with the table's
 /// number. Also throws if the spec has no table, if an endless table is not the last one, or if all

@@ -31,8 +31,8 @@ struct FollowRun {
   double furthest = 0;   ///< m, greatest travel in the direction `dir`
 };
 
-/// Begins to follow at once, or waits for the event of the run. Requires a successful fifos.take().
-/// `master` (m) and `slave` (u) are the present positions.
+/// Begins to follow at once, or waits for the start event `run.event`. Requires a successful
+/// fifos.take(). `master` (m) and `slave` (u) are the present positions.
 void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave);
 
 /// Returns the slave's position and its derivatives with respect to the master, for the samples of
@@ -42,8 +42,8 @@ void begin(FollowRun& run, SegmentFifos& fifos, double master, double slave);
 /// allocate.
 Jet step(FollowRun& run, SegmentFifos& fifos, const Sample& before, const Sample& now);
 
-/// Returns what the first step() after begin() would return, without a change. Returns nullopt while the
-/// slave waits for the event, and if the master has passed the end of the first table.
+/// Returns what the first step() after begin() would return, without a change. Returns nullopt
+/// while the slave waits for the event, and if the master has passed the end of the first table.
 std::optional<Jet> first_step(FollowRun run, const SegmentFifos& fifos, const Sample& now);
 
 }  // namespace jounce

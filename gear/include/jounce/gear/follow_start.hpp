@@ -45,8 +45,8 @@ std::optional<double> begin_of(const FollowStart& start, const Trajectory& maste
 /// does not allocate. Between the cycles, the master is assumed to move as in passing.hpp.
 std::optional<Sample> begin_of(const FollowStart& start, const Sample& before, const Sample& now);
 
-/// Returns the motion of the slave over time from t (s) on. It begins at t, with the slave at
-/// `slave` (u); the start of the cam is shifted to the master's position at t. Throws like
+/// Returns the motion of the slave over time from t (s) on. The motion begins at t, with the slave
+/// at `slave` (u); the start of the cam is shifted to the master's position at t. Throws like
 /// Followed, and InputError "t" if t is before the start of the master's motion or not before its
 /// end.
 Followed followed_from(const Cam& cam, const Trajectory& master, double t, double slave);

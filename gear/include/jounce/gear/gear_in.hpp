@@ -17,9 +17,10 @@ namespace jounce {
 ///     const GearedIn other = gear_in(new_spec, state, master.jet(t), t);  // after a new trigger
 ///     const Released out = cam_out(now, t);                          // GearOut keeps the velocity
 ///
-/// From its present state, the slave ramps to the velocity of the gear, k x'. After the ramp, it
-/// moves by k for every unit of the master. It does not recover the distance that it loses or gains
-/// in the ramp. With x the master, y the slave, and the index 0 for the instant of the trigger,
+/// From its present state, the slave ramps to the velocity of the gear, k x'. After the ramp, the
+/// slave moves by k for every unit of the master. The slave does not recover the distance that it
+/// loses or gains in the ramp. With x the master, y the slave, and the index 0 for the instant of
+/// the trigger,
 ///
 ///     (1)  y(t) = y0 + k (x(t) - x0) + c(t)
 ///

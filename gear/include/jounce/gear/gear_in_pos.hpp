@@ -58,7 +58,8 @@ struct GearInPosSpec {
   /// Period of a modulo master, m, > 0. Such a master can engage in its next turn. Omitted: a
   /// linear master.
   std::optional<double> master_period = {};
-  Law law = Law::quintic;  ///< any law with G among its ends (docs/laws.md)
+  Law law = Law::quintic;  ///< law of the engagement: any law with G (constant velocity) among its
+                           ///< ends (docs/laws.md)
 };
 
 /// Reasons why the gear does not engage. The values are error numbers of the PMC600 (manual,
@@ -99,7 +100,8 @@ struct EngageWindow {
   double rho = 0;                  ///< k D / h of the spec; infinite if h is 0
   bool exists = false;             ///< true if such start distances exist: rho > 0, and h is not 0
   double least = 0, greatest = 0;  ///< m, magnitudes of the start distances
-  std::string advice = {};  ///< "a start distance of 6666.67 to 10000 instead of 4000 ...", or ""
+  std::string advice = {};  ///< "" or a sentence: "a start distance of 6666.67 to 10000 instead of
+                            ///< 4000 ..."
 };
 /// Returns the window for a spec, with advice on its start distance. Throws InputError like
 /// gear_in_pos().

@@ -32,10 +32,12 @@ struct LiveRegistrationSpec {
   /// m, > 0, at most period / 2: greatest distance of a mark from the place at which it is
   /// expected.
   double window = 0;
-  /// m, at least `window`, at most period / 2: the same until the first mark, and after a loss.
+  /// m, at least `window`, at most period / 2: the greatest distance until the first mark, and
+  /// after a loss.
   double search = 0;
-  /// Window of the correction, as positions of the master (or of its phase) modulo `period`; it may
-  /// extend beyond the end of the period. The law, and the greatest step in one product (c).
+  /// The window of the correction, its law, and its greatest step in one product (c). The window
+  /// consists of positions of the master (or of its phase) modulo `period`, and may extend beyond
+  /// the end of the period.
   Registration correction = {};
   CorrectionOf add_to = CorrectionOf::master;  ///< see CorrectionOf
   double ratio =
@@ -86,8 +88,8 @@ class LiveRegistration {
 
   /// Begins without a correction, with the master at this position, m.
   void begin(double master) noexcept;
-  /// Announces a new coordinate of the master: its positions grow by this distance, m. The products
-  /// keep their places on the material.
+  /// Adds `by` (m) to the coordinate of the master: all later positions are greater by this
+  /// distance. The places of the products on the material do not change.
   void shift(double by) noexcept { shift_ += by; }
   /// Computes one cycle. `master`: position, m, and its derivatives. `reported`: position of the
   /// master up to which the sensor has reported its marks, m; NaN: unknown. `marks`: positions of

@@ -68,13 +68,14 @@ Cam registered(const Cam& cam, const Registration& registration, std::span<const
                RegistrationState state = {});
 
 /// Like registered(), but adds the correction to the master: cam(x + c(x)). For slaves that return,
-/// such as a flying shear: the shear begins its next run earlier (c > 0) or later, and its ratio in
-/// the sync zone does not change.
+/// such as a flying shear: the shear begins its next motion earlier (c > 0) or later, and its ratio
+/// in the sync zone does not change.
 ///
 /// The window is an interval of the phase x + c(x), whose periods are the products. So the window
-/// stays between the cut and the next sync zone for every correction. A product takes less of the
-/// master, by its step: the result begins at the cam's start - state.applied and covers n periods
-/// minus all steps. `most` must be less than the length of the window.
+/// stays between the cut and the next sync zone for every correction. A product takes less travel
+/// of the master, by the step of its correction: the result begins at the cam's start -
+/// state.applied and covers n periods minus all steps. `most` must be less than the length of the
+/// window.
 ///
 /// The composition of two quintics does not fit a segment. So the result is within `tolerance` (u),
 /// with a certified error; it is exact where the cam is a line or stands still.

@@ -63,7 +63,7 @@ struct RotaryKnifeSpec {
   Law law = Law::poly345;  ///< law of the recovery: a symmetric law from rest to rest
   LawForm form = {};       ///< straight and shares, for a law that takes them
   bool dwell = false;      ///< true: stop between cuts for which the knife would have to reverse
-  /// 1e-14 to 1e-3: error of horizontal matching, as a share of the sync angle
+  /// permitted error of horizontal matching, as a share of the sync angle: 1e-14 to 1e-3
   double tolerance = 1e-12;
 };
 

@@ -73,7 +73,7 @@ struct Points {
   /// the name of a column.
   [[nodiscard]] InputError error(std::size_t point, const std::string& name,
                                  const std::string& value, const std::string& rule) const;
-  /// The same for a number in `unit` ("" for none).
+  /// Like error() above, for a number in `unit` ("": no unit).
   [[nodiscard]] InputError error(std::size_t point, const std::string& name, double value,
                                  const std::string& unit, const std::string& rule) const;
 };

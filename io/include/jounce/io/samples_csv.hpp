@@ -16,8 +16,8 @@ namespace jounce {
 /// back exactly. Throws InputError for a missing unit, a step that is not positive, or more than
 /// 1e8 rows.
 std::string samples_csv(const TableFile& file, double step);
-/// The same for a step as text, such as "1 ms", in a unit of the first column. An InputError for
-/// the step has the key "every".
+/// Like samples_csv() above, for a step as text with a unit of the first column, such as "1 ms". An
+/// InputError for the step has the key "every".
 std::string samples_csv(const TableFile& file, const std::string& step);
 
 }  // namespace jounce

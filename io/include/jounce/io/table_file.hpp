@@ -36,8 +36,8 @@ std::string to_json(const TableFile& file);
 /// type is in io/lcm/table_file_t.lcm.
 std::string to_lcm_log(const TableFile& file);
 /// Returns the same content as an MCAP file: on the channel /jounce/table, one message in JSON for
-/// each knot. Its time is that of the knot, from the first one; the knots of a cam have a distance
-/// of 1 ms.
+/// each knot. The time of a message is the time from the first knot to its knot; for a cam,
+/// successive messages are 1 ms apart.
 std::string to_mcap(const TableFile& file);
 
 /// A format of Jounce for its tables.
@@ -52,24 +52,23 @@ std::span<const OwnForm> own_forms();
 /// Returns the format of a path by its ending; null if no format has the ending.
 const OwnForm* own_form_of_path(const std::string& path);
 
-/// Reads a table as CSV, JSON, LCM log or MCAP; the first characters determine the format. `name` is the name of
-/// the file for errors. Throws InputError with file, line, key, value and rule for a wrong schema
-/// or version, a missing or unknown head line, a wrong number of rows or columns, text that is not
-/// a finite number, knots that do not ascend, an unknown unit, and a hash that does not match the
-/// content.
+/// Reads a table as CSV, JSON, LCM log or MCAP; the first characters determine the format. `name`
+/// is the name of the file for errors. Throws InputError with file, line, key, value and rule for a
+/// wrong schema or version, a missing or unknown head line, a wrong number of rows or columns, text
+/// that is not a finite number, knots that do not ascend, an unknown unit, and a hash that does not
+/// match the content.
 TableFile parse_table(const std::string& text, const std::string& name);
 /// Reads a table file.
 TableFile read_table(const std::string& path);
 
-/// True if the text begins like a table file: with `# jounce table`, or with a brace, unless a
-/// letter follows it (a pragma of Structured Text), or like the LCM log or the MCAP file of a table.
-/// False for a spec.
+/// True if the text begins like a table file: with `# jounce table`; with a brace, unless a letter
+/// follows it (a pragma of Structured Text); or like the LCM log or the MCAP file of a table. False
+/// for a spec.
 bool is_table(const std::string& text);
 
 /// Returns the content of a table file, in the readable format that the ending of the path selects;
-/// CSV for any other ending. Throws
-/// InputError if a unit is missing (as in a table from another maker's tool), because such a file
-/// could not be read again.
+/// CSV for any other ending. Throws InputError if a unit is missing (as in a table from another
+/// maker's tool), because such a file could not be read again.
 std::string table_text(const std::string& path, const TableFile& file);
 
 /// Writes table_text() to the path: the whole file or nothing. "-" is standard output.

@@ -32,8 +32,8 @@ class UserTable {
   /// Sets entries from the index `start` on. Throws InputError("start", ...) outside 0 to size - 1,
   /// and InputError("value", ...) for a number that is not finite.
   void set(std::int64_t start, const std::vector<double>& values);
-  /// Returns `count` entries from the index `start` on, in `unit`. Throws InputError("start", ...) if
-  /// one of them has no value, and InputError("value", ...) if the unit does not convert.
+  /// Returns `count` entries from the index `start` on, in `unit`. Throws InputError("start", ...)
+  /// if one of them has no value, and InputError("value", ...) if the unit does not convert.
   [[nodiscard]] std::vector<double> get(std::int64_t start, std::size_t count,
                                         const std::string& unit) const;
   /// The table as CSV, with all entries.
@@ -44,8 +44,9 @@ class UserTable {
   std::map<std::int64_t, double> entries_;
 };
 
-/// Reads a table from a file. Throws InputError with file and line: like read_points(), for an index
-/// that is not a whole number from 0 to UserTable::size - 1, and for an index that occurs twice.
+/// Reads a table from a file. Throws InputError with file and line: like read_points(), for an
+/// index that is not a whole number from 0 to UserTable::size - 1, and for an index that occurs
+/// twice.
 UserTable read_user_table(const std::string& path);
 
 }  // namespace jounce

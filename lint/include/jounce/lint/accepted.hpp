@@ -85,7 +85,8 @@ struct AcceptedOptions {
 /// limit counts as a changed motion, another key is a warning. A new file counts as renamed if a
 /// removed file has the same bytes, or the same `name` in its spec.
 ///
-/// Throws InputError (key "tolerance") for a tolerance that is wrong, or that fits no compared motion.
+/// Throws InputError (key "tolerance") for a tolerance that is wrong, or that fits no compared
+/// motion.
 std::vector<FileChange> compare_with(const AcceptedVersions& accepted,
                                      const std::vector<std::string>& files,
                                      const std::vector<std::string>& names,

@@ -16,8 +16,8 @@ namespace jounce {
 /// function at the same time.
 using Examine = std::function<std::vector<Report>(std::vector<Input>& axes)>;
 
-/// Examines the specs of what an executor runs, and throws InputError for one that it would reject.
-/// Both functions may be empty.
+/// Functions that examine the spec of an axis or of a machine, and throw InputError for a spec that
+/// an executor would reject. Both functions may be empty.
 struct ExamineMachine {
   std::function<void(const Spec& axis)> axis = {};
   std::function<void(const MachineSpec& machine)> machine = {};
@@ -32,10 +32,10 @@ struct ExamineMachine {
 ///       return reports;
 ///     });
 ///
-/// A file without a motion is checked as follows: an axis with its drive and by `executor`, a
-/// machine with the specs of its axes and by `executor`, a drive with the stability of its loop, a sweep with its
-/// spec, a path without commands, a key file with its access rights. `machine` is the path spec for
-/// a G-code program.
+/// Some files have no motion. For these, the function checks: for an axis, its drive, and
+/// executor.axis; for a machine, the specs of its axes, and executor.machine; for a drive, the
+/// stability of its loop; for a sweep, its spec; for a key file, its access rights. A path without
+/// commands is only read. `machine` is the path spec for a G-code program.
 FileResult lint_file(const std::string& path, const Examine& examine,
                      const std::string& machine = "", const ExamineMachine& executor = {});
 

@@ -21,14 +21,14 @@ struct LintOptions {
   std::function<void(double share)> progress = {};  ///< may be empty
 };
 
-/// The files of a run with their diagnostics, and their changes from the accepted versions.
+/// Examined files with their diagnostics, and their changes from the accepted versions.
 struct LintedFiles {
   RunResult result = {};
   std::vector<FileChange> changes = {};
 };
 
 /// Examines the files for these names (find_files()), and compares them with their accepted
-/// versions. `verb` is the name of the run.
+/// versions. `verb` is the verb of the result, such as "check".
 ///
 ///     const LintedFiles all = lint_run("check", {"cams"}, examine, {.baseline = "origin/main"});
 ///     std::cout << run_text(all.result, "sarif");

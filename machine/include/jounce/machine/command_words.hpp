@@ -68,12 +68,12 @@ bool is_of_groups(const std::string& word);
 std::vector<CommandOption> command_options();
 
 /// Throws InputError for a value or an option that the command does not have, for options that
-/// exclude each other, and if all of those are missing of which the command needs one. The key of
-/// the error is "VALUE", or the option with its dashes ("--to").
+/// exclude each other, and if the command needs one of several options and none of them is given.
+/// The key of the error is "VALUE", or the option with its dashes ("--to").
 void require_taken(const CommandWords& words);
 
-/// Returns the given options whose number is `value`, to six digits: "--deceleration". `units`: those of the axis. The
-/// value of the command itself has no option.
+/// Returns the options in `words` whose number equals `value` to six digits: "--deceleration".
+/// `units`: units of the axis. The value of the command itself has no option.
 std::vector<std::string> options_with(const CommandWords& words, Quantity quantity, double value,
                                       const Units& units);
 
@@ -84,9 +84,9 @@ CommandKind kind_of(const CommandWords& words);
 /// --hold-to-run`, which would ignore it.
 void require_held(const CommandWords& words, const std::string& seconds);
 
-/// Sets the value of the command from the arguments after it. Arguments such as "x=10mm", "y=5mm" are
-/// the coordinates of a command of a group, by the names of its axes. Throws InputError for several
-/// other values, and for coordinates of a command without coordinates.
+/// Sets the value of the command from the arguments after it. Arguments such as "x=10mm", "y=5mm"
+/// are the coordinates of a command of a group, by the names of its axes. Throws InputError for
+/// several other values, and for coordinates of a command without coordinates.
 void set_values(CommandWords& words, const std::vector<std::string>& values);
 /// True if the words name axes of a group: "--to x=10mm".
 bool names_axes(const CommandWords& words);
@@ -95,8 +95,8 @@ bool has_coordinates(const CommandWords& words);
 
 /// Returns the command, with its values converted to the units of the axis; `words` must satisfy
 /// require_taken(). `axes`: for words that name axes, the axes of the group, in the order of
-/// coordinates. `coordinate_units`: their units, in the same order; empty: that of the axis for all.
-/// Throws InputError for an invalid or missing value, and for an unknown name.
+/// coordinates. `coordinate_units`: their units, in the same order; empty: all have the unit of the
+/// axis. Throws InputError for an invalid or missing value, and for an unknown name.
 ClientCommand command_of(const CommandWords& words, const Units& units,
                          const std::vector<std::string>& axes = {},
                          const std::vector<std::string>& coordinate_units = {});

@@ -64,10 +64,10 @@ void require_axis(const Spec& spec);
 /// Throws InputError for a machine that machine_parts() rejects. Opens no drive.
 void require_machine(const MachineSpec& spec);
 
-/// Throws InputError (key "log", "record" or "black_box") if a file that the run would write is one
-/// of its specs.
+/// Throws InputError (key "log", "record" or "black_box") if a file that the executor would write
+/// is one of its specs.
 void require_no_specs(const MachineOptions& options, const RecorderOptions& record);
-/// The same for all files of the machine: the files that the specs name, too.
+/// Like require_no_specs(), for all files of the machine, including the files that the specs name.
 void require_no_inputs(const MachineOptions& options, const RecorderOptions& record,
                        const MachineParts& parts);
 

@@ -14,8 +14,9 @@
 /// Outcomes of calls to an executor in words and as JSON.
 namespace jounce {
 
-/// Returns the reason with the name of the file in place of the word "line": "part.toml:12: x.position
-/// = ..." for "line 12: x.position = ...". `reason`: that of a group for a path of this file.
+/// Returns the reason with the name of the file in place of the word "line": "part.toml:12:
+/// x.position = ..." for "line 12: x.position = ...". `reason`: the reason that a group gives for a
+/// path from this file.
 std::string with_file(const std::string& reason, const std::string& file);
 
 /// Returns the reason of a failed call. If the axis has rejected the call, the text includes the
@@ -24,26 +25,28 @@ std::string with_file(const std::string& reason, const std::string& file);
 std::string reason_text(const CallOutcome& outcome, const std::string& executor,
                         CommandKind order = {}, std::int32_t fault = 0);
 
-/// The same for an order in words, with the status of the axis before it. If an option of the order gave the rejected
-/// number, the remedy names this option.
+/// Like reason_text() above, for an order in words. `before`: status of the axis before the order.
+/// If an option of the order gave the rejected number, the remedy names this option.
 std::string reason_text(const CallOutcome& outcome, const CommandWords& words,
                         const wire::Status& before, const std::string& executor);
 
 /// Returns the answer to an accepted command: "move accepted". `before`: status of the axis before
-/// the command. If the axis stays in a fault after `enable`, the text includes the remedy; for a gear
-/// in position, the place of the master at which it begins. `note`: the remark of the executor.
+/// the command. If the axis stays in a fault after `enable`, the text includes the remedy. For a
+/// gear in position, the text includes the position of the master at which the gear begins. `note`:
+/// the remark of the executor.
 std::string accepted_text(const CommandWords& words, const wire::Status& before,
                           const std::string& executor, const std::string& note = {});
 
-/// Returns the state of an axis after a stop: "feeder is at rest: standstill". In error_stop, the text
-/// states how to reset the axis.
+/// Returns the state of an axis after a stop: "feeder is at rest: standstill". In error_stop, the
+/// text states how to reset the axis.
 std::string stopped_text(const std::string& executor, State rest);
 
 /// Hint for an executor that sends no message.
 inline constexpr const char* unheard_hint =
     "check that it is running, with the same --url and the same --key";
 
-/// Returns the name of the error and reason_text(); if there was no answer, reason_text() and `hint`.
+/// Returns the name of the error and reason_text(); if there was no answer, reason_text() and
+/// `hint`.
 std::string error_text(const CallOutcome& outcome, const std::string& executor,
                        const std::string& hint = unheard_hint);
 
@@ -52,11 +55,12 @@ std::string outcome_json(const CallOutcome& outcome);
 /// Returns outcome_json() with the number of the cause.
 std::string command_json(const CallOutcome& outcome);
 
+/// Returns the text, with the remark of its plan (StreamPlan::remark, BankPlan::remark) on a second
+/// line.
+std::string with_remark(const std::string& text, const std::string& remark);
 /// Return the outcome of a stream of tables that has reached its goal, as one line of text and as
 /// JSON. `waits` is true if the start was accepted for a later time and the sender has not waited
 /// for the start.
-/// Returns a text with the remark of its plan (StreamPlan::remark, BankPlan::remark) on a second line.
-std::string with_remark(const std::string& text, const std::string& remark);
 std::string stream_text(const StreamOutcome& outcome, const std::string& executor, bool waits);
 std::string stream_json(const StreamOutcome& outcome);
 

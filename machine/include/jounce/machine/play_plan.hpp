@@ -20,13 +20,12 @@ struct PlayOptions {
   bool live = false;  ///< true: the cam follows the live master of the axis
   /// Motion of a virtual master over time; nullopt: [master] of the spec.
   std::optional<TableFile> master = {};
-  /// For a live cam: the cam takes over at the end of the present pass, at any position of the
-  /// master.
+  /// True: a live cam takes over at the end of the present pass, at any position of the master.
   bool at_next_cut = false;
-  /// For a live cam that begins at a position of the master. If the slave is an angle that advances
-  /// with each pass, as of a rotating knife, the axis shifts the cam by whole passes.
+  /// True: a live cam begins at a position of the master. If the slave is an angle that advances in
+  /// each pass, as for a rotary knife, the axis shifts the cam by whole passes.
   bool at_master = false;
-  /// For a live cam: the axis keeps the velocity at the end of the cam instead of braking.
+  /// True: at the end of a live cam, the axis keeps its velocity instead of braking.
   bool keep_velocity = false;
 };
 
@@ -34,7 +33,8 @@ struct PlayOptions {
 /// "master") for a table that does not suit the options.
 StreamPlan stream_plan(const std::string& executor, const Input& input, const PlayOptions& options);
 
-/// Adds an input to the plan. Its motion takes over at the end of the previous one, without a stop.
+/// Adds an input to the plan. The motion of the input takes over at the end of the previous motion,
+/// without a stop.
 void add_swap(StreamPlan& plan, const Input& input, const PlayOptions& options);
 
 /// True for a spec of kind "follow". An axis plays such a spec from two banks on its live master;
@@ -61,7 +61,8 @@ BankPlan bank_plan(const TableFile& first, const TableFile& second, std::int32_t
 
 /// Returns the plan that sends a table over time row by row, in s. The motion starts when `ahead`
 /// rows have arrived; the queue holds twice as many. If `relative` is true, positions count from
-/// the position of the axis. Throws InputError (key "velocity") for a table that does not end at rest.
+/// the position of the axis. Throws InputError (key "velocity") for a table that does not end at
+/// rest.
 RowPlan row_plan(const std::string& executor, TableFile table, std::uint32_t ahead, bool relative);
 
 /// True for the axes of a path of several axes.
@@ -70,9 +71,10 @@ bool is_path(const std::vector<Input>& axes);
 /// InputError for a path that is planned in the joints of a robot, for an override, and for lines
 /// that overlap in time.
 StreamPlan path_plan(const std::string& group, const std::vector<Input>& axes);
-/// The same for a G-code program (file `path`) of several axes and its machine (gcode_spec()). The
-/// sender does not plan the path, and makes no tables of its axes. Returns nullopt if `machine` is
-/// empty, if the machine has one axis, if `axis` is not empty, and if `path` is standard input.
+/// Like path_plan(), for a G-code program (file `path`) of several axes and its machine
+/// (gcode_spec()). The sender does not plan the path, and makes no tables of its axes. Returns
+/// nullopt if `machine` is empty, if the machine has one axis, if `axis` is not empty, and if
+/// `path` is standard input.
 std::optional<StreamPlan> gcode_path_plan(const std::string& group, const std::string& path,
                                           const std::string& machine, const std::string& axis);
 

@@ -63,8 +63,8 @@ struct ReplayedFile {
 };
 
 /// Replays a record, and writes its ticks while it reads the record, so the record may be larger
-/// than memory. Throws InputError for a file that cannot be read, for a pipe if ticks are kept, with
-/// the key "axis" for an unknown axis, and like replay(); std::system_error for the CSV file.
+/// than memory. Throws InputError for a file that cannot be read, for a pipe if ticks are kept,
+/// with the key "axis" for an unknown axis, and like replay(); std::system_error for the CSV file.
 ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& options = {});
 
 }  // namespace jounce

@@ -24,7 +24,7 @@ std::string status_text(const std::string& group, const wire::GroupStatus& statu
 /// Returns the place of a group on its path as JSON in one line.
 std::string status_json(const std::string& group, const wire::GroupStatus& status);
 /// Returns the place of a group in a few words: "x 10 mm c 30 deg; path 12.5 mm of 400 mm, line
-/// 7", with "frame" before it if the coordinates are those of a frame. `unit`: unit of its path.
+/// 7", with "frame" before it if the coordinates count in a frame. `unit`: unit of its path.
 std::string place_text(const wire::GroupStatus& group, const std::string& unit);
 /// Returns what remains of the path of a group in a few words: "3.25 s (estimate), 4 commands,
 /// look-ahead 380 mm".

@@ -36,7 +36,7 @@ struct Watched {
   Nanos traced_at{};                             ///< time of the newest position in `trace`
   std::vector<wire::MasterStatus> masters = {};  ///< state of each master, sorted by name
   std::optional<wire::GroupStatus> group = {};   ///< for a group: its place on its path
-  /// Greatest number of events, that of a latch buffer of the PMC600 (manual 9.5).
+  /// Greatest number of events; a latch buffer of the PMC600 (manual 9.5) has the same size.
   static constexpr std::size_t most_events = 256;
   std::deque<wire::Event> events = {};  ///< the last events, the newest last
   std::int64_t lost_events = 0;         ///< number of events whose messages did not arrive
@@ -96,8 +96,8 @@ class Watch {
   /// Returns the name of an axis in the options that has sent no status at all. Without names in
   /// the options, returns any_executor if no status has arrived. Otherwise returns "".
   [[nodiscard]] std::string missing() const;
-  /// Returns an axis whose newest status has another state than `state`, first one in error_stop; nullptr if there is
-  /// none. Axes without a status are not compared: see missing().
+  /// Returns an axis whose newest status has a state other than `state`, if possible one in
+  /// error_stop; nullptr if there is none. Axes without a status are not compared: see missing().
   [[nodiscard]] const Watched* outside(State state) const;
   /// True if a status of an axis has arrived.
   [[nodiscard]] bool has_received() const;
@@ -125,8 +125,9 @@ std::string error_text(const CallOutcome& outcome, const std::string& executor, 
 /// Throws TransportError: no message arrives from this executor; with senders_hint().
 [[noreturn]] void throw_missing(KeyedLink& link, const std::string& executor);
 
-/// Returns the tick of an option --at: a tick such as 120000, or + and seconds from now, such as +2.5, by
-/// the status of the executor; -1: an empty text. Throws InputError "--at", and as throw_missing().
+/// Returns the tick that the text of an option --at requests: a number of a tick, such as 120000,
+/// or a time from now in s, such as +2.5. The status of the executor converts the time to a tick.
+/// For an empty text, returns -1. Throws InputError "--at", and as throw_missing().
 std::int64_t tick_at(const std::string& text, KeyedLink& link, const std::string& executor);
 
 /// Waits up to 1 s and returns the error text of throw_missing() for the first of these executors

@@ -26,7 +26,7 @@ struct FreeShape {
   /// Continuous derivatives between the polynomials, 2 to 6, the same in all free segments; their
   /// degree is one more.
   int continuity = 4;
-  /// True: the slave must not reverse within the segment, which must then have a stroke.
+  /// True: the slave must not reverse within the segment; the segment must then have a stroke.
   bool monotone = false;
   /// Condition at an end of a run, if the run begins or ends with this segment; for any other
   /// segment, it must be as_given.
@@ -48,9 +48,9 @@ struct FreeShape {
 /// cam. With EndJerk::as_given, geo_jerk stays as well, under these conditions: geo_jerk of the
 /// given cam does not step there, geo_acceleration is not free, and the continuity is at least 3.
 /// `active` has "kept/geo_jerk" for each end whose geo_jerk is fixed. The values in `knots` are
-/// free within their bounds, which may be infinite. These knots may lie inside a run, or be the
-/// start or the end of a cam that is not periodic. Master positions are never free. All other parts
-/// of the cam stay exactly as they are.
+/// free within their bounds, which may be infinite. The knots with free values may lie inside a
+/// run, or be the start or the end of a cam that is not periodic. Master positions are never free.
+/// All other parts of the cam stay exactly as they are.
 ///
 /// **Order.** Each entry of `minimize` is a weighted sum of figures. If it has several entries,
 /// each entry must be a single figure. The entries are minimized one after another, and no earlier

@@ -14,7 +14,7 @@
 ///
 ///     Outcome<T> outcome = optimize(problem, keep_going);
 ///
-/// A problem contains `options`. keep_going receives the progress, and can stop the run.
+/// A problem contains `options`. keep_going receives the progress, and can stop the optimizer.
 ///
 /// | function | problem | T |
 /// |---|---|---|
@@ -25,8 +25,8 @@
 /// | search() | any function of numbers | std::vector<double> |
 namespace jounce {
 
-/// Greatest effort of a run. A run that uses it up ends with the status `stalled` and the best
-/// result so far.
+/// Greatest effort of an optimizer. If the optimizer uses it up, it ends with the status `stalled`
+/// and the best result so far.
 struct Budget {
   /// Greatest number of evaluations, >= 1; nullopt: the default of the optimizer.
   std::optional<int> evaluations = {};
@@ -64,7 +64,7 @@ struct OptimizeProgress {
 /// then `cancelled`, with the best result so far.
 using KeepGoing = std::function<bool(const OptimizeProgress&)>;
 
-/// Status at the end of a run, from the best to the worst.
+/// Status at the end of an optimization, from the best to the worst.
 enum class OptimizeStatus {
   optimal,  ///< each objective is within the tolerance of its proven bound
   /// No further step or start improves the result. If a bound is known, its gap limits the possible
@@ -95,7 +95,7 @@ struct FigureResult {
 /// Result of an optimizer. For T, see the table above.
 template <class T>
 struct Outcome {
-  /// Status at the end of the run.
+  /// Status at the end of the optimization.
   OptimizeStatus status = OptimizeStatus::infeasible;
   std::string reason = {};  ///< the reason for the status, one sentence
   /// The best result that satisfies all constraints. If no result does, the result that violates

@@ -77,10 +77,10 @@ struct CamProblem {
 };
 
 /// Throws InputError (keys like `segment[3].free.master`, `start.free.slave`, `tolerance`) unless
-/// the problem is complete and consistent. It must have a valid cam and valid limits, an objective,
-/// and at least one free quantity. Bounds must be finite, with lower <= upper, and contain the
-/// given value. A quantity that a neighboring law fixes must not be free. Master positions must be
-/// able to ascend.
+/// the problem is complete and consistent. The problem must have a valid cam and valid limits, an
+/// objective, and at least one free quantity. Bounds must be finite, with lower <= upper, and
+/// contain the given value. A quantity that a neighboring law fixes must not be free. Master
+/// positions must be able to ascend.
 void require_valid(const CamProblem& problem);
 
 }  // namespace jounce

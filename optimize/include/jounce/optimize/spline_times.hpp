@@ -33,7 +33,7 @@ enum class TimeObjective {
 /// number of points plus one.
 ///
 /// **Units.** Positions in u (unit of the joint), time in s, limits in u/s, u/s^2, u/s^3. The
-/// search does not consider position limits, but the outcome reports them.
+/// search does not consider position limits, but the outcome reports a broken one.
 ///
 /// **Errors.** Throws InputError (keys `points[i][j]`, `limits[j]....`, `duration`, `starts`) in
 /// these cases: fewer than two or more than 60 points; points of different size; numbers that are
@@ -72,8 +72,8 @@ struct SplineTimesOutcome : Outcome<SplineTimes> {
 SplineTimesOutcome spline_times(const SplineTimesSpec& spec, const KeepGoing& keep_going = {});
 
 /// Returns the joints as cubic splines with these intervals (s). (spline_times() varies these
-/// intervals.) Throws InputError for points as described above, unless the number of intervals is
-/// the number of points plus one, and unless every interval is positive.
+/// intervals.) Throws InputError for points that SplineTimesSpec does not permit, unless the number
+/// of intervals is the number of points plus one, and for an interval that is not positive.
 std::vector<Trajectory> spline_through(const std::vector<std::vector<double>>& points,
                                        const std::vector<double>& intervals);
 

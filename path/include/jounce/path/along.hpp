@@ -19,9 +19,9 @@ namespace jounce {
 /// acceleration are upper bounds, computed from the derivatives of the whole piece; on curves, the
 /// velocity is an upper bound as well.
 ///
-/// A limit of an axis in a command (PathSettings::axes) has a finding, too, if the plan breaks it by
-/// more than rounding. `axis` of this finding is the number of the axis, from 1: first the axes of
-/// the program, then the joints.
+/// A limit of an axis in a command (PathSettings::axes) has a finding, too, if the plan breaks it
+/// by more than rounding. `axis` of this finding is the number of the axis, from 1: first the axes
+/// of the program, then the joints.
 ///
 /// `feed_factor`: the greatest factor of an override, which multiplies the feeds of the commands.
 Report check_along(const Plan& plan, double feed_factor = 1);

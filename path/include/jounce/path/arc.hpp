@@ -46,8 +46,8 @@ struct Plane {
   std::size_t second = 1;
 };
 
-/// Returns the arc from `from` through `via` to `to`, in the space of the first `axes` >= 2 axes. All
-/// other axes move to `to` in proportion to the angle; their coordinates of `via` are not used.
+/// Returns the arc from `from` through `via` to `to`, in the space of the first `axes` >= 2 axes.
+/// All other axes move to `to` in proportion to the angle; their coordinates of `via` are not used.
 /// The arc turns by less than one turn, plus `extra_turns` >= 0 whole turns. Throws InputError
 /// "via" if the points coincide or lie on a line (within 1e-9 of the chord).
 Arc arc_through(const Point& from, const Point& via, const Point& to, std::size_t axes,

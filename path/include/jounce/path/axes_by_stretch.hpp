@@ -10,8 +10,8 @@
 
 namespace jounce {
 
-/// The axes of a plan over time, one stretch of its timing law after another: the segments of
-/// to_axes(), without the memory for all of them.
+/// Makes the segments of to_axes() in parts: each call of next() makes the segments of one stretch
+/// of the timing law. So a long plan needs little memory.
 ///
 ///     AxesByStretch stretches(motion);
 ///     while (stretches.next()) use(stretches.segments(0));   // the first axis
@@ -26,7 +26,8 @@ class AxesByStretch {
   [[nodiscard]] std::span<const Segment> segments(std::size_t axis) const {
     return segments_[axis];
   }
-  /// For each of these segments, the piece of the path on which it is. Valid as long as they are.
+  /// For each of these segments, the index of its piece of the path. The indices are valid until
+  /// the next call of next().
   [[nodiscard]] std::span<const std::size_t> pieces(std::size_t axis) const {
     return piece_of_[axis];
   }

@@ -24,7 +24,7 @@ enum class MapState : std::uint8_t {
 /// A linear map from the axes to the joints: joint = matrix * point + offset.
 struct LinearMap {
   std::vector<Point> rows = {};     ///< rows of the matrix, one for each joint
-  std::vector<double> offset = {};  ///< one for each joint; empty: 0
+  std::vector<double> offset = {};  ///< offset of each joint, in its unit; empty: 0
 };
 
 /// Proven bounds for one joint over a part of a path; s in [0, 1] is the position in this part.
@@ -66,15 +66,16 @@ class AxisMap {
 
   /// Computes the position of the tool from the positions of the joints: the forward kinematics.
   /// Returns nullopt if jets() gives other joints for this position (another side of the elbow, two
-  /// motors of one axis at different positions), or if the class has no forward kinematics, like the
-  /// base class.
+  /// motors of one axis at different positions), or if the class has no forward kinematics, like
+  /// the base class.
   [[nodiscard]] virtual std::optional<Point> tool(std::span<const double> joints) const;
 
   /// Returns the matrix of a linear map; null for any other map. With a linear map, a plan is exact
   /// on every piece.
   [[nodiscard]] virtual const LinearMap* linear() const;
 
-  /// True if jets() gives these joints at this position of the tool, within rounding and whole turns.
+  /// True if jets() gives these joints at this position of the tool, within rounding and whole
+  /// turns.
   [[nodiscard]] bool gives(const Point& tool, std::span<const double> joints) const;
 
  protected:
@@ -92,8 +93,8 @@ std::shared_ptr<const AxisMap> linear_map(std::size_t axes, LinearMap map);
 /// Returns the map in which every axis is a joint.
 std::shared_ptr<const AxisMap> identity_map(std::size_t axes);
 
-/// Returns the map of a gantry: joint k follows the axis axis_of[k], counted from 0. Two joints may
-/// follow the same axis, as for a beam with two motors.
+/// Returns the map of a gantry: joint k follows the axis axis_of[k]. Joints and axes count from 0.
+/// Two joints may follow the same axis, as for a beam with two motors.
 std::shared_ptr<const AxisMap> gantry_map(std::size_t axes, std::span<const std::size_t> axis_of);
 
 /// Returns the map of CoreXY, a machine with two fixed motors and one belt. The first two joints
@@ -108,8 +109,9 @@ enum class Elbow : std::uint8_t {
 };
 
 /// A SCARA robot with two or three arms (PMC600 manual 7.2.5, SCARA 2-joint and 3-joint). The first
-/// joint is at the origin. Its arm points along X at 0 deg and along Y at 90 deg. Each arm carries
-/// the next joint. Angles of the joints are in deg; the joint Z has the unit of the axis Z.
+/// joint is at the origin. The arm of the first joint points along X at 0 deg and along Y at 90
+/// deg. Each arm carries the next joint. Angles of the joints are in deg; the joint Z has the unit
+/// of the axis Z.
 ///
 /// Axes of the tool: X, Y; Z if `with_z`; with three arms also C, the direction of the last arm in
 /// deg. Joints: one for each arm, then Z.
@@ -124,7 +126,7 @@ struct ScaraSpec {
 /// Returns the map of the robot. A point is out of reach if the end of the second arm would be
 /// farther from the origin than the sum of the lengths of the first two arms, or nearer than their
 /// difference. The map is singular if the arms are stretched or folded, and at the origin. Throws
-/// InputError "arms", "offsets".
+/// InputError "arms" or "offsets" for a wrong number of entries or a value out of range.
 std::shared_ptr<const AxisMap> scara_map(const ScaraSpec& spec);
 
 /// A delta robot with three carriages on straight rails (PMC600 manual 7.2.5, linear delta). The

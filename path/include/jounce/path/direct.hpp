@@ -27,10 +27,11 @@ std::vector<Trajectory> direct(const Point& from, const Point& to,
                                const std::vector<Limits>& limits,
                                DirectMode mode = DirectMode::fast);
 
-/// Plans a point-to-point move in which each axis takes its own shortest time (DirectMode::fast), as a
-/// Plan. Its path parameter grows evenly with time, from 0 to the distance of the first `path_axes`
-/// axes (0: all), or to that of all axes if these do not move; its source line is 1. Throws InputError
-/// like direct(), and "to" if no axis moves.
+/// Plans a point-to-point move in which each axis takes its own shortest time (DirectMode::fast),
+/// as a Plan. The path parameter grows evenly with time, from 0 to the distance that the first
+/// `path_axes` axes cover together (0: all axes). If these axes do not move, it grows to the
+/// distance of all axes. The source line is 1. Throws InputError like direct(), and "to" if no axis
+/// moves.
 Plan direct_plan(const Point& from, const Point& to, const std::vector<Limits>& limits,
                  std::size_t path_axes = 0);
 

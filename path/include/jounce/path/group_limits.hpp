@@ -31,9 +31,9 @@ struct GroupLimits {
   PathLimits path = {};           ///< limits along the path
 };
 
-/// Factors and ancillary limits of the PMC600 (manual 7.2.4): a second set of limits, which a program
-/// can lower. The effective limit of an axis is L = override * min(ancillary, factor * global), with
-/// the limit of the configured axis as `global`. An omitted limit does not apply.
+/// Factors and ancillary limits of the PMC600 (manual 7.2.4): a second set of limits, which a
+/// program can lower. The effective limit of an axis is L = override * min(ancillary, factor *
+/// global), with the limit of the configured axis as `global`. An omitted limit does not apply.
 struct LimitFactors {
   double override = 1;    ///< > 0
   double factor = 1;      ///< > 0
@@ -42,8 +42,8 @@ struct LimitFactors {
 /// Returns the effective limits of an axis.
 Limits effective(const Limits& global, const LimitFactors& factors);
 
-/// Returns the effective limits along a path: L = override * min(ancillary, command), with the limits
-/// that the command gives.
+/// Returns the effective limits along a path: L = override * min(ancillary, command), with the
+/// limits that the command gives.
 PathLimits effective(const PathLimits& command, const PathLimits& ancillary, double override);
 
 }  // namespace jounce

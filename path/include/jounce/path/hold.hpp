@@ -12,12 +12,13 @@ namespace jounce {
 ///     const Plan rest = resumed(motion, held);      // from this rest to the end of the path
 ///
 /// halted() returns the plan until time t (s), followed by the earliest rest on the path within the
-/// limits. It uses a station law (docs/path/README.md; stations are rests, corners, and changes of
-/// the limits along the path). The axes slow down on all pieces except corners, which are passed at
-/// constant velocity because the limits permit no deceleration there; they also slow down within
-/// chains of turns. If the plan itself rests earlier, the result rests where the plan rests. After
-/// t, no station is passed faster than in the plan. On averages and splines with a window law, the
-/// plan continues to its next rest. Throws InputError "t" outside [0, duration].
+/// limits. The result has a station law (docs/path/README.md). Stations are rests, corners, and
+/// changes of the limits along the path. The axes slow down on all pieces except corners. They pass
+/// a corner at constant velocity, because the limits permit no deceleration there. Exception: they
+/// also slow down within chains of turns. If the plan itself rests earlier, the result rests where
+/// the plan rests. After t, no station is passed faster than in the plan. On averages and splines
+/// with a window law, the plan continues to its next rest. Throws InputError "t" outside [0,
+/// duration].
 Plan halted(const Plan& plan, double t);
 
 /// Returns the motion from the rest at the end of `held` to the end of `plan`, with the remaining

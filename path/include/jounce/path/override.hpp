@@ -27,13 +27,14 @@ namespace jounce {
 ///
 /// **Limits.** The velocity does not step at a request; a ramp within the limits of acceleration
 /// and jerk follows. For a request in a corner that is passed at constant velocity, the ramp begins
-/// after the corner. If a new factor changes the target velocity of a ramp in
-/// progress, the ramp either ends as planned or ends early with the greatest jerk, whichever is
-/// faster; then the new ramp begins. Before the first request with a factor other than 1, the
-/// motion follows the plan unchanged.
+/// after the corner. If a new factor changes the target velocity of a ramp in progress, the ramp
+/// either ends as planned or ends early with the greatest jerk, whichever is faster. Then the new
+/// ramp begins. Before the first request with a factor other than 1, the motion follows the plan
+/// unchanged.
 ///
-/// Exception: if a request with a factor other than 1 falls within the duration of the plan, runs
-/// with a window law (docs/path/README.md) are planned again from their start, with a station law.
+/// Exception: if a request with a factor other than 1 falls within the duration of the plan, each
+/// part from rest to rest that has a window law (docs/path/README.md) is planned again from its
+/// start, with a station law.
 ///
 /// In corners() of the result, the velocity is the velocity under the override; all other values
 /// come from the plan. Throws InputError "override[k].time" if times are negative or do not ascend

@@ -12,17 +12,17 @@
 
 namespace jounce {
 
-/// The length along the path as a function of the path parameter q. Both are equal on lines and
-/// arcs. On a rounded corner, the path is shorter than the two ends of the sides that q counts; on a
-/// spline, q is the length within a tolerance.
+/// The length along the path as a function of the path parameter q. Length and q are equal on lines
+/// and arcs. On a rounded corner, q counts the two ends of the sides that the corner replaces, and
+/// the path is shorter. On a spline, q is the length within a tolerance.
 ///
 ///     const PathLength length(motion);                 // motion: a Plan
 ///     length.whole();                                  // u
 ///     length.at(motion.law().at(t).position).length;   // from the start of the path to time t
 ///
 /// The length is the integral of |r'|, r the position of the path axes. |r'| is replaced by
-/// polynomials with a proven error, at most 1e-10 of the length of corners and curves. A command that
-/// moves only followers keeps q. The length does not refer to the plan.
+/// polynomials with a proven error, at most 1e-10 of the length of corners and curves. Along a
+/// command that moves only followers, the length counts q. The plan need not outlive the object.
 class PathLength {
  public:
   /// Takes time and memory in proportion to the number of corners and curves.
@@ -66,8 +66,8 @@ class PathLength {
   } end_;
 };
 
-/// Returns the length along the path over time, from 0 s, with a bound of its error. Exact but for
-/// PathLength::error() where the velocity is constant or the path is a line or an arc.
+/// Returns the length along the path over time, from 0 s, with a bound of its error. Where the
+/// velocity is constant, or the path is a line or an arc, the only error is PathLength::error().
 Fitted<OverTime> length_over_time(const Plan& plan);
 
 }  // namespace jounce

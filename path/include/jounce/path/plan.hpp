@@ -29,8 +29,8 @@ struct PlanOptions {
   /// Joints of the machine (axis_map.hpp). They become further axes of the plan, after the axes of
   /// the program.
   std::optional<JointSpace> joints = {};
-  /// If this becomes true during the call, for example in another thread, plan() throws PlanCanceled
-  /// within a few milliseconds; null: never.
+  /// If this becomes true during the call, for example in another thread, plan() throws
+  /// PlanCanceled within a few milliseconds; null: never.
   const std::atomic<bool>* canceled = nullptr;
 };
 
@@ -101,9 +101,9 @@ std::string explain(const CornerRecord& corner, std::string_view length_unit = "
 /// Every axis stays within its limits of velocity, acceleration and jerk, to 1e-12, by exact
 /// extrema; position limits are checked only at the ends of commands (see GroupLimits). (Arcs,
 /// blends and curves are planned with limits that are lower by 1e-6; the error of the fits of
-/// to_axes() is at most half of this margin.) The plan never takes longer than stop_duration(), the
-/// duration of the fastest motion of the same laws that stops at each corner. The plan depends only
-/// on its arguments.
+/// to_axes() is at most half of this margin.) The plan never takes longer than stop_duration(): the
+/// duration of the fastest motion that has laws of the same kind and stops at each corner. The plan
+/// depends only on its arguments.
 class Plan {
  public:
   /// Data from which the plan was made.
@@ -122,9 +122,9 @@ class Plan {
 
   /// The path of all axes: the axes of the program, then the joints of the machine.
   [[nodiscard]] const Path& path() const { return path_; }
-  /// The path with its lines, arcs and corners. junctions() and corners() refer to the pieces of this
-  /// path. It equals path(), unless joints of the machine are fitted: then it has only the axes of
-  /// the program, as functions of the same q.
+  /// The path with its lines, arcs and corners. junctions() and corners() refer to the pieces of
+  /// this path. drawn() equals path(), unless joints of the machine are fitted: then drawn() has
+  /// only the axes of the program, as functions of the same q.
   [[nodiscard]] const Path& drawn() const { return given_.drawn ? *given_.drawn : path_; }
   [[nodiscard]] const TimingLaw& law() const { return law_; }
   [[nodiscard]] double duration() const { return law_.duration(); }  ///< s

@@ -16,7 +16,7 @@ struct PlanPlace {
   double remaining = 0;      ///< s, time to the end of the plan
   double look_ahead = 0;     ///< u, distance to the place where the plan brakes for its end
   std::int32_t line = 0;     ///< source line of the present command
-  std::size_t commands = 0;  ///< number of commands that have not ended, with the present one
+  std::size_t commands = 0;  ///< number of commands that have not ended, including the present one
 };
 
 /// Reports the progress of a motion along a plan.
@@ -24,8 +24,9 @@ struct PlanPlace {
 ///     const PlanProgress progress(motion);
 ///     progress.at(0.5).remaining;                            // s
 ///
-/// Commands with the same source line count as one, and so do lines that the planner has joined. The
-/// constructor takes a time proportional to the number of pieces; at() searches.
+/// Commands with the same source line count as one, and so do lines that the planner has joined.
+/// The duration of the constructor is proportional to the number of pieces, the duration of at() to
+/// the logarithm of this number.
 class PlanProgress {
  public:
   explicit PlanProgress(std::shared_ptr<const Plan> plan);

@@ -40,8 +40,8 @@ enum class Junction : std::uint8_t {
   look_ahead,         ///< the highest velocity within the limits
 };
 
-/// Further limits of an axis in a command: magnitudes > 0; default: no further limit. u is the unit of
-/// the axis.
+/// Further limits of an axis in a command: magnitudes > 0; default: no further limit. u is the unit
+/// of the axis.
 struct AxisRates {
   static constexpr double none = std::numeric_limits<double>::infinity();
 
@@ -65,8 +65,8 @@ struct PathSettings {
   double value = 0;              ///< > 0; its meaning and unit depend on `corner`; not used by stop
   Junction junction = Junction::look_ahead;  ///< requested velocity at the start of a command
   /// Further limits of the axes of the program, then of the joints; axes beyond the last entry have
-  /// none. They change the velocities, not the path: a corner keeps the shape that it has without them.
-  /// On a corner, the limits of both commands apply.
+  /// none. These limits change the velocities, not the path: a corner keeps the shape that it has
+  /// without these limits. On a corner, the limits of both commands apply.
   std::vector<AxisRates> axes = {};
 
   bool operator==(const PathSettings&) const = default;

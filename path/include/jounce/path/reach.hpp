@@ -13,7 +13,7 @@ namespace jounce {
 
 /// Reason why a straight line ends.
 enum class LineEnd : std::uint8_t {
-  length,        ///< it has the requested length
+  length,        ///< the line has the requested length
   joint_limit,   ///< a joint reaches the end of its position range
   out_of_reach,  ///< no position of the joints moves the tool farther
   singular,      ///< the joints permit too small a velocity of the tool
@@ -23,20 +23,21 @@ enum class LineEnd : std::uint8_t {
 struct Reach {
   double length = 0;  ///< distance from its start, u
   LineEnd end = LineEnd::length;
-  std::size_t joint = 0;  ///< index of the joint that determines the end; joint_limit, singular
-  double limit = 0;       ///< end of the position range of this joint; joint_limit
+  std::size_t joint = 0;  ///< for joint_limit and singular: index of the joint that determines the
+                          ///< end
+  double limit = 0;       ///< for joint_limit: end of the position range of this joint
 };
 
-/// The line ends as singular where a joint limits the velocity of the tool to this share of the
-/// velocity of the motion.
+/// A line ends with LineEnd::singular where a joint limits the velocity of the tool to this share
+/// of the velocity of the motion.
 inline constexpr double singular_margin = 0.01;
 
 /// Returns how far the tool can move along the straight line from `from` in the direction
 /// `direction` (one component for each axis of the map, a vector of length 1), at most `length`.
-/// `joints`: limits of the joints, with their position ranges. `from` must be a place that the joints
-/// can reach. `velocity`: velocity of the motion along the line, u/s; infinite: the velocity that the
-/// joints permit at the start. A line that begins nearer to a singular position may lead away from
-/// it.
+/// `joints`: limits of the joints, with their position ranges. `from` must be a place that the
+/// joints can reach. `velocity`: velocity of the motion along the line, u/s; infinite: the velocity
+/// that the joints permit at the start. If a joint limits the velocity to less than this already at
+/// the start, the line may still lead away from the singular position.
 ///
 /// If the map proves bounds (AxisMap::bounds()), no joint leaves its range anywhere on this part.
 /// Otherwise, samples are checked.

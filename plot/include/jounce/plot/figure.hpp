@@ -64,7 +64,7 @@ struct Shade {
 struct Figure {
   std::string title{};          ///< title above the plots
   std::string x_label{};        ///< name and unit of the x axis
-  std::string x_note{};         ///< shown after the x label: what the whole figure has in common
+  std::string x_note{};         ///< text after the x label, which applies to the whole figure
   std::vector<Panel> panels{};  ///< the plots, from top to bottom
   std::vector<Shade> shades{};  ///< tinted ranges
   /// Rows of names above the plots, such as the segments and their laws. Names in the first row are

@@ -22,9 +22,9 @@ struct PathFigure {
   std::vector<double> x{}, y{};  ///< points along the path: at least two, x and y of the same size
   /// Speed at each point, >= 0. The color between two points shows the mean of their speeds.
   std::vector<double> speed{};
-  /// True for a point at which a line without the tool ends (a rapid): drawn thin and gray, and outside
-  /// the frame where the other lines are not. Empty: no such line. Speeds on these lines are not
-  /// shown: they are at most the greatest speed of the others.
+  /// True for a point at which a rapid (a line without the tool) ends. Rapids are drawn thin and
+  /// gray, and are cut at the frame of the other lines. Empty: no rapids. The speed of a rapid is
+  /// not shown; it must not exceed the greatest speed of the other lines.
   std::vector<bool> rapid{};
   std::vector<Mark> marks{};  ///< marked points
 };

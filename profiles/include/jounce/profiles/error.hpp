@@ -15,7 +15,7 @@ std::string number(double value);
 /// Jounce throws no other exception for input. A generator gives the key, the value and the rule;
 /// the reader of the document adds the place with at(). An expected outcome, such as a broken limit
 /// or an optimum that was not reached, is a returned value, not an exception. A programming error
-/// asserts.
+/// fails an assertion.
 ///
 ///     cams/feeder.toml:9:17: segment[2].end.master = 60: must be greater than 75, the knot before
 class InputError : public std::exception {

@@ -20,8 +20,8 @@ struct FigureRequest {
   std::string output = {};  ///< file for the picture, which must not be one of the inputs; "": none
 };
 
-/// Returns the picture. Throws InputError with the name of a member for a request that does not fit
-/// the file. Does not write it.
+/// Returns the picture; does not write it to a file. Throws InputError with the name of a member
+/// for a request that does not fit the file.
 Figure any_figure(const FigureRequest& request);
 
 }  // namespace jounce

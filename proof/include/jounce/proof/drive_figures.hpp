@@ -11,9 +11,9 @@ namespace jounce {
 /// position.
 Figure response_figure(const DriveResult& run, const DriveSpec& drive, const std::string& unit);
 
-/// Returns the run in the plane of speed and torque, with the limits of the motor: the peak torque,
-/// which falls between the rated and the greatest velocity, and the continuous torque. A mark shows
-/// the mean speed and the rms torque.
+/// Returns the motion of the motor in the plane of speed and torque, with the limits of the motor:
+/// the peak torque, which falls between the rated and the greatest velocity, and the continuous
+/// torque. A mark shows the mean speed and the rms torque.
 Figure torque_speed_figure(const DriveResult& run, const Drive& drive);
 
 /// Returns the residual vibration of a mode after the motion, as a function of the mode's

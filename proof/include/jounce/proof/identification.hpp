@@ -22,9 +22,10 @@ std::string identification_json(const Identification& found);
 Figure identification_figure(const Identification& found, const Recording& run,
                              const std::string& title, const std::string& unit);
 
-/// Returns the text of the spec with the fitted values, otherwise unchanged. Comments at its beginning
-/// give the interval of each value, its value at the start of the fit, and the recording `log`. If a
-/// number is in another file, returns a spec of kind "drive" instead. The spec must have a [drive].
+/// Returns the text of the spec with the fitted values, otherwise unchanged. Comments at its
+/// beginning give the interval of each value, its value at the start of the fit, and the recording
+/// `log`. If a number is in another file, returns a spec of kind "drive" instead. The spec must
+/// have a [drive].
 std::string fitted_spec_text(const Identification& found, const Spec& spec, const std::string& log);
 
 }  // namespace jounce

@@ -18,10 +18,11 @@ struct PlayedTick {
   std::int64_t tick = 0;  ///< number of the tick
   double time = 0;        ///< time since the first tick of the motion, s
   double position = 0;    ///< commanded position, u
-  double clock = 0;       ///< time since tick 0 of the log, s; it determines the rounding of `time`
+  double clock = 0;       ///< time since tick 0 of the log, s; the size of this number determines
+                          ///< the rounding of `time`
   /// Position of the master, in its unit, if the axis has a live master (column `profile`).
   std::optional<double> master = {};
-  bool fault = false;  ///< true: in the tick after this one, a fault had ended the motion
+  bool fault = false;  ///< true: the next tick has a fault, which ended the motion
 };
 
 /// Returns the ticks of the last motion in a tick log (TickLog). `csv` is the text of the log,
@@ -64,16 +65,17 @@ struct Played {
   /// - "played/gap": greatest number of missing ticks at one place; the limit is a tenth of a
   ///   second. (A late cycle skips some ticks; a log with a gap lacks more.)
   /// - "played/complete": broken if the log ends before the motion; not with a live master.
-  /// - "played/fault": a fault ended the motion; only with a live master, whose motion has no end of
-  ///   its own.
+  /// - "played/fault": a fault ended the motion; only with a live master, whose motion has no end
+  ///   of its own.
   Report report = {};
 };
 
 /// Compares every tick with the design: over time, or, if the positions do not agree, over the
-/// master of the log. The axis may have engaged at the position of the cam, or with master and slave
-/// counted from its first tick. Requires at least one tick, and a table over time in `designed`. The
-/// permitted rounding is most_roundings eps (greatest position + greatest velocity * time of the log).
-/// A position is computed from a time, so the rounding of the time shifts the position.
+/// master of the log. The axis may have engaged at the position of the cam, or with master and
+/// slave counted from its first tick. Requires at least one tick, and a table over time in
+/// `designed`. The permitted rounding is most_roundings eps (p + v t), with the greatest position
+/// p, the greatest velocity v, and the time t of the log. A position is computed from a time, so
+/// the rounding of the time shifts the position.
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed);
 /// Number of units in the last place that compare_played() permits.
 inline constexpr double most_roundings = 32;

@@ -30,7 +30,8 @@ struct Proof {
   std::optional<ToleranceResult> tolerances = {};
   /// Result of the follower, if the spec has a [follower].
   std::optional<FollowerResult> follower = {};
-  /// True if the motion breaks a limit of its spec. The report has no finding for it: see check().
+  /// True if the motion breaks a limit of its spec. The report contains no finding on these limits;
+  /// for them, see check().
   bool breaks_limits = false;
 };
 
@@ -42,8 +43,8 @@ struct ProofOptions {
   std::string log = {};  ///< file with the tick log of an executor; "": none
   /// Number of equally spaced samples of drive and follower; 0: only the summary figures.
   std::size_t drive_samples = 0;
-  /// Called by the calling thread while [drive.tolerances] is computed. An exception of the function
-  /// ends the proof, and reaches the caller.
+  /// Called by the calling thread while [drive.tolerances] is computed. An exception of the
+  /// function ends the proof, and reaches the caller.
   ProofProgress progress = {};
 };
 

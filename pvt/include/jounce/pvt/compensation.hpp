@@ -80,8 +80,8 @@ class Compensation {
   /// entries.
   [[nodiscard]] double at(std::span<const double> references) const;
   /// Returns the correction and its first two derivatives with respect to time, for references that
-  /// move as their jets state. The third derivative is 0. At a grid line, the derivatives are those
-  /// of the cell that begins there.
+  /// move as their jets state. The third derivative is 0. At a grid line, the cell that begins
+  /// there gives the derivatives.
   [[nodiscard]] Jet at(std::span<const Jet> references) const;
 
   /// One cell of the grid. With s = (x - start) / interval in [0, 1] for each reference, the

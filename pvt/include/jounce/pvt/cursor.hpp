@@ -17,9 +17,9 @@ namespace jounce {
 ///     }
 ///
 /// The cursor stores the polynomials of one interval. Its results do not depend on earlier queries:
-/// for any order of queries they are bit for bit table.jet(x). A copy is an independent cursor. The
-/// table must outlive its cursors; they do not change it. Use a cursor of its own in each thread. A
-/// cursor does not throw or allocate.
+/// for any order of queries, they equal the results of table.jet(x) bit for bit. A copy is an
+/// independent cursor. The table must outlive its cursors. A cursor does not change the table, and
+/// does not throw or allocate. Use a separate cursor in each thread.
 class Cursor {
  public:
   explicit Cursor(const Table& table);

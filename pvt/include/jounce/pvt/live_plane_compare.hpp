@@ -61,8 +61,7 @@ class LivePlaneCompare {
   explicit LivePlaneCompare(const PlaneCompare& compare);
 
   void arm();  ///< restarts the list
-  /// The next step takes its positions as they are: no point between the last positions and these
-  /// fires.
+  /// Makes the next step move the axes to their positions without passing a point.
   void place() { placed_ = false; }
   /// Computes the outputs. `dt`: time since the previous step, s, > 0.
   const PlaneStep& step(const Place& x, const Place& y, double dt);

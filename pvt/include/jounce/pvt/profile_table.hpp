@@ -59,7 +59,8 @@ struct ProfileTable {
   std::optional<int> array_size = {};       ///< ArraySize: at least number_of_pairs, at most 100
   double from = 0;                          ///< u, position of the axis at Execute
   double from_velocity = 0;                 ///< u/s, velocity of the axis at Execute
-  double from_acceleration = 0;             ///< u/s^2, its acceleration; for MC_AccelerationProfile
+  double from_acceleration = 0;             ///< u/s^2, acceleration of the axis at Execute; for
+                                            ///< MC_AccelerationProfile
 };
 
 /// Motion between the points of a position table.

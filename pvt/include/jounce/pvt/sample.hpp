@@ -55,11 +55,11 @@ Sampled sample(const Curve<Over>& f, Interpolation rule, std::size_t intervals);
 /// Returns a table with equal intervals in each segment of the curve, as few as bring the position
 /// error within `tolerance` (unit of the position) or within rounding, whichever is greater. A
 /// segment that the rule represents exactly gets one interval. The breaks of the curve are knots.
-/// Exceptions: an additional knot precedes a step that the rule cannot represent; intervals in
-/// which the table breaks one of the limits, although the curve satisfies it, are halved; and
-/// knots so near to each other that rounding would be visible in the jerk are removed or moved
-/// apart. Throws InputError unless the tolerance is positive, and if more than about `most` knots
-/// would be necessary.
+/// There are three exceptions. An additional knot precedes a step that the rule cannot represent.
+/// An interval in which the table breaks one of the limits, although the curve satisfies it, is
+/// halved. Knots so near to each other that rounding would be visible in the jerk are removed or
+/// moved apart. Throws InputError unless the tolerance is positive, and if more than about `most`
+/// knots would be necessary.
 template <class Over>
 Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance,
                       const Limits& limits = {}, std::size_t most = 1'000'000,

@@ -157,8 +157,8 @@ class SegmentFifos {
   /// 64 rows; 0: none.
   [[nodiscard]] int direction(int fifo) const;
   /// take() selects the FIFO to start. It returns false if a FIFO is already selected or played, if
-  /// the FIFO is empty or being cleared, or if it is a stream that has ended and was not cleared.
-  /// give_back() cancels the selection, or a start after which nothing was played.
+  /// the FIFO is empty or being cleared, or if the FIFOs are a stream that has ended and was not
+  /// cleared. give_back() cancels the selection, or a start after which nothing was played.
   bool take(int fifo);
   void give_back();
   /// Plays the selected FIFO. The pass begins at the given x and position; a stream begins at its
@@ -167,8 +167,8 @@ class SegmentFifos {
   /// Calls take(), then start(x, position).
   bool start(int fifo, double x, double position);
 
-  /// Returns what the first at() after start() would return, if its x is in the first pass; otherwise
-  /// nullopt. Changes nothing.
+  /// Returns what the first at() after start() would return, if its x is in the first pass;
+  /// otherwise nullopt. Changes nothing.
   [[nodiscard]] std::optional<Jet> first(double x) const;
 
   /// Stops playing: the axis keeps its position. The rows of a table are kept; a stream must be

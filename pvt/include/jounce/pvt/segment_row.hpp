@@ -12,7 +12,7 @@
 namespace jounce {
 
 /// A row: one segment of a motion that is sent row by row (a rolling stream, the FIFO of a
-/// controller). It gives the end of the segment and the data of its polynomial. x is the time or
+/// controller). A row gives the end of the segment and the data of its polynomial. x is the time or
 /// the position of the master. u is the axis' unit, m the master's.
 ///
 ///     const SegmentRow row{.x_end = 1024, .p_end = 1024, .v_start = 0, .degree = 2};

@@ -45,8 +45,8 @@ struct Columns {
 ///     Cam exact = table.curve<OverMaster>();     // the same polynomials, for exact checks
 ///     table.sample({.start = 0, .step = 0.001}, p, v, a);        // into columns p, v and a
 ///
-/// A table is immutable: copies share their knots. A table that was moved from is empty: assign to it
-/// or destroy it, but call no other member.
+/// A table is immutable: copies share their knots. A table that was moved from is empty: assign to
+/// it or destroy it, but call no other member.
 ///
 /// Evaluation (pvt/src/table/piece.hpp) gives the same result on every processor. The curve() of
 /// the table agrees to rounding. As in a Curve, an interval includes its start but not its end. The

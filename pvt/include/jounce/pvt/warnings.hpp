@@ -17,8 +17,8 @@ namespace jounce {
 ///     Report steps = velocity_steps(f);   // places where the velocity steps
 ///
 /// The overloads for a table return the findings of its curve, without making the curve. For a
-/// table over a master, "velocity" means geo_velocity. A value below `tolerance`, as a share of the
-/// travel or of the greatest velocity, counts as rounding.
+/// table over a master, "velocity" means geo_velocity. `tolerance` is a share of the travel or of
+/// the greatest velocity; a value below it counts as rounding.
 
 /// Returns "warning/overshoot" for each segment that leaves the range between its two knots. value:
 /// the extreme position; limit: the position of the knot that is passed; margin: the excess with a

@@ -6,7 +6,8 @@
 
 #include "jounce/report/diagnostic.hpp"
 
-/// The result of a run over many files in the formats of CI systems. Equal runs give equal bytes.
+/// The result of `jounce check` or `jounce validate` for many files, in the formats of CI systems.
+/// Equal results give equal bytes.
 ///
 /// Sources: "Workflow commands" and "SARIF support" of the GitHub documentation; SARIF 2.1.0
 /// (OASIS); "Code Quality report format" of the GitLab documentation. JUnit has no standard: these
@@ -56,7 +57,8 @@ struct RunLook {
   bool quiet = false;   ///< only errors and broken limits
 };
 
-/// Returns the run in one of run_formats(): "text", "json", "github", "gitlab", "sarif", "junit".
+/// Returns the result in one of run_formats(): "text", "json", "github", "gitlab", "sarif",
+/// "junit".
 std::string to_format(const RunResult& run, const std::string& format, const RunLook& look = {});
 
 }  // namespace jounce

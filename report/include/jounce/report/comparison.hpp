@@ -82,8 +82,8 @@ Comparison compare(const Version& before, const Version& after, const Tolerance&
 Version in_units(Version version, const Units& units);
 
 /// Returns a text for people: one line for each quantity with its peaks and its largest difference,
-/// then knots and remarks. Only the first `most` knots are listed; the others are counted. The first
-/// line of equal curves also has `besides`, a statement about differences outside the curves.
+/// then knots and remarks. Only the first `most` knots are listed; the others are counted. The
+/// first line of equal curves also has `besides`, a statement about differences outside the curves.
 std::string to_text(const Comparison& comparison, std::size_t most = 10,
                     const std::string& besides = "");
 
@@ -96,8 +96,9 @@ std::string to_json(const Comparison& comparison);
 /// other text.
 Tolerance tolerance_of(const std::vector<std::string>& texts, const Labels& labels);
 
-/// False for a tolerance KEY=VALUE of other motions: the key is a quantity of the other domain, or its unit is one of
-/// another quantity ("position=1 um" for an axis in deg). True for any other text, also a wrong one.
+/// False for a tolerance KEY=VALUE of other motions: the key is a quantity of the other domain, or
+/// its unit is one of another quantity ("position=1 um" for an axis in deg). True for any other
+/// text, even if it is invalid.
 bool tolerance_fits(const std::string& text, const Labels& labels);
 
 }  // namespace jounce

@@ -68,9 +68,9 @@ struct FileResult {
 struct RunResult {
   std::string verb = {};               ///< "check"
   std::vector<FileResult> files = {};  ///< result of each file
-  /// Number of files for controllers in the folders of the run, which it does not examine.
+  /// Number of files for controllers in the given folders; these files are not examined.
   std::size_t skipped = 0;
-  /// The same for G-code programs, which need a machine.
+  /// Number of G-code programs in the given folders; without a machine, they are not examined.
   std::size_t programs = 0;
 
   /// Returns the number of statements of this level, in all files.

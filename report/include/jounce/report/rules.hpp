@@ -20,9 +20,9 @@ struct RuleInfo {
 /// for the family of the rule.
 std::span<const RuleInfo> all_rules();
 
-/// Returns the words that can follow the slash in a rule of a family that names a quantity ("limit/*",
-/// "continuity/*"): "velocity", "geo_jerk", "position_max". Empty for any other family. An optimum has further rules:
-/// the names of its figures, which contain a space.
+/// Returns the words that can follow the slash in a rule of a family that names a quantity
+/// ("limit/*", "continuity/*"): "velocity", "geo_jerk", "position_max". Empty for any other family.
+/// An optimum has further rules: the names of its figures, which contain a space.
 std::vector<std::string> quantities_of(std::string_view family);
 
 /// Returns the entry of a rule, or the entry of its family; null if neither has an entry.

@@ -31,8 +31,8 @@ struct AxisDriveSpec {
     /// u: greatest distance between setpoint and actual position at which the drive is enabled; 0:
     /// a hundredth of a turn.
     double window = 0;
-    /// Number of cycles, >= 1, without new data after which the drive has a fault.
     int touch_probes = 0;  ///< number of touch probe inputs, 0 to 2
+    /// Number of cycles, >= 1, without new data after which the drive has a fault.
     int silent_cycles = 50;
   };
 

@@ -22,8 +22,8 @@ struct DrawnCam {
 /// `units`: units of the points; "": deg and mm for a plate, and the unit of the drawing for a
 /// graph.
 ///
-/// Throws InputError as read_outline() and plate_motion() do, and for a graph whose master runs back.
-/// The error for a wrong key in `keys` has the key "drawing".
+/// Throws InputError as read_outline() and plate_motion() do, and for a graph whose master runs
+/// back. The error for a wrong key in `keys` has the key "drawing".
 DrawnCam read_drawn_cam(const std::string& path, const std::string& keys, const Units& units);
 
 }  // namespace jounce

@@ -30,8 +30,8 @@ std::string name(DriveFigure figure);  ///< the name in the spec
 /// Returns the figure with this name; nullopt if no figure has the name.
 std::optional<DriveFigure> drive_figure(const std::string& name);
 
-/// Returns the figure as read_spec() (spec.hpp) stores it: a response without a function. The
-/// function can be made only when the drive is given.
+/// Returns the figure as read_spec() (spec.hpp) stores it: a ResponseOf or RmsResponseOf without a
+/// function, because the drive that the function needs is not given yet.
 ShapeFigure asked(DriveFigure figure);
 
 /// Returns the figure of a drive for a figure of a shape, by its name; nullopt if the shape's

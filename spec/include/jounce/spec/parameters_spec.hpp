@@ -21,8 +21,8 @@ struct SpecParameter {
   double upper = 0;  ///< greatest permitted value
 };
 
-/// Bounds for a key figure (jounce/design/key_figures.hpp): [[optimize.require]]. They are stored
-/// as written ("400", "40 cm"), because the unit of the figure is known only when the design
+/// Bounds for a key figure (jounce/design/key_figures.hpp): [[optimize.require]]. The bounds are
+/// stored as written ("400", "40 cm"), because the unit of the figure is known only when the design
 /// exists.
 struct FigureBound {
   std::string figure = {};  ///< name of the key figure

@@ -40,8 +40,9 @@ struct PathSpec {
 /// InputError, with the place, like parse_gcode(), and if the path already has commands.
 void set_gcode(PathSpec& path, std::string_view text, const std::string& document);
 
-/// Returns the program of a path with its limits and its M and H words, without names. S and T words
-/// have no effect. Throws InputError, with the place, for a number that a ProgramWord cannot have.
+/// Returns the program of a path with its limits and its M and H words, without names. S and T
+/// words have no effect. Throws InputError, with the place, for a number that a ProgramWord cannot
+/// have.
 LimitedProgram limited_program(PathSpec path);
 
 }  // namespace jounce

@@ -72,13 +72,14 @@ struct ShapeFigureSpec {
   double factor = 1;     ///< the printed number is factor * value; with `squared`, factor * value^2
   bool squared = false;  ///< true: the value is squared
   bool times_length = false;  ///< true: the printed number is multiplied by the length of the run
+                              ///< of free segments (CamShapeProblem)
 };
 
-/// Returns the printed number for the computed value of a figure. `length` is the length of the
-/// run.
+/// Returns the printed number for the computed value of a figure. `length` is the length of the run
+/// of free segments, in the unit of the master.
 double shown(const ShapeFigureSpec& figure, double value, double length);
-/// Returns the computed value for a printed number. Not for a figure with `times_length`, which
-/// needs the length of the run.
+/// Returns the computed value for a printed number. Not for a figure with `times_length`, because
+/// its number depends on a length.
 double computed(const ShapeFigureSpec& figure, double shown);
 
 /// The free shapes of a cam spec, and the objectives for them; see jounce/optimize/cam_shape.hpp.

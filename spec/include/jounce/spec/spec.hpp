@@ -184,7 +184,8 @@ struct Spec {
   std::string time_unit;    ///< unit of time; default "s"
   std::string master_unit;  ///< unit of the master that an axis follows; otherwise ""
   /// NamedCam: a cam of kind "cam" that is made from another file (`from`), or changed by
-  /// [[then]]. The reader makes it, because the speed of the master may count its periods.
+  /// [[then]]. The reader makes this cam, because the speed of [master] may be given in periods of
+  /// the cam.
   std::variant<CamSpec, SyncSpec, MoveSpec, QueueSpec, AxesSpec, PathSpec, Table, TimeTableSpec,
                AxisSpec, DriveAlone, NamedCam>
       subject;
@@ -240,8 +241,8 @@ struct Spec {
 /// not depend on each other, throws InputErrors.
 Spec read_spec(const std::string& path);
 
-/// Reads a spec from text; messages use `name` as the file name. Calls `use` with the spec, unless a
-/// value is faulty. An error that `use` throws is reported together with the unknown keys of the
+/// Reads a spec from text; messages use `name` as the file name. Calls `use` with the spec, unless
+/// a value is faulty. An error that `use` throws is reported together with the unknown keys of the
 /// spec.
 Spec parse_spec(std::string text, std::string name,
                 const std::function<void(const Spec&)>& use = {});

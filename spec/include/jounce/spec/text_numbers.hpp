@@ -8,8 +8,8 @@
 
 #include "jounce/base/document.hpp"
 
-/// The numbers in the text of a spec of any kind, and their changes, as an editor makes them. Only the
-/// text of the change is different in the result: comments, order and formatting stay.
+/// The numbers in the text of a spec of any kind, and their changes, as an editor makes them. Only
+/// the text of the change is different in the result: comments, order and formatting stay.
 namespace jounce {
 
 /// A number in the text of a spec.

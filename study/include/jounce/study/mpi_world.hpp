@@ -12,7 +12,7 @@ struct MpiCalls;
 namespace jounce {
 
 /// The place of this process among the processes that mpirun has started (Open MPI, or another
-/// launcher with PMI). It is read from the environment, so it does not need MPI.
+/// launcher with PMI). The place is read from the environment, without MPI.
 struct MpiPlace {
   bool started = false;  ///< true if mpirun has started this process
   int rank = 0;          ///< number of this process, from 0

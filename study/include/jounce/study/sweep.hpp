@@ -80,7 +80,7 @@ struct SweepResult {
 ///     const SweepResult result = run_sweep(spec, {.journal = "results.csv.journal"});
 ///     if (!result.complete) ...                                // stopped: the same call resumes
 ///
-/// **The journal** receives the line of each case at once. After an interruption, the next run
+/// **The journal** receives the line of each case at once. After an interruption, the next call
 /// continues: it computes only cases that are not in the journal, and the case of an incomplete
 /// last line. Throws InputError for a journal of another sweep, spec or program, and while another
 /// process uses the journal.

@@ -22,7 +22,7 @@ std::string to_npy(const SweepSpec& spec, const SweepResult& result);
 /// The files of a sweep.
 struct SweepFiles {
   std::string csv = {};  ///< path for to_csv(); "-": standard output, "": none
-  std::string npy = {};  ///< the same for to_npy()
+  std::string npy = {};  ///< path for to_npy(); "-": standard output, "": none
 
   /// Returns the path of the journal: beside the first file that is written, "" if none is. See
   /// SweepOptions::journal.

@@ -73,11 +73,11 @@ struct SweepLimit {
 ///     [limits]
 ///     "peak torque" = 2.5                     # in addition to the limits of the spec
 ///
-/// **Cases** are all combinations of the listed values, each with all samples. They are numbered
-/// from 0: the sample changes fastest, then the last listed parameter. A random number depends only
-/// on the seed, the key and the number of the sample. So every combination has the same samples,
-/// and combinations can be compared. `tolerance` is a share of the number in the spec; it gives a
-/// uniform distribution around this number.
+/// **Cases** are all combinations of the listed values, each with all samples. The cases are
+/// numbered from 0: the sample changes fastest, then the last listed parameter. A random number
+/// depends only on the seed, the key and the number of the sample. So every combination has the
+/// same samples, and combinations can be compared. `tolerance` is a share of the number in the
+/// spec; it gives a uniform distribution around this number.
 struct SweepSpec {
   static constexpr std::size_t most_cases = 10'000'000;  ///< greatest number of cases
 

@@ -44,8 +44,8 @@ struct SweepSummary {
   std::size_t broken = 0;                  ///< number of rows that break a limit
   std::size_t impossible = 0;              ///< number of rows without a motion
   std::vector<FigureSpread> figures = {};  ///< one for each figure; empty if no case is possible
-  /// Share of the rows that are within all limits; nullopt if no parameter is random. Its interval
-  /// is valid only for independent samples (SweepSpec::independent()).
+  /// Share of the rows that are within all limits; nullopt if no parameter is random. The
+  /// confidence interval is valid only for independent samples (SweepSpec::independent()).
   std::optional<Share> yield = {};
   /// Index of the possible row with the smallest margin; nullopt: no row is possible.
   std::optional<std::size_t> worst = {};
@@ -74,7 +74,7 @@ std::string listed_text(const SweepSpec& spec, std::size_t number);
 /// limits has an index.
 std::size_t column_of(const SweepSpec& spec, const std::string& figure);
 
-/// Returns the progress of a sweep in words, for SweepOptions::keep_going: "1200 of 5000, 2 min
+/// Describes the progress of a sweep in words, for SweepOptions::keep_going: "1200 of 5000, 2 min
 /// left". The remaining time is estimated from the speed since the first call, because the cases of
 /// a journal take no time.
 class SweepClock {

@@ -55,17 +55,17 @@ struct TuneOutcome {
 /// satisfied, and the figure loses at most half the tolerance.
 ///
 /// **Constraints.** Each rule of the report is a separate constraint; for a limit of a curve, each
-/// bound and each segment is one. If the generator rejects a choice close to the best one, the
-/// outcome has its reason, because it limits the best choice.
+/// bound on each segment is a separate constraint. If the generator rejects a choice close to the
+/// best one, the outcome has its reason, because it limits the best choice.
 ///
 /// **Errors.** Throws InputError, with the place in the document, if the spec has no
 /// [[optimize.parameter]], for a figure that the spec does not have, for a bound without the unit
 /// of the figure, and for a number outside its range.
 TuneOutcome tune(const Spec& spec, const KeepGoing& keep_going = {});
 
-/// Returns the parameters of the spec, by index, of which neither the figure nor a limit depends, at
-/// the present values of the others. The spec is made for a few values of each parameter, over its range. None if the
-/// present spec cannot be made.
+/// Returns the indices of the parameters on which neither the figure nor a limit depends, while the
+/// other parameters keep their present values. The function makes the spec for a few values of each
+/// parameter, over its range. Empty if the present spec cannot be made.
 std::vector<std::size_t> idle_parameters(const Spec& spec);
 
 /// Returns the numbers that `jounce optimize` chooses for a path without [[optimize.parameter]]:

@@ -72,10 +72,10 @@ struct Pendulum {
 /// A position loop (P) and a velocity loop (PI), with feed-forward of velocity and torque.
 ///
 /// With `cycle` > 0, the controller is sampled. At each multiple of the cycle from the start of the
-/// run, it reads the reference and the angle of the motor, rounded to encoder counts. The measured
-/// velocity is the difference of the angles over one cycle (0 in the first cycle). After `delay`,
-/// the controller outputs the torque, and holds it for a cycle. The integral part uses Euler's
-/// rule.
+/// reference, the controller reads the reference and the angle of the motor, rounded to encoder
+/// counts. The measured velocity is the difference of the angles over one cycle (0 in the first
+/// cycle). After `delay`, the controller outputs the torque, and holds it for a cycle. The integral
+/// part uses Euler's rule.
 struct Controller {
   double position_gain = 0;          ///< K_p, 1/s, > 0
   double velocity_gain = 0;          ///< K_v, N m s/rad, > 0
@@ -141,8 +141,8 @@ Drive wittenstein_premo_2d();
 /// another value.
 void require_valid(const Drive& drive);
 
-/// Limits of a run, each > 0. A value that is not given is not limited. u is the unit of the
-/// reference.
+/// Limits for the result of drive_through(), each > 0. A value that is not given is not limited. u
+/// is the unit of the reference.
 struct DriveLimits {
   std::optional<double> torque = {};           ///< peak torque of the motor, N m
   std::optional<double> rms_torque = {};       ///< rms torque of the motor, N m
@@ -182,8 +182,8 @@ struct DriveOptions {
   bool periodic = false;
 };
 
-/// Checks the options of a run; `drive` must be valid. Throws InputError for an option out of
-/// range. Keys: "settle", "limits.torque", ...
+/// Throws InputError for an option out of range. `drive` must be valid. Keys: "settle",
+/// "limits.torque", ...
 void require_valid(const DriveOptions& options, const Drive& drive);
 
 /// A signed value at the time at which its magnitude is greatest.
@@ -292,8 +292,8 @@ struct DriveResult {
 /// **Periodic.** One period is integrated from the exact steady state (exact_period() in
 /// linear_drive.hpp). The finding "drive/periodic" gives the difference between the end and the
 /// start of the period, as a share of the stroke or of the peak torque. The rule is broken if the
-/// difference exceeds a hundred tolerances. It is also broken if the torque reaches its limit,
-/// because the initial state is computed without this limit.
+/// difference exceeds a hundred tolerances. The rule is also broken if the torque reaches its
+/// limit, because the initial state is computed without this limit.
 ///
 /// **Errors.** Throws InputError for a drive, an option or a limit out of range, and for a Table
 /// over a master. If `periodic`, also throws for a signal without segments, a nonlinear drive, and

@@ -9,9 +9,9 @@
 
 namespace jounce {
 
-/// A linear drive that is stepped together with the cycle of an axis. It computes the result of
-/// drive_through() one setpoint at a time, for an executor that receives the motion step by step. u
-/// is the unit of the setpoints.
+/// A linear drive that is stepped together with the cycle of an axis. The class computes the result
+/// of drive_through() one setpoint at a time, for an executor that receives the motion step by
+/// step. u is the unit of the setpoints.
 ///
 ///     DriveStepper drive(servo_400w(), 0.001);
 ///     drive.rest(0);                                       // u, where it stands
@@ -40,8 +40,8 @@ class DriveStepper {
   /// `period` is the duration of a cycle, s, > 0. Throws InputError like require_valid(); for a
   /// drive that is not linear (see nonlinearity() in linear_drive.hpp; encoder counts and the
   /// limits of the motor are permitted); and for a controller whose cycle does not divide the
-  /// period into at most 1000 cycles, or whose delay is more than 1000 cycles. The drive is then at
-  /// rest at 0.
+  /// period into at most 1000 cycles, or whose delay is more than 1000 cycles. At first, the drive
+  /// is at rest at 0.
   DriveStepper(const Drive& drive, double period);
   ~DriveStepper();
   DriveStepper(DriveStepper&&) noexcept;

@@ -56,7 +56,7 @@ struct FollowerOptions {
 /// A period without contact between the follower and the cam. Unit u: the unit of the lift.
 struct Flight {
   double from = 0;    ///< loss of the contact, s
-  double to = 0;      ///< next contact, or the end of the run, s
+  double to = 0;      ///< next contact, or the end of the standstill, s
   double height = 0;  ///< greatest gap, u
   /// Speed of the tip relative to the cam at the next contact, m/s; 0: no further contact.
   double impact_speed = 0;

@@ -62,8 +62,8 @@ struct ResidualTest {
 };
 
 /// Quality of the fit for one recorded quantity. A residual is the recorded value minus the value
-/// of the model. It is not tested if it is below the resolution of the recording, the error of the
-/// integration, or the error of the interpolation between the recorded commands.
+/// of the model. Residuals below the resolution of the recording, below the error of the integration,
+/// or below the error of the interpolation between the recorded commands, are not tested.
 struct Explained {
   std::string quantity = {};  ///< "position", "velocity", "torque", "load"
   double before = 0;          ///< rms of the residuals at the start of the fit

@@ -106,9 +106,10 @@ std::vector<DriveMode> modes(const Drive& drive);
 
 /// Compares a run of drive_through() with the exact solution. The finding "drive/exact" gives the
 /// greatest difference of the samples, as a share of the stroke or of the peak torque, whichever is
-/// larger. It is broken if the difference exceeds a hundred times the tolerance of the run. For a
-/// sampled controller, which differentiates the angle, the torque is compared on another scale: the
-/// torque that the controller outputs for the whole stroke in one cycle.
+/// larger. The finding is broken if the difference exceeds a hundred times `tolerance`, the
+/// tolerance of the run. For a sampled controller, which differentiates the angle, the torque is
+/// compared on another scale: the torque that the controller outputs for the whole stroke in one
+/// cycle.
 ///
 /// `periodic` is true if the run was a period of the steady state. Returns nullopt for a drive that
 /// is not linear, a torque that reached its limit, a signal without segments, a failed integration,

@@ -37,8 +37,8 @@ struct LoopStability {
   /// Phase margin: the additional lag (or lead) at |L| = 1 until the loop becomes unstable;
   /// negative for an unstable loop. nullopt: |L| is not 1 at any frequency that was examined.
   std::optional<LoopMargin> phase = {};
-  /// For an unstable loop: the nearest velocity gain, N m s/rad, at which the loop becomes stable,
-  /// when the gain of the drive is lowered or raised to it. nullopt: the loop is stable, or no such
+  /// For an unstable loop: the velocity gain, N m s/rad, at which the loop becomes stable; of
+  /// several, the one nearest to the gain of the drive. nullopt: the loop is stable, or no such
   /// gain was found.
   std::optional<double> velocity_gain = {};
 };

@@ -30,7 +30,8 @@ struct MachineIndex {
 ///
 ///     first + k distance + wander sin(2 pi k / wander_marks)
 ///
-/// over the length `width`. The unit is that of the axis (u), or of its master.
+/// over the length `width`. Positions are in the unit of the axis (u) or, with `on_master`, in the
+/// unit of its master.
 struct MachineMarks {
   int input = 1;            ///< trigger input, 1 to 4
   bool on_master = false;   ///< false: positions of the motor, u; true: positions of the master

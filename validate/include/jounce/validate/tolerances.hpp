@@ -59,7 +59,8 @@ struct ToleranceSpread {
   /// counts with the whole standstill as its time, and exceeds the limit.)
   std::string figure = {};
   std::string unit = {};  ///< "N m", "s", "1", or "u" for the unit of the reference
-  double nominal = 0;     ///< value for the nominal numbers; NaN if that run failed
+  double nominal = 0;     ///< value for the nominal numbers; NaN if the simulation with these
+                          ///< numbers failed
   double least = 0;       ///< least value
   double mean = 0;        ///< mean
   /// Standard deviation over the cases. With corners, it is not a statistic of real machines.

@@ -19,10 +19,10 @@ namespace jounce::web {
 ///
 /// The child process runs this program again (/proc/self/exe), with the given words as its
 /// arguments. For these words, the program must call serve_for_parent(). The parent opens the port,
-/// so it can report at once if the port is in use. It keeps the port and the token, so a page that
-/// is started again has the same address. The parent never accepts a connection. If the child ends,
-/// the parent starts it again after a second, at most 5 times in a minute. When the parent ends,
-/// for any reason, the child ends, too. No function waits for the child.
+/// so it can report at once if the port is in use. The parent keeps the port and the token, so a
+/// page that is started again has the same address. The parent never accepts a connection. If the
+/// child ends, the parent starts it again after a second, at most 5 times in a minute. When the
+/// parent ends, for any reason, the child ends, too. No function waits for the child.
 class PageProcess {
  public:
   /// `words` are the arguments of the child, beginning with the name of the program. `trace`:

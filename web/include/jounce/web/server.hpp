@@ -44,7 +44,8 @@ struct SiteFile {
 struct Site {
   std::vector<SiteFile> files{};
   std::vector<std::string> commands{};  ///< methods and paths: "POST /order"
-  /// Paths that GET reads without the token: "/trace". They go to obey(), in threads of their own.
+  /// Paths that GET reads without the token: "/trace". obey() answers these requests, in separate
+  /// threads.
   std::vector<std::string> readings{};
   /// Returns the next event of /events, as JSON; "": there is no event at this time. `seen` is 0
   /// for a new reader; the function sets it to the number of the event that this reader has

@@ -36,8 +36,9 @@ std::size_t segment_at(const Cam& f, double master);
 
 /// Returns the cam between two master positions, with the policy refuse. The interval may exceed
 /// the interval of `f`: a periodic cam continues with its next period, a cam that holds stays at
-/// rest. Throws InputError if from >= to, if one of them is not finite, if the interval exceeds a
-/// cam that refuses or is only rounding, or if the result would have more than 1e6 segments.
+/// rest. Throws InputError if from >= to, if one of them is not finite, if [from, to] exceeds the
+/// interval of a cam that refuses, if its length is only rounding, or if the result would have more
+/// than 1e6 segments.
 Cam part(const Cam& f, double from, double to);
 
 /// Returns a periodic cam delayed by `phase`: g(x) = f(x - phase), over the same interval. `phase`
@@ -71,7 +72,7 @@ Cam inserted(const Cam& f, double at, const Cam& g);
 /// | both wrap or advance | the common period (up to 1000 turns) from f's start | wrap or advance |
 /// | both hold | from the first start to the last end | hold |
 /// | one refuses | its own interval, over which the other extrapolates | refuse |
-/// | both refuse | their interval, which must be equal (to rounding) | refuse |
+/// | both refuse | the interval of f; that of g must be equal (to rounding) | refuse |
 ///
 /// Throws InputError "period" in two cases: the two periods have no common multiple (to 1e-12)
 /// within 1000 turns of each; or one cam is periodic and the other holds, so the sum would be
@@ -82,7 +83,8 @@ Cam superimposed(const Cam& f, const Cam& g);
 /// Returns f + g for any number of sines. Where the exact sum does not fit, polynomials replace the
 /// sines of `g`, with an error of at most `tolerance` > 0 (unit of the slave). The error is
 /// certified (fitted.hpp); it is zero if nothing is replaced. Throws InputError "tolerance" unless
-/// it is > 0 and like polynomial_within(), and "period" like the overload above.
+/// the tolerance is > 0, and also like polynomial_within(). Throws "period" like the overload
+/// above.
 Fitted<OverMaster> superimposed(const Cam& f, const Cam& g, double tolerance);
 
 }  // namespace jounce

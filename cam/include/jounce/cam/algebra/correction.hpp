@@ -8,12 +8,12 @@
 
 namespace jounce {
 
-/// Correction that is added to a cam so that a slave engages without a jump. It begins at the
-/// difference between slave and cam, and ends at zero. A correction over time is a Profile within
-/// limits, and stays at zero after its end. A correction over the master is a polynomial of the
-/// master's position, so it stands still while the master stands still; it is zero wherever the
-/// master is beyond the distance of the correction. Copies are independent; it does not allocate.
-/// u is the slave's unit, m the master's.
+/// Correction that is added to a cam so that a slave engages without a jump. The correction begins
+/// at the difference between slave and cam, and ends at zero. A correction over time is a Profile
+/// within limits, and stays at zero after its end. A correction over the master is a polynomial of
+/// the master's position, so it stands still while the master stands still. It is zero while the
+/// master is beyond the distance of the correction. Copies are independent. No member allocates,
+/// except curve(). u is the slave's unit, m the master's.
 class Correction {
  public:
   Correction() = default;  ///< no correction: zero everywhere

@@ -46,8 +46,8 @@ class Inverse {
  public:
   using Point = Transfer;
 
-  /// `branch`: consecutive runs of `cam`. The first and the last have the same kind (rise or fall);
-  /// the runs between them have this kind or are dwells.
+  /// `branch`: consecutive runs of `cam` (runs.hpp). The first and the last have the same kind
+  /// (rise or fall); the runs between them have this kind or are dwells.
   Inverse(std::shared_ptr<const Cam> cam, std::span<const CamRun> branch);
 
   [[nodiscard]] double start() const { return breaks_.front(); }

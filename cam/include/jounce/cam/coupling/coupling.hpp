@@ -55,10 +55,10 @@ struct CouplingSpec {
   std::optional<double> distance = {};
   /// u, > 0: period of a rotary slave; omitted: the slave is linear.
   std::optional<double> slave_period = {};
-  /// m, > 0. The master has jumped if its position differs by more than this from the position that
-  /// its velocity predicts, or if it is valid again after NaN. A slave with a ramp absorbs the jump
-  /// by another correction. Omitted: the coupling does not detect jumps, and the slave follows
-  /// them.
+  /// m, > 0. The master has jumped if its position differs by more than this distance from the
+  /// position that its velocity predicts, or if its position is valid again after NaN. A slave with
+  /// a ramp absorbs the jump by another correction. Omitted: the coupling does not detect jumps,
+  /// and the slave follows them.
   std::optional<double> master_jump = {};
 };
 
@@ -106,11 +106,12 @@ const char* explain(CouplingStatus status);
 /// whole periods, and `advance` the change of the slave in each period. `origin` is slave_offset
 /// or, for a relative cam, the shift to the slave. With the start modes absolute and relative, c is
 /// zero, so the slave may jump at the engagement. With the other start modes, c begins at the
-/// difference between slave and cam (position, velocity, acceleration) and ends at rest at zero:
-/// over time within velocity_diff, acceleration, deceleration and jerk, or over the given distance
-/// of the master. So the slave does not jump at the engagement, for any motion of the master. With
-/// every start mode, it jumps when the master enters a cam that begins with a nonzero velocity, and
-/// at the end of each period by period_jump(). docs/cam/coupling.md describes the origins, the
+/// difference between slave and cam (position, velocity, acceleration) and ends at rest at zero. A
+/// correction over time stays within velocity_diff, acceleration, deceleration and jerk; a
+/// correction over the master ends after the given distance. So the slave does not jump at the
+/// engagement, for any motion of the master. Two jumps remain with every start mode: the velocity
+/// jumps when the master enters a cam that begins with a nonzero velocity, and the position jumps
+/// by period_jump() at the end of each period. docs/cam/coupling.md describes the origins, the
 /// start modes and the end of a period. Throws InputError like require_valid().
 class Coupling {
  public:
@@ -129,8 +130,8 @@ class Coupling {
   /// scaled, and n is the whole number for which the jump is smallest (without a slave_period: 0).
   /// Otherwise 0.
   [[nodiscard]] double period_jump() const { return period_jump_; }
-  /// Range of the slave's position, largest slope and largest curvature over the master: u, u/m,
-  /// u/m^2. The last entry is not used.
+  /// Width of the range of the slave's position, greatest slope, and greatest second derivative
+  /// with respect to the master: u, u/m, u/m^2. The last entry is not used.
   [[nodiscard]] const Jet& reach() const { return reach_; }
 
  private:
@@ -142,7 +143,7 @@ class Coupling {
 };
 
 /// The state of a coupling. engage() creates it; step() returns the next state
-/// (coupling_cycle.hpp). It is small, and copies are independent.
+/// (coupling_cycle.hpp). The state is small, and copies are independent.
 struct Engaged {
   Placement placement = {};    ///< placement of the cam since the engagement
   Correction correction = {};  ///< present correction

@@ -58,9 +58,10 @@ struct Stepped {
 ///
 /// A pure function; does not allocate. Requires ascending times.
 ///
-/// **Master.** The slave is on its cam, except for the correction, for any motion of the master. It
-/// accelerates by the chain rule, and moves backwards along the same cam if the master moves
-/// backwards. The slave follows the noise of a measured master, multiplied by the slope of the cam.
+/// **Master.** For any motion of the master, the slave is on its cam, except for the correction.
+/// The chain rule gives the acceleration of the slave. If the master moves backwards, the slave
+/// moves backwards along the same cam. The slave follows the noise of a measured master, multiplied
+/// by the slope of the cam.
 /// Therefore filter a measured master, and pass the velocity and acceleration of the filter.
 ///
 /// **Jumps of the master.** If master_jump is given, `jumped` reports a jump. A slave with a ramp

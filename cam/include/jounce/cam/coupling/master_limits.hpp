@@ -49,15 +49,15 @@ struct MasterLimit {
 /// limit. The value is then 0, and `where` is the position of the step. A step counts if it exceeds
 /// 1e-9 of the travel or of the derivative's peak, as in rises() (design/rise.hpp).
 ///
-/// A controller computes a new setpoint in each cycle T = `rates.cycle`, and a step takes one cycle.
-/// With T > 0, a step s of f' or f'' is permitted at the speeds at which the limits A of the
-/// acceleration and J of the jerk permit it within one cycle:
+/// A controller computes a new setpoint in each cycle T = `rates.cycle`, and a step takes one
+/// cycle. With T > 0, a step s of f' or f'' is permitted if the speed w satisfies, with the limits
+/// A of the acceleration and J of the jerk,
 ///
 ///     (3)  s w <= A T   (f' steps),      s w^2 <= J T   (f'' steps)
 ///
-/// A value of 0 also means that the given acceleration and jerk of the master alone exceed a limit.
-/// Omitted limits do not apply; position limits are ignored. Throws InputError if a limit is not
-/// positive, or if a rate of the master is negative or not finite.
+/// The value is also 0 if the given acceleration and jerk of the master alone cause the slave to
+/// exceed a limit. Omitted limits do not apply; position limits are ignored. Throws InputError if a
+/// limit is not positive, or if a rate of the master is negative or not finite.
 MasterLimit greatest_master_velocity(const Cam& cam, const Limits& slave,
                                      const MasterRates& rates = {});
 

@@ -6,8 +6,8 @@
 
 namespace jounce {
 
-/// Compares the characteristic values of a rise with their lower bounds: values that no motion law
-/// can improve on, with proof. (Elsewhere, a certificate is a proven upper bound of an error.)
+/// Compares the characteristic values of a rise with their lower bounds. No motion law has a value
+/// below its bound; this is proven. (Elsewhere, a certificate is a proven upper bound of an error.)
 /// Returns findings of Severity::note. They show how much a cam could be improved.
 ///
 ///     Report best = certificates(cam);

@@ -95,7 +95,8 @@ struct CamDesign {
 /// Throws InputError if
 /// - there is no segment, a number is not finite, a position is above 1e100 in magnitude, or master
 ///   positions do not ascend;
-/// - a derivative contradicts an adjacent law (by more than 1e-9 of the slope), or a dwell moves;
+/// - a derivative contradicts an adjacent law (by more than 1e-9 of the slope), or the two ends
+///   of a dwell have different positions;
 /// - a knot gives a jerk, but no adjacent law has a given jerk;
 /// - a law does not accept its form or its points, a point is outside its segment, or a reversal
 ///   meets a rest;

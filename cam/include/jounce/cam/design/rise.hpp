@@ -20,11 +20,11 @@ namespace jounce {
 ///     }
 ///
 /// **Vocabulary.** A *rise* (or a fall) lies between two successive breaks at which the slave
-/// rests, with zero velocity on both sides of each break. A dwell is not a rise; an interval that
-/// returns to its start position is not a rise either, nor is one that passes its ends by more than
-/// a tenth of its stroke. The positions of master (unit m) and slave
-/// (unit u) are those of the whole cam. A rise across the end of a period continues beyond the
-/// cam's end. f is the slave's position as a function of the master's.
+/// rests, with zero velocity on both sides of each break. Three kinds of interval are not rises: a
+/// dwell; an interval at whose end the slave is back at its start position; and an interval in
+/// which the slave passes an end position by more than a tenth of the stroke. The positions of
+/// master (unit m) and slave (unit u) are those of the whole cam. A rise across the end of a period
+/// continues beyond the cam's end. f is the slave's position as a function of the master's.
 ///
 /// "Zero" and "does not step" mean: within 1e-9 of the greatest magnitude of the derivative in the
 /// rise (of the velocity: in the whole cam).

@@ -153,14 +153,14 @@ struct DiscLimits {
 /// - "disc/pressure_angle", "disc/cutter_radius": if the limit is given; for the cutter, only if
 ///   the profile has a hollow;
 /// - "disc/corner": for each step of the velocity;
-/// - "disc/interference": for an overlap of the roller or of the cutter. It is searched only if no
-///   other rule is broken.
+/// - "disc/interference": for an overlap of the roller or of the cutter. The function searches
+///   for an overlap only if no other rule is broken.
 Report check(const Disc& disc, const DiscLimits& limits);
 
 /// Returns the least base radius with which the cam satisfies the limits of pressure angle and
 /// profile radius; nullopt if no radius does, or if the cam cannot be a disc. spec.base_radius is
-/// ignored. Throws InputError for a limit out of range. The extrema at the result are exact; a
-/// radius smaller by 1e-9 of it breaks one of the limits.
+/// ignored. Throws InputError for a limit out of range. The extrema at the result are exact. A
+/// radius that is smaller than the result by 1e-9 of it breaks one of the limits.
 ///
 /// The search increases the radius in steps and returns the first result. For a translating
 /// follower, it begins at 1e-3 of the sum of roller radius, offset and stroke, and never returns

@@ -10,7 +10,7 @@ namespace jounce {
 
 /// The motion of a follower on a plate. u is the unit of the slave.
 struct PlateMotion {
-  std::vector<double> slave = {};  ///< u, one for each master position: above the base circle
+  std::vector<double> slave = {};  ///< u, lift above the base circle, one for each master position
   /// u, radius of the base circle: the given one or, if the spec gives none, the least distance of
   /// the roller's rim from the cam's center.
   double base_radius = 0;
@@ -23,8 +23,9 @@ struct PlateMotion {
 ///     PlateMotion motion = plate_motion(profile, {.roller_radius = 8, .offset = 3}, masters);
 ///
 /// The roller comes from outside and stops where it touches the profile: the result is the farthest
-/// position at which its distance from a line or an arc of the profile is its radius. This position
-/// has a closed form. The roller therefore bridges a hollow that is narrower than itself.
+/// position at which the distance from its center to a line or an arc of the profile equals its
+/// radius. This position has a closed form. The roller therefore bridges a hollow that is narrower
+/// than itself.
 ///
 /// Throws InputError("profile", ...) for less than two vertices, and if the follower does not meet
 /// the plate at one of the masters; and errors of `spec` like Disc.

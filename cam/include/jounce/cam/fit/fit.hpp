@@ -11,8 +11,8 @@ namespace jounce {
 
 /// Measured points of a cam. m is the unit of the master, u the unit of the slave.
 struct MeasuredCam {
-  /// The points: masters ascend, each tolerance > 0. It is the greatest permitted distance, u, of
-  /// the cam from the point, and includes the error of the measurement.
+  /// The points: masters ascend, each tolerance > 0. The tolerance is the greatest permitted
+  /// distance of the cam from the point, in u, and includes the error of the measurement.
   std::vector<SplinePoint> points = {};
   /// True: the cam repeats, and the last point is the first one a period later. If their slave
   /// positions differ by more than the sum of their tolerances, the slave advances in each period.
@@ -23,7 +23,8 @@ struct MeasuredCam {
 struct SegmentFit {
   double gap = 0;                ///< u, greatest distance from a point in the segment
   std::optional<Law> next = {};  ///< the law that fits second best, if the segment has a law
-  double next_gap = 0;           ///< u, greatest distance of this law; may be within the tolerance
+  double next_gap = 0;           ///< u, greatest distance of the law `next` from a point; may be
+                                 ///< within the tolerance
 };
 
 /// A cam through measured points.
@@ -31,7 +32,7 @@ struct CamFit {
   CamSpec spec = {};                      ///< the cam
   std::vector<SegmentFit> segments = {};  ///< one for each segment of the spec
   double gap = 0;                         ///< u, greatest distance from a point
-  double where = 0;                       ///< m, master position of this point
+  double where = 0;                       ///< m, master position of the point with this distance
   /// u, greatest distance of the cam beyond the tolerance of a point; 0: every point is within its
   /// tolerance. Positive if the first and the last point of a period differ by more than their
   /// tolerances, or if two points of the same dwell do.

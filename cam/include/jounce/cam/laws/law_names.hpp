@@ -20,8 +20,9 @@ struct LawAlias {
 std::span<const LawAlias> law_aliases();
 
 /// Returns the law that another tool calls `name`, in upper or lower case and with any spaces and
-/// signs: "Mod. Sine", "poly-5". Finds also the name of a law of Jounce in another spelling, but
-/// not in its own spelling. Returns null if no law has the name.
+/// signs: "Mod. Sine", "poly-5". Also finds a law whose name in Jounce is spelled differently, such
+/// as "Modified-Sine"; does not find a name in the spelling of Jounce. Returns null if no law has
+/// the name.
 const LawAlias* law_alias(std::string_view name);
 
 /// Returns a clause for an error: `is called "inclined_sine" here`, with the note.

@@ -26,8 +26,8 @@ struct Polydyne {
 ///     const Polydyne made = polydyne(output, {.frequency = 12 / speed, .damping = 0.02});
 ///
 /// **Units.** mode.frequency is in cycles per unit of the master: the frequency in Hz divided by
-/// the speed of the master. At other speeds the follower oscillates (see residual_vibration()); the
-/// smoother y is, the less.
+/// the speed of the master. At other speeds, the follower oscillates (see residual_vibration()); it
+/// oscillates less with a smoother y.
 ///
 /// **Exact.** For y on any Segment (degree 11, three sines), f is a Segment too. The cam has the
 /// breaks of y, and the policy of y outside.

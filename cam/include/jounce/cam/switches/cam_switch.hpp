@@ -43,8 +43,8 @@ namespace jounce {
 /// controllers. At constant velocity, the time of the edge is exact; at an acceleration a, its
 /// error is c^2 a / (2 v). For an axis that moves forwards, the lower boundary of the range is the
 /// on edge and the upper one the off edge; for an axis that moves backwards, they are exchanged. On
-/// edges and off edges have their own c. If compensation places the off edge before the on edge,
-/// the switch stays off; it never stays on.
+/// edges and off edges have separate values of c. If compensation places the off edge before the on
+/// edge, the switch stays off; it never stays on.
 ///
 /// **Hysteresis** is a distance h in the unit of the position. After an edge at p, no further edge
 /// occurs at p until the axis has left the interval from p - h to p + h. If the axis leaves on the
@@ -86,8 +86,8 @@ struct SwitchTrack {
   bool inverted = false;        ///< true: the output is inverted
   /// Bit of the track in EnableMask. The output of a disabled track is off, even if inverted.
   bool enabled = true;
-  /// The output while it cannot be computed yet: before the first position, and in the range of a
-  /// switch that acts in one direction until the axis has moved.
+  /// The output while its state is unknown: before the first position; and, for a switch that works
+  /// in one direction, while the axis is in its range and has not moved yet.
   bool initial = false;
 };
 

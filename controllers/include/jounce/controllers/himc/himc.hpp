@@ -24,14 +24,13 @@ namespace jounce::himc {
 /// time of the resulting motions is in s.
 struct AxisProfile {
   double velocity = 0;      ///< SetVel: velocity, mm/s, > 0
-  double acceleration = 0;  ///< SetAcc: acceleration, mm/s^2, > 0; give either this or
-                            ///< acceleration_time
+  double acceleration = 0;  ///< SetAcc: acceleration, mm/s^2, > 0; only without acceleration_time
   /// SetAccTime: time from rest to `velocity` without smoothing, ms, > 0.
   double acceleration_time = 0;
   /// SetDec: deceleration, mm/s^2; default: acceleration.
   double deceleration = 0;
-  double deceleration_time = 0;  ///< SetDecTime: time of the deceleration, ms; give at most one of
-                                 ///< this and `deceleration`
+  double deceleration_time = 0;  ///< SetDecTime: time of the deceleration, ms; only without
+                                 ///< `deceleration`
   double smoothing_time = 0;     ///< SetSMTime: smoothing time Ts, ms, 0 to 500
   double velocity_scale = 100;   ///< SetVelScale: factor on the velocity only, %, above 0 up to 100
 };

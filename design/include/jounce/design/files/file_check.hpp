@@ -38,13 +38,14 @@ struct CheckOptions {
   EngageTexts start = {};    ///< start of a coupling; master_velocity: also for limits over time
   int continuity = 1;        ///< highest derivative that must be continuous
   std::string against = {};  ///< spec of the tables, see set_against(); "": none
-  /// The axis of the spec `against`, for a table without a name, or the axis to check, for several;
-  /// "": from the name of the file, or all.
+  /// For `against`: the axis of this spec for a table without a name; for several tables, the one
+  /// to check. "": the name of the file determines the axis; all tables are checked.
   std::string axis = {};
   /// Tolerances for `against`, as for tolerance_of()
   std::vector<std::string> tolerances = {};
-  /// For a run of many files. True: `against` applies to the tables whose header names this spec, or
-  /// none; specs are checked without it. False: it applies to the file, which must be a table.
+  /// For a check of many files. True: `against` applies to the tables whose header names this spec
+  /// or no spec, and specs are checked without `against`. False: `against` applies to the file,
+  /// which must be a table.
   bool selects_tables = false;
 };
 

@@ -61,14 +61,17 @@ void require_version(const std::string& version, Fail fail) {
                       ", the format version that this program reads");
 }
 
-/// The properties of a table as texts: axis, rule, outside, x_unit, position_unit, sha256, spec, spec_sha256, made_by.
+/// The properties of a table as texts: axis, rule, outside, x_unit, position_unit, sha256, spec,
+/// spec_sha256, made_by.
 using TableHead = std::map<std::string, std::string>;
 /// Returns the properties of a table.
 TableHead head_of(const TableFile& file);
-/// Reads the properties; the result has no columns. `name`: name of the file for errors. Throws InputError.
+/// Reads the properties; the result has no columns. `name`: name of the file for errors. Throws
+/// InputError.
 TableParts parts_of(const TableHead& head, const std::string& name);
 
-/// Reads the parts from CSV, JSON, an LCM log or MCAP. `name`: name of the file for errors. Throws InputError.
+/// Reads the parts from CSV, JSON, an LCM log or MCAP. `name`: name of the file for errors. Throws
+/// InputError.
 TableParts parse_csv(const std::string& text, const std::string& name);
 TableParts parse_json(const std::string& text, const std::string& name);
 TableParts parse_lcm_log(const std::string& text, const std::string& name);

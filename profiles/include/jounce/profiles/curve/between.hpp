@@ -18,21 +18,21 @@ namespace jounce {
 /// segments). The result has the policy of f. Exception: a part of a periodic curve has the policy
 /// `hold`. The result is exact: the only new breaks are `from` and `to`.
 ///
-/// Throws InputError if from >= to, if the interval exceeds the interval of an f with the policy
-/// `refuse`, or if a periodic curve would need more segments.
+/// Throws InputError if from >= to, if f has the policy `refuse` and does not cover [from, to], or
+/// if a periodic f would need more than 1e6 segments.
 template <class Over>
 Curve<Over> between(const Curve<Over>& f, double from, double to);
 
-/// Returns f delayed by `delay`, over [start, end + late]. Requires 0 <= delay <= late, in the unit
-/// of the curve's variable. Before and after its motion f is at rest. If f is periodic, the
-/// interval of the result is [start, end]. Filters such as shaped() (vibration/shaper.hpp) add
-/// several delayed curves.
+/// Returns f delayed by `delay`. The interval of the result is [start, end + late], or [start, end]
+/// if f is periodic. Requires 0 <= delay <= late, in the unit of the curve's variable. Before and
+/// after its motion, f is at rest. Filters such as shaped() (vibration/shaper.hpp) add several
+/// delayed curves; `late` is then the longest delay, so that all have the same interval.
 template <class Over>
 Curve<Over> delayed(const Curve<Over>& f, double delay, double late);
 
 /// Throws InputError if f is not periodic and begins or ends in motion, that is, faster than 1e-9
-/// of its peak velocity. Filters call this function: outside its interval such an f is held at its
-/// end value, so a motion at the end would stop in zero time.
+/// of its peak velocity. Filters call this function because they hold f at its end values outside
+/// its interval: a curve that ends in motion would stop there in zero time.
 template <class Over>
 void require_resting_ends(const Curve<Over>& f);
 

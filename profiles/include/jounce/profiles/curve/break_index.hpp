@@ -20,9 +20,9 @@ namespace jounce {
 ///     std::size_t last = index.find(breaks, 1e9, Side::right);                   // 2: clamped
 ///
 /// **How.** The length from the first to the last break is divided into equal *cells*, two for each
-/// interval. The index stores the number of interior breaks before each cell, not the breaks. It
-/// needs 8 bytes for each interval, and nothing for up to `few` intervals. It can index at most
-/// 2^32 - 1 breaks.
+/// interval. The index stores the number of interior breaks before each cell, not the breaks. The
+/// index needs 8 bytes for each interval, and no memory for up to `few` intervals. It supports at
+/// most 2^32 - 1 breaks.
 ///
 /// **Intervals** are counted from 0. They are half-open: [breaks[i], breaks[i + 1]) for
 /// Side::right, (breaks[i], breaks[i + 1]] for Side::left. A position before the first break

@@ -47,9 +47,9 @@ Curve<Inner> composed(const Curve<Outer>& outer, const Curve<Inner>& inner);
 
 /// Returns outer(inner(x)) for any degrees and sines. Every piece that fits a Segment is exact. Any
 /// other piece is a fit within `tolerance` (in the unit of the value) with a certified error; see
-/// fitted.hpp. Throws InputError("tolerance", ...) unless the tolerance is positive and above
-/// rounding (1e-14 of the magnitude of the outer curve), or if more than 1e6 pieces would be
-/// necessary, and InputError("inner", ...) like composed().
+/// fitted.hpp. Throws InputError("tolerance", ...) in two cases: the tolerance is not positive and
+/// above rounding (1e-14 of the magnitude of the outer curve), or more than 1e6 pieces would be
+/// necessary. Throws InputError("inner", ...) like composed().
 template <class Outer, class Inner>
 Fitted<Inner> composed_within(const Curve<Outer>& outer, const Curve<Inner>& inner,
                               double tolerance);

@@ -36,8 +36,8 @@ namespace jounce {
 ///
 /// **Throws.** The constructor throws InputError if there is no segment, if a length is not finite
 /// and positive, if a degree or a number of sines is out of range, if the value or one of the first
-/// four derivatives of a segment is not finite (a coefficient is not finite, or a double cannot hold
-/// the derivative), if start or end is not finite, or if start is so large that start + length
+/// four derivatives of a segment is not finite (a coefficient is not finite, or a double cannot
+/// hold the derivative), if start or end is not finite, or if start is so large that start + length
 /// rounds to start. Other members do not throw, except sample() for spans of different sizes; the
 /// functions below throw if their result breaks these rules. Evaluation never allocates.
 ///

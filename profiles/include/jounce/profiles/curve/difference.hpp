@@ -30,7 +30,7 @@ namespace jounce {
 /// sampling. If both segments together have more than three sines of different frequency, the piece
 /// is divided until the Taylor polynomial of each sine has an error below the rounding.
 ///
-/// **Throws** InputError("interval", ...) if the curves share no interval.
+/// **Throws.** The functions throw InputError("interval", ...) if the curves share no interval.
 
 /// The curve after - before, with bounds of its rounding.
 template <class Over>

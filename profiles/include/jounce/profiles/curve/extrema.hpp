@@ -30,9 +30,9 @@ using Ranges = std::array<Range, 4>;
 
 /// Returns the exact range of the derivative of this order (0: the value, at most 3) over the whole
 /// curve. At a jump, both one-sided limits count. Critical points are exact roots of the
-/// derivative, not found by sampling (see roots.hpp). Of several equal extrema, the result has the
-/// first. The error is rounding: about 1e-15 of the curve's magnitude. Here and below, functions
-/// throw InputError for an order that is not from 0 to 3.
+/// derivative, not found by sampling (see roots.hpp). Of several equal extrema, the function
+/// returns the first. The error is rounding: about 1e-15 of the curve's magnitude. All functions of
+/// this header with an `order` throw InputError unless it is from 0 to 3.
 template <class Over>
 Range extrema(const Curve<Over>& f, int order);
 
@@ -40,7 +40,7 @@ Range extrema(const Curve<Over>& f, int order);
 template <class Over>
 Ranges extrema(const Curve<Over>& f);
 
-/// Returns the range of one derivative on the segment of this index.
+/// Returns the range of one derivative on the segment with this index, counted from 0.
 template <class Over>
 Range segment_range(const Curve<Over>& f, std::size_t segment, int order);
 
@@ -54,14 +54,16 @@ Ranges segment_extrema(const Curve<Over>& f, std::size_t segment);
 template <class Over>
 Ranges segment_extrema(const Curve<Over>& f, std::size_t first, std::size_t last);
 
-/// The same for a segment that extends from `start` to `end`.
+/// Like segment_extrema() above, for a segment that extends from `start` to `end`.
 Ranges segment_extrema(const Segment& f, double start, double end);
 
-/// Widens ranges by those of a further segment, which follows. The result is that of
-/// segment_extrema(), but a derivative whose bounds lie within its range is not examined.
+/// Widens `ranges` by the ranges of the next segment, which extends from `start` to `end`. The
+/// result is the same as with segment_extrema(), but faster: the function skips a derivative if its
+/// bounds on the segment lie within its present range.
 void widen(Ranges& ranges, const Segment& f, double start, double end);
 
-/// Widens ranges by further ones, which follow: of equal extrema, the first one stays.
+/// Widens `ranges` by the ranges `after` of a later part of the curve. Of equal extrema, the
+/// earlier one stays.
 void widen(Ranges& ranges, const Ranges& after);
 
 /// A step of a derivative at a break.

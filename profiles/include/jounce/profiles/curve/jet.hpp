@@ -19,10 +19,11 @@ enum class Side { right, left };
 /// table is made.
 enum class Extrapolation {
   /// A query outside is a programming error: a library that was built with assertions ends the
-  /// program, and an installed one returns the value of the nearer end, at rest. This is the default
-  /// of Curve(segments). Profile::curve() holds; a function of one or two curves keeps the policy of
-  /// the first, unless its header states another. A time that a controller adds up can pass the end
-  /// by rounding, so play a curve that holds: with(curve, Extrapolation::hold).
+  /// program, and an installed one returns the value of the nearer end, at rest. This is the
+  /// default of Curve(segments). The curve of Profile::curve() has the policy `hold`. A function of
+  /// one or two curves returns the policy of the first curve, unless its header states another. A
+  /// sum of cycle times can pass the end by rounding, so play a curve that has the policy `hold`:
+  /// with(curve, Extrapolation::hold).
   refuse,
   hold,  ///< the value of the nearer end, at rest
   wrap,  ///< periodic: the query is reduced to [start, end)

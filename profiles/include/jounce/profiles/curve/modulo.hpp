@@ -11,7 +11,7 @@ struct Turned {
   double turns = 0;     ///< whole number of turns; exact up to 2^53
 };
 
-/// Reduces a position to one turn, as ModRev of Agito does, and SetRollover with GetRolloverTurns
+/// Reduces a position to one turn, like ModRev of Agito, and like SetRollover and GetRolloverTurns
 /// of HIMC (HMPL manual 5.3.39).
 ///
 ///     Turned spot = rolled(-10, 360);               // 350 in turn -1
@@ -56,9 +56,9 @@ struct ModuloTarget {
 /// - **shortest** counts from the present position, even in motion: at most half a turn. Exactly
 ///   half a turn goes in the positive direction.
 /// - **positive**, **negative**: an axis that moves in this direction does not reverse. If it
-///   cannot stop before the target, it stops there one turn later. An axis that moves in the other
-///   direction stops first, and the target is counted from the stopping point. No motion if the
-///   axis is at the target (within 1e-12 of a turn).
+///   cannot stop before the target, it passes the target and stops there one turn later. An axis
+///   that moves in the other direction stops first, and the target is counted from the stopping
+///   point. An axis that is at the target (within 1e-12 of a turn) does not move.
 /// - **current**: the direction of the present velocity; for an axis at rest, shortest.
 /// - **fastest** considers the nearest targets on both sides of the present position and of the
 ///   stopping point, and takes the one with the least duration (see durations() in move.hpp). Of
@@ -67,8 +67,8 @@ struct ModuloTarget {
 /// The distance is exact for any number of turns, because it is computed from remainders. Keep the
 /// position of an endless axis reduced to one turn, and plan by distance: a position of 1e12 turns
 /// has too few digits. Throws InputError if the period is not positive, or if `to` or the position
-/// is not finite. For a velocity, an acceleration or bounds that move_to() rejects, the result has
-/// the status.
+/// is not finite. If move_to() rejects the velocity, the acceleration or the bounds, the result has
+/// the status of move_to().
 ModuloTarget modulo_target(const MotionState& from, double to, Direction direction, double period,
                            const Bounds& bounds);
 

@@ -5,8 +5,8 @@
 
 namespace jounce::profiles_detail {
 
-/// A sum of positive lengths from a start, compensated (Neumaier), so that also 1e6 segments end at
-/// the exact place.
+/// Sum of a start and of positive lengths. The summation is compensated (Neumaier), so that even
+/// the end of 1e6 segments has no accumulated rounding.
 class CompensatedSum {
  public:
   explicit CompensatedSum(double start = 0) : total_(start) {}

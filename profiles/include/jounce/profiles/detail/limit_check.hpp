@@ -19,7 +19,7 @@ struct Bound {
   Rule rule;
   double limit;  ///< in the unit of the derivative
   bool upper;    ///< true: the value must not exceed the limit; false: it must not fall below
-  double scale;  ///< the value of a relative margin of 1, in the same unit
+  double scale;  ///< the distance from the limit that is a relative margin of 1, in the same unit
 };
 
 /// Margin between the limit and the worst value of the range, relative to the bound's scale.

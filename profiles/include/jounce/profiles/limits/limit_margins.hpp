@@ -9,9 +9,9 @@
 
 namespace jounce {
 
-/// Margins of all segments of a curve to one limit. (check() returns only the least margin.) A
-/// limit of velocity, acceleration or jerk gives two objects with the same rule: one for the
-/// positive and one for the negative direction.
+/// Margins of all segments of a curve to one limit. (check() returns only the least margin of a
+/// limit that is satisfied.) A limit of velocity, acceleration or jerk gives two objects with the
+/// same rule: one for the positive and one for the negative direction.
 struct LimitMargin {
   std::string rule = {};              ///< text of the rule, as in a Finding: "limit/velocity"
   std::vector<double> segments = {};  ///< margin of each segment; defined in Finding::margin

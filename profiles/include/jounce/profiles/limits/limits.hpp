@@ -24,13 +24,13 @@ struct Limits {
 
 struct Bounds;
 
-/// Returns the limits as the bounds of a move (moves/move.hpp), equal in both directions. A limit that
-/// is not given is no bound.
+/// Returns the limits as the bounds of a move (moves/move.hpp), equal in both directions. A limit
+/// that is not given is no bound.
 Bounds bounds_of(const Limits& limits);
 
 /// Returns the bounds of a move as limits for check(). An infinite bound is no limit. Throws
-/// InputError if the bounds of velocity, acceleration or jerk differ between the directions (a limit
-/// applies to both), and like require_valid().
+/// InputError if the bounds of velocity, acceleration or jerk differ between the directions,
+/// because a limit applies to both; also throws like require_valid().
 Limits limits_of(const Bounds& bounds);
 
 /// Throws InputError if a limit is not finite, if the limit of velocity, acceleration or jerk is
@@ -87,8 +87,9 @@ void sort(Report& report);
 /// Compares the exact extrema of a curve with the limits. Returns one finding for each segment and
 /// each limit that the segment breaks (each direction of a rate is one limit); a peak on a break
 /// counts for the segment before the break. For each limit that the whole curve satisfies, returns
-/// one finding, with the smallest margin. Without limits, the report has no findings and is ok: test
-/// that the limits of a file are present before you check with them. Throws like require_valid().
+/// one finding, with the smallest margin. Without limits, the report has no findings and is ok:
+/// test that the limits of a file are present before you check with them. Throws like
+/// require_valid().
 template <class Over>
 Report check(const Curve<Over>& f, const Limits& limits);
 

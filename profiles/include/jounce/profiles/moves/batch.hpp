@@ -15,7 +15,7 @@ namespace jounce {
 ///
 /// Every move has limits of velocity, acceleration and jerk, and zero acceleration at its ends. A
 /// column holds either one value for each move, or a single value that applies to all moves. For
-/// one move, query.hpp computes the same. u is the axis' unit.
+/// one move, minimum_duration() in query.hpp computes the same. u is the axis' unit.
 struct MoveColumns {
   std::span<const double> distance;           ///< u, of either sign
   std::span<const double> entry = {};         ///< velocity at the start, u/s, any sign; empty: 0
@@ -28,9 +28,9 @@ struct MoveColumns {
 /// Writes the least duration of every move (s) to `durations`. The duration is NaN if no move
 /// exists: a limit is not positive, the velocity at an end exceeds the limit, or a value is not
 /// finite or out of the range of query.hpp (1e-30 to 1e30). If `peak` is not empty, it receives the
-/// signed velocity of the cruise, or the peak velocity of a move without cruise (u/s). `durations`, a
-/// nonempty `peak` and every column with one value for each move have the same size; otherwise every
-/// result is NaN.
+/// signed velocity of the cruise, or the peak velocity of a move without cruise (u/s). `durations`,
+/// a nonempty `peak` and every column with one value for each move have the same size; otherwise
+/// every result is NaN.
 ///
 /// Uses the widest vectors of the processor (AVX-512, AVX2, or the baseline). The relative
 /// difference from the result of query.hpp is at most 1e-12. Does not allocate or throw.

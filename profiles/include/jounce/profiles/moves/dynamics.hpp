@@ -26,7 +26,7 @@ struct Dynamics {
   double velocity = 0;           ///< u/s, > 0
   double acceleration = 0;       ///< u/s^2, > 0
   double deceleration = 0;       ///< u/s^2; 0: the same as acceleration
-  double jerk = 0;               ///< u/s^3; 0: not limited; must be > 0 if deceleration_jerk is
+  double jerk = 0;               ///< u/s^3; 0: not limited; must be > 0 if deceleration_jerk > 0
   double deceleration_jerk = 0;  ///< u/s^3, while the axis slows down; 0: the same as jerk
 };
 
@@ -48,17 +48,17 @@ Profile velocity_ramp(const MotionState& from, double velocity, const Dynamics& 
 /// back.
 ///
 /// If jerk and deceleration_jerk differ, each applies in its own phase in two cases: the axis only
-/// stops, or it first changes to one velocity and then stops. In these cases, a repeated command
-/// changes nothing. In all other cases (the axis must reverse, or the target is too near), the
-/// larger jerk applies to the rest of the move: with the smaller jerk, an axis that is speeding up
-/// would exceed its velocity.
+/// stops, or it first changes to one velocity and then stops. In these cases, the motion does not
+/// change if the same command is repeated. In all other cases (the axis must reverse, or the target
+/// is too near), the larger jerk applies to the rest of the move. With the smaller jerk, an axis
+/// that is speeding up would exceed its velocity.
 Trajectory with_target(const Trajectory& running, double t, double target,
                        const Dynamics& dynamics);
 
 /// Returns `running` until the time t (s), then the change to `velocity` (u/s, signed).
-/// dynamics.velocity is not used. The result ends when the axis reaches the velocity; if `running`
-/// already has this velocity at t, the result ends at t (and must begin before t: an empty motion
-/// throws InputError).
+/// dynamics.velocity is not used. The result ends when the axis reaches the velocity. If `running`
+/// already has this velocity at t, the result ends at t; InputError is thrown if t is then also the
+/// start of `running`.
 Trajectory with_velocity(const Trajectory& running, double t, double velocity,
                          const Dynamics& dynamics);
 

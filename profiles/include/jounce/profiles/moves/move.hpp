@@ -95,10 +95,11 @@ struct [[nodiscard]] MoveResult {
 /// that return. Once inside, the velocity stays inside. The move is the shortest of all such
 /// motions.
 ///
-/// A target at rest is not passed, and the axis does not reverse, if the fastest stop does not pass
-/// the target. The acceleration limit has one exception: the axis is braking harder than the limit
-/// at the start, and with the limit would pass a target at rest. Then the deceleration stays above
-/// the limit, by only as much as the stop needs, and never above the deceleration at the start.
+/// If the fastest stop does not pass a target at rest, the move does not pass the target either,
+/// and the axis does not reverse. The acceleration limit has one exception: at the start, the axis
+/// is braking harder than the limit, and would pass a target at rest if it braked within the limit.
+/// Then the deceleration stays above the limit, but only by the amount that the stop needs, and
+/// never exceeds the deceleration at the start.
 ///
 /// **The target** must be inside the bounds. A quantity that may step (such as the acceleration of
 /// a second-order motion) steps to its target value at the end.
@@ -114,7 +115,7 @@ struct [[nodiscard]] MoveResult {
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds) noexcept;
 
 /// Returns a move with exactly this duration (s, >= 0). Of the possible moves, the function prefers
-/// the one with the lower velocity, then the one with the lower accelerations.
+/// the one with the lowest velocity, then the one with the lowest accelerations.
 MoveResult move_to(const MotionState& from, const MotionState& to, const Bounds& bounds,
                    double duration) noexcept;
 

@@ -28,8 +28,8 @@ constexpr MotionState state_of(const Motion& motion) noexcept {
   return {motion.position, motion.velocity, motion.acceleration};
 }
 
-/// A motion over time in compact form, as the generators of motions over time return it: 192 bytes,
-/// no heap.
+/// A motion over time in a compact form of 192 bytes, without memory from the heap. The generators
+/// of motions over time return profiles.
 ///
 ///     Profile move = s_curve({.to = 50, .velocity = 10, .acceleration = 20, .jerk = 100});
 ///     double T = move.duration();          // s
@@ -81,9 +81,9 @@ class Profile {
     count_ = n;
   }
 
-  /// Appends a phase. A phase with duration <= 0 is omitted. A phase with the value of its
-  /// predecessor extends the predecessor. A profile holds at most `capacity` phases, and four
-  /// different values besides zero.
+  /// Appends a phase. A phase with duration <= 0 is omitted. A phase with the same value as the
+  /// phase before it extends that phase. A profile holds at most `capacity` phases, and at most
+  /// four different values besides zero.
   void add(double duration, double value) noexcept { add(duration, value, 0); }
   /// Adds a phase whose value is the sum value + more. The limit of four different values applies
   /// to the terms, not to the sums.

@@ -94,8 +94,8 @@ class OnlineGenerator {
   /// Returns the reason why an axis does not move to its goal, or ok. It is `invalid_bounds` if the
   /// axis has a target but no bounds.
   [[nodiscard]] MoveStatus status(std::size_t axis) const noexcept { return axes_[axis].status(); }
-  /// Returns the bounds of the present motion. While the axis would otherwise pass its target,
-  /// these limits of acceleration and jerk may be wider than those that were set.
+  /// Returns the bounds of the present motion. Their acceleration and jerk may be wider than those
+  /// of set_bounds(), while the axis would otherwise pass its target.
   [[nodiscard]] const Bounds& in_force(std::size_t axis) const noexcept {
     return axes_[axis].in_force();
   }

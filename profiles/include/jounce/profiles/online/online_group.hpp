@@ -13,7 +13,7 @@ struct OnlineStep {
   /// off the requested line because no motion on the line stays within the bounds. `not_finite`:
   /// step() was called with an invalid dt.
   MoveStatus status = MoveStatus::ok;
-  std::size_t axis = 0;  ///< the first axis with this status, if it is not ok
+  std::size_t axis = 0;  ///< index of the first axis with this status, if the status is not ok
   bool arrived = false;  ///< true if every enabled axis is at its goal
   /// True if a motion was planned or a goal refused; false if all motions were kept.
   bool planned = false;

@@ -45,9 +45,9 @@ struct Overridden {
   bool arrived = true;
 };
 
-/// Plays a planned motion with a speed override (HIMC HMPL manual 5.3.37, 8.3.28: SetVelScale; Halt
-/// and Resume 5.2.10, 5.2.11; PLCopen MC_SetOverride). All axes follow one clock, so no axis leaves
-/// the path, and after a hold the motion continues exactly on it.
+/// Returns a planned motion with a speed override. Sources: PLCopen MC_SetOverride; HIMC HMPL
+/// manual, SetVelScale (5.3.37, 8.3.28), Halt and Resume (5.2.10, 5.2.11). All axes follow one
+/// clock, so no axis leaves the path, and after a hold the motion continues exactly on it.
 ///
 ///     const std::vector axes{s_curve({.to = 50, .velocity = 10, .acceleration = 20,
 ///                                     .jerk = 100}).curve()};

@@ -37,7 +37,8 @@ namespace jounce {
 
 /// When a command begins, relative to the previous command. The controllers use the same numbers.
 enum class BufferMode : std::uint8_t {
-  aborting = 0,  ///< at once, when issued; ends the running command and removes all that wait
+  aborting = 0,  ///< at once, when issued; ends the present command and removes all waiting
+                 ///< commands
   /// when the previous command is done: at rest or, for MoveVelocity, at its velocity
   buffered = 1,
   /// At the end position of the previous command, with the lower of the two command velocities.
@@ -102,7 +103,8 @@ struct QueueSpec {
 /// Outcome of a command.
 enum class CommandState : std::uint8_t {
   done,     ///< the axis reached the command's target or velocity
-  aborted,  ///< CommandAborted: while it ran, or before it began (then end == begin)
+  aborted,  ///< aborted while it ran, or before it began (then end == begin); PLCopen
+            ///< CommandAborted
 };
 
 /// Result of one command. Positions and velocities have the sign of the axis.

@@ -28,8 +28,8 @@ MotionState state_at(const Trajectory& f, double t);
 
 /// Returns the state at t from which a new command with this jerk begins. The jerk is in the unit
 /// of the position per s^3; 0: no limit. The acceleration of the state is zero in two cases: the
-/// command has no jerk limit, or the acceleration of `f` steps around t, as in a trapezoid, so that
-/// it may step at t as well.
+/// command has no jerk limit, or the acceleration of `f` has steps near t, as in a trapezoid. Then
+/// the new command may also begin with a step of the acceleration.
 MotionState state_for(const Trajectory& f, double t, double jerk);
 
 /// Returns f from its start to t, cut or continued as described above. Throws InputError also if t

@@ -24,7 +24,8 @@ struct AxisMove {
   /// False: the axis takes no part. Its profile stays at `from` and has no duration.
   bool enabled = true;
   /// A motion from `from` to the goal that stays within the bounds, if one is available; otherwise
-  /// null. It is used if no faster motion is found, or if the common duration equals its duration.
+  /// null. The function uses this motion if it finds no faster one, or if the common duration
+  /// equals the duration of this motion.
   const Profile* under_way = nullptr;
 };
 
@@ -36,23 +37,25 @@ enum class Sync : std::uint8_t {
   /// Like time, except that an axis whose target is at rest takes its own shortest time and waits
   /// at the target.
   time_if_moving,
-  phase_or_time,  ///< phase; if its status would be `not_straight`: time
+  phase_or_time,  ///< like phase; if the status of phase would be `not_straight`, like time
 };
 
 /// Result of synchronize().
 struct [[nodiscard]] Synchronized {
   MoveStatus status = MoveStatus::ok;  ///< ok, or why there is no common motion
-  std::size_t axis = 0;                ///< the axis that causes the status, if it is not ok
-  /// s, the common duration: the longest of an axis, and at least the minimum; 0 if the status is
-  /// not ok. With Sync::time_if_moving, if all targets are at rest: the longest of an axis.
+  std::size_t axis = 0;                ///< index of the axis that causes the status, if the status
+                                       ///< is not ok
+  /// s, the common duration: the longest duration of an axis, and at least `minimum_duration`; 0 if
+  /// the status is not ok. With Sync::time_if_moving, if all targets are at rest, it is the longest
+  /// duration of an axis.
   double duration = 0;
 };
 
-/// Plans one profile for each axis and writes them to `out`. If the spans differ in size, the status
-/// is `wrong_size`, and `out` does not change. Every
-/// duration of an enabled axis is at least `minimum_duration` (s); with Sync::time_if_moving, this
-/// does not apply to an axis whose target is at rest. With `grid` > 0 (s), every duration is a
-/// multiple of `grid`. If the status is not ok, the profiles in `out` are not a motion.
+/// Plans one profile for each axis and writes them to `out`. If the spans differ in size, the
+/// status is `wrong_size`, and `out` does not change. Every duration of an enabled axis is at least
+/// `minimum_duration` (s); with Sync::time_if_moving, this does not apply to an axis whose target
+/// is at rest. With `grid` > 0 (s), every duration is a multiple of `grid`. If the status is not
+/// ok, the profiles in `out` are not a motion.
 ///
 /// With Sync::phase, the status is `not_straight` (the path is never bent) in these cases:
 /// - The states are not on the line from start to goal: velocities and accelerations must be

@@ -70,11 +70,11 @@ struct ViaMotion {
 /// Plans the motion.
 /// - One axis: the shortest motion through the points that does not reverse between points that
 ///   follow each other in one direction. Such points cost no time if the stretches before and after
-///   them have the same bounds. The search varies the acceleration at turning points.
-/// - Several axes: the search varies velocities and accelerations at the points (coordinate by
-///   coordinate, from a feasible start; the result is reproducible). It finds a local optimum,
-///   which is never longer than the motion with a stop at every point, but is not proven to be the
-///   shortest. No axis reverses between two points.
+///   them have the same bounds. To find it, the function varies the acceleration at turning points.
+/// - Several axes: a search varies velocities and accelerations at the points, one coordinate at
+///   a time, from a feasible start; the result is reproducible. The search finds a local optimum.
+///   This motion is never longer than the motion with a stop at every point, but it is not proven
+///   to be the shortest. No axis reverses between two points.
 ///
 /// Throws InputError
 /// - if there are no axes or fewer than two points;

@@ -16,9 +16,9 @@ struct NotchSpec {
   double frequency = 0;     ///< Hz, > 0
   double damping = 1;       ///< D of the poles, >= 0.05
   double mode_damping = 0;  ///< D0 of the zeros, >= 0 and < damping
-  /// The filtered motion decays after the end of the given motion. The filter cuts this tail when
-  /// the rest of it is below this share of the travel (the difference between the greatest and the
-  /// least position); > 0 and < 1.
+  /// > 0 and < 1. After the end of the given motion, the filtered motion decays. The filter ends
+  /// this tail as soon as the rest of the tail is below this share of the travel (the difference
+  /// between the greatest and the least position).
   double settled = 1e-6;
 };
 

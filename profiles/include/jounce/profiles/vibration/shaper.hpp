@@ -55,11 +55,11 @@ std::vector<Impulse> shaper(const ShaperSpec& spec);
 /// permitted error. Throws InputError like require_valid().
 std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impulse> b);
 
-/// Returns the curve through a shaper: the sum of copies of f, each delayed by the time of an
-/// impulse and multiplied by its amplitude. Exact. The result is longer than f by the time of the
-/// last impulse. f must begin and end at rest, and counts as at rest outside its interval (even if
-/// it refuses). A periodic curve is shaped across its ends. If all impulses are positive, the
-/// result stays within all limits that f satisfies.
+/// Returns f after a shaper: the sum of copies of f, each delayed by the time of an impulse and
+/// multiplied by its amplitude. Exact. The result is longer than f by the time of the last impulse.
+/// f must begin and end at rest, and counts as at rest outside its interval (even with the policy
+/// `refuse`). A periodic curve is shaped across its ends. If all impulses are positive, the result
+/// stays within all limits that f satisfies.
 ///
 /// Throws InputError if there is no impulse; if the times do not ascend from 0, or the amplitudes
 /// do not have the sum 1; if the last impulse comes later than 10000 lengths of f; if f begins or

@@ -44,10 +44,10 @@ struct WorstResidual {
 WorstResidual worst_residual(std::span<const Impulse> impulses, double damping, double low,
                              double high);
 
-/// Returns the residual vibration after a motion, in the curve's unit u. It is the amplitude of the
-/// free vibration of a load that obeys (1), at the instant at which the motion ends; before the
-/// motion, the load is at rest. Before and after its interval, the motion is at rest; steps of the
-/// position are permitted.
+/// Returns the residual vibration after a motion, in the curve's unit u. The result is the
+/// amplitude of the free vibration of a load that obeys (1), at the instant at which the motion
+/// ends. Before the motion, the load is at rest. Before and after its interval, the motion is at
+/// rest; steps of the position are permitted.
 ///
 /// Exact: a closed form for polynomials and sines. The error is rounding, about 1e-15 of the travel
 /// for each segment. Throws InputError for a mode out of range.

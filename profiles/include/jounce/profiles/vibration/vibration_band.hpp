@@ -7,9 +7,9 @@
 
 namespace jounce {
 
-/// Returns residual_vibration() with its phase, in u: the magnitude of the result is
-/// residual_vibration(). The function is linear: the phasor of a sum of motions over the same time
-/// is the sum of their phasors. Throws InputError for a mode out of range.
+/// Returns the residual vibration after a motion as a phasor, in u. The magnitude of the phasor is
+/// residual_vibration(). The phasor of a sum of motions over the same time is the sum of their
+/// phasors. Throws InputError for a mode out of range.
 std::complex<double> residual_phasor(const Trajectory& motion, const Mode& mode);
 
 /// The possible modes of a machine: all frequencies and dampings within these ranges.

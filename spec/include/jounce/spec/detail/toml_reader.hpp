@@ -26,16 +26,17 @@ struct PartEnded {};
 /// Ends the reading of a document that has ErrorList::most errors.
 struct TooManyErrors {};
 
-/// Collects all errors of a document, without those that only follow from others. For this purpose, the document is
-/// read several times; see read_document().
+/// Collects all errors of a document, without those that only follow from others. For this purpose,
+/// the document is read several times; see read_document().
 ///
-/// A faulty value is replaced by a placeholder, and reading continues. An error that a reader throws ends its part. In
-/// the next pass, its key has a placeholder too, so that the pass reaches the next error. The passes end when they find
-/// no new error.
+/// A faulty value is replaced by a placeholder, and reading continues. An error that a reader
+/// throws ends its part. In the next pass, its key has a placeholder too, so that the pass reaches
+/// the next error. The passes end when they find no new error.
 ///
-/// An error after a placeholder may follow from it. The passes are then repeated with other placeholders: between the
-/// values of the neighbors in a list, without the key, great, small, negative. The smallest result is reported, because
-/// a placeholder that fits causes no other error.
+/// An error after a placeholder may follow from it. The passes are then repeated with other
+/// placeholders: between the values of the neighbors in a list, without the key, great, small,
+/// negative. The smallest result is reported, because a placeholder that fits causes no other
+/// error.
 class ErrorList {
  public:
   explicit ErrorList(const toml::table& root) : root_(&root) {}
@@ -74,7 +75,8 @@ class ErrorList {
   static constexpr std::size_t least_guesses = 13;  ///< number of sets of placeholders
   static constexpr std::size_t most_passes = 1000;  ///< limit for all placeholders together
 
-  /// The result of the passes with one set of placeholders. A part that could not be read may hide errors.
+  /// The result of the passes with one set of placeholders. A part that could not be read may hide
+  /// errors.
   struct Result {
     std::size_t unread = 0;
     std::vector<InputError> errors = {};
@@ -100,8 +102,8 @@ class ErrorList {
 /// rejects all keys that no getter has read.
 ///
 /// With an ErrorList, an error in a value, and an unknown key, are added to the list; the getter
-/// then returns a placeholder, and reading continues. An error that fail() throws ends the part; see
-/// attempt().
+/// then returns a placeholder, and reading continues. An error that fail() throws ends the part;
+/// see attempt().
 ///
 /// A getter `optional_...` returns nullopt for a missing key. Any other getter throws InputError if
 /// the key is missing.
@@ -178,8 +180,8 @@ class TomlReader {
   /// True if the key contains tables: [[key]] or key = [{...}, ...].
   bool holds_tables(const char* key);
   /// Returns the numbers of key = [a, b, ...], one for each unit; empty if the key is missing.
-  /// `each`: end of the error for another count, such as ", one for each axis". `least`: another count
-  /// that is possible; the list then ends there.
+  /// `each`: end of the error for another count, such as ", one for each axis". `least`: another
+  /// count that is possible; the list then ends there.
   std::vector<double> numbers(const char* key, std::span<const std::string> units,
                               const std::string& each = "", std::size_t least = 0);
   /// Returns the numbers of key = [a, b, ...], in `unit`.
@@ -208,8 +210,8 @@ class TomlReader {
   void record_files(const std::vector<std::string>& files) const {
     document_->files.insert(document_->files.end(), files.begin(), files.end());
   }
-  /// Calls `read`, which reads the file `file` that `key` names, and records this file and those that it names. If the
-  /// file cannot be read, the error gets the place of the key.
+  /// Calls `read`, which reads the file `file` that `key` names, and records this file and those
+  /// that it names. If the file cannot be read, the error gets the place of the key.
   template <class Read>
   auto file_of(const char* key, const std::string& file, Read read) const {
     try {
@@ -244,7 +246,8 @@ class TomlReader {
   void refuse_here(const char* key, const std::string& where);
 
  private:
-  /// The value of a key, and its place; nullptr if the key is missing, or left out because of its error.
+  /// The value of a key, and its place; nullptr if the key is missing, or left out because of its
+  /// error.
   const toml::node* find(const char* key);
   [[nodiscard]] const toml::node* given(const char* key) const;
   /// `example`: what the message for a missing key proposes to add.
@@ -277,8 +280,8 @@ class TomlReader {
 };
 
 /// Returns the result of read(errors), which reads a document into a value of its own with this
-/// ErrorList. Calls `read` again if the document has errors. Throws all of them, in their order, but
-/// not those that only follow from others.
+/// ErrorList. Calls `read` again if the document has errors. Throws all of them, in their order,
+/// but not those that only follow from others.
 template <class Read>
 auto read_document(const toml::table& root, const Read& read) {
   ErrorList errors(root);
@@ -298,8 +301,8 @@ auto read_document(const toml::table& root, const Read& read) {
 /// of syntax.
 toml::table parse_toml(const Document& document);
 
-/// Reads a spec to which another spec refers. Throws its first error: further ones would multiply the
-/// passes of both files.
+/// Reads a spec to which another spec refers. Throws its first error: further ones would multiply
+/// the passes of both files.
 Spec parse_source(std::string text, std::string name);
 
 /// Requires the key `jounce = 1`, which every file contains.

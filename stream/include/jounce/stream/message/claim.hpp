@@ -21,8 +21,8 @@ struct ClaimOptions {
 };
 
 /// The claim of an executor to its names, as a pure state machine without thread, clock or link.
-/// Every executor of a network has one. It is made from the names of the axes and a random number
-/// for this start of the executor, its boot.
+/// Every executor of a network has one claim. The claim contains the names of the axes and the
+/// *boot*: a random number for this start of the executor.
 ///
 ///     Claim claim({"feeder", "knife"}, random_id());
 ///     claim.receive(message, now);                       // each arrived message
@@ -31,9 +31,9 @@ struct ClaimOptions {
 ///     if (claim.up()) ...                                // all names are this executor's
 ///
 /// **The rule.** If two executors have the same name, an executor that is up wins over one that
-/// starts; otherwise the smaller boot wins. An executor sends requests before it is up. It
-/// continues to send them afterwards, because two networks may be connected later, or messages may
-/// have been lost.
+/// starts; otherwise the smaller boot wins. An executor sends requests before it is up. The
+/// executor continues to send requests afterwards, because two networks may be connected later, or
+/// messages may have been lost.
 ///
 /// **Exactly one** executor wins. Executor A gives up only if it receives a claim of an executor B
 /// that contains the boot of A. So B has received the claim of A, applies the same rule, and wins.

@@ -228,11 +228,12 @@ struct QueueAck {
 /// 2^(i-1) us to below 2^i us, class 15 all others.
 using Histogram = std::array<std::int32_t, 16>;
 
-/// Bits of Status::unwritten: files that ended before the end of the run, or were never created.
+/// Bits of Status::unwritten: files that the executor could not create, or could not continue to
+/// its end.
 enum Unwritten : std::uint8_t { log_unwritten = 1, record_unwritten = 2, black_box_unwritten = 4 };
 
-/// State of the pair of an axis and its live master (HMPL manual, chapter 6). The numbers are part of
-/// the wire format.
+/// State of the pair of an axis and its live master (HMPL manual, chapter 6). The numbers are part
+/// of the wire format.
 enum class GearState : std::int8_t {
   none = 0,        ///< the axis has no master
   disengaged = 1,  ///< the axis has a master, and does not follow it
@@ -299,10 +300,10 @@ enum class EventKind : std::int8_t {
   tappet = 2,   ///< an output of another executor
   probe = 3,    ///< a capture of a touch probe; `number`: its input, `on`: rising edge
   mark = 4,     ///< registration; `number`: see MarkEvent
-  /// A pass of a cam or a follow table on the live master has ended; `number`: of passes that have
-  /// ended, `position`: of the master.
+  /// A pass of a cam or a follow table on the live master has ended; `number`: number of passes
+  /// that have ended; `position`: position of the master.
   end_of_profile = 5,
-  /// A follow table begins; `number`: its bank, 1 or 2; `position`: of the master.
+  /// A follow table begins; `number`: its bank, 1 or 2; `position`: position of the master.
   table_begin = 6,
   m_word = 7,  ///< M word `number` of a group; `on`: it waits for its acknowledgment
 };
@@ -368,7 +369,7 @@ struct GroupStatus {
 
   std::int64_t boot = 0;  ///< see Ack
   std::int64_t tick = 0;  ///< tick of these values
-  /// Names of the coordinates of commands: of the axes of the group, or of its tool.
+  /// Names of the coordinates in commands: the axes of the group, or the axes of its tool.
   std::vector<std::string> axes{};
   /// Commanded coordinates, in the frame of the commands, one for each name; NaN: unknown.
   std::vector<double> place{};
@@ -385,7 +386,7 @@ struct GroupStatus {
   double remaining_s = Status::unknown;
   /// Distance to the place where the group brakes for the end of its path, u; NaN: no path.
   double look_ahead = Status::unknown;
-  /// Units of the coordinates, one for each name, or none; "": not known.
+  /// Units of the coordinates, one for each name; no entries, or "": unknown.
   std::vector<std::string> units{};
 };
 

@@ -21,9 +21,9 @@
 ///          .rows = {{.x_end = 0.1, .p_end = 2, .v_end = 40, .order = RowOrder::cubic}}};
 ///
 /// **Origin and range.** A queue announces its origin and its range of positions. An axis rejects
-/// the queue if the axis stands elsewhere, or if the position range of the axis is narrower. Rows
-/// that leave the announced range are rejected. If the axis would leave the range for another
-/// reason, it stops.
+/// the queue if the axis does not stand at the origin, or if its own position range does not
+/// contain the announced range. Rows that leave the announced range are rejected. If the axis would
+/// leave the range for another reason, it stops.
 ///
 /// **Units**: u is the unit of the position p, m the unit of x (s over time).
 namespace jounce::wire {
@@ -94,7 +94,8 @@ struct Queue {
   /// Highest position of the whole motion, relative to its start, u, >= 0.
   double highest = no_bound;
   /// Over a master: the direction of the master that moves the slave, 1 or -1; 0: both. With 1 or
-  /// -1, the slave stands still while the master moves in the other direction, and until it is back.
+  /// -1, the slave stands still while the master moves in the other direction, and until the master
+  /// is back at the position at which it turned.
   std::int8_t direction = 0;
 
   static constexpr double no_bound = std::numeric_limits<double>::infinity();  ///< no limit

@@ -102,8 +102,8 @@ struct StopRequested {
   wire::StopMode mode = wire::StopMode::stop;  ///< stop or abort
 };
 
-/// Event: the session of the axis has ended. The axis must disarm an armed motion without a start;
-/// it decides whether a motion in progress continues.
+/// Event: the session of the axis has ended. The axis must disarm an armed motion without a start.
+/// The axis decides whether a motion in progress continues.
 struct SessionEnded {
   enum class Why { released, silent, operator_stop };
   std::int64_t session = 0;  ///< the session
@@ -158,8 +158,8 @@ class Receiver {
   [[nodiscard]] std::optional<StreamEvent> take_event();
 
   /// Answers an event: the axis has accepted the command. No effect if another command has
-  /// followed, or if the session has ended. `note`: a remark for the operator, sent as the reason of
-  /// the reply; at most wire::reason_bytes.
+  /// followed, or if the session has ended. `note`: a remark for the operator, sent as the reason
+  /// of the reply; at most wire::reason_bytes.
   void accept(std::int64_t session, std::int32_t command, std::string note = {});
   /// Answers an event: the axis has rejected the command. `cause`: number of the Cause; 0: none.
   void refuse(std::int64_t session, std::int32_t command, std::string reason,
@@ -182,7 +182,8 @@ class Receiver {
   [[nodiscard]] const std::string& executor() const;
   /// The number of this start of the executor.
   [[nodiscard]] std::int64_t boot() const;
-  /// Challenges of the messages of a session, and of an operator.
+  /// The challenge that messages of the session must contain, and the challenge for messages of an
+  /// operator.
   [[nodiscard]] std::int64_t challenge() const;
   [[nodiscard]] std::int64_t operators_challenge() const;
 

@@ -34,17 +34,17 @@ struct ClientOptions {
 /// TransportError. Units are the units of the axis and of its master.
 ///
 /// **Session.** The first call opens a session: from then on, the client owns the axis. If another
-/// program owns the axis, the call is rejected with Refusal::busy. If no call is made for the session
-/// timeout of the axis (by default one second), the session ends, and a motion in progress is stopped
-/// before its end; the next call opens a new session. So call beat() several times a second while the
-/// axis moves. release() ends the session, and the motion continues to its end.
+/// program owns the axis, the call is rejected with Refusal::busy. If no call is made for the
+/// session timeout of the axis (by default one second), the session ends, and a motion in progress
+/// is stopped before its end; the next call opens a new session. So call beat() several times a
+/// second while the axis moves. release() ends the session, and the motion continues to its end.
 ///
 /// **The destructor** releases the session, and waits for the answer for at most 0.2 s. If it runs
-/// because an exception leaves the scope, it does not release: the motion is stopped when the session
-/// times out.
+/// because an exception leaves the scope, it does not release: the motion is stopped when the
+/// session times out.
 ///
-/// **Threads.** Use a client and its link in one thread only: replies that another thread takes from
-/// the link are lost, and both calls end with StreamError::no_answer.
+/// **Threads.** Use a client and its link in one thread only: replies that another thread takes
+/// from the link are lost, and both calls end with StreamError::no_answer.
 ///
 /// If the executor restarts, the next call returns StreamError::restarted and has no effect,
 /// because the state of the axis may have changed. The call after it opens a new session.
@@ -65,8 +65,9 @@ class Client {
   CallOutcome resume() { return command(command::Resume{}); }
   /// Sends a heartbeat. `patience`: see request().
   CallOutcome beat(Nanos patience = Nanos::max()) { return request(wire::Heartbeat{}, patience); }
-  /// Sends a heartbeat in the present session, but never opens a new one: the error is
-  /// StreamError::stopped if the executor has ended the session, as a stop by an operator does.
+  /// Sends a heartbeat in the present session, but never opens a new session. If the executor has
+  /// ended the session, for example because an operator has stopped the axis, the error is
+  /// StreamError::stopped.
   CallOutcome keep();
   /// Stops the axis and ends its motion.
   CallOutcome stop(wire::StopMode mode = wire::StopMode::stop);
@@ -80,8 +81,8 @@ class Client {
   CallOutcome command(const ClientCommand& command, std::int64_t at = -1);
 
   /// Sends any message of a client, in the present session or in a new one. Use a Heartbeat to keep
-  /// the session alive. Each message waits for its answer for `patience`, but not longer than the
-  /// patience of the options.
+  /// the session alive. The call waits for the answer for at most `patience`, and never longer than
+  /// ClientOptions::patience.
   CallOutcome request(const wire::Body& body, Nanos patience = Nanos::max());
 
   /// Ends the session. A motion continues.

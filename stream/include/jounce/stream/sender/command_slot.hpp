@@ -9,8 +9,8 @@
 
 namespace jounce {
 
-/// The command of a session that still waits for its outcome. It is sent again until the outcome
-/// arrives. Every streamer, client and operator sends its commands through this class.
+/// The command of a session that still waits for its outcome. The command is sent again until the
+/// outcome arrives. Every streamer, client and operator sends its commands through this class.
 class CommandSlot {
  public:
   /// `last` is the number of the last command of the session; the next command gets the next

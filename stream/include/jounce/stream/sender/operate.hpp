@@ -18,7 +18,7 @@ std::optional<wire::Status> present_status(Transport& link, const std::string& e
                                            const Clock& clock = steady_now);
 
 /// Subscribes to the place of a group on its path and returns the next one; nullopt if none arrives
-/// within `timeout`, because the executor is a single axis.
+/// within `timeout`. A single axis sends none.
 std::optional<wire::GroupStatus> present_group(Transport& link, const std::string& executor,
                                                Nanos timeout,
                                                const std::optional<wire::Key>& key = {},

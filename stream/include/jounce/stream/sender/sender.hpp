@@ -78,8 +78,8 @@ struct [[nodiscard]] StreamOutcome : CallOutcome {
 ///       if (sender.at_goal()) sender.release();            // or hold the session, or stop()
 ///     }
 ///
-/// After a failure, the sender still has to send messages that free the axis (farewell.hpp). Call
-/// poll() at least once more then, or better until done().
+/// After a failure, the sender still has to send messages that free the axis (farewell.hpp). So
+/// call poll() at least once more, or better until done() is true.
 class Sender {
  public:
   /// `session` > 0: a random number. Throws InputError for a plan that cannot be sent or armed.
@@ -94,7 +94,7 @@ class Sender {
   /// no table needs a hash.
   bool hash();
 
-  /// Changes the goal to a later one.
+  /// Changes the goal to a later step.
   void raise(StreamGoal goal);
   /// Changes the goal to a start in this tick of the executor.
   void start_at(std::int64_t tick);

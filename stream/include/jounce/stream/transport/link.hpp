@@ -38,7 +38,7 @@ void drain(Transport& link, Nanos timeout, const std::optional<wire::Key>& key, 
 void send_message(Transport& link, const wire::Message& message,
                   const std::optional<wire::Key>& key = {});
 
-/// Greatest number of packets of a channel that wait. It is greater than the number of messages
+/// Greatest number of packets of a channel that wait. This number exceeds the number of messages
 /// that a streamer has in transit (Pace::window, 8 by default), because repetitions and other
 /// streamers may add packets.
 inline constexpr int queue_capacity = 64;
