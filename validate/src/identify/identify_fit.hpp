@@ -20,7 +20,7 @@ struct Fitted {
   std::vector<std::size_t> used;  ///< indices of the recorded outputs
   Eigen::VectorXd before;         ///< residuals at the start, not weighted
   Eigen::VectorXd sigma;          ///< standard deviation of each output
-  /// What half the samples of the command change in the fitted model; empty: not known.
+  /// Response to half the samples of the command, minus the response to all; empty: not known.
   Eigen::VectorXd interpolation;
   int iterations = 0;
   bool cancelled = false;
