@@ -311,6 +311,9 @@ std::string sentence(const Finding& exact, const Labels& labels) {
       if (f.rule == "drive/stability") return of_unstable_loop(f, where);
       if (f.rule == "drive/saturation" && f.broken)
         return fmt::format("the torque reaches the limit {} at {}", value, where);
+      if (f.rule == "drive/settling_time" && f.broken && f.value <= f.limit)
+        return fmt::format("the load does not settle in the {} that are simulated after the motion",
+                           value);
       break;
     case RuleFamily::tolerance:
       if (f.rule == "tolerance/stability")

@@ -39,6 +39,10 @@ void add_torque_demand(DriveResult& result, const Input& input) {
       std::find_if(result.report.findings.begin(), result.report.findings.end(),
                    [](const Finding& f) { return f.broken && f.rule == "drive/saturation"; });
   if (found == result.report.findings.end()) return;
+  const bool is_unstable =
+      std::any_of(result.report.findings.begin(), result.report.findings.end(),
+                  [](const Finding& f) { return f.rule == "drive/stability"; });
+  if (is_unstable) return;
   Input free = input;
   constexpr double without_limit = 1e6;  // a multiple of the limit
   free.drive->drive.motor.torque_limit *= without_limit;

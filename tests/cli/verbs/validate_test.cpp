@@ -44,7 +44,6 @@ delay = ")" +
          std::to_string(delay) + " ms\"\n";
 }
 
-/// A loop that is hardly unstable, and one that is much so: findings of the loop, not of the solver.
 TEST_F(ValidateVerb, ProvesAGCodeProgram) {
   const std::string part = cli_test::examples + "gcode-part/";
   const std::string program = part + "plate.ngc --machine " + part + "machine.toml";
@@ -53,6 +52,23 @@ TEST_F(ValidateVerb, ProvesAGCodeProgram) {
   EXPECT_EQ(run("validate " + part + "plate.ngc").status, 2);
 }
 
+TEST_F(ValidateVerb, ALoadThatDoesNotSettleIsReportedAsSuch) {
+  const std::string limits = "[drive.limits]\nsettling_band = 1e-9\nsettling_time = ";
+  write("soon.toml", delayed_drive(0) + limits + "0.1\n");
+  const Result soon = run("validate soon.toml");
+  EXPECT_EQ(soon.status, 1);
+  EXPECT_THAT(soon.out, HasSubstr("settling time 0.3 s"));
+  EXPECT_THAT(soon.out, HasSubstr("exceeds the limit 0.1 s"));
+  write("late.toml", delayed_drive(0) + limits + "5\n");
+  const Result late = run("validate late.toml");
+  EXPECT_EQ(late.status, 1);
+  EXPECT_THAT(
+      late.out,
+      HasSubstr("the load does not settle in the 0.3 s that are simulated after the motion"));
+  EXPECT_THAT(late.out, HasSubstr("-> simulate a standstill as long as the limit: set settle = 5"));
+}
+
+/// A loop that is hardly unstable, and one that is much so: findings of the loop, not of the solver.
 TEST_F(ValidateVerb, AnUnstableLoopIsAFinding) {
   for (const double delay : {0.86, 1.1}) {
     write("unstable.toml", delayed_drive(delay));
@@ -65,6 +81,7 @@ TEST_F(ValidateVerb, AnUnstableLoopIsAFinding) {
                               : "the loop is unstable: an oscillation at 278.632 Hz grows"));
       EXPECT_THAT(found.out, HasSubstr("-> lower controller.velocity_gain from 0.05 to less than"));
       EXPECT_THAT(found.out, Not(HasSubstr("please report")));
+      EXPECT_THAT(found.out, Not(HasSubstr("without this limit, the torque reaches")));
     }
     const json validated = json::parse(run("validate --json unstable.toml").out);
     EXPECT_EQ(validated["findings"][0]["rule"], "drive/stability");

@@ -11,12 +11,17 @@
 namespace jounce::validate_detail {
 namespace {
 
-Finding saturation_of(const DriveResult& result, double limit) {
+constexpr const char* residual_advice =
+    "use a smoother law, or a shaper for the residual frequency";
+
+Finding saturation_of(const DriveResult& result, double limit, bool is_stable) {
   Finding finding = peak_finding("drive/saturation", "torque", result.torque, limit, "");
   finding.broken = !result.saturation.empty();
   if (finding.broken) {
     finding.where = result.saturation.front().from;
-    finding.advice = "the drive cannot follow: lower the acceleration or the inertia";
+    finding.advice = is_stable
+                         ? "the drive cannot follow: lower the acceleration or the inertia"
+                         : "the loop is unstable: make it stable first, then check the torque";
   }
   return finding;
 }
@@ -26,11 +31,13 @@ Finding settling_of(const DriveResult& result, const DriveOptions& options, doub
   const double limit = *options.limits.settling_time;
   const double time = result.settling_time.value_or(options.settle);
   Finding finding = peak_finding("drive/settling_time", "settling time", {time, end + time}, limit,
-                                 "use a smoother law, or a shaper for the residual frequency");
+                                 residual_advice);
   if (result.settling_time) return finding;
   finding.broken = true;
   finding.margin = std::min(finding.margin, 0.0);
-  finding.advice = "it did not settle within the simulated standstill";
+  finding.advice = residual_advice;
+  if (limit > options.settle)
+    finding.advice = "simulate a standstill as long as the limit: set settle = " + number(limit);
   return finding;
 }
 
@@ -64,16 +71,16 @@ Report drive_report(const DriveResult& result, const Drive& drive, const DriveOp
         {result.end_following_error, end}, limits.end_following_error, follow);
   check("drive/sync_following_error", "following error in sync", result.sync_following_error,
         limits.sync_following_error, follow);
-  check("drive/residual", "residual vibration", result.residual, limits.residual,
-        "use a smoother law, or a shaper for the residual frequency");
+  check("drive/residual", "residual vibration", result.residual, limits.residual, residual_advice);
   if (limits.settling_time && result.integration.ok())
     report.findings.push_back(settling_of(result, options, end));
-  report.findings.push_back(saturation_of(result, drive.motor.torque_limit));
+  const auto unstable = unstable_loop(drive);
+  report.findings.push_back(saturation_of(result, drive.motor.torque_limit, !unstable));
   if (!result.integration.ok()) {  // a limit that holds so far may be broken later
     std::erase_if(report.findings, [](const Finding& f) { return !f.broken; });
     report.findings.push_back(integration_finding("drive/integration", "time", result.integration));
   }
-  if (const auto unstable = unstable_loop(drive)) report.findings.push_back(*unstable);
+  if (unstable) report.findings.push_back(*unstable);
   sort(report);
   return report;
 }
