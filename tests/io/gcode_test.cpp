@@ -61,6 +61,18 @@ TEST(Gcode, EndsAtASecondPercentSign) {
   EXPECT_NE(complaint("%\nG1 X10 F100\n% X99\n"), "none");
 }
 
+TEST(Gcode, TakesNoNoticeOfTheNumberOfTheProgram) {
+  for (const char* head : {"%\nO1234\n", "%\nO1234 (PLATE)\n", "o0001\n", "%1000\n", "% (PLATE)\n"})
+    EXPECT_EQ(parsed(std::string(head) + "G1 X10 F100\nM30\n%\n").program.commands().size(), 1U)
+        << head;
+  EXPECT_THAT(complaint("O1\nO2\n"),
+              HasSubstr("part.ngc:2:1: O2: is the number of a subprogram, which is not supported"));
+  EXPECT_THAT(complaint("G1 X10 F100\nO1\n"), HasSubstr("part.ngc:2:1: O1: is the number of"));
+  EXPECT_THAT(complaint("O1 G1 X10 F100\n"),
+              HasSubstr("subprograms, loops and conditions are not"));
+  EXPECT_THAT(complaint("%X1\n"), HasSubstr("part.ngc:1:2: \"X1\": must not follow %"));
+}
+
 TEST(Gcode, StopsAtTangentJointsByG61Point1Only) {
   const Program program =
       parsed("G61 G1 X1 F60\nX2\nG61.1 X3\nX4\nG61 X5\nG61.1 X6\nG64 P0.1 X7\n").program;

@@ -39,10 +39,11 @@ class Line {
     skip_spaces();
     if (at_ < text_.size() && text_[at_] == '%') {
       ++at_;
-      skip_spaces();
+      while (at_ < text_.size() && is_digit(text_[at_])) ++at_;  // the number of the program
+      skip_comments();
       if (at_ < text_.size())
         fail(at_, shown(at_, text_.size()),
-             "must not follow % on the same line: put % on its own line");
+             "must not follow % on the same line: only the number of the program may follow it");
       return all;
     }
     for (skip_comments(); at_ < text_.size(); skip_comments()) all.push_back(word());

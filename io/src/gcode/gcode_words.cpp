@@ -48,9 +48,9 @@ std::string rule_of_unsupported(const std::string& letters) {
   if (letters == "L" || letters == "Q")
     return "a parameter of a cycle or of G10 is not supported: remove it";
   if (letters == "O")
-    return "is the number of a program or a subprogram, which is not supported: remove the number "
-           "of "
-           "the program; have the CAM program write all motions in one program";
+    return "is the number of a subprogram, which is not supported (the number of the program is "
+           "permitted as the first word of the file): have the CAM program write all motions in "
+           "one program";
   return "is not a word of a program for Jounce, which takes N G M, X Y Z A B C U V W, I J K R P, "
          "F E FF EF, H S T: remove it";
 }

@@ -76,7 +76,8 @@ bool begins_as_gcode(std::string_view text);
 ///   acceleration of G0.
 /// - M, H, S, T: events at the start of the block. M0 and M1 come to rest at the end of the block;
 ///   M2 and M30 end the program. H may be negative: it switches its output off.
-/// - N: line number. G40, G49, G94 switch off functions that are not supported, and are accepted.
+/// - N: line number. O as the first word, alone in its block, or a number after the first %: number of
+///   the program. G40, G49, G94 switch off functions that are not supported, and are accepted.
 ///   G80 ends G0 to G3: the next motion must name one of them. Comments are in ( ) or after a
 ///   semicolon.
 ///
