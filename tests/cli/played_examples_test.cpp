@@ -13,9 +13,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/design/executor_tables.hpp"
+#include "jounce/design/detail/executor_tables.hpp"
+#include "jounce/design/detail/reference.hpp"
 #include "jounce/design/input.hpp"
-#include "jounce/design/reference.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"

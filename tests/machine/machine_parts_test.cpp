@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/machine/group_position.hpp"
+#include "jounce/machine/detail/group_position.hpp"
 
 #include "support/errors.hpp"
 

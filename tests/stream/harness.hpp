@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 #include "stream/src/transport/lossy_transport.hpp"

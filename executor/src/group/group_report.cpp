@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "jounce/executor/group_plan.hpp"
+#include "jounce/executor/detail/group_plan.hpp"
 
 namespace jounce {
 namespace {

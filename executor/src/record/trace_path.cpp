@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "jounce/executor/trace.hpp"
+#include "jounce/executor/detail/trace.hpp"
 
 namespace jounce {
 namespace {

@@ -5,8 +5,8 @@
 #include <exception>
 #include <utility>
 
-#include "jounce/command/command_table.hpp"
 #include "jounce/command/command_values.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "stream/src/sender/reasons.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "jounce/stream/sender/ask.hpp"
+#include "jounce/stream/detail/ask.hpp"
 
 #include "stream/src/sender/reasons.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/dispatcher.hpp"
+#include "jounce/executor/detail/dispatcher.hpp"
 
 #include <charconv>
 #include <filesystem>

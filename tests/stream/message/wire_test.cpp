@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "jounce_lcm/ack_t.hpp"

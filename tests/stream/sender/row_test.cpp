@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/sender/row_sender.hpp"
+#include "jounce/stream/detail/row_sender.hpp"
 
 #include "stream/harness.hpp"
 #include "stream/sender/rows.hpp"

@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "jounce/axis/group_program.hpp"
+#include "jounce/axis/detail/group_program.hpp"
 #include "jounce/axis/machine.hpp"
-#include "jounce/executor/cycle.hpp"
-#include "jounce/executor/sent_program.hpp"
+#include "jounce/executor/detail/cycle.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/gear/cut_plan.hpp"
-#include "jounce/stream/receiver/receiver.hpp"
+#include "jounce/stream/detail/receiver.hpp"
 
 namespace jounce {
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/dispatcher.hpp"
+#include "jounce/executor/detail/dispatcher.hpp"
+#include "jounce/executor/detail/recorder.hpp"
 #include "jounce/executor/realtime.hpp"
-#include "jounce/executor/recorder.hpp"
 
 namespace jounce {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jounce/design/input.hpp"
-#include "jounce/report/diagnostic.hpp"
+#include "jounce/report/detail/diagnostic.hpp"
 #include "jounce/spec/machine_spec.hpp"
 
 namespace jounce {

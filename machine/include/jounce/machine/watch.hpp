@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/security/key.hpp"
-#include "jounce/stream/sender/sender.hpp"
 #include "jounce/stream/transport/keyed_link.hpp"
 #include "jounce/stream/transport/link.hpp"
 #include "jounce/stream/transport/transport.hpp"

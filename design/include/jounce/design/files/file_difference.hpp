@@ -12,7 +12,7 @@
 
 namespace jounce {
 
-/// The axes of two files in pairs (paired_axes() in jounce/design/version.hpp), and their
+/// The axes of two files in pairs (paired_axes() in jounce/design/detail/version.hpp), and their
 /// comparisons.
 struct FileDifference {
   std::vector<std::pair<Input, Input>> axes = {};

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "jounce/stream/detail/row_window.hpp"
 #include "jounce/stream/message/queue.hpp"
 #include "jounce/stream/sender/client.hpp"
-#include "jounce/stream/sender/row_window.hpp"
 
 namespace jounce {
 

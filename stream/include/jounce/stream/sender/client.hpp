@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "jounce/stream/sender/ask.hpp"
+#include "jounce/stream/detail/ask.hpp"
 #include "jounce/stream/sender/driver.hpp"
 #include "jounce/stream/sender/outcome.hpp"
 

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "jounce/stream/detail/receiver.hpp"
+#include "jounce/stream/detail/row_sender.hpp"
+#include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/message/wire.hpp"
-#include "jounce/stream/receiver/receiver.hpp"
-#include "jounce/stream/sender/row_sender.hpp"
-#include "jounce/stream/sender/sender.hpp"
 #include "jounce/stream/transport/link.hpp"
 #include "jounce/stream/transport/transport.hpp"
 

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "jounce/axis/detail/group_program.hpp"
+#include "jounce/path/point.hpp"
+#include "jounce/path/program_numbers.hpp"
+
+namespace jounce {
+
+struct ExecutorGroup;
+
+/// M words of programs that wait for an acknowledgment.
+struct MWordHandshake {
+  bool all = false;                         ///< true: all but M2 and M30, which end the program
+  std::vector<std::int32_t> numbers = {0};  ///< those that wait
+  double timeout = 0;                       ///< greatest time of the wait, s; 0: no limit
+
+  [[nodiscard]] bool waits_at(const ProgramWord& word) const;
+};
+
+/// A long program is planned in windows of this many commands. The group changes from one plan to the
+/// next one in the commands that both contain, so it needs memory for two plans, not for all.
+struct PlanWindow {
+  std::size_t commands = 16384;  ///< greatest number of commands of a plan; more than `common`
+  std::size_t common = 4096;     ///< number of commands that two plans have in common
+};
+
+/// The rest of a stage after a window.
+struct WindowRest {
+  std::size_t last = 0;  ///< the command after the last one of the window
+  double length = 0;     ///< length along the path of the commands from `last` on, u
+  double time = 0;       ///< their duration, s
+  ProgramPart
+      peaks{};  ///< greatest magnitudes from the beginning of the window to the end of the stage
+};
+
+/// Commands of a program between two M words that wait. The group begins and ends them at rest.
+struct SentStage {
+  std::optional<std::int32_t> m_word = {};  ///< M word before it; nullopt: none
+  std::size_t first = 0;                    ///< its first command
+  std::size_t last = 0;                     ///< the command after its last one
+  std::size_t first_word = 0;               ///< its first word, after the M word before it
+  std::size_t last_word = 0;                ///< the word after its last one
+  /// The plan of its commands up to `planned`. Null: it has no command and no word, or it is planned
+  /// when it begins.
+  std::shared_ptr<const GroupProgram> program = {};
+  std::size_t planned = 0;               ///< the command after the last one of `program`
+  std::vector<WindowRest> windows = {};  ///< empty: one plan contains all commands
+};
+
+/// A program that was sent as a whole, divided at the M words that wait.
+struct SentProgram {
+  LimitedProgram sent = {};
+  std::vector<SentStage> stages = {};  ///< at least one; the first has no M word
+  PlanWindow window = {};              ///< windows of its plans
+
+  /// The end of the first command from `first` on that moves, with the dwells after it; at most `last`.
+  [[nodiscard]] std::size_t step_end(std::size_t first, std::size_t last) const;
+  /// The end of the window of a motion of a stage that begins at rest, at the command `first`.
+  [[nodiscard]] std::size_t window_end(const SentStage& stage, std::size_t first) const;
+};
+
+/// Divides a program and plans all its stages. The plans of a long program are made again when the
+/// group comes to their windows. Throws like planned_program().
+std::shared_ptr<const SentProgram> sent_program(LimitedProgram sent, const ExecutorGroup& group,
+                                                const std::atomic<bool>* canceled = nullptr);
+
+/// A program whose motion is planned already, and in which no M word waits.
+std::shared_ptr<const SentProgram> sent_program(LimitedProgram sent, GroupProgram planned);
+
+/// Plans the commands of a stage from `first` to before `last`, from rest to rest. If none of them moves, the
+/// group rests for the time of the dwells, and at least for one cycle. Throws like planned_program().
+std::shared_ptr<const GroupProgram> planned_part(const SentProgram& program, const SentStage& stage,
+                                                 std::size_t first, std::size_t last,
+                                                 const ExecutorGroup& group,
+                                                 const std::atomic<bool>* canceled = nullptr);
+
+/// Returns the first motion of a program: its first stage or, in single step, its first command.
+/// `last` receives the number of the command after it.
+std::shared_ptr<const GroupProgram> first_motion(const SentProgram& program, bool single_step,
+                                                 const ExecutorGroup& group, std::size_t& last);
+
+}  // namespace jounce
