@@ -13,7 +13,6 @@
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/machine/watch.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/detail/group.hpp"
 #include "jounce/stream/sender/operate.hpp"
 
 #include "cli/common/input.hpp"

@@ -22,6 +22,8 @@
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/proof/played.hpp"
 #include "jounce/pvt/check.hpp"
+#include "jounce/stream/sender/stream_outcome.hpp"
+#include "jounce/stream/sender/stream_plan.hpp"
 
 #include "executor/site.hpp"
 #include "support/errors.hpp"

@@ -25,9 +25,9 @@
 #include "jounce/command/detail/command_table.hpp"
 #include "jounce/drive/machine_sensors.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/detail/group.hpp"
 #include "jounce/stream/sender/client.hpp"
 #include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/sender/stream_group.hpp"
 
 #include "executor/record/log_judge.hpp"
 #include "executor/record/log_line.hpp"

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include "jounce/command/cause.hpp"
 #include "jounce/machine/detail/status_text.hpp"
 #include "jounce/machine/detail/terminal.hpp"
 

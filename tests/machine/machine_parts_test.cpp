@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/executor/detail/dispatcher.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/machine/detail/group_position.hpp"
 
 #include "support/errors.hpp"

@@ -15,6 +15,7 @@
 
 #include "jounce/axis/detail/path_commands.hpp"
 #include "jounce/axis/detail/plan_agreement.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/executor/detail/worker.hpp"
 #include "jounce/executor/executor_options.hpp"
 

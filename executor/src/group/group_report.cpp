@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "jounce/executor/detail/group_plan.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 
 namespace jounce {
 namespace {

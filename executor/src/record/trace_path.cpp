@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "jounce/axis/detail/group_program.hpp"
 #include "jounce/executor/detail/trace.hpp"
 
 namespace jounce {

@@ -9,6 +9,7 @@
 #include "jounce/axis/job.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/executor/detail/group_plan.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/path/program_numbers.hpp"
 #include "jounce/profiles/error.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "jounce/axis/movement.hpp"
 #include "jounce/executor/detail/record.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/executor/executor_options.hpp"
 #include "jounce/stream/detail/receiver.hpp"
 

@@ -14,8 +14,10 @@
 #include "jounce/design/input.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/executor/detail/group_plan.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/spec.hpp"
+#include "jounce/stream/message/message.hpp"
 
 namespace jounce::machine_detail {
 namespace {

@@ -11,6 +11,8 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/detail/sender.hpp"
+#include "jounce/stream/message/wire.hpp"
+#include "jounce/stream/transport/link.hpp"
 
 #include "axis/tables.hpp"
 #include "stream/src/transport/memory_transport.hpp"

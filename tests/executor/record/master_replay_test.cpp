@@ -14,6 +14,8 @@
 #include <unistd.h>
 
 #include "jounce/executor/detail/cycle.hpp"
+#include "jounce/executor/detail/dispatcher.hpp"
+#include "jounce/executor/detail/recorder.hpp"
 #include "jounce/executor/detail/replay.hpp"
 #include "jounce/profiles/error.hpp"
 

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/sender/client.hpp"
 
 #include "axis/tables.hpp"

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/detail/group.hpp"
 #include "jounce/stream/sender/client.hpp"
+#include "jounce/stream/sender/stream_group.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"

@@ -29,6 +29,7 @@
 #include "jounce_lcm/heartbeat_t.hpp"
 #include "jounce_lcm/master_status_t.hpp"
 #include "jounce_lcm/master_t.hpp"
+#include "jounce_lcm/path_command_t.hpp"
 #include "jounce_lcm/queue_ack_t.hpp"
 #include "jounce_lcm/queue_t.hpp"
 #include "jounce_lcm/reply_t.hpp"

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/stream/detail/receiver_pump.hpp"
+#include "jounce/stream/receiver/receiver_options.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 #include "stream/src/transport/lossy_transport.hpp"

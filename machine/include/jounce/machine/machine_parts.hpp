@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/detail/masters.hpp"
-#include "jounce/executor/detail/recorder.hpp"
 #include "jounce/executor/executor_options.hpp"
+#include "jounce/executor/machine_master.hpp"
+#include "jounce/executor/recorder_options.hpp"
 #include "jounce/spec/machine_spec.hpp"
 #include "jounce/spec/spec.hpp"
 

@@ -14,6 +14,7 @@
 #include "jounce/axis/ring.hpp"
 #include "jounce/drive/drive.hpp"
 #include "jounce/drive/seqlock.hpp"
+#include "jounce/executor/cycle_counts.hpp"
 #include "jounce/executor/histogram.hpp"
 
 namespace jounce {
@@ -88,17 +89,6 @@ struct MachineExchange {
   std::vector<std::unique_ptr<AxisExchange>> axes;               ///< exchange of each axis
   std::vector<std::unique_ptr<Seqlock<MasterReading>>> masters;  ///< last value of each master
   CycleStatus cycle;                                             ///< state of the cycle
-};
-
-/// Timing statistics of a cycle.
-struct CycleCounts {
-  std::int64_t ticks = 0;        ///< number of steps
-  std::int64_t late = 0;         ///< steps that began a period or more too late
-  std::int64_t skipped = 0;      ///< ticks that were skipped because of late steps
-  std::int64_t latest_ns = 0;    ///< greatest delay of a step, ns
-  std::int64_t computed_ns = 0;  ///< longest computation of a step, ns
-  /// Ticks that were dropped because the ring to the communication thread was full.
-  std::int64_t lost = 0;
 };
 
 class RecordBuffer;

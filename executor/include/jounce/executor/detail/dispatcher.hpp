@@ -12,7 +12,7 @@
 #include "jounce/executor/detail/worker.hpp"
 #include "jounce/executor/executor_options.hpp"
 #include "jounce/stream/detail/claim.hpp"
-#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/detail/receiver_pump.hpp"
 
 namespace jounce {
 

@@ -4,25 +4,16 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "jounce/axis/master.hpp"
 #include "jounce/executor/detail/cycle.hpp"
+#include "jounce/executor/machine_master.hpp"
 #include "jounce/stream/detail/master_intake.hpp"
-#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/detail/receiver_pump.hpp"
 
 namespace jounce {
-
-/// A master of a machine, in the options of an executor. Follow::index is an index into the list of
-/// masters.
-struct MachineMaster {
-  std::string name = {};  ///< name of the master, and of the channel of an ExternalMaster
-  std::string unit = {};  ///< unit of the position
-  std::shared_ptr<Master> source = {};  ///< computes the position
-};
 
 /// The part of the communication thread that serves the masters. It receives the samples of
 /// external masters, and reports the state of each master in the cycle.

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,8 +16,9 @@
 
 #include "jounce/axis/ring.hpp"
 #include "jounce/executor/detail/record.hpp"
-#include "jounce/stream/detail/table_store.hpp"
+#include "jounce/executor/recorder_options.hpp"
 #include "jounce/stream/message/message.hpp"
+#include "jounce/stream/receiver/stored_table.hpp"
 
 namespace jounce {
 
@@ -55,15 +55,6 @@ class RecordBuffer {
 
   Ring<Item, capacity> items_;
   std::int64_t lost_ = 0;  // since the last stored item; used by the cyclic thread
-};
-
-/// Files of a recorder.
-struct RecorderOptions {
-  std::optional<std::filesystem::path> log = {};  ///< log of the whole run; nullopt: none
-  /// Black box, written at a fault; nullopt: none.
-  std::optional<std::filesystem::path> black_box = {};
-  std::size_t black_box_cycles = 2000;  ///< number of cycles of each axis in the black box
-  std::function<void(const std::string&)> notify = {};  ///< receives notices as text
 };
 
 /// Writes the record of a run, in the communication thread:

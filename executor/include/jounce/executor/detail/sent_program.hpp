@@ -9,28 +9,10 @@
 #include <vector>
 
 #include "jounce/axis/detail/group_program.hpp"
+#include "jounce/executor/program_options.hpp"
 #include "jounce/path/point.hpp"
-#include "jounce/path/program_numbers.hpp"
 
 namespace jounce {
-
-struct ExecutorGroup;
-
-/// M words of programs that wait for an acknowledgment.
-struct MWordHandshake {
-  bool all = false;                         ///< true: all but M2 and M30, which end the program
-  std::vector<std::int32_t> numbers = {0};  ///< those that wait
-  double timeout = 0;                       ///< greatest time of the wait, s; 0: no limit
-
-  [[nodiscard]] bool waits_at(const ProgramWord& word) const;
-};
-
-/// A long program is planned in windows of this many commands. The group changes from one plan to the
-/// next one in the commands that both contain, so it needs memory for two plans, not for all.
-struct PlanWindow {
-  std::size_t commands = 16384;  ///< greatest number of commands of a plan; more than `common`
-  std::size_t common = 4096;     ///< number of commands that two plans have in common
-};
 
 /// The rest of a stage after a window.
 struct WindowRest {
@@ -66,11 +48,6 @@ struct SentProgram {
   /// The end of the window of a motion of a stage that begins at rest, at the command `first`.
   [[nodiscard]] std::size_t window_end(const SentStage& stage, std::size_t first) const;
 };
-
-/// Divides a program and plans all its stages. The plans of a long program are made again when the
-/// group comes to their windows. Throws like planned_program().
-std::shared_ptr<const SentProgram> sent_program(LimitedProgram sent, const ExecutorGroup& group,
-                                                const std::atomic<bool>* canceled = nullptr);
 
 /// A program whose motion is planned already, and in which no M word waits.
 std::shared_ptr<const SentProgram> sent_program(LimitedProgram sent, GroupProgram planned);

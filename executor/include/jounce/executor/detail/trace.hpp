@@ -9,9 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "jounce/axis/detail/group_program.hpp"
 #include "jounce/axis/tick.hpp"
 #include "jounce/executor/executor_options.hpp"
-#include "jounce/stream/detail/table_store.hpp"
+#include "jounce/stream/receiver/stored_table.hpp"
 
 namespace jounce {
 

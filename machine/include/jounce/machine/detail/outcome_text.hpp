@@ -7,9 +7,9 @@
 
 #include "jounce/command/state.hpp"
 #include "jounce/machine/detail/command_words.hpp"
-#include "jounce/stream/detail/row_sender.hpp"
-#include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/message/message.hpp"
+#include "jounce/stream/sender/row_plan.hpp"
+#include "jounce/stream/sender/stream_outcome.hpp"
 
 /// Outcomes of calls to an executor in words and as JSON.
 namespace jounce {

@@ -6,23 +6,9 @@
 #include <vector>
 
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/transport/transport.hpp"
+#include "jounce/stream/sender/stream_outcome.hpp"
 
 namespace jounce {
-
-/// Options for sending the chunks of a table. The defaults suit a local network and the default
-/// socket buffer of Linux, which holds 8 messages of 12.8 KB, or longer chunks of the same total
-/// length.
-struct Pace {
-  std::uint32_t window = 8;  ///< messages of 12.8 KB in transit, 1 to 64
-  /// Doubles in a chunk, 4 to 7680; longer chunks cost less time for each byte.
-  std::uint32_t chunk = 4096;
-  Nanos resend = std::chrono::milliseconds(6);  ///< least time until a chunk is sent again
-  /// Greatest time until a chunk is sent again; the time doubles while no acknowledgment arrives.
-  Nanos slowest = std::chrono::milliseconds(100);
-  /// Least time until a chunk is sent again if a later chunk has arrived.
-  Nanos fast_resend = std::chrono::milliseconds(2);
-};
 
 /// The chunks of one table in transit: selects the chunks to be sent now, and the chunks to be sent
 /// again. The method is selective repeat within a window. The time until a repeat follows the

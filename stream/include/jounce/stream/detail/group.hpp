@@ -8,19 +8,9 @@
 #include <vector>
 
 #include "jounce/stream/detail/sender.hpp"
-#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/sender/stream_group.hpp"
 
 namespace jounce {
-
-/// Options of a group.
-struct GroupOptions {
-  SenderOptions sender = {};  ///< options of each Sender
-  /// Common tick of the start; -1: the first tick for which all axes can have accepted the start.
-  std::int64_t tick = -1;
-  /// For tick -1: time from the newest known tick to the start.
-  Nanos lead = std::chrono::milliseconds(300);
-  bool watch = true;  ///< true: ends when all motions have ended; false: when all have begun
-};
 
 /// Streams to several axes of one machine whose motions start together: a pure state machine that
 /// contains a Sender for each axis. It has no thread, clock or link.
@@ -88,12 +78,5 @@ class Group {
   Phase phase_ = Phase::arming;
   std::int64_t tick_ = -1;
 };
-
-/// Runs a Group over a link. `options.total` is the time limit until all motions have begun;
-/// `options.cancelled` stops all axes. Returns the outcome of each axis.
-std::vector<StreamOutcome> stream_group(Transport& link, std::vector<StreamPlan> plans,
-                                        const GroupOptions& group,
-                                        const StreamOptions& options = {},
-                                        const Clock& clock = steady_now);
 
 }  // namespace jounce

@@ -3,20 +3,11 @@
 
 #include <cstddef>
 #include <list>
-#include <memory>
 #include <optional>
 
-#include "jounce/base/hash.hpp"
-#include "jounce/pvt/table.hpp"
+#include "jounce/stream/receiver/stored_table.hpp"
 
 namespace jounce {
-
-/// A complete table, which is shared with the motions that play it.
-struct StoredTable {
-  Sha256 hash{};     ///< content_hash() of the table
-  Units units = {};  ///< its units
-  std::shared_ptr<const Table> table = {};
-};
 
 /// Complete tables by their hash. A limit applies to the memory of these tables and of the tables
 /// in transit together.
