@@ -28,7 +28,7 @@ struct ExamineMachine {
 ///
 ///     const FileResult result = lint_file("cam.toml", [](std::vector<Input>& axes) {
 ///       std::vector<Report> reports;
-///       for (const Input& axis : axes) reports.push_back(checked(axis));
+///       for (const Input& axis : axes) reports.push_back(check_all(axis));
 ///       return reports;
 ///     });
 ///
